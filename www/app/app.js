@@ -118,7 +118,6 @@ export class App {
    * @template T
    * @param {Promise<T>} promise
    * @param {string} [title]   of the error
-   * @returns {Promise<T | undefined>}
    */
   async track(promise, title) {
     this.pending++;
@@ -139,7 +138,6 @@ export class App {
    * @template T
    * @param {() => T} act
    * @param {string} [title]   of the error
-   * @returns {T | undefined}
    */
   guard(act, title) {
     try {

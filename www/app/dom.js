@@ -3,7 +3,6 @@
  * @template {Element} E
  * @param {string} id
  * @param {new () => E} kind
- * @returns {E}
  */
 export function byId(id, kind) {
   const element = document.getElementById(id);

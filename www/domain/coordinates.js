@@ -28,6 +28,11 @@ export function contained(pose, coordinates) {
 /** Fits a configuration with more or fewer numbers to coordinates and their ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
 export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
 
+/** The rows of one flat array. @param {Float64Array} values @param {number} width  numbers in a row */
+export function rowsOf(values, width) {
+  return Array.from({ length: values.length / width }, (_, i) => values.subarray(i * width, (i + 1) * width));
+}
+
 /** The longer side of the world, metres. @param {Scenario} scenario */
 export function sizeOf(scenario) {
   const { min, max } = scenario.extent();

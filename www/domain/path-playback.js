@@ -2,7 +2,7 @@
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
  * metric of the path.
  */
-import { sizeOf } from "./coordinates.js";
+import { rowsOf, sizeOf } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
@@ -33,8 +33,7 @@ export class PathPlayback {
     this.isMiss = isMiss;
     this.raw = raw;
     this.course = course;
-    const n = scenario.dimension;
-    this.waypoints = Array.from({ length: path.length / n }, (_, i) => path.slice(i * n, (i + 1) * n));
+    this.waypoints = rowsOf(path, scenario.dimension);
     /** Distance from the start to each waypoint. */
     this.reached = [0];
     for (let i = 1; i < this.waypoints.length; i++) {
@@ -54,7 +53,6 @@ export class PathPlayback {
     this.flaw = isProven ? null : this.firstFlaw();
   }
 
-  /** @returns {Flaw | null} */
   firstFlaw() {
     const { scenario, waypoints, reached } = this;
     if (this.course) return this.firstFlawOnArcs(waypoints.length * 20);
@@ -141,7 +139,6 @@ export class PathPlayback {
  * @param {Scenario} scenario
  * @param {RunLog} run
  * @param {Placed | null} [placed]   of a body or a car
- * @returns {PathPlayback | null}
  */
 export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;

@@ -4,7 +4,7 @@
  */
 import { View } from "planarium/draw";
 import { MARGIN, drawAxes } from "./angles.js";
-import { drawLine } from "./marks.js";
+import { drawLine, setStroke } from "./marks.js";
 import { paint, soften } from "./mask.js";
 import { NO_VIEW } from "./figure.js";
 import { folded } from "./trace.js";
@@ -47,10 +47,8 @@ export class AngleSquare {
       for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
     // Borders that can be crossed are dashed, joint limits solid.
-    context.strokeStyle = palette.obstacleEdge;
     for (const [i, { low: from, high: to, isCircle }] of coordinates.entries()) {
-      context.lineWidth = isCircle ? 1 : 2;
-      context.setLineDash(isCircle ? [3, 3] : []);
+      setStroke(context, palette.obstacleEdge, isCircle ? 1 : 2, isCircle ? [3, 3] : []);
       for (const value of [from, to]) {
         if (i === 0) drawLine(context, view.x(value), outer.y, view.x(value), outer.y + outer.height);
         else drawLine(context, outer.x, view.y(value), outer.x + outer.width, view.y(value));

@@ -11,7 +11,6 @@ function written(cell) {
 /**
  * @param {readonly string[]} columns
  * @param {readonly (readonly Cell[])[]} rows  as many cells in each as there are columns
- * @returns {string}
  */
 export function toCsv(columns, rows) {
   return [columns, ...rows].map((row) => {

@@ -14,7 +14,7 @@ import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { num, tuple } from "../widgets/format.js";
-import { sceneGallery } from "../widgets/scene-gallery.js";
+import { makeSceneGallery } from "../widgets/scene-gallery.js";
 import { watchHandles } from "./handles.js";
 import { showPanel } from "./panel.js";
 import { DIGITS, sentenceOf, showNeighbours } from "./result.js";
@@ -41,7 +41,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, new Square(session)),
   };
   const all = Object.values(figures);
-  const gallery = sceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
+  const gallery = makeSceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
   showPanel(session, indexes);
   const timingsCsv = watchTiming(session, indexes);
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [

@@ -3,6 +3,7 @@
  * queries are timed in batches, and their median counts.
  */
 import { Scenario } from "planarium";
+import { rowsOf } from "../domain/coordinates.js";
 
 /** @import { Neighbours, NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument, Settings } from "../domain/types.js" */
@@ -27,9 +28,7 @@ export class Measurement {
     this.scenario = Scenario.parse(document);
     this.k = k;
     this.rows = this.scenario.sampleConfigurations(MOST, { seed: SEEDS.rows });
-    const { dimension } = this.scenario;
-    const targets = this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets });
-    this.targets = Array.from({ length: TARGETS }, (_, i) => targets.subarray(i * dimension, (i + 1) * dimension));
+    this.targets = rowsOf(this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets }), this.scenario.dimension);
     /** The indexes, and the milliseconds that they took to build. */
     this.candidates = KINDS.map((kind) => {
       const options = { index: kind, ...(metric === undefined ? {} : { metric }), ...(kind === "forest" ? forest : {}) };

@@ -3,15 +3,7 @@ import { box, disc } from "../domain/obstacles.js";
 
 /** @import { Obstacle, ScenarioDocument } from "../domain/types.js" */
 
-/**
- * @typedef {object} RobotEntry
- * @property {string} id
- * @property {string} title
- * @property {ScenarioDocument} document
- * @property {number[]} q    the target at first
- * @property {number} k
- * @property {[q: number[], k: number][]} presets
- */
+/** @typedef {{ id: string, title: string, document: ScenarioDocument, q: number[], k: number, presets: [q: number[], k: number][] }} RobotEntry */
 
 const BOUNDS = { min: /** @type {[number, number]} */ ([0, 0]), max: /** @type {[number, number]} */ ([2, 2]) };
 

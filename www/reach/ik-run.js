@@ -1,4 +1,5 @@
 /** A run of inverse kinematics with its iterates and solutions so far. */
+import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
 
 /** @import { ReachVerdict } from "planarium" */
@@ -39,13 +40,8 @@ export class IkRun {
     const { arm, run, iterates, solutions } = this;
     const n = arm.dimension;
     if (count > 0) run.step(count);
-    const rows = run.iteratesSince(iterates.length);
-    for (let i = 0; i < rows.length; i += n + 2) iterates.push({ restart: rows[i], error: rows[i + 1], q: rows.slice(i + 2, i + 2 + n) });
-    const found = run.solutionsSince(solutions.length);
-    for (let i = 0; i < found.length; i += n) {
-      const q = found.slice(i, i + n);
-      solutions.push({ q, isFree: arm.isFree(q) });
-    }
+    for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2)) iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
+    for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: arm.isFree(q) });
     if (!this.isRunning || solutions.length > 0) this.verdict = run.verdict();
   }
 

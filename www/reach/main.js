@@ -16,7 +16,7 @@ import { Figure } from "../draw/figure.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { num, tuple } from "../widgets/format.js";
-import { sceneGallery } from "../widgets/scene-gallery.js";
+import { makeSceneGallery } from "../widgets/scene-gallery.js";
 import { showArmPanel } from "./arm-panel.js";
 import { watchHandles } from "./handles.js";
 import { IkPanel } from "./ik-panel.js";
@@ -65,7 +65,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     ik.begin();
   });
   byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
-  const gallery = sceneGallery(app, SCENES, documentOf, (entry) => {
+  const gallery = makeSceneGallery(app, SCENES, documentOf, (entry) => {
     app.notice.hide();
     session.openScene(entry);
   });

@@ -5,7 +5,7 @@
 import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";
 import { NO_VIEW } from "../draw/figure.js";
-import { drawDot, drawLine } from "../draw/marks.js";
+import { drawDot, drawLine, setStroke } from "../draw/marks.js";
 import { fillWith } from "../draw/shapes.js";
 import { folded } from "../draw/trace.js";
 import { num } from "../widgets/format.js";
@@ -53,9 +53,8 @@ export class ParallelAxes {
     this.view = new View({ min: [0, 0], max: [joints.length - 1, 1] }, width, height, MARGIN, true);
     const isNarrow = width / joints.length < 64;
     context.font = "12px system-ui, sans-serif";
-    context.strokeStyle = palette.obstacleEdge;
     context.fillStyle = palette.quiet;
-    context.lineWidth = 1.4;
+    setStroke(context, palette.obstacleEdge, 1.4);
     joints.forEach((joint, i) => {
       const x = this.view.x(i);
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
@@ -128,13 +127,10 @@ export class ParallelAxes {
 
   /** A configuration as a line. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
   drawPose(context, q, colour, width, dash = []) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
+    setStroke(context, colour, width, dash);
     context.lineJoin = "round";
-    context.setLineDash(dash);
     context.beginPath();
     for (let i = 0; i < q.length; i++) context.lineTo(this.view.x(i), this.y(i, q[i]));
     context.stroke();
-    context.setLineDash([]);
   }
 }

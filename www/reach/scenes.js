@@ -4,17 +4,8 @@ import { box, disc } from "../domain/obstacles.js";
 /** @import { Obstacle, Point, ScenarioDocument } from "../domain/types.js" */
 /** @import { ArmRobot } from "./arm.js" */
 
-/**
- * @typedef {object} SceneEntry
- * @property {string} id
- * @property {string} title
- * @property {Obstacle[]} obstacles
- * @property {Omit<ArmRobot, "type">} robot
- * @property {number[]} q    the configuration at first
- * @property {number[]} a    the start of the motion
- * @property {number[]} b    its end
- * @property {Point} target  of inverse kinematics
- */
+/** @typedef {{ q: number[], a: number[], b: number[], target: Point }} Configurations   at first, of the motion, and of inverse kinematics */
+/** @typedef {{ id: string, title: string, obstacles: Obstacle[], robot: Omit<ArmRobot, "type"> } & Configurations} SceneEntry */
 
 /** @type {SceneEntry[]} */
 export const SCENES = [

@@ -1,6 +1,6 @@
 /** The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse kinematics. */
 import { AngleSquare } from "../draw/angle-square.js";
-import { cross, disc, drawDot, ring } from "../draw/marks.js";
+import { cross, disc, drawDot, ring, setStroke } from "../draw/marks.js";
 import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
@@ -36,8 +36,7 @@ export class Square extends AngleSquare {
   /** @param {Brush} brush */
   drawMotion({ context, palette }) {
     const { a, b, motion } = this.session;
-    context.strokeStyle = palette.path;
-    context.lineWidth = 3;
+    setStroke(context, palette.path, 3);
     this.strokeMotion(context, a, motion.turns);
     drawStart(context, ...this.place(a), palette);
     drawGoal(context, ...this.place(b), palette);
@@ -54,10 +53,8 @@ export class Square extends AngleSquare {
       disc(context, ...this.place(q), 2.2);
     }
     context.globalAlpha = 1;
-    context.lineWidth = 2.4;
     for (const { q, isFree } of run.shown) {
-      context.strokeStyle = isFree ? palette.path : palette.collision;
-      context.setLineDash(isFree ? [] : [2, 3]);
+      setStroke(context, isFree ? palette.path : palette.collision, 2.4, isFree ? [] : [2, 3]);
       ring(context, ...this.place(q), 8.5);
     }
     context.setLineDash([]);

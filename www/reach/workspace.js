@@ -2,8 +2,8 @@
 import { drawRobot, isThin } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawWorkspace } from "../draw/ground.js";
-import { addLine, disc, drawCross, drawHandle, drawLine, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawGoal, drawHit, drawLabel, drawStart } from "../draw/shapes.js";
+import { addLine, disc, drawCross, drawHandle, drawLine, setStroke, strokeWithHalo } from "../draw/marks.js";
+import { drawGhost, drawGoal, drawHit, drawLabel, drawStart, fillWith } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
 
 /** @import { Point } from "../domain/types.js" */
@@ -42,11 +42,8 @@ export class Workspace {
     context.save();
     if (tipGoal && !tipGoal.reached) {
       const wanted = this.view.place(tipGoal.wanted);
-      context.strokeStyle = palette.quiet;
-      context.lineWidth = 1.4;
-      context.setLineDash([4, 4]);
+      setStroke(context, palette.quiet, 1.4, [4, 4]);
       drawLine(context, ...this.view.place(tipGoal.point), ...wanted);
-      context.setLineDash([]);
       drawCross(context, ...wanted, palette.quiet, palette, 7);
     }
     this.drawTip(brush);
@@ -59,18 +56,15 @@ export class Workspace {
     const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.arm;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
-    context.strokeStyle = context.fillStyle = palette.newest;
-    context.lineWidth = 1.6;
+    setStroke(context, palette.newest, 1.6, [5, 3]);
     context.beginPath();
     for (let i = 0; i < 64; i++) {
       const [u, v] = [ELLIPSE * major * Math.cos((i * Math.PI) / 32), ELLIPSE * minor * Math.sin((i * Math.PI) / 32)];
       context.lineTo(...this.view.place([x + c * u - s * v, y + s * u + c * v]));
     }
     context.closePath();
-    context.globalAlpha = 0.14;
-    context.fill();
+    fillWith(context, palette.newest, 0.14);
     context.globalAlpha = 0.9;
-    context.setLineDash([5, 3]);
     context.stroke();
     context.restore();
   }
@@ -103,9 +97,7 @@ export class Workspace {
     // What is done is bold; what collides is red and dashed.
     for (const isDone of [false, true]) {
       for (const isCollision of [false, true]) {
-        context.strokeStyle = isCollision ? palette.collision : palette.path;
-        context.lineWidth = isDone ? 3.4 : 1.4;
-        context.setLineDash(isCollision ? [2, 5] : []);
+        setStroke(context, isCollision ? palette.collision : palette.path, isDone ? 3.4 : 1.4, isCollision ? [2, 5] : []);
         context.beginPath();
         collides.forEach((end, i) => {
           const isPart = i > 0 && (i <= done) === isDone && (collides[i - 1] || end) === isCollision;
@@ -128,8 +120,8 @@ export class Workspace {
     const { scenario, base } = run.arm;
     if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
     context.save();
-    context.strokeStyle = context.fillStyle = palette.growth;
-    context.lineWidth = 1.2;
+    context.fillStyle = palette.growth;
+    setStroke(context, palette.growth, 1.2);
     context.lineJoin = "round";
     for (const { q, strength } of run.recent(FAINT)) {
       context.globalAlpha = 0.12 + 0.5 * strength ** 2;

@@ -4,7 +4,7 @@
  */
 import { View } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
-import { cross } from "../draw/marks.js";
+import { cross, setStroke } from "../draw/marks.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { Experiment } from "./experiment.js" */
@@ -38,8 +38,7 @@ export class Plane {
     const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
     const reach = half + Math.min(0.6 * fastest * duration, 3 * half);
     const view = this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false);
-    context.strokeStyle = palette.line;
-    context.lineWidth = 1;
+    setStroke(context, palette.line, 1);
     context.strokeRect(view.x(-half), view.y(half), 2 * half * view.scaleX, 2 * half * view.scaleY);
     this.drawn = 0;
     this.append(brush);
@@ -75,11 +74,8 @@ export class Plane {
     const strength = rejected ? this.glowOf(rejected.born, isLastRejected) : 0;
     if (rejected && strength > 0) {
       this.drawLines(context, [lines[rejected.other]], palette.collision, 2.2, 0.8 * strength);
-      context.setLineDash([5, 4]);
-      this.drawLines(context, [rejected.line], palette.rejected, 2, strength);
-      context.setLineDash([]);
-      context.strokeStyle = palette.collision;
-      context.lineWidth = 2.4;
+      this.drawLines(context, [rejected.line], palette.rejected, 2, strength, [5, 4]);
+      setStroke(context, palette.collision, 2.4);
       context.globalAlpha = strength;
       cross(context, this.view.x(rejected.place[0]), this.view.y(rejected.place[1]), 5);
     }
@@ -101,11 +97,10 @@ export class Plane {
   /** Seconds of a round of the animation. */
   get round() { return (this.experiment.options.duration ?? 1) + REST; }
 
-  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha */
-  drawLines(context, lines, colour, width, alpha) {
+  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha @param {number[]} [dash] */
+  drawLines(context, lines, colour, width, alpha, dash) {
     context.globalAlpha = alpha;
-    context.strokeStyle = colour;
-    context.lineWidth = width;
+    setStroke(context, colour, width, dash);
     context.lineCap = context.lineJoin = "round";
     context.beginPath();
     for (const line of lines) {

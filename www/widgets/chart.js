@@ -169,7 +169,6 @@ export const numberText = (value) => value.toLocaleString("en", { maximumSignifi
  * A new SVG element.
  * @template {keyof SVGElementTagNameMap} T
  * @param {T} tag @param {Record<string, string | number>} attributes @param {...(Node | string)} children
- * @returns {SVGElementTagNameMap[T]}
  */
 export function svg(tag, attributes, ...children) {
   const element = document.createElementNS(SPACE, tag);

@@ -1,5 +1,5 @@
 import { Scenario } from "planarium";
-import { Gallery, SIDE } from "./gallery.js";
+import { SIDE, makeGallery } from "./gallery.js";
 import { drawThumbnail } from "../draw/thumbnail.js";
 
 /** @import { App } from "../app/app.js" */
@@ -10,8 +10,8 @@ import { drawThumbnail } from "../draw/thumbnail.js";
  * @template {{ id: string, title: string }} E
  * @param {App} app @param {E[]} entries @param {(entry: E) => ScenarioDocument} documentOf  for the thumbnail @param {(entry: E) => void} onChoose
  */
-export function sceneGallery(app, entries, documentOf, onChoose) {
-  const gallery = new Gallery(entries, onChoose);
+export function makeSceneGallery(app, entries, documentOf, onChoose) {
+  const gallery = makeGallery(entries, onChoose);
   const drawAll = () => {
     const { look } = app;
     for (const entry of entries) {

@@ -11,11 +11,12 @@ export function watchFiles(app, onFile) {
   const input = byId("file", HTMLInputElement);
   const button = byId("open", HTMLButtonElement);
   const veil = byId("veil", HTMLElement);
+  const read = (/** @type {File} */ file) => void app.track(open(file), `${file.name} could not be read.`);
   button.disabled = false;
   button.addEventListener("click", () => input.click());
   input.addEventListener("change", () => {
     const file = input.files?.[0];
-    if (file) void read(file);
+    if (file) read(file);
     input.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -29,19 +30,15 @@ export function watchFiles(app, onFile) {
     const file = event.dataTransfer?.files[0];
     if (!file) return;
     event.preventDefault();
-    void read(file);
+    read(file);
   });
 
   /** @param {File} file */
-  async function read(file) {
-    try {
-      if (file.size > MOST) {
-        throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
-      }
-      onFile(file.name, new Uint8Array(await file.arrayBuffer()));
-    } catch (error) {
-      app.fail(error, `${file.name} could not be read.`);
+  async function open(file) {
+    if (file.size > MOST) {
+      throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
     }
+    onFile(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 }
 

@@ -41,13 +41,17 @@ export class Measurement {
    * @param {number} n  more than before @param {number} milliseconds  that may be spent
    */
   measure(n, milliseconds) {
+    const { scenario: { dimension }, rows } = this;
     const end = performance.now() + milliseconds;
     const measured = [];
     /** The true neighbours of each target. @type {Set<number>[]} */
     let truth = [];
     for (const candidate of this.candidates) {
       const { kind, index } = candidate;
-      this.grow(candidate, n, end);
+      for (let began = performance.now(); index.size < n && began < end; began = performance.now()) {
+        index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
+        candidate.build += performance.now() - began;
+      }
       if (performance.now() > end) break;
       const results = this.targets.map((q) => index.nearest(q, this.k));
       if (kind === "kd-tree") truth = results.map(({ indices }) => new Set(indices));
@@ -58,16 +62,6 @@ export class Measurement {
       });
     }
     return measured;
-  }
-
-  /** Adds configurations until there are n, or no time is left. @param {Measurement["candidates"][number]} candidate @param {number} n @param {number} end */
-  grow(candidate, n, end) {
-    const { scenario: { dimension }, rows } = this;
-    const { index } = candidate;
-    for (let began = performance.now(); index.size < n && began < end; began = performance.now()) {
-      index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
-      candidate.build += performance.now() - began;
-    }
   }
 
   /** Milliseconds of a query. @param {Neighbours} index */

@@ -2,7 +2,7 @@
 import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { ReachVerdict } from "planarium" */
+/** @import { ReachMethodInfo, ReachVerdict } from "planarium" */
 /** @import { Point, Settings } from "../domain/types.js" */
 /** @import { Arm } from "./arm.js" */
 
@@ -12,12 +12,13 @@ const MOST_SHOWN = 24;
 export class IkRun {
   /**
    * @param {Arm} arm
-   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: string, settings: Settings }} problem
+   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings: Settings }} problem
    * @throws {Error} with `code` and `pointer`, if the core refuses it
    */
   constructor(arm, { target, orientation, start, method, settings }) {
     this.arm = arm;
-    const wish = { ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
+    this.method = method;
+    const wish = { ...settings, method: method.id, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
     this.run = withOptions(wish, (options) => arm.scenario.reach(options));
     /** @type {{ restart: number, error: number, q: Float64Array }[]} */
     this.iterates = [];
@@ -29,6 +30,8 @@ export class IkRun {
   }
 
   get isRunning() { return this.run.status === "running"; }
+  /** The nearest point, if the target is out of reach. */
+  get nearest() { return this.verdict?.nearest ?? null; }
   get freeCount() { return this.solutions.filter(({ isFree }) => isFree).length; }
   get shown() { return this.solutions.slice(0, MOST_SHOWN); }
 

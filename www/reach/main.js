@@ -50,9 +50,9 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const session = new ArmSession(app);
   const ik = new IkPanel(session);
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session, ik)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session, ik)),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session, ik)),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session)),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
   showArmPanel(session, () => {
@@ -107,7 +107,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
     });
     byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
-    const { text, isBad } = sentenceOf(session, ik);
+    const { text, isBad } = sentenceOf(session);
     app.say(text, { isBad, isSilent: ik.transport.isPlaying });
     const description = descriptionOf(session);
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);

@@ -11,7 +11,7 @@ import { folded } from "../draw/trace.js";
 import { num } from "../widgets/format.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 
 const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
@@ -21,10 +21,9 @@ const TESTS = 72;
 const HALF = 4;
 
 export class ParallelAxes {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     this.session = session;
-    this.ik = ik;
     /** Across the number of the joint, up the part of its range. */
     this.view = NO_VIEW;
   }
@@ -82,14 +81,14 @@ export class ParallelAxes {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette } = brush;
-    const { arm, mode, a, b } = this.session;
+    const { arm, mode, a, b, run } = this.session;
     const colour = arm.check.free ? palette.robot : palette.collision;
     this.drawCollisions(brush);
     if (mode === "between") {
       this.drawPose(context, b, palette.goal, 2, [6, 4]);
       this.drawPose(context, a, palette.start, 2);
     }
-    if (mode === "solve") this.drawRun(brush);
+    if (run) this.drawRun(brush, run);
     this.drawPose(context, arm.q, palette.stage, 5);
     this.drawPose(context, arm.q, colour, 2.6);
     arm.q.forEach((value, i) => drawDot(context, this.view.x(i), this.y(i, value), colour, palette));
@@ -112,10 +111,8 @@ export class ParallelAxes {
     });
   }
 
-  /** Iterates and solutions of inverse kinematics. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { run } = this.ik;
-    if (!run) return;
+  /** Iterates and solutions of inverse kinematics. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
     for (const { q, strength } of run.recent(40)) {
       context.globalAlpha = 0.1 + 0.4 * strength ** 2;
       this.drawPose(context, q, palette.growth, 1);

@@ -6,6 +6,7 @@ import { SCENES, documentOf } from "./scenes.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Point, Query, ScenarioDocument } from "../domain/types.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { Direction } from "./motion.js" */
 /** @import { SceneEntry } from "./scenes.js" */
 /** @typedef {"hand" | "between" | "solve"} Mode   dragging, the motion from A to B, inverse kinematics */
@@ -42,6 +43,10 @@ export class ArmSession extends Observable {
     this.target = entry.target;
     /** @type {TipGoal | null} */
     this.tipGoal = null;
+    /** The run of inverse kinematics, in that mode. @type {IkRun | null} */
+    this.run = null;
+    /** The index of the solution that the arm shows, or -1. */
+    this.chosen = -1;
     /** The motion, and what it was computed for. @type {{ key: string, arm: Arm, motion: Motion } | null} */
     this.computed = null;
   }

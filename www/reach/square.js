@@ -4,15 +4,14 @@ import { cross, disc, drawDot, ring, setStroke } from "../draw/marks.js";
 import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 
 export class Square extends AngleSquare {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     super();
     this.session = session;
-    this.ik = ik;
   }
 
   /** @param {Brush} brush */
@@ -20,12 +19,12 @@ export class Square extends AngleSquare {
 
   /** @param {Brush} brush */
   top(brush) {
-    const { arm, mode } = this.session;
+    const { arm, mode, run } = this.session;
     const { context, palette } = brush;
     const isFree = arm.check.free;
     this.repeat(context, (isCopy) => {
       if (mode === "between") this.drawMotion(brush);
-      if (mode === "solve") this.drawRun(brush);
+      if (run) this.drawRun(brush, run);
       const [x, y] = this.place(arm.q);
       context.globalAlpha = isCopy ? 0.35 : 1;
       drawDot(context, x, y, isFree ? palette.robot : palette.collision, palette);
@@ -43,10 +42,8 @@ export class Square extends AngleSquare {
     if (motion.hit !== null) drawHit(context, ...this.place(motion.at(motion.hit)), palette);
   }
 
-  /** Iterates as dots, solutions as rings. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { run } = this.ik;
-    if (!run) return;
+  /** Iterates as dots, solutions as rings. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
     context.fillStyle = palette.growth;
     for (const { q, strength } of run.recent(160)) {
       context.globalAlpha = 0.2 + 0.7 * strength;

@@ -8,7 +8,7 @@ import { drawTouching } from "../draw/touching.js";
 
 /** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 
 /** Scale of the ellipse: at full size it would hide the arm. */
@@ -17,10 +17,9 @@ const ELLIPSE = 0.3;
 const FAINT = 40;
 
 export class Workspace {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     this.session = session;
-    this.ik = ik;
     this.view = NO_VIEW;
   }
 
@@ -33,9 +32,9 @@ export class Workspace {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { session: { arm, mode, tipGoal }, view } = this;
+    const { session: { arm, mode, tipGoal, run }, view } = this;
     if (mode === "between") this.drawMotion(brush);
-    if (mode === "solve") this.drawRun(brush);
+    if (run) this.drawRun(brush, run);
     this.drawEllipse(brush);
     const shown = { scenario: arm.scenario, world: arm.document.world, parts: arm.parts, touching: arm.check.touching };
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
@@ -113,11 +112,10 @@ export class Workspace {
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
   }
 
-  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { view, ik: { run, nearest, chosen } } = this;
-    if (!run) return;
-    const { scenario, base } = run.arm;
+  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
+    const { view, session: { chosen } } = this;
+    const { nearest, arm: { scenario, base } } = run;
     if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
     context.save();
     context.fillStyle = palette.growth;
@@ -142,7 +140,7 @@ export class Workspace {
 
   /** The target of inverse kinematics, and the nearest point if it is out of reach. @param {Brush} brush */
   drawTarget({ context, palette }) {
-    const { session: { target, orientation }, ik: { nearest } } = this;
+    const { target, orientation, run } = this.session;
     const [x, y] = this.view.place(target);
     context.save();
     drawCross(context, x, y, palette.goal, palette, 13);
@@ -151,8 +149,8 @@ export class Workspace {
       drawLine(context, x - 46 * Math.cos(orientation), y + 46 * Math.sin(orientation), x, y);
     }
     context.restore();
-    if (!nearest) return;
-    const [nearX, nearY] = this.view.place(nearest.point);
+    if (!run?.nearest) return;
+    const [nearX, nearY] = this.view.place(run.nearest.point);
     drawLabel(context, "nearest", nearX, nearY - 18, palette.quiet, palette);
   }
 }

@@ -93,14 +93,13 @@ export function reasonAgainst({ kind, min, max, choices }, value) {
 }
 
 /** The value of an empty field, in words. @param {ParameterInfo} info */
-function automatic(info) {
-  const words = "default_meaning" in info ? info.default_meaning : null;
-  if (typeof words !== "string") return "";
+function automatic({ default_meaning: words }) {
+  if (!words) return "";
   return nothing(words) ? ` ${words[0].toUpperCase()}${words.slice(1)}.` : ` Automatic: ${words}.`;
 }
 
-/** The word for an option that has no effect while it is empty. @param {unknown} words @returns {string} */
-function nothing(words) { return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? ""; }
+/** The word for an option that has no effect while it is empty. @param {string | null} [words] */
+function nothing(words) { return /^(none|never)(?=:)/.exec(words ?? "")?.[0]; }
 
 /** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
@@ -116,7 +115,7 @@ function control(info, value, id) {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
     inputMode: info.kind === "integer" ? "numeric" : "decimal", value: value === null ? "" : String(value),
   });
-  if (info.default === null) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
+  if (info.default === null) input.placeholder = nothing(info.default_meaning) ?? "automatic";
   return input;
 }
 

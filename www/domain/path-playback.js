@@ -53,31 +53,25 @@ export class PathPlayback {
     this.flaw = isProven ? null : this.firstFlaw();
   }
 
+  /** The first collision. A motion that is not proven need not collide: it may only pass too near. @returns {Flaw | null} */
   firstFlaw() {
-    const { scenario, waypoints, reached } = this;
-    if (this.course) return this.firstFlawOnArcs(waypoints.length * 20);
-    for (let i = 1; i < waypoints.length; i++) {
-      const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
-      if (hit === null) continue;
-      // A motion that is not proven need not collide: it may only pass too near.
-      for (let look = 0; look <= LOOKS; look++) {
-        const t = hit + ((1 - hit) * look) / LOOKS;
-        const pose = scenario.interpolate(waypoints[i - 1], waypoints[i], t);
-        const check = scenario.check(pose);
-        if (!check.free) return { at: (reached[i - 1] + t * (reached[i] - reached[i - 1])) / this.length, pose, check };
-      }
+    for (const at of this.looks()) {
+      const pose = this.configuration(at);
+      const check = this.scenario.check(pose);
+      if (!check.free) return { at, pose, check };
     }
     return null;
   }
 
-  /** The first collision of a path of arcs, checked at many points. @param {number} looks @returns {Flaw | null} */
-  firstFlawOnArcs(looks) {
-    for (let look = 0; look <= looks; look++) {
-      const pose = this.configuration(look / looks);
-      const check = this.scenario.check(pose);
-      if (!check.free) return { at: look / looks, pose, check };
-    }
-    return null;
+  /** Where to look for a collision, 0 to 1: all along arcs, and along straight motions from the end of their proven part. */
+  looks() {
+    const { scenario, waypoints, reached, length, course } = this;
+    if (course) return parts(waypoints.length * 20);
+    return waypoints.slice(1).flatMap((to, i) => {
+      const hit = scenario.firstHit(waypoints[i], to);
+      if (hit === null) return [];
+      return parts(LOOKS).map((part) => (reached[i] + (hit + (1 - hit) * part) * (reached[i + 1] - reached[i])) / length);
+    });
   }
 
   /** The configuration at a part of the length. @param {number} part  0 to 1 @returns {Float64Array} */
@@ -101,11 +95,11 @@ export class PathPlayback {
   /** Configurations along the path, for drawing: equally spaced ones and all waypoints. @param {number} count */
   sample(count) {
     const waypoints = this.length > 0 ? this.reached.map((reached) => reached / this.length) : [];
-    const parts = Float64Array.from([...Array.from({ length: count + 1 }, (_, i) => i / count), ...waypoints]).sort();
+    const all = Float64Array.from([...parts(count), ...waypoints]).sort();
     const n = this.scenario.dimension;
-    const rows = new Float64Array(parts.length * n);
-    parts.forEach((part, i) => rows.set(this.configuration(part), i * n));
-    return { rows, parts };
+    const rows = new Float64Array(all.length * n);
+    all.forEach((part, i) => rows.set(this.configuration(part), i * n));
+    return { rows, parts: all };
   }
 
   /** Advances the robot. @param {number} seconds */
@@ -133,6 +127,9 @@ export class PathPlayback {
     this.at = Math.min(1, Math.max(0, part));
   }
 }
+
+/** Equally spaced parts from 0 to 1. @param {number} count  one less than there are */
+function parts(count) { return Array.from({ length: count + 1 }, (_, i) => i / count); }
 
 /**
  * The playback of a run: its path once solved, or of a tree that failed the path to the vertex nearest to the goal.

@@ -100,14 +100,18 @@ export class ParallelAxes {
     const pattern = hatch(palette.collision);
     arm.joints.forEach(({ low, high }, joint) => {
       const valueAt = (/** @type {number} */ test) => low + ((high - low) * test) / TESTS;
-      context.beginPath();
-      for (let i = 0; i < TESTS; i++) {
-        if (arm.isFree(arm.q.with(joint, valueAt(i + 0.5)))) continue;
-        const [bottom, top] = [this.y(joint, valueAt(i)), this.y(joint, valueAt(i + 1))];
+      let from = -1;
+      for (let i = 0; i <= TESTS; i++) {
+        const collides = i < TESTS && !arm.isFree(arm.q.with(joint, valueAt(i + 0.5)));
+        if (collides && from < 0) from = i;
+        if (collides || from < 0) continue;
+        const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];
+        context.beginPath();
         context.rect(this.view.x(joint) - HALF, top, 2 * HALF, bottom - top);
+        fillWith(context, palette.collision, 0.35);
+        fillWith(context, pattern);
+        from = -1;
       }
-      fillWith(context, palette.collision, 0.35);
-      fillWith(context, pattern);
     });
   }
 

@@ -20,13 +20,13 @@ export function makeCharts(experiment) {
   const isDue = pacer(PAUSE);
   let drawn = "";
   return (isAtRest) => {
-    const { epoch, tries, milliseconds } = experiment;
-    const key = `${epoch} ${tries.length}`;
+    const { epoch, accepted } = experiment;
+    const key = `${epoch} ${accepted.length}`;
     if (key === drawn || !isDue(isAtRest)) return;
     drawn = key;
-    drawCurve(counts, tries, "tries", false);
+    drawCurve(counts, accepted.map(({ tries }) => tries), "tries", false);
     // Clocks of browsers are coarse and some times are outliers: dots, on a logarithmic scale.
-    drawCurve(time, milliseconds.map((value) => 1000 * value), "microseconds", true);
+    drawCurve(time, accepted.map(({ milliseconds }) => 1000 * milliseconds), "microseconds", true);
   };
 }
 

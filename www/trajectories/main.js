@@ -19,7 +19,7 @@ import { button, press } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
 import { makeCharts } from "./charts.js";
-import { Experiment, WINDOW, movingAverage, recentMean } from "./experiment.js";
+import { Experiment, WINDOW, movingAverage } from "./experiment.js";
 import { FIRST, Particle } from "./particle.js";
 import { Plane } from "./plane.js";
 
@@ -94,7 +94,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     performance.measure("trajectories-frame", { start: frameStart });
   });
 
-  showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.lines.length}`, title: () => "Trajectories that do not cross" }, [
+  showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.accepted.length}`, title: () => "Trajectories that do not cross" }, [
     { id: "csv", title: "Table", format: "CSV", meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`, content: tableOf },
   ]);
   app.rebuild = restart;
@@ -152,41 +152,44 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
 
   /** Shows the numbers. */
   function show() {
-    const { result, lines, tries, milliseconds, isLastRejected, options: { count = 1000, model, seed = 0 } } = experiment;
+    const { result, accepted, isLastRejected, options: { count = 1000, model, seed = 0 } } = experiment;
     if (!result) return;
     const last = result.iterations === 0 ? "none" : isLastRejected ? "refused" : "accepted";
     const status = stage.dataset.status === "refused" ? "refused" : result.status;
-    Object.assign(stage.dataset, { status, accepted: lines.length, tried: result.iterations, drawn: plane.drawn, last, fingerprint: result.fingerprint });
-    const microseconds = 1000 * recentMean(milliseconds);
+    Object.assign(stage.dataset, { status, accepted: accepted.length, tried: result.iterations, drawn: plane.drawn, last, fingerprint: result.fingerprint });
+    const [tries, milliseconds] = /** @type {const} */ (["tries", "milliseconds"]).map((key) => sumOfLast(key) / Math.min(WINDOW, accepted.length));
+    const microseconds = 1000 * milliseconds;
     app.write({
-      "fact-accepted": `${grouped(lines.length)} of ${grouped(count)}`, "fact-tried": grouped(result.iterations),
-      "fact-tries": tries.length === 0 ? "\u2013" : recentMean(tries).toFixed(1),
-      "fact-time": tries.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
+      "fact-accepted": `${grouped(accepted.length)} of ${grouped(count)}`, "fact-tried": grouped(result.iterations),
+      "fact-tries": accepted.length === 0 ? "\u2013" : tries.toFixed(1),
+      "fact-time": accepted.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
       "fact-pairs": grouped(result.pairs), "fact-fingerprint": transport.isPlaying ? "\u2013" : result.fingerprint,
       where: `${model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${seed}`,
     });
     app.say(sentence(last), { isSilent: true });
-    figure.describe(`${lines.length} trajectories, no two of which cross, after ${result.iterations} tries.`);
+    figure.describe(`${accepted.length} trajectories, no two of which cross, after ${result.iterations} tries.`);
   }
 
   /** @param {string} last  the outcome of the last try */
   function sentence(last) {
-    const { result, rejected, tries, lines } = experiment;
+    const { result, rejected, accepted } = experiment;
     if (stage.dataset.status === "refused") return "These settings are not valid; see the message in the panel.";
     const total = grouped(result?.iterations ?? 0);
     if (result?.status === "solved") {
-      const recent = tries.slice(-WINDOW);
-      return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+      const found = `${grouped(accepted.length)} trajectories, no two of which cross, after ${total} tries.`;
+      return `${found} The last ${Math.min(WINDOW, accepted.length)} took ${grouped(sumOfLast("tries"))} tries.`;
     }
-    if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(lines.length)} accepted: hardly anything fits between them.`;
+    if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
     if (!transport.isPlaying && last === "refused" && rejected) return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Random trajectories are added one by one; those that cross an earlier one are rejected.";
   }
 
+  /** The sum over the last accepted trajectories. @param {"tries" | "milliseconds"} key */
+  function sumOfLast(key) { return experiment.accepted.slice(-WINDOW).reduce((sum, one) => sum + one[key], 0); }
+
   function tableOf() {
-    const { rows, tries, milliseconds } = experiment;
-    const average = new Map(movingAverage(milliseconds));
-    const cells = tries.map((count, i) => [...rows.slice(6 * i, 6 * i + 6), count, milliseconds[i], average.get(i + 1) ?? null]);
-    return csvFile(COLUMNS, cells);
+    const { accepted } = experiment;
+    const average = new Map(movingAverage(accepted.map(({ milliseconds }) => milliseconds)));
+    return csvFile(COLUMNS, accepted.map(({ row, tries, milliseconds }, i) => [...row, tries, milliseconds, average.get(i + 1) ?? null]));
   }
 });

@@ -46,17 +46,18 @@ export class Plane {
 
   /** Draws the trajectories that are not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
   append({ context, palette }) {
-    const { experiment: { lines }, drawn } = this;
-    if (drawn === lines.length) return;
-    this.drawLines(context, lines.slice(drawn), palette.growth, 1.25, 1);
-    this.drawDots(context, lines.slice(drawn), palette.start, 1.4);
-    this.drawn = lines.length;
+    const { accepted } = this.experiment;
+    if (this.drawn === accepted.length) return;
+    const lines = accepted.slice(this.drawn).map(({ line }) => line);
+    this.drawLines(context, lines, palette.growth, 1.25, 1);
+    this.drawDots(context, lines, palette.start, 1.4);
+    this.drawn = accepted.length;
   }
 
   /** Whether anything glows or moves. @param {number} now */
   isMoving(now) {
-    const { born, rejected } = this.experiment;
-    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
+    const { accepted, rejected } = this.experiment;
+    return this.moment !== null || (!this.isStill && Math.max(accepted.at(-1)?.born ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
   }
 
   /** The strength of the glow of what was received at a time. @param {number} time @param {boolean} isLast */
@@ -64,16 +65,16 @@ export class Plane {
 
   /** @param {Brush} brush */
   top({ context, palette }) {
-    const { lines, born, rejected, isLastRejected } = this.experiment;
-    for (let i = Math.max(0, lines.length - MOST_GLOWING); i < lines.length; i++) {
-      const strength = this.glowOf(born[i], i === lines.length - 1 && !isLastRejected);
+    const { accepted, rejected, isLastRejected } = this.experiment;
+    for (const one of accepted.slice(-MOST_GLOWING)) {
+      const strength = this.glowOf(one.born, one === accepted.at(-1) && !isLastRejected);
       if (strength === 0) continue;
-      this.drawLines(context, [lines[i]], palette.halo, 7, 0.35 * strength);
-      this.drawLines(context, [lines[i]], palette.newest, 2.2, strength);
+      this.drawLines(context, [one.line], palette.halo, 7, 0.35 * strength);
+      this.drawLines(context, [one.line], palette.newest, 2.2, strength);
     }
     const strength = rejected ? this.glowOf(rejected.born, isLastRejected) : 0;
     if (rejected && strength > 0) {
-      this.drawLines(context, [lines[rejected.other]], palette.collision, 2.2, 0.8 * strength);
+      this.drawLines(context, [accepted[rejected.other].line], palette.collision, 2.2, 0.8 * strength);
       this.drawLines(context, [rejected.line], palette.rejected, 2, strength, [5, 4]);
       setStroke(context, palette.collision, 2.4);
       context.globalAlpha = strength;
@@ -86,7 +87,7 @@ export class Plane {
   /** The particles at a moment of the animation. @param {Context} context @param {string} colour @param {number} moment */
   drawParticles(context, colour, moment) {
     const part = Math.min(1, Math.max(0, (moment - REST / 2) / (this.round - REST)));
-    this.drawDots(context, this.experiment.lines.map((line) => {
+    this.drawDots(context, this.experiment.accepted.map(({ line }) => {
       const pieces = line.length / 2 - 1;
       const i = Math.min(pieces - 1, Math.floor(part * pieces));
       const rest = part * pieces - i;

@@ -60,14 +60,9 @@ export class Figure {
     app.onDraw(() => this.draw());
   }
 
-  /** Redraws both layers in the next frame. */
-  redraw() {
-    this.dirty.add("ground");
-    this.redrawTop();
-  }
-
-  redrawTop() {
-    this.dirty.add("top");
+  /** Redraws layers in the next frame. @param {readonly ("ground" | "top")[]} [names] */
+  redraw(names = LAYERS) {
+    for (const name of names) this.dirty.add(name);
     this.app.requestFrame();
   }
 

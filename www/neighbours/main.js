@@ -72,10 +72,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     else delete dataset.found;
     figures.square.element.hidden = !isPlanar;
     stage.classList.toggle("single", !isPlanar);
-    for (const figure of all) {
-      if (change === "robot" || change === "list") figure.redraw();
-      else figure.redrawTop();
-    }
+    for (const figure of all) figure.redraw(change === "robot" || change === "list" ? undefined : ["top"]);
     if (change === "robot") gallery.mark(entry.id);
     app.write({
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,

@@ -94,11 +94,11 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     if (mode === "between") byId("between", HTMLElement).dataset.hit = String(session.motion.hit ?? "none");
     figures.square.element.hidden = !isSquare;
     figures.axes.element.hidden = isSquare;
+    for (const figure of all) figure.redraw(change === "arm" ? undefined : ["top"]);
     if (change === "arm") {
-      for (const figure of all) figure.redraw();
       gallery.mark(entry?.id ?? null);
       if (isSquare) void showObstacles();
-    } else for (const figure of all) figure.redrawTop();
+    }
     for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
     for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
     const collision = collisionText(session);

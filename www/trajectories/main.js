@@ -65,7 +65,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     plane.moment = plane.moment === null ? 0 : null;
     animationStart = performance.now();
     press(animate, plane.moment !== null);
-    figure.redrawTop();
+    figure.redraw(["top"]);
   }, { className: "quiet", ariaPressed: "false" });
   transport.bar.append(animate);
   const newSeed = byId("new-seed", HTMLButtonElement);
@@ -81,7 +81,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     if (plane.moment !== null) plane.moment = (Math.max(0, now - animationStart) / 1000) % plane.round;
     plane.isStill = app.reducedMotion || !transport.isPlaying;
     const isMoving = plane.isMoving(now);
-    if (isMoving || wasMoving) figure.redrawTop();
+    if (isMoving || wasMoving) figure.redraw(["top"]);
     wasMoving = isMoving;
     return isMoving;
   });
@@ -107,7 +107,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   function form(given) { return new Options(byId("settings", HTMLElement), table, given, () => void restart(), { first: SHOWN }); }
 
   function showProgress() {
-    figure.redrawTop();
+    figure.redraw(["top"]);
     if (!experiment.isRunning) app.announcer.say(sentence(""));
   }
 
@@ -146,7 +146,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     if (await restart()) {
       if (state || app.reducedMotion) await experiment.advance(state ? tried : Infinity, showProgress);
       else transport.setPlaying(true);
-      figure.redrawTop();
+      figure.redraw(["top"]);
     } else if (state) throw new Error("Its settings are not valid.");
   }
 

@@ -1,7 +1,7 @@
 /** Tables: what a strict reader of RFC 4180 makes of them is what went in. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { historyCsv, toCsv } from "../../www/formats/csv.js";
+import { toCsv } from "../../www/formats/csv.js";
 import { seeded } from "./seeded.mjs";
 
 /** Cells of a table, by the grammar of RFC 4180. @param {string} text */
@@ -43,10 +43,4 @@ test("random tables come back", () => {
     assert.deepEqual(read, [columns, ...rows.map((row) => row.map((value) => String(value ?? "")))]);
     rows.flat().forEach((value, j) => { if (typeof value === "number") assert.equal(Number(read.slice(1).flat()[j]), value, "to the last digit"); });
   }
-});
-
-test("a history has a row an iteration, and gaps where there was no path yet", () => {
-  const history = Float64Array.of(2, 1, Infinity, 3, 2, NaN, 4, 3, 1.5);
-  assert.equal(historyCsv(history, ["vertices", "edges", "best length"]), 'iteration,vertices,edges,"best length"\r\n1,2,1,\r\n2,3,2,\r\n3,4,3,1.5\r\n');
-  assert.equal(historyCsv([], ["vertices"]), "iteration,vertices\r\n");
 });

@@ -5,6 +5,8 @@ import { GifWriter, paletteOf } from "../../www/formats/gif.js";
 import { readGif } from "./gif.mjs";
 import { seeded } from "./seeded.mjs";
 
+const BLACK = new Uint8Array(3);
+
 /** A frame from a colour for each pixel. @param {number} width @param {number} height @param {(x: number, y: number) => ArrayLike<number>} colour */
 function frameOf(width, height, colour) {
   const rgba = new Uint8ClampedArray(4 * width * height);
@@ -30,7 +32,7 @@ function assertExact(frames, out, what = "") {
 }
 
 /** Writes frames and reads them again. @param {number} width @param {number} height @param {Uint8ClampedArray[]} frames @param {Uint8Array} [palette] */
-function played(width, height, frames, palette) {
+function played(width, height, frames, palette = paletteOf(frames.slice(0, 1))) {
   const writer = new GifWriter(width, height, palette);
   for (const rgba of frames) writer.add(rgba, 50);
   const bytes = writer.finish();
@@ -102,13 +104,13 @@ test("a whole palette leaves no colour to be transparent, and needs none", () =>
 
 test("delays are rounded so that their sum stays right", () => {
   const rgba = frameOf(2, 2, () => [0, 0, 0]);
-  const writer = new GifWriter(2, 2);
+  const writer = new GifWriter(2, 2, BLACK);
   for (let i = 0; i < 300; i++) writer.add(rgba, 1000 / 30);
   writer.add(rgba, 2500);
   const delays = readGif(writer.finish()).frames.map(({ delay }) => delay);
   assert.ok(delays.slice(0, 300).every((delay) => delay === 3 || delay === 4));
   assert.ok(Math.abs(delays.reduce((sum, delay) => sum + delay, 0) - 1250) <= 1);
-  const fast = new GifWriter(2, 2);
+  const fast = new GifWriter(2, 2, BLACK);
   for (let i = 0; i < 5; i++) fast.add(rgba, 1);
   assert.deepEqual(readGif(fast.finish()).frames.map(({ delay }) => delay), [2, 2, 2, 2, 2], "shorter ones are not played as such");
 });
@@ -148,7 +150,7 @@ test("a palette is made from several frames, and is exact where they have few co
 });
 
 test("what cannot be is refused", () => {
-  for (const [width, height] of [[0, 1], [1, 65536], [-1, 1], [NaN, 2]]) assert.throws(() => new GifWriter(width, height), /A GIF cannot be/);
-  assert.throws(() => new GifWriter(2, 2).finish(), /needs a frame/);
-  assert.throws(() => new GifWriter(2, 2).add(new Uint8ClampedArray(15), 10), /2 x 2 pixels cannot be 15 bytes/);
+  for (const [width, height] of [[0, 1], [1, 65536], [-1, 1], [NaN, 2]]) assert.throws(() => new GifWriter(width, height, BLACK), /A GIF cannot be/);
+  assert.throws(() => new GifWriter(2, 2, BLACK).finish(), /needs a frame/);
+  assert.throws(() => new GifWriter(2, 2, BLACK).add(new Uint8ClampedArray(15), 10), /2 x 2 pixels cannot be 15 bytes/);
 });

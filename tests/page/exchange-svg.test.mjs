@@ -132,8 +132,8 @@ test("an arc is joined to the path by a line, and a capsule is one outline", () 
   assert.equal(d.match(/M/g)?.length, 1);
 });
 
-test("transforms turn, shift and scale; save and restore keep them and every style", () => {
-  const [first, second, third] = paths((context) => {
+test("transforms turn and shift; save and restore keep them and every style", () => {
+  const [first, second] = paths((context) => {
     context.save();
     context.translate(100, 50);
     context.rotate(Math.PI / 2);
@@ -146,21 +146,10 @@ test("transforms turn, shift and scale; save and restore keep them and every sty
     context.restore();
     stroke(context, [0, 0], [5, 0]);
     context.restore();
-    context.setTransform(2, 0, 0, 2, 20, 10);
-    context.lineWidth = 3;
-    context.setLineDash([1, 2]);
-    context.beginPath();
-    context.arc(10, 10, 4, 0, 2 * Math.PI);
-    context.stroke();
   });
   assert.equal(first.d, "M100 60L100 65");
   assert.deepEqual([first["stroke-width"], first["stroke-opacity"], first["stroke-dasharray"], first["stroke-linecap"]], ["3", "0.5", "1 2", "round"]);
   assert.deepEqual([second.d, second["stroke-width"], second["stroke-opacity"], second["stroke-dasharray"], second["stroke-linecap"]], ["M0 0L5 0", undefined, undefined, undefined, undefined]);
-  passes(third.d, [[48, 30], [40, 38], [32, 30], [40, 22]]);
-  assert.deepEqual([third["stroke-width"], third["stroke-dasharray"]], ["6", "2 4"]);
-  for (const matrix of [[1, 0, 0, 2, 0, 0], [1, 0, 0, -1, 0, 0], [1, 0, 0.5, 1, 0, 0]]) {
-    assert.throws(() => new SvgContext(9, 9).setTransform(.../** @type {[number, number, number, number, number, number]} */ (matrix)), /cannot be stretched/);
-  }
 });
 
 test("strokes of one style become one element, unless something shows through", () => {
@@ -240,13 +229,11 @@ test("a pattern is stripes, the same ones once", () => {
       context.globalAlpha = 0.55;
       context.fillRect(0, 0, 9, 9);
     }
-    context.fillStyle = { colour: "red", size: 8, width: 2 };
-    context.fillRect(0, 0, 9, 9);
   });
   const patterns = root.children.filter((child) => typeof child !== "string").filter(({ name }) => name === "pattern");
-  assert.deepEqual(patterns.map(({ attributes, children: [line] }) => [attributes.width, typeof line === "string" ? "" : line.attributes.stroke]), [["5", "red"], ["5", "blue"], ["8", "red"]]);
+  assert.deepEqual(patterns.map(({ attributes, children: [line] }) => [attributes.width, typeof line === "string" ? "" : line.attributes.stroke]), [["5", "red"], ["5", "blue"]]);
   const fills = allOf(root, "path").map(({ attributes }) => attributes);
-  assert.deepEqual(fills.map(({ fill }) => fill), [0, 1, 0, 2].map((i) => `url(#${patterns[i].attributes.id})`));
+  assert.deepEqual(fills.map(({ fill }) => fill), [0, 1, 0].map((i) => `url(#${patterns[i].attributes.id})`));
   assert.equal(fills[0]["fill-opacity"], "0.55");
 });
 
@@ -293,11 +280,10 @@ test("images are held as data", () => {
   assert.deepEqual([second.attributes.x, second.attributes.y, second.attributes.opacity], ["6", "7", "0.25"]);
 });
 
-test("clearing takes all away, and nothing less can be cleared", () => {
+test("clearing takes all away", () => {
   const root = drawn((context) => {
     context.fillRect(0, 0, 9, 9);
-    assert.throws(() => context.clearRect(0, 0, 100, 100), /cleared whole/);
-    context.clearRect(0, 0, 200, 100);
+    context.clearRect();
     context.fillRect(1, 1, 1, 1);
   });
   assert.equal(allOf(root, "path").length, 1);

@@ -64,8 +64,8 @@ test("every preset of a robot shows what a scan finds; an arm opens where the na
     for (const i of presets.keys()) {
       await select(page, "preset", String(i));
       const state = await stateOf(page);
-      assert.equal(state.k, String(presets[i].k));
-      assert.ok(scenario.distance(numbers(state.q), presets[i].q) < 1e-9);
+      assert.equal(state.k, String(presets[i][1]));
+      assert.ok(scenario.distance(numbers(state.q), presets[i][0]) < 1e-9);
       const expected = foundBy(state);
       assert.deepEqual(numbers(state.found), [...expected.indices], `${id}, question ${i}`);
       assert.equal(state.missed, "0");

@@ -1,8 +1,7 @@
 /** The pages of the rooms in the browser, for their tests; and what those of the arm share. */
 import assert from "node:assert/strict";
 import { Scenario } from "planarium";
-import { documentOf } from "../../www/reach/session.js";
-import { SCENES } from "../../www/reach/scenes.js";
+import { SCENES, documentOf } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, fill, keys, onPage } from "./browser.mjs";
 import { plane } from "./editing.mjs";
 

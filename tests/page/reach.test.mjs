@@ -2,9 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Arm } from "../../www/reach/arm.js";
-import { documentOf } from "../../www/reach/session.js";
 import { ellipseOf } from "../../www/reach/jacobian.js";
-import { SCENES } from "../../www/reach/scenes.js";
+import { SCENES, documentOf } from "../../www/reach/scenes.js";
 import { Motion } from "../../www/reach/motion.js";
 import { DESK, PHONE, alphaOf, keys, pickFile, pixelsOf, useBrowser, valueWithin } from "./browser.mjs";
 import { choose, click, entryOf, onReach, poseOf, press, put, rest, scenarioOf, solved, windowOf } from "./reach.mjs";

@@ -5,24 +5,28 @@
  * of the worker is pending and everything is drawn).
  */
 import * as library from "planarium";
-import { Announcer } from "./announcer.js";
 import { byId, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { errorInfo } from "./error-info.js";
 import { loadCore, makeWorker } from "./resources.js";
 import { readPalette } from "./palette.js";
+import { paced } from "./paced.js";
 import { isProjected } from "./projector.js";
 import { connect } from "./worker-client.js";
 
 /** @import { Remote } from "./worker-client.js" */
+
+/** Milliseconds between two announcements, at least. */
+const PAUSE = 1000;
 
 /** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true until it ends */
 
 export class App {
   constructor() {
     this.notice = new Notice();
-    this.announcer = new Announcer();
+    /** For screen readers. */
+    this.announcer = { say: paced(PAUSE, (/** @type {string} */ text) => { byId("announcer", HTMLElement).textContent = text; }) };
     this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Animation[]} */
     this.animations = [];
@@ -114,7 +118,6 @@ export class App {
    * @template T
    * @param {Promise<T>} promise
    * @param {string} [title]   of the error
-   * @returns {Promise<T | undefined>}
    */
   async track(promise, title) {
     this.pending++;
@@ -135,7 +138,6 @@ export class App {
    * @template T
    * @param {() => T} act
    * @param {string} [title]   of the error
-   * @returns {T | undefined}
    */
   guard(act, title) {
     try {

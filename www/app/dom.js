@@ -3,7 +3,6 @@
  * @template {Element} E
  * @param {string} id
  * @param {new () => E} kind
- * @returns {E}
  */
 export function byId(id, kind) {
   const element = document.getElementById(id);
@@ -11,16 +10,19 @@ export function byId(id, kind) {
   return element;
 }
 
+/** @template {keyof HTMLElementTagNameMap} T @typedef {Omit<Partial<HTMLElementTagNameMap[T]>, "dataset"> & { dataset?: Record<string, unknown> }} Properties */
+
 /**
- * A new element with properties and children.
+ * A new element with properties, data attributes and children.
  * @template {keyof HTMLElementTagNameMap} T
  * @param {T} tag
- * @param {Partial<HTMLElementTagNameMap[T]>} [properties]
+ * @param {Properties<T>} [properties]
  * @param {...(Node | string)} children
  * @returns {HTMLElementTagNameMap[T]}
  */
-export function make(tag, properties = {}, ...children) {
+export function make(tag, { dataset = {}, ...properties } = /** @type {Properties<T>} */ ({}), ...children) {
   const element = Object.assign(document.createElement(tag), properties);
+  Object.assign(element.dataset, dataset);
   element.append(...children);
   return element;
 }

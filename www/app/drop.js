@@ -1,22 +1,22 @@
 /** Files to open, scenarios or NumPy arrays: picked, or dropped anywhere on the page. */
 import { byId } from "./dom.js";
 
+/** @import { App } from "./app.js" */
+
 /** Size of a file at most, bytes. */
 const MOST = 10 * 1024 * 1024;
 
-/**
- * @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile
- * @param {(name: string, error: Error) => void} onError   the file could not be read
- */
-export function watchFiles(onFile, onError) {
+/** @param {App} app @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => void} onFile */
+export function watchFiles(app, onFile) {
   const input = byId("file", HTMLInputElement);
   const button = byId("open", HTMLButtonElement);
   const veil = byId("veil", HTMLElement);
+  const read = (/** @type {File} */ file) => void app.track(open(file), `${file.name} could not be read.`);
   button.disabled = false;
   button.addEventListener("click", () => input.click());
   input.addEventListener("change", () => {
     const file = input.files?.[0];
-    if (file) void read(file);
+    if (file) read(file);
     input.value = "";
   });
   addEventListener("dragover", (event) => {
@@ -30,19 +30,15 @@ export function watchFiles(onFile, onError) {
     const file = event.dataTransfer?.files[0];
     if (!file) return;
     event.preventDefault();
-    void read(file);
+    read(file);
   });
 
   /** @param {File} file */
-  async function read(file) {
-    try {
-      if (file.size > MOST) {
-        throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
-      }
-      onFile(file.name, new Uint8Array(await file.arrayBuffer()));
-    } catch (error) {
-      onError(file.name, error instanceof Error ? error : new Error(String(error)));
+  async function open(file) {
+    if (file.size > MOST) {
+      throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
     }
+    onFile(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 }
 

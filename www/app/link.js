@@ -31,54 +31,47 @@ export async function decodeState(fragment, rule) {
   return fault ? { state: null, fault } : { state: { ...rule.defaults, .../** @type {object} */ (value) }, fault: "" };
 }
 
-/** The button `#link` and the message beside it. */
-export class ShareButton {
-  /** @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  of a link, in words */
-  constructor(app, encode, contents) {
-    this.app = app;
-    this.encode = encode;
-    this.contents = contents;
-    this.button = byId("link", HTMLButtonElement);
-    this.words = make("span", {});
-    this.field = make("input", { type: "text", readOnly: true, ariaLabel: "Link", hidden: true });
-    this.message = make("div", { id: "link-told", className: "told", role: "status" }, this.words, this.field);
-    byId("tools", HTMLElement).append(this.message);
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
-    this.message.addEventListener("keydown", ({ key }) => {
-      if (key !== "Escape") return;
-      this.show("");
-      this.button.focus();
-    });
-    this.field.addEventListener("blur", () => this.show(""));
-  }
-
-  /** Copies the link, or shows it where the page may not use the clipboard. */
-  async copy() {
+/**
+ * Makes the message beside the button `#link`.
+ * @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  of a link, in words
+ * @returns {() => Promise<void>} copies the link, or shows it where the page may not use the clipboard
+ */
+export function makeShare(app, encode, contents) {
+  let timer = 0;
+  const words = make("span", {});
+  const field = make("input", { type: "text", readOnly: true, ariaLabel: "Link", hidden: true, onblur: () => show("") });
+  const message = make("div", { id: "link-told", className: "told", role: "status" }, words, field);
+  byId("tools", HTMLElement).append(message);
+  message.addEventListener("keydown", ({ key }) => {
+    if (key !== "Escape") return;
+    show("");
+    byId("link", HTMLElement).focus();
+  });
+  return async () => {
     try {
-      const fragment = `#${await this.encode()}`;
-      this.show("");
+      const fragment = `#${await encode()}`;
+      show("");
       setAddress(fragment);
       const link = location.href.split("#")[0] + fragment;
       try {
         await navigator.clipboard.writeText(link);
-        this.show(`Link copied. It stores ${this.contents()}.`);
+        show(`Link copied. It stores ${contents()}.`);
       } catch {
-        this.show(`Copy this link. It stores ${this.contents()}.`, link);
+        show(`Copy this link. It stores ${contents()}.`, link);
       }
     } catch (error) {
-      this.app.fail(error, "No link can be made.");
+      app.fail(error, "No link can be made.");
     }
-  }
+  };
 
   /** @param {string} text @param {string} [link]   to copy by hand */
-  show(text, link = "") {
-    clearTimeout(this.timer);
-    this.words.textContent = text;
-    this.field.hidden = link === "";
-    this.field.value = link;
-    if (link) this.field.select();
-    else if (text) this.timer = setTimeout(() => this.show(""), READING);
+  function show(text, link = "") {
+    clearTimeout(timer);
+    words.textContent = text;
+    field.hidden = link === "";
+    field.value = link;
+    if (link) field.select();
+    else if (text) timer = window.setTimeout(() => show(""), READING);
   }
 }
 
@@ -97,8 +90,8 @@ export function setAddress(fragment) {
  * @param {{ save: () => object, open: (state: any) => unknown, contents: string }} page  `open` gets null where the address has no state, and may throw
  */
 export async function useLink(app, rule, { save, open, contents }) {
-  const share = new ShareButton(app, () => encodeState(save(), rule), () => contents);
-  share.button.addEventListener("click", () => void share.copy());
+  const share = makeShare(app, () => encodeState(save(), rule), () => contents);
+  byId("link", HTMLElement).addEventListener("click", () => void share());
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
   await openAddress();
 

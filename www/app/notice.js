@@ -20,9 +20,7 @@ export class Notice {
     this.hide();
     return new Promise((resolve) => {
       const buttons = [...choices, /** @type {const} */ (["", "Cancel"])].map(([choice, word]) => {
-        const button = make("button", { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice) }, word);
-        button.dataset.choice = choice;
-        return button;
+        return make("button", { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice), dataset: { choice } }, word);
       });
       this.element.replaceChildren(make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)));
       this.element.classList.add("question");

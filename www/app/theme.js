@@ -10,23 +10,19 @@ export function watchTheme(onChange) {
   const stored = storage();
   if (stored === "light" || stored === "dark") root.dataset.theme = stored;
   const button = byId("theme", HTMLButtonElement);
-  const name = () => {
-    const now = root.dataset.theme ?? (dark.matches ? "dark" : "light");
-    button.setAttribute("aria-label", `Switch to ${now === "dark" ? "light" : "dark"} colours`);
-    return now;
+  const other = () => ((root.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
+  const name = () => { button.ariaLabel = `Switch to ${other()} colours`; };
+  const update = () => {
+    name();
+    onChange();
   };
   button.addEventListener("click", () => {
-    root.dataset.theme = name() === "dark" ? "light" : "dark";
+    root.dataset.theme = other();
     storage(root.dataset.theme);
     update();
   });
   dark.addEventListener("change", update);
   name();
-
-  function update() {
-    name();
-    onChange();
-  }
 }
 
 /** Stores a theme, or reads the stored one. @param {string} [theme] @returns {string | null} */

@@ -17,7 +17,7 @@ export function coordinatesOf({ scenario, document: { robot } }) {
   return robot.type === "disc" ? plane : [...plane, { name: "theta", low: -Math.PI, high: Math.PI, unit: "rad", isCircle: true }];
 }
 
-/** Moves a configuration into the ranges of its coordinates, in place. @param {Float64Array} pose @param {Coordinate[]} coordinates */
+/** Moves a configuration into the ranges of its coordinates, in place. @template {Float64Array} T @param {T} pose @param {Coordinate[]} coordinates */
 export function contained(pose, coordinates) {
   coordinates.forEach(({ low, high, isCircle }, i) => {
     pose[i] = isCircle ? wrap(pose[i]) : Math.min(high, Math.max(low, pose[i]));
@@ -27,6 +27,11 @@ export function contained(pose, coordinates) {
 
 /** Fits a configuration with more or fewer numbers to coordinates and their ranges. @param {ArrayLike<number>} q @param {Coordinate[]} coordinates */
 export function fitted(q, coordinates) { return contained(Float64Array.from(coordinates, (_, i) => q[i] ?? 0), coordinates); }
+
+/** The rows of one flat array. @param {Float64Array} values @param {number} width  numbers in a row */
+export function rowsOf(values, width) {
+  return Array.from({ length: values.length / width }, (_, i) => values.subarray(i * width, (i + 1) * width));
+}
 
 /** The longer side of the world, metres. @param {Scenario} scenario */
 export function sizeOf(scenario) {

@@ -17,7 +17,6 @@ export function namesOfDocuments(options) { return renamed(options, inSnakeCase)
  * @template T
  * @param {object} settings
  * @param {(options: any) => T} use
- * @returns {T}
  */
 export function withOptions(settings, use) {
   try {

@@ -2,7 +2,7 @@
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
  * metric of the path.
  */
-import { sizeOf } from "./coordinates.js";
+import { rowsOf, sizeOf } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
@@ -33,10 +33,7 @@ export class PathPlayback {
     this.isMiss = isMiss;
     this.raw = raw;
     this.course = course;
-    const n = scenario.dimension;
-    /** @type {Float64Array[]} */
-    this.waypoints = [];
-    for (let i = 0; i < path.length; i += n) this.waypoints.push(path.slice(i, i + n));
+    this.waypoints = rowsOf(path, scenario.dimension);
     /** Distance from the start to each waypoint. */
     this.reached = [0];
     for (let i = 1; i < this.waypoints.length; i++) {
@@ -56,32 +53,25 @@ export class PathPlayback {
     this.flaw = isProven ? null : this.firstFlaw();
   }
 
-  /** @returns {Flaw | null} */
+  /** The first collision. A motion that is not proven need not collide: it may only pass too near. @returns {Flaw | null} */
   firstFlaw() {
-    const { scenario, waypoints, reached } = this;
-    if (this.course) return this.firstFlawOnArcs(waypoints.length * 20);
-    for (let i = 1; i < waypoints.length; i++) {
-      const hit = scenario.firstHit(waypoints[i - 1], waypoints[i]);
-      if (hit === null) continue;
-      // A motion that is not proven need not collide: it may only pass too near.
-      for (let look = 0; look <= LOOKS; look++) {
-        const t = hit + ((1 - hit) * look) / LOOKS;
-        const pose = scenario.interpolate(waypoints[i - 1], waypoints[i], t);
-        const check = scenario.check(pose);
-        if (!check.free) return { at: (reached[i - 1] + t * (reached[i] - reached[i - 1])) / this.length, pose, check };
-      }
+    for (const at of this.looks()) {
+      const pose = this.configuration(at);
+      const check = this.scenario.check(pose);
+      if (!check.free) return { at, pose, check };
     }
     return null;
   }
 
-  /** The first collision of a path of arcs, checked at many points. @param {number} looks @returns {Flaw | null} */
-  firstFlawOnArcs(looks) {
-    for (let look = 0; look <= looks; look++) {
-      const pose = this.configuration(look / looks);
-      const check = this.scenario.check(pose);
-      if (!check.free) return { at: look / looks, pose, check };
-    }
-    return null;
+  /** Where to look for a collision, 0 to 1: all along arcs, and along straight motions from the end of their proven part. */
+  looks() {
+    const { scenario, waypoints, reached, length, course } = this;
+    if (course) return parts(waypoints.length * 20);
+    return waypoints.slice(1).flatMap((to, i) => {
+      const hit = scenario.firstHit(waypoints[i], to);
+      if (hit === null) return [];
+      return parts(LOOKS).map((part) => (reached[i] + (hit + (1 - hit) * part) * (reached[i + 1] - reached[i])) / length);
+    });
   }
 
   /** The configuration at a part of the length. @param {number} part  0 to 1 @returns {Float64Array} */
@@ -102,20 +92,14 @@ export class PathPlayback {
   /** The steering angle at the robot's position. */
   get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
 
-  /**
-   * Configurations along the path, for drawing: equally spaced ones and all waypoints.
-   * @param {number} count
-   * @returns {{ rows: Float64Array, parts: Float64Array }}
-   */
+  /** Configurations along the path, for drawing: equally spaced ones and all waypoints. @param {number} count */
   sample(count) {
-    const parts = [];
-    for (let i = 0; i <= count; i++) parts.push(i / count);
-    if (this.length > 0) for (const reached of this.reached) parts.push(reached / this.length);
-    parts.sort((a, b) => a - b);
+    const waypoints = this.length > 0 ? this.reached.map((reached) => reached / this.length) : [];
+    const all = Float64Array.from([...parts(count), ...waypoints]).sort();
     const n = this.scenario.dimension;
-    const rows = new Float64Array(parts.length * n);
-    parts.forEach((part, i) => rows.set(this.configuration(part), i * n));
-    return { rows, parts: Float64Array.from(parts) };
+    const rows = new Float64Array(all.length * n);
+    all.forEach((part, i) => rows.set(this.configuration(part), i * n));
+    return { rows, parts: all };
   }
 
   /** Advances the robot. @param {number} seconds */
@@ -144,12 +128,14 @@ export class PathPlayback {
   }
 }
 
+/** Equally spaced parts from 0 to 1. @param {number} count  one less than there are */
+function parts(count) { return Array.from({ length: count + 1 }, (_, i) => i / count); }
+
 /**
  * The playback of a run: its path once solved, or of a tree that failed the path to the vertex nearest to the goal.
  * @param {Scenario} scenario
  * @param {RunLog} run
  * @param {Placed | null} [placed]   of a body or a car
- * @returns {PathPlayback | null}
  */
 export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;

@@ -19,6 +19,7 @@
  * @typedef {import("planarium").GeneratorInfo} GeneratorInfo
  * @typedef {typeof import("planarium")} Library
  *
+ * @typedef {[number, number]} Point   x and y
  * @typedef {Record<string, number | string | boolean>} Settings  the values of options, by name
  *
  * @typedef {{ algorithm: string, settings: Settings }} Plan   a planner and its settings

@@ -4,13 +4,12 @@
  */
 import { View } from "planarium/draw";
 import { MARGIN, drawAxes } from "./angles.js";
-import { drawLine } from "./marks.js";
+import { drawLine, setStroke } from "./marks.js";
 import { paint, soften } from "./mask.js";
 import { NO_VIEW } from "./figure.js";
 import { folded } from "./trace.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
-/** @import { Palette } from "../app/palette.js" */
 /** @import { Brush } from "./figure.js" */
 
 /** Width of the strips, radians. */
@@ -41,16 +40,18 @@ export class AngleSquare {
     const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({ x: view.x(x0), y: view.y(y1), width: (x1 - x0) * view.scaleX, height: (y1 - y0) * view.scaleY });
     const inner = this.inner = box(low, high);
     const outer = this.outer = box(view.box.min, view.box.max);
-    const images = [this.paint(inner, ratio, palette), imageOf()];
+    const { cells } = this;
+    // The picture of the obstacles is no finer than its cells.
+    const scale = cells ? Math.min(ratio, (PIXELS * cells.side) / Math.max(inner.width, inner.height)) : 0;
+    const obstacles = cells && paint(cells.mask, cells.side, Math.round(inner.width * scale), Math.round(inner.height * scale), palette);
+    const images = [obstacles, imageOf()];
     this.repeat(context, (isCopy) => {
       context.globalAlpha = isCopy ? 0.4 : 1;
       for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
     // Borders that can be crossed are dashed, joint limits solid.
-    context.strokeStyle = palette.obstacleEdge;
     for (const [i, { low: from, high: to, isCircle }] of coordinates.entries()) {
-      context.lineWidth = isCircle ? 1 : 2;
-      context.setLineDash(isCircle ? [3, 3] : []);
+      setStroke(context, palette.obstacleEdge, isCircle ? 1 : 2, isCircle ? [3, 3] : []);
       for (const value of [from, to]) {
         if (i === 0) drawLine(context, view.x(value), outer.y, view.x(value), outer.y + outer.height);
         else drawLine(context, outer.x, view.y(value), outer.x + outer.width, view.y(value));
@@ -59,14 +60,6 @@ export class AngleSquare {
     context.setLineDash([]);
     context.fillStyle = palette.quiet;
     drawAxes(context, view, outer, coordinates);
-  }
-
-  /** The obstacles as an image, no finer than its cells. @param {{ width: number, height: number }} size  CSS pixels @param {number} ratio @param {Palette} palette */
-  paint({ width, height }, ratio, palette) {
-    if (!this.cells) return null;
-    const { mask, side } = this.cells;
-    const scale = Math.min(ratio, (PIXELS * side) / Math.max(width, height));
-    return paint(mask, side, Math.round(width * scale), Math.round(height * scale), palette);
   }
 
   /** Draws the same in the square and, a turn further, in the strips. @param {CanvasRenderingContext2D} context @param {(isCopy: boolean) => void} draw */

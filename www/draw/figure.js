@@ -22,7 +22,7 @@ import { Layer } from "./layer.js";
  * @property {(colour: string) => CanvasPattern | null} hatch   diagonal lines
  */
 
-/** The contents of a figure. @typedef {{ ground: (brush: Brush) => void, top: (brush: Brush) => void }} Drawing */
+/** The contents of a figure. @typedef {{ ground: (brush: Brush) => void, top?: (brush: Brush) => void }} Drawing */
 
 /** The view of a figure that is not drawn yet. */
 export const NO_VIEW = new View({ min: [0, 0], max: [1, 1] }, 1, 1);
@@ -42,9 +42,8 @@ export class Figure {
     this.drawing = drawing;
     this.caption = make("span", {}, caption);
     this.note = make("small", {}, note);
-    const [ground, top] = [make("canvas", { ariaHidden: "true" }), make("canvas", { role: "img", ariaLabel: caption })];
-    ground.dataset.layer = "ground";
-    top.dataset.layer = "top";
+    const ground = make("canvas", { ariaHidden: "true", dataset: { layer: "ground" } });
+    const top = make("canvas", { role: "img", ariaLabel: caption, dataset: { layer: "top" } });
     this.box = make("div", { className: "sheet" }, ground, top);
     this.element = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, this.caption, " ", this.note), this.box);
     this.layers = { ground: new Layer(ground), top: new Layer(top) };
@@ -61,14 +60,9 @@ export class Figure {
     app.onDraw(() => this.draw());
   }
 
-  /** Redraws both layers in the next frame. */
-  redraw() {
-    this.dirty.add("ground");
-    this.redrawTop();
-  }
-
-  redrawTop() {
-    this.dirty.add("top");
+  /** Redraws layers in the next frame. @param {readonly ("ground" | "top")[]} [names] */
+  redraw(names = LAYERS) {
+    for (const name of names) this.dirty.add(name);
     this.app.requestFrame();
   }
 
@@ -115,7 +109,7 @@ export class Figure {
     const { palette, width, height } = this;
     for (const name of layers) {
       context.save();
-      this.drawing[name]({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });
+      this.drawing[name]?.({ context, palette, width, height, ratio, hatch: /** @type {Brush["hatch"]} */ (hatchOf) });
       context.restore();
     }
   }

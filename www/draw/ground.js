@@ -1,11 +1,19 @@
 /** The ground of the workspace: a grid, the world, the reach of an arm, its base. */
-import { drawWorld } from "planarium/draw";
-import { disc, ring } from "./marks.js";
+import { View, drawWorld } from "planarium/draw";
+import { disc, ring, setStroke } from "./marks.js";
 
-/** @import { ScenarioDocument } from "../domain/types.js" */
+/** @import { Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
-/** @import { View } from "planarium/draw" */
+/** @import { Brush } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
+
+/** The ground of a figure. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
+export function drawWorkspace({ context, palette, width, height }, scenario, document) {
+  const view = new View(scenario.extent(), width, height);
+  drawGround(context, view, document, palette);
+  if (document.robot.type === "arm") drawBase(context, view, document.robot.base, palette);
+  return view;
+}
 
 /** A round spacing for a grid, metres: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. @param {View} view */
 export function gridOf({ scaleX }) {
@@ -18,7 +26,6 @@ export function gridOf({ scaleX }) {
 export function drawGround(context, view, document, palette) {
   const { world, robot } = document;
   drawGrid(context, view, palette);
-  context.lineWidth = 1;
   if (!world.bounds && robot.type === "arm") drawReach(context, view, robot, palette);
   drawWorld(context, view, document, palette);
 }
@@ -39,16 +46,15 @@ function drawGrid(context, view, palette) {
 /** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {{ base: ArrayLike<number>, links: number[], radius?: number }} arm @param {Palette} palette */
 function drawReach(context, view, { base, links, radius = 0 }, palette) {
   const reach = links.reduce((sum, link) => sum + link, radius);
-  context.strokeStyle = palette.line;
-  context.setLineDash([2, 5]);
+  setStroke(context, palette.line, 1, [2, 5]);
   ring(context, ...view.place(base), reach * view.scaleX);
   context.setLineDash([]);
 }
 
 /** The base of an arm. @param {Context} context @param {View} view @param {ArrayLike<number>} base @param {Palette} palette */
 export function drawBase(context, view, base, palette) {
-  context.fillStyle = context.strokeStyle = palette.ink;
-  context.lineWidth = 1;
+  context.fillStyle = palette.ink;
+  setStroke(context, palette.ink, 1);
   disc(context, ...view.place(base), 4.5);
   ring(context, ...view.place(base), 8.5);
 }

@@ -1,7 +1,6 @@
 /**
  * Diagonal lines to fill a shape with, so that a collision does not differ by its colour alone.
  * @param {CanvasRenderingContext2D} context @param {string} colour @param {number} ratio  device pixels a CSS pixel
- * @returns {CanvasPattern | null}
  */
 export function hatch(context, colour, ratio) {
   const size = Math.max(4, Math.round(7 * ratio));

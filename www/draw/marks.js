@@ -4,6 +4,13 @@
 
 const TURN = 2 * Math.PI;
 
+/** Sets how lines are drawn. @param {CanvasRenderingContext2D} context @param {string} colour @param {number} width @param {number[]} [dash] */
+export function setStroke(context, colour, width, dash = []) {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash(dash);
+}
+
 /** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius */
 export function disc(context, x, y, radius) {
   context.beginPath();
@@ -47,10 +54,27 @@ export function cross(context, x, y, arm) {
 /** A configuration as a disc with a rim. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
 export function drawDot(context, x, y, colour, palette) {
   context.fillStyle = colour;
-  context.strokeStyle = palette.stage;
-  context.lineWidth = 2;
+  setStroke(context, palette.stage, 2);
   disc(context, x, y, 6.5);
   context.stroke();
+}
+
+/** A ring to drag. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+export function drawHandle(context, x, y, colour, palette) {
+  context.fillStyle = palette.stage;
+  disc(context, x, y, 8);
+  context.fillStyle = colour;
+  setStroke(context, colour, 2.4);
+  ring(context, x, y, 6.6);
+  disc(context, x, y, 2.4);
+}
+
+/** An upright cross with a halo. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette @param {number} size */
+export function drawCross(context, x, y, colour, palette, size) {
+  strokeWithHalo(context, [5.5, 2.2], colour, palette, () => {
+    addLine(context, x - size, y, x + size, y);
+    addLine(context, x, y - size, x, y + size);
+  });
 }
 
 /**
@@ -60,8 +84,7 @@ export function drawDot(context, x, y, colour, palette) {
 export function strokeWithHalo(context, [wide, narrow], colour, palette, trace) {
   context.lineCap = "round";
   for (const [width, style] of /** @type {[number, string][]} */ ([[wide, palette.stage], [narrow, colour]])) {
-    context.lineWidth = width;
-    context.strokeStyle = style;
+    setStroke(context, style, width);
     context.beginPath();
     trace();
     context.stroke();

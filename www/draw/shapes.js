@@ -1,6 +1,6 @@
 /** Ghosts, parts in collision, start, goal and other marks, in CSS pixels. */
 import { isThin, partPath } from "planarium/draw";
-import { addCross, addLine, strokeWithHalo } from "./marks.js";
+import { addCross, addLine, setStroke, strokeWithHalo } from "./marks.js";
 
 /** @import { View } from "planarium/draw" */
 /** @import { Obstacle, Part } from "../domain/types.js" */
@@ -27,16 +27,11 @@ export function obstacleMiddle(obstacle) {
 /** A configuration as an outline. @param {Context} context @param {View} view @param {Part[]} parts @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style */
 export function drawGhost(context, view, parts, { colour, fill, stroke, dash, width }) {
   context.save();
-  context.strokeStyle = context.fillStyle = colour;
-  context.lineWidth = width;
   context.lineCap = "round";
-  context.setLineDash(dash);
+  setStroke(context, colour, width, dash);
   for (const part of parts) {
     partPath(context, view, part);
-    if (!isThin(view, part) || part.type === "disc") {
-      context.globalAlpha = fill;
-      context.fill();
-    }
+    if (!isThin(view, part) || part.type === "disc") fillWith(context, colour, fill);
     context.globalAlpha = stroke;
     context.stroke();
   }
@@ -48,21 +43,13 @@ export function drawTouchingParts(context, view, parts, palette, hatch) {
   context.save();
   context.lineCap = "round";
   for (const part of parts) {
+    const isLine = part.type === "capsule" && isThin(view, part);
     partPath(context, view, part);
-    context.strokeStyle = palette.collision;
-    if (part.type === "capsule" && isThin(view, part)) {
-      context.lineWidth = 5;
-      context.stroke();
-      context.strokeStyle = palette.stage;
-      context.lineWidth = 2;
-      context.setLineDash([1, 6]);
-      context.stroke();
-      context.setLineDash([]);
-      continue;
-    }
-    fillWith(context, palette.collision);
-    fillWith(context, hatch);
-    context.lineWidth = 1.6;
+    if (!isLine) for (const style of [palette.collision, hatch]) fillWith(context, style);
+    setStroke(context, palette.collision, isLine ? 5 : 1.6);
+    context.stroke();
+    if (!isLine) continue;
+    setStroke(context, palette.stage, 2, [1, 6]);
     context.stroke();
   }
   context.restore();
@@ -99,9 +86,8 @@ export function drawGoal(context, x, y, palette) {
 function drawEnd(context, colour, palette, trace) {
   context.save();
   context.lineJoin = "round";
-  context.lineWidth = 2.4;
   context.fillStyle = palette.stage;
-  context.strokeStyle = colour;
+  setStroke(context, colour, 2.4);
   trace(false);
   context.fill();
   context.stroke();
@@ -142,8 +128,7 @@ export function drawLabel(context, text, x, y, colour, palette) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineJoin = "round";
-  context.lineWidth = 4;
-  context.strokeStyle = palette.stage;
+  setStroke(context, palette.stage, 4);
   context.strokeText(text, x, y);
   context.fillStyle = colour;
   context.fillText(text, x, y);

@@ -23,16 +23,10 @@ export class SvgLayer extends SvgContext {
     this.images = [];
   }
 
-  /** It is its own canvas. */
+  // It is its own canvas. There are no device pixels, it is fitted while it is empty, and stripes take the place of a pattern.
   getContext() { return this; }
-
-  /** Without effect: there are no device pixels. @override */
   setTransform() {}
-
-  /** Without effect: it is fitted while it is empty. */
   reset() {}
-
-  /** None: stripes take the place of a pattern. */
   createPattern() { return null; }
 
   /** @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image @param {number} x @param {number} y @param {number} width @param {number} height @override */

@@ -1,6 +1,7 @@
 /** A robot in collision: its parts and what they touch, red, hatched and with their names. */
 import { obstaclePath } from "planarium/draw";
 import { obstacleName, partName } from "../domain/names.js";
+import { setStroke } from "./marks.js";
 import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
@@ -36,17 +37,15 @@ export function drawTouching(brush, { scenario, world, parts, touching }, draw) 
 /** @param {Brush} brush @param {World} world @param {number | "bounds"} obstacle */
 export function drawTouched({ context, view, palette, onObstacle }, { bounds, obstacles }, obstacle) {
   context.save();
-  context.strokeStyle = palette.collision;
-  context.lineWidth = 2;
   if (obstacle === "bounds") {
     if (bounds) {
-      context.setLineDash([8, 5]);
-      context.lineWidth = 3;
+      setStroke(context, palette.collision, 3, [8, 5]);
       context.strokeRect(view.x(bounds.min[0]), view.y(bounds.max[1]), (bounds.max[0] - bounds.min[0]) * view.scaleX, (bounds.max[1] - bounds.min[1]) * view.scaleY);
     }
   } else {
     obstaclePath(context, view, obstacles[obstacle]);
     fillWith(context, onObstacle, 0.55);
+    setStroke(context, palette.collision, 2);
     context.stroke();
   }
   context.restore();

@@ -11,7 +11,6 @@ function written(cell) {
 /**
  * @param {readonly string[]} columns
  * @param {readonly (readonly Cell[])[]} rows  as many cells in each as there are columns
- * @returns {string}
  */
 export function toCsv(columns, rows) {
   return [columns, ...rows].map((row) => {
@@ -22,15 +21,3 @@ export function toCsv(columns, rows) {
 
 /** A table as a file. @param {readonly string[]} columns @param {readonly (readonly Cell[])[]} rows */
 export function csvFile(columns, rows) { return new Blob([toCsv(columns, rows)], { type: "text/csv" }); }
-
-/**
- * The history of a run, with the iteration, counted from 1, in the first column.
- * @param {ArrayLike<number>} history  rows of one number a column, one after the other; not finite where there is none yet
- * @param {readonly string[]} columns  without the iteration
- * @returns {string}
- */
-export function historyCsv(history, columns) {
-  const width = columns.length;
-  const rows = Array.from({ length: history.length / width }, (_, i) => [i + 1, ...columns.map((_name, j) => history[i * width + j])]);
-  return toCsv(["iteration", ...columns], rows);
-}

@@ -10,6 +10,12 @@ export function must(holds, sentence = "The file is damaged.") {
   if (!holds) throw new NpyError(sentence);
 }
 
+/** A value that must be there. @template T @param {T | undefined} value @returns {T} */
+export function existing(value) {
+  must(value !== undefined);
+  return value;
+}
+
 /** The number of elements. @param {readonly number[]} shape */
 export const countOf = (shape) => shape.reduce((product, n) => product * n, 1);
 

@@ -16,7 +16,9 @@ const ascii = (text) => new TextEncoder().encode(text);
 export class GifWriter {
   #width;
   #height;
-  #palette;
+  #nearest;
+  /** The index of transparency: that after the last colour. */
+  #clear;
   /** Bits of the index of a colour. */
   #bits = 2;
   /** @type {Uint8Array[]} */
@@ -31,14 +33,19 @@ export class GifWriter {
   /**
    * @param {number} width   pixels, 1 to 65535
    * @param {number} height
-   * @param {Uint8Array} [palette]  red, green, blue in turn, 1 to 256 colours (255 leave one for transparency); else that of the first frame
+   * @param {Uint8Array} palette  red, green, blue in turn, 1 to 256 colours (255 leave one for transparency)
    */
   constructor(width, height, palette) {
     if (!(width > 0 && height > 0 && (width | height) < 65536)) throw new RangeError(`A GIF cannot be ${width} x ${height} pixels.`);
     this.#width = width;
     this.#height = height;
-    this.#palette = palette;
+    this.#nearest = nearestIn(palette);
+    this.#clear = palette.length / 3;
     this.#shown = new Uint8Array(width * height);
+    while (1 << this.#bits < Math.min(256, this.#clear + 1)) this.#bits++;
+    const colours = new Uint8Array(3 << this.#bits);
+    colours.set(palette);
+    this.#write(ascii("GIF89a"), shorts(width, height), [0xef + this.#bits, 0, 0], colours, [0x21, 0xff, 11], ascii("NETSCAPE2.0"), [3, 1, 0, 0, 0]);
   }
 
   /**
@@ -52,17 +59,9 @@ export class GifWriter {
     const shown = this.#shown;
     const before = this.#pixels;
     if (rgba.length !== 4 * shown.length) throw new RangeError(`${width} x ${height} pixels cannot be ${rgba.length} bytes.`);
-    const palette = this.#palette ??= paletteOf([rgba]);
-    const clear = palette.length / 3;
-    if (!before) {
-      while (1 << this.#bits < Math.min(256, clear + 1)) this.#bits++;
-      const colours = new Uint8Array(3 << this.#bits);
-      colours.set(palette);
-      this.#write(ascii("GIF89a"), shorts(width, height), [0xef + this.#bits, 0, 0], colours, [0x21, 0xff, 11], ascii("NETSCAPE2.0"), [3, 1, 0, 0, 0]);
-    }
+    const clear = this.#clear;
     const hides = before && clear < 256;
     const pixels = this.#pixels = new Uint32Array(rgba.slice().buffer);
-    const nearest = nearestIn(palette);
     const frame = new Uint8Array(shown.length);
     let left = before ? width : 0;
     let top = before ? height : 0;
@@ -70,7 +69,7 @@ export class GifWriter {
     let bottom = height - top;
     for (let i = 0, y = 0; y < height; y++) {
       for (let x = 0; x < width; x++, i++) {
-        const number = before && before[i] === pixels[i] ? shown[i] : nearest(pixels[i], rgba, 4 * i);
+        const number = before && before[i] === pixels[i] ? shown[i] : this.#nearest(pixels[i], rgba, 4 * i);
         frame[i] = hides && number === shown[i] ? clear : number;
         if (number === shown[i]) continue;
         shown[i] = number;

@@ -3,7 +3,7 @@
  * program for a stack machine that may call any Python function. This machine replaces the few functions that make arrays by its
  * own; any other function or instruction is refused.
  */
-import { must, NdArray } from "./dtype.js";
+import { existing, must, NdArray } from "./dtype.js";
 
 /** Instructions run at most: 5000 vertices of the wordiest kind need a fifth. */
 const MOST_STEPS = 1e6;
@@ -75,25 +75,17 @@ export function readPickle(bytes) {
   };
   const popToMark = () => {
     const items = stack;
-    const under = below.pop();
-    must(under);
-    stack = under;
+    stack = existing(below.pop());
     return items;
   };
-  const top = () => {
-    must(stack.length);
-    return stack[stack.length - 1];
-  };
+  const top = () => existing(stack.at(-1));
   const append = (/** @type {unknown[]} */ items) => {
     const list = top();
     must(Array.isArray(list));
     for (const item of items) list.push(item);
   };
   const put = (/** @type {number} */ key) => { memo.set(key, top()); };
-  const get = (/** @type {number} */ key) => {
-    must(memo.has(key));
-    return memo.get(key);
-  };
+  const get = (/** @type {number} */ key) => existing(memo.get(key));
 
   /** The instructions; what one returns is pushed. @type {Record<string, () => unknown>} */
   const instructions = {

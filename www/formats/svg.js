@@ -1,8 +1,8 @@
 /**
  * A 2d context that writes SVG in place of pixels: paths of lines, arcs and rectangles, dashes, clips, words, images, and stripes in
- * place of a pattern. Transforms may turn, shift and scale uniformly. As on a canvas, coordinates that are not finite are ignored.
+ * place of a pattern. Transforms turn and shift. As on a canvas, coordinates that are not finite are ignored.
  *
- * @typedef {{ colour: string, size?: number, width?: number }} Stripes  diagonal lines to fill with: `size` apart, `width` wide, pixels
+ * @typedef {{ colour: string }} Stripes  diagonal lines to fill with
  */
 
 const TURN = 2 * Math.PI;
@@ -39,7 +39,7 @@ export class SvgContext {
   textBaseline = "alphabetic";
   /** @type {readonly number[]} */
   dash = [];
-  /** Cosine and sine of the turn, times the scale, and the shift. */
+  /** Cosine and sine of the turn, and the shift. */
   turn = [1, 0, 0, 0];
   /** The attribute of the current clip. */
   clipping = "";
@@ -66,12 +66,6 @@ export class SvgContext {
   save() { this.#saved.push({ ...this }); }
 
   restore() { Object.assign(this, this.#saved.pop()); }
-
-  /** @param {number} a @param {number} b @param {number} c @param {number} d @param {number} e @param {number} f */
-  setTransform(a, b, c, d, e, f) {
-    if (a !== d || b !== -c) throw new RangeError("A figure cannot be stretched.");
-    this.turn = [a, b, e, f];
-  }
 
   /** @param {number} x @param {number} y */
   translate(x, y) {
@@ -113,7 +107,7 @@ export class SvgContext {
     let sweep = sign * (to - from);
     if (sweep < 0) sweep = sweep % TURN + TURN;
     sweep = sign * Math.min(sweep, TURN);
-    const size = round(radius * Math.hypot(this.turn[0], this.turn[1]));
+    const size = round(radius);
     this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
     // In three pieces: the rounded ends of half a turn leave its shape uncertain, those of a whole turn coincide.
     for (const third of [1, 2, 3]) {
@@ -138,17 +132,14 @@ export class SvgContext {
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
   fillRect(x, y, width, height) { this.#aside("fill", x, y, width, height); }
 
-  /** Removes everything; a part of a figure cannot be removed. @param {number} x @param {number} y @param {number} width @param {number} height */
-  clearRect(x, y, width, height) {
-    if (x > 0 || y > 0 || x + width < this.#width || y + height < this.#height) throw new RangeError("A figure can only be cleared whole.");
-    this.#elements = [];
-  }
+  /** Removes everything: only whole figures are cleared. */
+  clearRect() { this.#elements = []; }
 
   /** @param {string} text @param {number} x @param {number} y */
   fillText(text, x, y) { this.#word(text, x, y, this.#fillStyle()); }
 
   /** @param {string} text @param {number} x @param {number} y */
-  strokeText(text, x, y) { this.#word(text, x, y, this.#strokeStyle(1)); }
+  strokeText(text, x, y) { this.#word(text, x, y, this.#strokeStyle()); }
 
   /** @param {{ toDataURL(): string }} image  such as a canvas @param {number} x @param {number} y @param {number} width @param {number} height */
   drawImage(image, x, y, width, height) {
@@ -196,14 +187,11 @@ export class SvgContext {
   #fillStyle() {
     const style = this.fillStyle;
     if (typeof style === "string") return this.#paint("fill", style);
-    const { colour, size = 5, width = 1.5 } = style;
-    return this.#paint("fill", reference("stripes", this.#stripes, ` width="${size}" height="${size}" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M${size / 2} 0V${size}" stroke="${escaped(colour)}" stroke-width="${width}"/>`));
+    return this.#paint("fill", reference("stripes", this.#stripes, ` width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M2.5 0V5" stroke="${escaped(style.colour)}" stroke-width="1.5"/>`));
   }
 
-  /** @param {number} [scale]  of lengths */
-  #strokeStyle(scale = Math.hypot(this.turn[0], this.turn[1])) {
-    const dash = this.dash.map((length) => round(length * scale)).join(" ");
-    return ` fill="none"${this.#paint("stroke", this.strokeStyle)} stroke-width="${round(this.lineWidth * scale)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}" stroke-dasharray="${dash}"`;
+  #strokeStyle() {
+    return ` fill="none"${this.#paint("stroke", this.strokeStyle)} stroke-width="${round(this.lineWidth)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}" stroke-dasharray="${this.dash.map(round).join(" ")}"`;
   }
 
   /** Adds an element; a path continues the path before it if both have the same opaque style. @param {string} style @param {string} text @param {string} [path] */

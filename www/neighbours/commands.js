@@ -4,7 +4,8 @@ import { Measurement } from "./measurement.js";
 import { readList } from "./read-list.js";
 
 /** @import { Neighbours, NeighboursOptions } from "planarium" */
-/** @import { List, Measured, Query, Result, Sampling, ScenarioDocument, Settings } from "./types.js" */
+/** @import { ScenarioDocument, Settings } from "../domain/types.js" */
+/** @import { IndexId } from "./measurement.js" */
 
 /** @type {Scenario | null} */
 let scenario = null;
@@ -16,7 +17,10 @@ const indexes = new Map();
 /** @type {Measurement | null} */
 let measurement = null;
 
-/** @param {Scenario} opened @param {Float64Array} list @returns {List} */
+/**
+ * Replaces the list; each has another version. Its tips are end effectors, or the middles of bodies, x and y in turn.
+ * @param {Scenario} opened @param {Float64Array} list
+ */
 function store(opened, list) {
   scenario?.free();
   scenario = opened;
@@ -39,30 +43,27 @@ function indexOf(robot, options) {
 }
 
 export const commands = {
-  /** @param {ScenarioDocument} document @param {Sampling} sampling @returns {List} */
+  /** @param {ScenarioDocument} document @param {{ n: number, seed: number, free: boolean }} sampling */
   sample(document, { n, seed, free }) {
     const opened = Scenario.parse(document);
     return store(opened, opened.sampleConfigurations(n, { seed, free }));
   },
 
-  /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes @returns {List} */
+  /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes */
   read(document, name, bytes) {
     const opened = Scenario.parse(document);
-    try {
-      const list = readList(name, bytes, opened.dimension);
-      const index = opened.neighbours({ index: "linear" });
-      try {
-        index.add(list);
-      } finally {
-        index.free();
-      }
-      return store(opened, list);
-    } finally {
-      if (scenario !== opened) opened.free();
-    }
+    const list = readList(name, bytes, opened.dimension);
+    // An index refuses what is not a configuration.
+    const index = opened.neighbours({ index: "linear" });
+    index.add(list);
+    index.free();
+    return store(opened, list);
   },
 
-  /** @param {Query} query @returns {Result | null}  null: the list is another by now */
+  /**
+   * The neighbours, and those by exact search with angles that wrap; null if the list is another by now.
+   * @param {{ version: number, q: Float64Array, k: number, index: IndexId, given: Settings }} query  `given`: options of the index
+   */
   search({ version: asked, q, k, index, given }) {
     if (!scenario || asked !== version) return null;
     const { metric } = given;
@@ -76,7 +77,7 @@ export const commands = {
     measurement = new Measurement(document, k, given);
   },
 
-  /** Measures on n configurations; what there is no time for is left out. @param {number} n @param {number} milliseconds @returns {Measured[]} */
+  /** Measures on n configurations; what there is no time for is left out. @param {number} n @param {number} milliseconds */
   measure(n, milliseconds) { return measurement?.measure(n, milliseconds) ?? []; },
 
   endMeasurement() {
@@ -86,6 +87,7 @@ export const commands = {
 };
 
 /** @typedef {typeof commands} Commands */
+/** @typedef {ReturnType<typeof store>} List */
 
 export function reset() {
   scenario = measurement = null;

@@ -14,15 +14,15 @@ import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { num, tuple } from "../widgets/format.js";
-import { SceneGallery } from "../widgets/scene-gallery.js";
+import { makeSceneGallery } from "../widgets/scene-gallery.js";
 import { watchHandles } from "./handles.js";
-import { Panel } from "./panel.js";
+import { showPanel } from "./panel.js";
 import { DIGITS, sentenceOf, showNeighbours } from "./result.js";
 import { ROBOTS } from "./robots.js";
 import { DRAWN, NeighbourSession } from "./session.js";
 import { Square } from "./square.js";
 import { openState, stateOf, stateRule } from "./state.js";
-import { Timing } from "./timing.js";
+import { watchTiming } from "./timing.js";
 import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
@@ -41,18 +41,18 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, new Square(session)),
   };
   const all = Object.values(figures);
-  const gallery = new SceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
-  new Panel(session, indexes);
-  const timing = new Timing(session, indexes);
+  const gallery = makeSceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
+  showPanel(session, indexes);
+  const timingsCsv = watchTiming(session, indexes);
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
     { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: neighboursCsv },
-    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: () => timing.csv(), name: () => `timings-${session.entry.id}` },
+    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: timingsCsv, name: () => `timings-${session.entry.id}` },
   ]);
   watchHandles(session, stage, figures);
-  watchFiles((name, bytes) => {
+  watchFiles(app, (name, bytes) => {
     app.notice.hide();
     void session.read(name, bytes);
-  }, (name, error) => app.fail(error, `${name} could not be read.`));
+  });
   session.onChange(show);
   app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k });
   await useLink(app, stateRule, {
@@ -72,10 +72,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     else delete dataset.found;
     figures.square.element.hidden = !isPlanar;
     stage.classList.toggle("single", !isPlanar);
-    for (const figure of all) {
-      if (change === "robot" || change === "list") figure.redraw();
-      else figure.redrawTop();
-    }
+    for (const figure of all) figure.redraw(change === "robot" || change === "list" ? undefined : ["top"]);
     if (change === "robot") gallery.mark(entry.id);
     app.write({
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,

@@ -3,14 +3,14 @@
  * queries are timed in batches, and their median counts.
  */
 import { Scenario } from "planarium";
+import { rowsOf } from "../domain/coordinates.js";
 
 /** @import { Neighbours, NeighboursOptions } from "planarium" */
-/** @import { IndexId, Measured, ScenarioDocument, Settings } from "./types.js" */
+/** @import { ScenarioDocument, Settings } from "../domain/types.js" */
+/** @typedef {typeof KINDS[number]} IndexId */
+/** An index on n configurations. @typedef {ReturnType<Measurement["measure"]>[number]} Measured */
 
-/** An index, and the milliseconds that it took to build. @typedef {{ kind: IndexId, index: Neighbours, build: number }} Candidate */
-
-/** @type {IndexId[]} */
-const KINDS = ["linear", "kd-tree", "forest"];
+export const KINDS = /** @type {const} */ (["linear", "kd-tree", "forest"]);
 /** Targets queried in turn. */
 const TARGETS = 40;
 /** Milliseconds of a batch at least, and the number of batches. */
@@ -28,26 +28,30 @@ export class Measurement {
     this.scenario = Scenario.parse(document);
     this.k = k;
     this.rows = this.scenario.sampleConfigurations(MOST, { seed: SEEDS.rows });
-    const { dimension } = this.scenario;
-    const targets = this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets });
-    this.targets = Array.from({ length: TARGETS }, (_, i) => targets.subarray(i * dimension, (i + 1) * dimension));
-    /** @type {Candidate[]} */
+    this.targets = rowsOf(this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets }), this.scenario.dimension);
+    /** The indexes, and the milliseconds that they took to build. */
     this.candidates = KINDS.map((kind) => {
       const options = { index: kind, ...(metric === undefined ? {} : { metric }), ...(kind === "forest" ? forest : {}) };
       return { kind, index: this.scenario.neighbours(/** @type {NeighboursOptions} */ (options)), build: 0 };
     });
   }
 
-  /** @param {number} n  more than before @param {number} milliseconds  that may be spent @returns {Measured[]} */
+  /**
+   * Times in seconds, the mean number of nodes visited, and the mean part of the true nearest neighbours that were found.
+   * @param {number} n  more than before @param {number} milliseconds  that may be spent
+   */
   measure(n, milliseconds) {
+    const { scenario: { dimension }, rows } = this;
     const end = performance.now() + milliseconds;
-    /** @type {Measured[]} */
     const measured = [];
     /** The true neighbours of each target. @type {Set<number>[]} */
     let truth = [];
     for (const candidate of this.candidates) {
       const { kind, index } = candidate;
-      this.grow(candidate, n, end);
+      for (let began = performance.now(); index.size < n && began < end; began = performance.now()) {
+        index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
+        candidate.build += performance.now() - began;
+      }
       if (performance.now() > end) break;
       const results = this.targets.map((q) => index.nearest(q, this.k));
       if (kind === "kd-tree") truth = results.map(({ indices }) => new Set(indices));
@@ -58,16 +62,6 @@ export class Measurement {
       });
     }
     return measured;
-  }
-
-  /** Adds configurations until there are n, or no time is left. @param {Candidate} candidate @param {number} n @param {number} end */
-  grow(candidate, n, end) {
-    const { scenario: { dimension }, rows } = this;
-    const { index } = candidate;
-    for (let began = performance.now(); index.size < n && began < end; began = performance.now()) {
-      index.add(rows.subarray(index.size * dimension, Math.min(n, index.size + CHUNK) * dimension));
-      candidate.build += performance.now() - began;
-    }
   }
 
   /** Milliseconds of a query. @param {Neighbours} index */

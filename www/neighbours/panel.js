@@ -6,40 +6,35 @@ import { Slider } from "../widgets/slider.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession, Change } from "./session.js" */
-/** @import { IndexId } from "./types.js" */
+/** @import { IndexId } from "./measurement.js" */
 
-export class Panel {
-  /** @param {NeighbourSession} session @param {IndexInfo[]} table */
-  constructor(session, table) {
-    const { sampling } = session;
-    this.session = session;
-    this.table = table;
-    this.count = new Slider({ name: "count", title: "Count", min: 100, max: 100_000, kind: "integer", isLog: true }, sampling.n, (n) => void session.sample({ n }));
-    this.seed = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, sampling.seed, (seed) => void session.sample({ seed }));
-    this.free = byId("free", HTMLInputElement);
-    this.free.addEventListener("change", () => void session.sample({ free: this.free.checked }));
-    byId("list-settings", HTMLElement).prepend(this.count.element, this.seed.element);
-    this.preset = byId("preset", HTMLSelectElement);
-    this.preset.addEventListener("change", () => {
-      const preset = session.entry.presets[Number(this.preset.value)];
-      if (this.preset.value !== "") session.setQuery({ q: session.fitted(preset.q), k: preset.k });
-    });
-    /** @type {Slider[]} */
-    this.sliders = [];
-    this.k = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
-    byId("query-settings", HTMLElement).prepend(this.k.element);
-    this.index = byId("index", HTMLSelectElement);
-    this.index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
-    this.index.addEventListener("change", () => {
-      session.setQuery({ index: /** @type {IndexId} */ (this.index.value) });
-      this.buildOptions();
-    });
-    session.onChange((change) => this.show(change));
-  }
+/** @param {NeighbourSession} session @param {IndexInfo[]} table */
+export function showPanel(session, table) {
+  const { n, seed } = session.sampling;
+  const counts = new Slider({ name: "count", title: "Count", min: 100, max: 100_000, kind: "integer", isLog: true }, n, (count) => void session.sample({ n: count }));
+  const seeds = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, seed, (value) => void session.sample({ seed: value }));
+  const free = byId("free", HTMLInputElement);
+  free.addEventListener("change", () => void session.sample({ free: free.checked }));
+  byId("list-settings", HTMLElement).prepend(counts.element, seeds.element);
+  const preset = byId("preset", HTMLSelectElement);
+  preset.addEventListener("change", () => {
+    const [q, k] = session.entry.presets[Number(preset.value)];
+    if (preset.value !== "") session.setQuery({ q: session.fitted(q), k });
+  });
+  /** @type {Slider[]} */
+  let target = [];
+  const neighbours = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
+  byId("query-settings", HTMLElement).prepend(neighbours.element);
+  const index = byId("index", HTMLSelectElement);
+  index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
+  index.addEventListener("change", () => {
+    session.setQuery({ index: /** @type {IndexId} */ (index.value) });
+    buildOptions();
+  });
+  session.onChange(show);
 
   /** The options of the index; only an arm has a choice of metrics. */
-  buildOptions() {
-    const { session, table } = this;
+  function buildOptions() {
     const info = table.find(({ id }) => id === session.index) ?? table[0];
     session.app.write({ "index-summary": info.summary });
     const options = new Options(byId("index-settings", HTMLElement), info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
@@ -49,23 +44,22 @@ export class Panel {
   }
 
   /** @param {Change} change */
-  show(change) {
-    const { session } = this;
-    const { entry: { presets }, coordinates, sampling, q, k, index } = session;
+  function show(change) {
+    const { entry: { presets }, coordinates, sampling, q, k } = session;
     if (change === "result") return;
     if (change === "robot") {
-      this.preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map((preset, i) => make("option", { value: String(i) }, `${tuple(preset.q)}, k = ${preset.k}`)));
-      this.sliders = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) => session.setCoordinate(i, value)));
-      byId("target", HTMLElement).replaceChildren(...this.sliders.map(({ element }) => element));
-      this.buildOptions();
+      preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map(([at, count], i) => make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`)));
+      target = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) => session.setCoordinate(i, value)));
+      byId("target", HTMLElement).replaceChildren(...target.map(({ element }) => element));
+      buildOptions();
     }
-    this.count.show(sampling.n);
-    this.seed.show(sampling.seed);
-    this.free.checked = sampling.free;
-    this.sliders.forEach((slider, i) => slider.show(q[i]));
-    this.k.show(k);
-    this.index.value = index;
-    const preset = presets.findIndex((one) => one.k === k && session.scenario.distance(session.fitted(one.q), q) < 1e-9);
-    this.preset.value = preset < 0 ? "" : String(preset);
+    counts.show(sampling.n);
+    seeds.show(sampling.seed);
+    free.checked = sampling.free;
+    target.forEach((slider, i) => slider.show(q[i]));
+    neighbours.show(k);
+    index.value = session.index;
+    const chosen = presets.findIndex(([at, count]) => count === k && session.scenario.distance(session.fitted(at), q) < 1e-9);
+    preset.value = chosen < 0 ? "" : String(chosen);
   }
 }

@@ -18,9 +18,8 @@ export function showNeighbours(session) {
   body.replaceChildren(...Array.from(shown, (i, rank) => {
     const isRight = session.exact.has(i);
     const cells = [grouped(i), tuple(session.row(i), DIGITS), `${num(distances[rank], DIGITS)}${isRight ? "" : " \u2717"}`];
-    const row = make("tr", {}, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
-    Object.assign(row.dataset, { index: i, distance: distances[rank], right: isRight });
-    return row;
+    const dataset = { index: i, distance: distances[rank], right: isRight };
+    return make("tr", { dataset }, make("th", { scope: "row" }, String(rank + 1)), ...cells.map((text) => make("td", {}, text)));
   }));
 }
 

@@ -9,16 +9,18 @@ import { coordinatesOf, fitted } from "../domain/coordinates.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
-/** @import { Part } from "../domain/types.js" */
-/** @import { Commands } from "./commands.js" */
-/** @import { Found, IndexId, List, RobotEntry, Sampling, Settings } from "./types.js" */
+/** @import { NeighboursFound } from "planarium" */
+/** @import { Part, Settings } from "../domain/types.js" */
+/** @import { Commands, List } from "./commands.js" */
+/** @import { IndexId } from "./measurement.js" */
+/** @import { RobotEntry } from "./robots.js" */
 
 /** @typedef {"robot" | "list" | "query" | "result"} Change */
 
 /** Robots drawn, at most. */
 export const DRAWN = 400;
 
-/** @type {Found} */
+/** @type {NeighboursFound} */
 const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
 
 /** @extends {Observable<Change>} */
@@ -30,7 +32,6 @@ export class NeighbourSession extends Observable {
     this.entry = entry;
     this.scenario = Scenario.parse(entry.document);
     this.coordinates = coordinatesOf(this);
-    /** @type {Sampling} */
     this.sampling = { n: 500, seed: 0, free: true };
     /** The name of the file, if the list was not sampled. @type {string | null} */
     this.file = null;
@@ -82,7 +83,7 @@ export class NeighbourSession extends Observable {
     return this.sample();
   }
 
-  /** @param {Partial<Sampling>} [changes] */
+  /** @param {Partial<NeighbourSession["sampling"]>} [changes] */
   sample(changes = {}) {
     this.sampling = { ...this.sampling, ...changes };
     this.file = null;
@@ -91,17 +92,13 @@ export class NeighbourSession extends Observable {
 
   /** Reads a list from a file. @param {string} name @param {Uint8Array} bytes */
   read(name, bytes) {
-    const list = this.worker.read(this.document, name, bytes).catch((error) => {
-      this.app.fail(error, `${name} could not be read as a list of configurations.`);
-      return undefined;
-    });
-    return this.receive(list, name);
+    return this.receive(this.worker.read(this.document, name, bytes), name, `${name} could not be read as a list of configurations.`);
   }
 
-  /** @param {Promise<List | undefined>} promise @param {string | null} file */
-  async receive(promise, file) {
+  /** @param {Promise<List>} promise @param {string | null} file @param {string} [title]  of an error */
+  async receive(promise, file, title) {
     const request = ++this.requests;
-    const list = await this.app.track(promise);
+    const list = await this.app.track(promise, title);
     if (!list || request !== this.requests) return;
     this.file = file;
     this.setList(list);

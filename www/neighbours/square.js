@@ -5,7 +5,7 @@
 import { difference } from "planarium/draw";
 import { AngleSquare } from "../draw/angle-square.js";
 import { dotsImage } from "../draw/dots.js";
-import { disc, drawDot, drawLine, ring } from "../draw/marks.js";
+import { disc, drawDot, drawLine, ring, setStroke } from "../draw/marks.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -24,8 +24,7 @@ export class Square extends AngleSquare {
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { isPlanar, coordinates, list: { rows } } = this.session;
-    if (!isPlanar) return;
+    const { coordinates, list: { rows } } = this.session;
     this.drawGround(brush, coordinates, () => {
       const { x, y, width, height } = this.inner;
       const places = new Float64Array(rows.length);
@@ -40,28 +39,21 @@ export class Square extends AngleSquare {
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view, inner } = this;
-    if (!session.isPlanar) return;
     const { found: { indices }, missed, isNaive, q } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
-      context.strokeStyle = palette.rejected;
       if (isNaive) {
-        context.lineWidth = 1.4;
-        context.setLineDash([7, 5]);
+        setStroke(context, palette.rejected, 1.4, [7, 5]);
         drawLine(context, view.x(0), inner.y, view.x(0), inner.y + inner.height);
         drawLine(context, inner.x, view.y(0), inner.x + inner.width, view.y(0));
       }
-      context.setLineDash([3, 4]);
-      context.lineWidth = 1.2;
+      setStroke(context, palette.rejected, 1.2, [3, 4]);
       for (const i of missed) this.drawMotion(context, i, false);
-      context.setLineDash([]);
       for (let rank = indices.length - 1; rank >= 0; rank--) {
-        context.strokeStyle = colourOf(indices[rank]);
-        context.lineWidth = 2 - rank / Math.max(1, indices.length - 1);
+        setStroke(context, colourOf(indices[rank]), 2 - rank / Math.max(1, indices.length - 1));
         this.drawMotion(context, indices[rank], isNaive);
       }
-      context.strokeStyle = palette.rejected;
-      context.lineWidth = 1.6;
+      setStroke(context, palette.rejected, 1.6);
       for (const i of missed) ring(context, ...this.place(session.row(i)), 4.6);
       for (const i of indices) {
         context.fillStyle = colourOf(i);

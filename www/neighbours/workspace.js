@@ -2,13 +2,13 @@
 import { drawRobot, partPath } from "planarium/draw";
 import { dotsImage } from "../draw/dots.js";
 import { NO_VIEW } from "../draw/figure.js";
-import { drawHandle, drawWorkspace } from "../draw/workspace.js";
-import { addLine, disc, ring } from "../draw/marks.js";
+import { drawWorkspace } from "../draw/ground.js";
+import { addLine, disc, drawHandle, ring, setStroke } from "../draw/marks.js";
 import { drawGhost, drawLabel } from "../draw/shapes.js";
 
+/** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
-/** @import { Point } from "./types.js" */
 
 /** Neighbours that are numbered, at most. */
 const RANKED = 12;
@@ -38,8 +38,7 @@ export class Workspace {
     const { context, palette, width, height, ratio } = brush;
     const view = this.view = drawWorkspace(brush, scenario, document);
     context.save();
-    context.strokeStyle = palette.growth;
-    context.lineWidth = 1;
+    setStroke(context, palette.growth, 1);
     context.lineJoin = "round";
     context.globalAlpha = footprints.length > 100 ? 0.12 : 0.25;
     for (const parts of footprints) {
@@ -66,8 +65,7 @@ export class Workspace {
     const footprintOf = (/** @type {number} */ i) => scenario.footprint(session.row(i));
     // The nearest is drawn last, on top.
     const ranked = [...indices.entries()].reverse();
-    context.lineWidth = 1.6;
-    context.strokeStyle = palette.rejected;
+    setStroke(context, palette.rejected, 1.6);
     for (const i of missed) {
       if (missed.length > MOST || isDot) ring(context, ...tipOf(i), 4.4);
       else drawGhost(context, view, footprintOf(i), { colour: palette.rejected, fill: 0, stroke: 0.9, dash: [4, 4], width: 1.4 });

@@ -24,7 +24,7 @@ import { isArray, watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
 import { Projector } from "../app/projector.js";
-import { Gallery, SIDE } from "../widgets/gallery.js";
+import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
 import { Counters } from "./counters.js";
 import { showLegend } from "./legend.js";
@@ -62,7 +62,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   const page = new Page(app, session, panel);
   const sheets = new Sheets(page);
   const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
-  const gallery = new Gallery(SCENES, (entry) => {
+  const gallery = makeGallery(SCENES, (entry) => {
     void app.track(page.openScene(entry), `The scene "${entry.title}" could not be loaded.`);
   });
   const transport = new Transport(page);
@@ -74,7 +74,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
     r: () => page.act(() => session.reset()),
     n: () => panel.reseed(),
   });
-  watchFiles((name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`), (name, error) => app.fail(error, `${name} could not be read.`));
+  watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
   watchAnnouncements(page);
   showPseudocode(page);
   watchPrint(page);
@@ -90,7 +90,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
   const lessons = new LazyFeature(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
   new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
-  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector)).byButton("link", ({ share }) => share.copy());
+  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector)).byButton("link", ({ share }) => share());
   if (window.parent !== window) (await import("./embed.js")).watchParent(page);
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
 

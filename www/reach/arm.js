@@ -4,8 +4,8 @@ import { wrap } from "planarium/draw";
 import { coordinatesOf, fitted } from "../domain/coordinates.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
-/** @import { Coordinate } from "../domain/types.js" */
-/** @import { ArmRobot, Point, ScenarioDocument } from "./types.js" */
+/** @import { ScenarioDocument } from "../domain/types.js" */
+/** @typedef {Extract<import("planarium").Robot, { type: "arm" }>} ArmRobot */
 
 export class Arm {
   /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @throws {Error} with `code` and `pointer`, if the core refuses it */
@@ -17,7 +17,6 @@ export class Arm {
       throw Object.assign(new Error(`This page is for arms; the robot of this scenario is a ${robot.replace("_", " ")}.`), { code: "unsupported", pointer: "/robot/type" });
     }
     this.document = this.scenario.document();
-    /** @type {Coordinate[]} */
     this.joints = coordinatesOf({ scenario: this.scenario, document: this.document });
     this.pose = this.poseAt(q);
   }
@@ -34,7 +33,6 @@ export class Arm {
   /** The sum of its links, metres. */
   get reach() { return this.robot.links.reduce((sum, link) => sum + link, 0); }
 
-  /** @returns {Point} */
   get tip() { return tipOf(this.parts); }
 
   /** The direction of the last link, radians in (-pi, pi]. */

@@ -5,10 +5,10 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 
 /** @import { Grip, Place } from "../draw/drag.js" */
 /** @import { Figure } from "../draw/figure.js" */
+/** @import { Point } from "../domain/types.js" */
 /** @import { ParallelAxes } from "./parallel-axes.js" */
 /** @import { ArmSession } from "./session.js" */
 /** @import { Square } from "./square.js" */
-/** @import { Point } from "./types.js" */
 /** @import { Workspace } from "./workspace.js" */
 
 /** The step of an arrow key, as a part of the arm's reach. */

@@ -8,6 +8,7 @@ import { withSeed } from "../widgets/field.js";
 import { planners, reachMethods } from "planarium";
 import { Chart } from "../widgets/chart.js";
 import { byId, grouped, make } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { encodeLink } from "../planner/link/codec.js";
 import { button, press } from "../widgets/elements.js";
 import { small } from "../widgets/format.js";
@@ -31,17 +32,11 @@ export class IkPanel {
     this.session = session;
     this.methods = reachMethods();
     this.host = byId("solve", HTMLElement);
-    /** @type {IkRun | null} */
-    this.run = null;
     /** The configuration at which the run starts. */
     this.start = session.arm.q;
-    /** Whether a run has begun, or was refused, since the mode was chosen. */
-    this.isBegun = false;
     /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};
-    /** The index of the solution that the arm shows, or -1. */
-    this.chosen = -1;
-    this.charted = -Infinity;
+    this.isChartDue = pacer(CHART_PAUSE);
     this.select = byId("method", HTMLSelectElement);
     this.select.append(...this.methods.map(({ id, title }) => make("option", { value: id }, title)));
     this.select.value = "damped-least-squares";
@@ -61,19 +56,13 @@ export class IkPanel {
 
   get method() { return this.methods.find(({ id }) => id === this.select.value) ?? this.methods[0]; }
 
-  /** The nearest point, if the target is out of reach. */
-  get nearest() { return this.run?.verdict?.nearest ?? null; }
-
   /** @param {Change} change */
   follow(change) {
     if (!this.isOn) {
       if (this.transport.isPlaying) this.transport.pause();
-      this.run?.free();
-      this.run = null;
-      this.isBegun = false;
-    } else if (change === "arm" || change === "pose" || !this.isBegun) {
+      this.drop();
+    } else if (change !== "iterate" && change !== "rest") {
       // The user moved the arm, or changed it: the run starts there.
-      this.isBegun = true;
       this.start = this.session.arm.q;
       this.begin();
     }
@@ -98,28 +87,31 @@ export class IkPanel {
     }, { prefix: "solve", first: ["solutions", "free_only", "seed"] });
   }
 
+  drop() {
+    this.session.run?.free();
+    Object.assign(this.session, { run: null, chosen: -1 });
+  }
+
   /** Starts a run. */
   begin() {
     const { session, session: { arm, target, orientation, app: { notice } }, options: { settings }, start } = this;
-    this.run?.free();
-    this.run = null;
-    this.chosen = -1;
+    this.drop();
     if (!settings) return;
     try {
-      this.run = new IkRun(arm, { target, orientation, start, method: this.method.id, settings });
+      session.run = new IkRun(arm, { target, orientation, start, method: this.method, settings });
       notice.hide();
     } catch (error) {
       const { pointer = "", message = String(error) } = /** @type {{ pointer?: string, message?: string }} */ (error);
       if (!this.options.refuse(pointer, message)) notice.show("Inverse kinematics cannot run.", error);
     }
-    if (this.run) session.moveTo(start, "iterate");
+    if (session.run) session.moveTo(start, "iterate");
     void this.link();
     this.update();
   }
 
   /** @param {number} count @returns {boolean} whether there is more */
   advance(count) {
-    const { run } = this;
+    const { run } = this.session;
     if (!run?.isRunning) return false;
     run.step(count);
     // At the end a solution is shown, a collision-free one if there is any.
@@ -130,14 +122,14 @@ export class IkPanel {
 
   /** Moves the arm to a solution, or with the index -1 to an iterate. @param {number} index @param {Float64Array} q */
   choosePose(index, q) {
-    this.chosen = index;
+    this.session.chosen = index;
     this.session.moveTo(q, "iterate");
     this.update();
   }
 
   /** Shows the state of the run. */
   update() {
-    const { run, host, session, transport } = this;
+    const { host, session, session: { run }, transport } = this;
     const isRunning = run?.isRunning ?? false;
     const [count, free, iterations, restarts] = run ? [run.solutions.length, run.freeCount, run.run.iterations, run.run.restarts] : [0, 0, 0, 0];
     transport.enable(isRunning);
@@ -149,31 +141,28 @@ export class IkPanel {
     if (run && !transport.isPlaying) host.dataset.fingerprint = run.run.fingerprint();
     else delete host.dataset.fingerprint;
     this.listSolutions();
-    const now = performance.now();
-    if (!transport.isPlaying || now - this.charted > CHART_PAUSE) {
-      this.charted = now;
-      this.drawChart();
-    }
+    if (this.isChartDue(!transport.isPlaying)) this.drawChart();
     session.update("rest");
   }
 
   /** A button for each solution. */
   listSolutions() {
-    const solutions = this.run?.shown ?? [];
+    const { run, chosen } = this.session;
+    const solutions = run?.shown ?? [];
     const titles = solutions.map(({ isFree }, i) => `${i + 1}${isFree ? "" : " \u2715"}`);
     // Buttons are rebuilt only if they differ, so that the focus stays.
     if (titles.join() !== [...this.list.children].map(({ textContent }) => textContent).join()) {
-      this.list.replaceChildren(...solutions.map(({ isFree, q }, i) => Object.assign(button("", titles[i], () => {
+      this.list.replaceChildren(...solutions.map(({ isFree, q }, i) => button("", titles[i], () => {
         this.transport.pause();
         this.choosePose(i, q);
-      }), { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` })));
+      }, { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` })));
     }
-    [...this.list.children].forEach((element, i) => press(element, i === this.chosen));
+    [...this.list.children].forEach((element, i) => press(element, i === chosen));
     this.list.hidden = solutions.length === 0;
   }
 
   drawChart() {
-    const { run, chart } = this;
+    const { chart, session: { run } } = this;
     const all = run?.curves() ?? [];
     const shown = all.length > CURVES ? [...all.slice(0, CURVES / 2), ...all.slice(-CURVES / 2)] : all;
     const lines = shown.map((points) => ({ label: "", points, className: points === all[all.length - 1] ? "" : "faint" }));
@@ -183,10 +172,10 @@ export class IkPanel {
 
   /** Links the planner's page with this target, for a planner that grows two trees; a world too large for a link has none. */
   async link() {
-    const { session, start, run } = this;
+    const { session, session: { run }, start } = this;
     const algorithm = planners().find(({ grows }) => grows === "trees")?.id ?? "";
     const document = /** @type {Record<string, unknown>} */ ({ ...session.arm.document, queries: [session.targetQuery(start)] });
     const href = await encodeLink({ version: 1, document, lanes: [{ algorithm, settings: {} }], iteration: 0, view: {} }).then((fragment) => `./#${fragment}`, () => "");
-    if (run === this.run) Object.assign(byId("plan", HTMLAnchorElement), { href, hidden: href === "" });
+    if (run === session.run) Object.assign(byId("plan", HTMLAnchorElement), { href, hidden: href === "" });
   }
 }

@@ -1,10 +1,10 @@
 /** A run of inverse kinematics with its iterates and solutions so far. */
+import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { ReachVerdict } from "planarium" */
-/** @import { Settings } from "../domain/types.js" */
+/** @import { ReachMethodInfo, ReachVerdict } from "planarium" */
+/** @import { Point, Settings } from "../domain/types.js" */
 /** @import { Arm } from "./arm.js" */
-/** @import { Point } from "./types.js" */
 
 /** Solutions drawn and listed, at most. */
 const MOST_SHOWN = 24;
@@ -12,12 +12,13 @@ const MOST_SHOWN = 24;
 export class IkRun {
   /**
    * @param {Arm} arm
-   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: string, settings: Settings }} problem
+   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings: Settings }} problem
    * @throws {Error} with `code` and `pointer`, if the core refuses it
    */
   constructor(arm, { target, orientation, start, method, settings }) {
     this.arm = arm;
-    const wish = { ...settings, method, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
+    this.method = method;
+    const wish = { ...settings, method: method.id, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
     this.run = withOptions(wish, (options) => arm.scenario.reach(options));
     /** @type {{ restart: number, error: number, q: Float64Array }[]} */
     this.iterates = [];
@@ -29,6 +30,8 @@ export class IkRun {
   }
 
   get isRunning() { return this.run.status === "running"; }
+  /** The nearest point, if the target is out of reach. */
+  get nearest() { return this.verdict?.nearest ?? null; }
   get freeCount() { return this.solutions.filter(({ isFree }) => isFree).length; }
   get shown() { return this.solutions.slice(0, MOST_SHOWN); }
 
@@ -40,13 +43,8 @@ export class IkRun {
     const { arm, run, iterates, solutions } = this;
     const n = arm.dimension;
     if (count > 0) run.step(count);
-    const rows = run.iteratesSince(iterates.length);
-    for (let i = 0; i < rows.length; i += n + 2) iterates.push({ restart: rows[i], error: rows[i + 1], q: rows.slice(i + 2, i + 2 + n) });
-    const found = run.solutionsSince(solutions.length);
-    for (let i = 0; i < found.length; i += n) {
-      const q = found.slice(i, i + n);
-      solutions.push({ q, isFree: arm.isFree(q) });
-    }
+    for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2)) iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
+    for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: arm.isFree(q) });
     if (!this.isRunning || solutions.length > 0) this.verdict = run.verdict();
   }
 

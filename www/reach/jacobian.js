@@ -5,20 +5,15 @@
  * turns: the vector from that joint to the tip, rotated by a quarter turn. The half axes are the roots of the eigenvalues of J J^T.
  */
 
-/** @import { Part } from "../domain/types.js" */
-
-/**
- * @typedef {object} Ellipse
- * @property {number} major           half axes, metres per radian
- * @property {number} minor
- * @property {number} angle           of the major one, radians
- * @property {number} manipulability  their product, square metres; 0 where the arm is singular
- */
+/** @import { Part, Point } from "../domain/types.js" */
 
 /** The ratio of the axes below which the arm counts as nearly singular. */
 const NEARLY = 0.06;
 
-/** @param {Part[]} parts   the links, from the base on @returns {Ellipse} */
+/**
+ * The half axes, metres per radian; the angle of the major one, radians; and their product, square metres, 0 where the arm is singular.
+ * @param {Part[]} parts   the links, from the base on
+ */
 export function ellipseOf(parts) {
   const [tipX, tipY] = tipOf(parts);
   let xx = 0;
@@ -41,10 +36,10 @@ export function ellipseOf(parts) {
   return { major, minor: major > 0 ? manipulability / major : 0, angle: 0.5 * Math.atan2(2 * xy, xx - yy), manipulability };
 }
 
-/** @param {Ellipse} ellipse */
+/** @param {ReturnType<typeof ellipseOf>} ellipse */
 export function isNearlySingular({ major, minor }) { return minor < NEARLY * major; }
 
-/** The end of the last link. @param {Part[]} parts @returns {[number, number]} */
+/** The end of the last link. @param {Part[]} parts @returns {Point} */
 export function tipOf(parts) {
   const last = parts[parts.length - 1];
   return last?.type === "capsule" ? last.b : [0, 0];

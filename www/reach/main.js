@@ -16,15 +16,15 @@ import { Figure } from "../draw/figure.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { num, tuple } from "../widgets/format.js";
-import { SceneGallery } from "../widgets/scene-gallery.js";
-import { ArmPanel } from "./arm-panel.js";
+import { makeSceneGallery } from "../widgets/scene-gallery.js";
+import { showArmPanel } from "./arm-panel.js";
 import { watchHandles } from "./handles.js";
 import { IkPanel } from "./ik-panel.js";
 import { isNearlySingular } from "./jacobian.js";
-import { MotionPanel } from "./motion-panel.js";
+import { showMotionPanel } from "./motion-panel.js";
 import { ParallelAxes } from "./parallel-axes.js";
-import { SCENES } from "./scenes.js";
-import { ArmSession, documentOf } from "./session.js";
+import { SCENES, documentOf } from "./scenes.js";
+import { ArmSession } from "./session.js";
 import { Square } from "./square.js";
 import { openState, stateOf, stateRule } from "./state.js";
 import { collisionText, descriptionOf, linksText, sentenceOf } from "./words.js";
@@ -32,8 +32,7 @@ import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Change } from "./session.js" */
-/** @import { Mode } from "./types.js" */
+/** @import { Change, Mode } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** Cells a side of the configuration space: at once, and finely. */
@@ -51,33 +50,29 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const session = new ArmSession(app);
   const ik = new IkPanel(session);
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session, ik)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session, ik)),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session, ik)),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session)),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
-  new ArmPanel(session, () => {
+  showArmPanel(session, () => {
     if (session.mode === "solve") ik.begin();
     else session.moveTip(session.arm.tip);
   });
-  new MotionPanel(session, stage);
+  showMotionPanel(session, stage);
   watchHandles(session, stage, figures, (target) => {
     session.target = target;
     ik.begin();
   });
   byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
-  const gallery = new SceneGallery(app, SCENES, documentOf, (entry) => {
+  const gallery = makeSceneGallery(app, SCENES, documentOf, (entry) => {
     app.notice.hide();
     session.openScene(entry);
   });
-  watchFiles((name, bytes) => {
-    try {
-      session.openDocument(new TextDecoder().decode(bytes));
-      app.notice.hide();
-    } catch (error) {
-      app.fail(error, `${name} could not be opened.`);
-    }
-  }, (name, error) => app.fail(error, `${name} could not be read.`));
+  watchFiles(app, (name, bytes) => app.guard(() => {
+    session.openDocument(new TextDecoder().decode(bytes));
+    app.notice.hide();
+  }, `${name} could not be opened.`));
   showDownloads(app, all, { name: () => `${session.arm.document.name}-reach`, title: () => session.arm.document.title ?? session.arm.document.name }, [
     { id: "scenario", title: "Scenario", format: "JSON", meaning: "Arm and obstacles, with the queries A to B and the target.", content: () => json(session.document()) },
   ]);
@@ -99,11 +94,11 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     if (mode === "between") byId("between", HTMLElement).dataset.hit = String(session.motion.hit ?? "none");
     figures.square.element.hidden = !isSquare;
     figures.axes.element.hidden = isSquare;
+    for (const figure of all) figure.redraw(change === "arm" ? undefined : ["top"]);
     if (change === "arm") {
-      for (const figure of all) figure.redraw();
       gallery.mark(entry?.id ?? null);
       if (isSquare) void showObstacles();
-    } else for (const figure of all) figure.redrawTop();
+    }
     for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
     for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
     const collision = collisionText(session);
@@ -112,7 +107,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
     });
     byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
-    const { text, isBad } = sentenceOf(session, ik);
+    const { text, isBad } = sentenceOf(session);
     app.say(text, { isBad, isSilent: ik.transport.isPlaying });
     const description = descriptionOf(session);
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);

@@ -2,14 +2,16 @@
  * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each joint, and a line through their values. Red
  * stretches of an axis are where that joint, turned alone, would collide.
  */
+import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";
-import { drawDot, drawLine } from "../draw/marks.js";
+import { NO_VIEW } from "../draw/figure.js";
+import { drawDot, drawLine, setStroke } from "../draw/marks.js";
 import { fillWith } from "../draw/shapes.js";
 import { folded } from "../draw/trace.js";
 import { num } from "../widgets/format.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 
 const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
@@ -19,48 +21,41 @@ const TESTS = 72;
 const HALF = 4;
 
 export class ParallelAxes {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     this.session = session;
-    this.ik = ik;
-    this.width = 0;
-    this.height = 0;
-  }
-
-  /** @param {number} joint */
-  x(joint) {
-    const { dimension } = this.session.arm;
-    return MARGIN.left + (this.width - MARGIN.left - MARGIN.right) * (dimension === 1 ? 0.5 : joint / (dimension - 1));
+    /** Across the number of the joint, up the part of its range. */
+    this.view = NO_VIEW;
   }
 
   /** @param {number} joint @param {number} value */
   y(joint, value) {
     const { low, high, isCircle } = this.session.arm.joints[joint];
-    const part = ((isCircle ? folded(value) : value) - low) / (high - low);
-    return this.height - MARGIN.bottom - part * (this.height - MARGIN.top - MARGIN.bottom);
+    return this.view.y(((isCircle ? folded(value) : value) - low) / (high - low));
   }
 
   /** The value of a joint at a height. @param {number} joint @param {number} y */
   valueAt(joint, y) {
     const { low, high } = this.session.arm.joints[joint];
-    const part = (this.height - MARGIN.bottom - y) / (this.height - MARGIN.top - MARGIN.bottom);
-    return Math.min(high, Math.max(low, low + part * (high - low)));
+    return Math.min(high, Math.max(low, low + this.view.toPlane(0, y)[1] * (high - low)));
   }
 
   /** The joint whose axis is near, or -1. @param {number} x @param {number} near  CSS pixels */
-  jointAt(x, near) { return this.session.arm.joints.findIndex((_, i) => Math.abs(this.x(i) - x) <= Math.min(near, (this.x(1) - this.x(0)) / 2 || near)); }
+  jointAt(x, near) {
+    const { view, session } = this;
+    return session.arm.joints.findIndex((_, i) => Math.abs(view.x(i) - x) <= Math.min(near, view.scaleX / 2));
+  }
 
   /** @param {Brush} brush */
   ground({ context, palette, width, height }) {
-    Object.assign(this, { width, height });
     const { joints } = this.session.arm;
+    this.view = new View({ min: [0, 0], max: [joints.length - 1, 1] }, width, height, MARGIN, true);
     const isNarrow = width / joints.length < 64;
     context.font = "12px system-ui, sans-serif";
-    context.strokeStyle = palette.obstacleEdge;
     context.fillStyle = palette.quiet;
-    context.lineWidth = 1.4;
+    setStroke(context, palette.obstacleEdge, 1.4);
     joints.forEach((joint, i) => {
-      const x = this.x(i);
+      const x = this.view.x(i);
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
       drawLine(context, x, top, x, bottom);
       // A limit is a bar; an axis that wraps ends in arrowheads.
@@ -86,17 +81,17 @@ export class ParallelAxes {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette } = brush;
-    const { arm, mode, a, b } = this.session;
+    const { arm, mode, a, b, run } = this.session;
     const colour = arm.check.free ? palette.robot : palette.collision;
     this.drawCollisions(brush);
     if (mode === "between") {
       this.drawPose(context, b, palette.goal, 2, [6, 4]);
       this.drawPose(context, a, palette.start, 2);
     }
-    if (mode === "solve") this.drawRun(brush);
+    if (run) this.drawRun(brush, run);
     this.drawPose(context, arm.q, palette.stage, 5);
     this.drawPose(context, arm.q, colour, 2.6);
-    arm.q.forEach((value, i) => drawDot(context, this.x(i), this.y(i, value), colour, palette));
+    arm.q.forEach((value, i) => drawDot(context, this.view.x(i), this.y(i, value), colour, palette));
   }
 
   /** @param {Brush} brush */
@@ -112,7 +107,7 @@ export class ParallelAxes {
         if (collides || from < 0) continue;
         const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];
         context.beginPath();
-        context.rect(this.x(joint) - HALF, top, 2 * HALF, bottom - top);
+        context.rect(this.view.x(joint) - HALF, top, 2 * HALF, bottom - top);
         fillWith(context, palette.collision, 0.35);
         fillWith(context, pattern);
         from = -1;
@@ -120,10 +115,8 @@ export class ParallelAxes {
     });
   }
 
-  /** Iterates and solutions of inverse kinematics. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { run } = this.ik;
-    if (!run) return;
+  /** Iterates and solutions of inverse kinematics. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
     for (const { q, strength } of run.recent(40)) {
       context.globalAlpha = 0.1 + 0.4 * strength ** 2;
       this.drawPose(context, q, palette.growth, 1);
@@ -135,13 +128,10 @@ export class ParallelAxes {
 
   /** A configuration as a line. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
   drawPose(context, q, colour, width, dash = []) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
+    setStroke(context, colour, width, dash);
     context.lineJoin = "round";
-    context.setLineDash(dash);
     context.beginPath();
-    for (let i = 0; i < q.length; i++) context.lineTo(this.x(i), this.y(i, q[i]));
+    for (let i = 0; i < q.length; i++) context.lineTo(this.view.x(i), this.y(i, q[i]));
     context.stroke();
-    context.setLineDash([]);
   }
 }

@@ -1,37 +1,43 @@
 /** The built-in scenes: small worlds, each with an arm, its configuration at first, the ends A and B of a motion, and a target. */
 import { box, disc } from "../domain/obstacles.js";
 
-/** @import { Point, SceneEntry } from "./types.js" */
+/** @import { Obstacle, Point, ScenarioDocument } from "../domain/types.js" */
+/** @import { ArmRobot } from "./arm.js" */
 
-/** @type {Point} */
-const ORIGIN = [0, 0];
+/** @typedef {{ q: number[], a: number[], b: number[], target: Point }} Configurations   at first, of the motion, and of inverse kinematics */
+/** @typedef {{ id: string, title: string, obstacles: Obstacle[], robot: Omit<ArmRobot, "type"> } & Configurations} SceneEntry */
 
 /** @type {SceneEntry[]} */
 export const SCENES = [
   {
     id: "islands", title: "Islands", obstacles: [disc(0.62, 0.62, 0.2), disc(-0.75, -0.3, 0.22), box(-0.75, 0.62, 0.34, 0.2)],
-    robot: { base: ORIGIN, links: [0.62, 0.5], radius: 0.03 }, q: [-0.3, 1.1], a: [-0.55, 0.5], b: [2.35, 0.7], target: [0.2, 0.75],
+    robot: { base: [0, 0], links: [0.62, 0.5], radius: 0.03 }, q: [-0.3, 1.1], a: [-0.55, 0.5], b: [2.35, 0.7], target: [0.2, 0.75],
   },
   {
     id: "plane", title: "No obstacles", obstacles: [],
-    robot: { base: ORIGIN, links: [0.6, 0.5], radius: 0.03 }, q: [0.6, 0.9], a: [-2.4, 0.6], b: [2.6, -0.8], target: [-0.4, 0.6],
+    robot: { base: [0, 0], links: [0.6, 0.5], radius: 0.03 }, q: [0.6, 0.9], a: [-2.4, 0.6], b: [2.6, -0.8], target: [-0.4, 0.6],
   },
   {
     id: "window", title: "Through a window", obstacles: [box(0.55, 0.3, 0.12, 0.9), box(0.55, -1.2, 0.12, 1.1)],
-    robot: { base: ORIGIN, links: [0.5, 0.45, 0.4], radius: 0.03 }, q: [1.7, -0.6, -0.6], a: [1.9, -0.6, -0.4], b: [0.35, -0.45, 0.15], target: [1.05, 0.2],
+    robot: { base: [0, 0], links: [0.5, 0.45, 0.4], radius: 0.03 }, q: [1.7, -0.6, -0.6], a: [1.9, -0.6, -0.4], b: [0.35, -0.45, 0.15], target: [1.05, 0.2],
   },
   {
     id: "limits", title: "Joint limits", obstacles: [disc(0.9, 0.75, 0.18), disc(-0.55, 0.8, 0.16)],
-    robot: { base: ORIGIN, links: [0.55, 0.45, 0.3], radius: 0.035, joint_limits: [[-0.4, 3.5], [-2.2, 2.2], [-1.6, 1.6]] },
+    robot: { base: [0, 0], links: [0.55, 0.45, 0.3], radius: 0.035, joint_limits: [[-0.4, 3.5], [-2.2, 2.2], [-1.6, 1.6]] },
     q: [0.5, 0.9, 0.4], a: [0, 0.55, 0.5], b: [2.9, -0.75, -0.45], target: [0.2, 1],
   },
   {
     id: "corner", title: "Round a corner", obstacles: [box(0.15, 0.35, 0.75, 0.14), box(0.76, -0.25, 0.14, 0.6), disc(-0.6, 0.5, 0.18)],
-    robot: { base: ORIGIN, links: [0.42, 0.38, 0.34, 0.3], radius: 0.025 }, q: [1.9, -0.7, -0.6, -0.5], a: [2.2, -0.8, -0.7, -0.4], b: [-0.67, 0.36, 0.46, -0.42], target: [0.45, 0.9],
+    robot: { base: [0, 0], links: [0.42, 0.38, 0.34, 0.3], radius: 0.025 }, q: [1.9, -0.7, -0.6, -0.5], a: [2.2, -0.8, -0.7, -0.4], b: [-0.67, 0.36, 0.46, -0.42], target: [0.45, 0.9],
   },
   {
     id: "tentacle", title: "Eight links", obstacles: [disc(0.75, 0.45, 0.22), disc(0.55, -0.7, 0.2), disc(-0.75, 0.35, 0.24), disc(-0.35, -0.75, 0.16)],
-    robot: { base: ORIGIN, links: [0.2, 0.19, 0.18, 0.17, 0.16, 0.15, 0.14, 0.13], radius: 0.02 },
+    robot: { base: [0, 0], links: [0.2, 0.19, 0.18, 0.17, 0.16, 0.15, 0.14, 0.13], radius: 0.02 },
     q: [1.2, 0.3, -0.4, -0.4, -0.4, 0.2, 0.4, 0.4], a: [1.6, 0.2, -0.3, -0.4, -0.3, 0.2, 0.3, 0.3], b: [-1.7, -0.03, 0.26, 0.13, 0.18, -0.27, -0.31, -0.31], target: [1.05, -0.1],
   },
 ];
+
+/** @param {SceneEntry} entry @returns {ScenarioDocument} */
+export function documentOf({ id, title, obstacles, robot, a, b }) {
+  return { format: "planarium-scenario-1", name: id, title, world: { obstacles }, robot: { type: "arm", ...robot }, queries: [{ name: "a-to-b", start: a, goal: b }] };
+}

@@ -2,18 +2,21 @@
 import { Observable } from "../app/observable.js";
 import { Arm } from "./arm.js";
 import { Motion } from "./motion.js";
-import { SCENES } from "./scenes.js";
+import { SCENES, documentOf } from "./scenes.js";
 
 /** @import { App } from "../app/app.js" */
-/** @import { Mode, Point, SceneEntry, ScenarioDocument } from "./types.js" */
+/** @import { Point, Query, ScenarioDocument } from "../domain/types.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { Direction } from "./motion.js" */
+/** @import { SceneEntry } from "./scenes.js" */
+/** @typedef {"hand" | "between" | "solve"} Mode   dragging, the motion from A to B, inverse kinematics */
 
 /**
  * The outcome of moving the tip to a point: the nearest point, its distance in metres, and whether another configuration would come nearer.
  * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
-/** The arm itself; its configuration, by the user or by inverse kinematics; or anything else. @typedef {"arm" | "pose" | "iterate" | "rest"} Change */
+/** The arm itself; its configuration, by the user or by inverse kinematics; another mode; or anything else. @typedef {"arm" | "pose" | "iterate" | "mode" | "rest"} Change */
 
 /** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
 const STUCK = 1e-3;
@@ -29,9 +32,7 @@ export class ArmSession extends Observable {
     this.entry = entry;
     /** @type {Mode} */
     this.mode = "hand";
-    /** @type {Float64Array} */
     this.a = Float64Array.from(entry.a);
-    /** @type {Float64Array} */
     this.b = Float64Array.from(entry.b);
     /** The way round of each joint from A to B. @type {Direction[]} */
     this.directions = [];
@@ -42,55 +43,51 @@ export class ArmSession extends Observable {
     this.target = entry.target;
     /** @type {TipGoal | null} */
     this.tipGoal = null;
+    /** The run of inverse kinematics, in that mode. @type {IkRun | null} */
+    this.run = null;
+    /** The index of the solution that the arm shows, or -1. */
+    this.chosen = -1;
     /** The motion, and what it was computed for. @type {{ key: string, arm: Arm, motion: Motion } | null} */
     this.computed = null;
   }
 
   /** @param {SceneEntry} entry */
   openScene(entry) {
-    this.setArm(documentOf(entry), entry.q, entry);
-    Object.assign(this, { a: Float64Array.from(entry.a), b: Float64Array.from(entry.b), target: entry.target });
-    this.reset(null);
+    const { q, a, b, target } = entry;
+    this.begin(new Arm(documentOf(entry), q), { entry, a: Float64Array.from(a), b: Float64Array.from(b), target, orientation: null });
   }
 
   /** Opens the user's scenario; without queries A, B and the target are chosen for it. @param {ScenarioDocument | string} document @throws {Error} the core refuses it */
   openDocument(document) {
-    this.setArm(document, [], null);
-    const { arm } = this;
-    const middle = arm.joints.map(({ low, high }) => (low + high) / 2);
-    const [{ start = middle, goal, target } = { start: middle }] = /** @type {Partial<import("planarium").Query>[]} */ (arm.document.queries);
+    const arm = new Arm(document, []);
+    const { base, joints, scenario, reach } = arm;
+    const middle = joints.map(({ low, high }) => (low + high) / 2);
+    const [{ start = middle, goal, target: wanted } = { start: middle }] = /** @type {Partial<Query>[]} */ (arm.document.queries);
     arm.moveTo(start);
-    this.a = Float64Array.from(arm.q);
-    this.target = target?.point ?? (goal ? arm.scenario.endEffector(goal) : [arm.base[0] + 0.6 * arm.reach, arm.base[1] + 0.2 * arm.reach]);
-    this.b = arm.fitted(goal ?? arm.scenario.nearestReachable(this.target, target?.orientation).configuration);
-    this.reset(arm.dimension > 2 ? target?.orientation ?? null : null);
+    const target = wanted?.point ?? (goal ? scenario.endEffector(goal) : [base[0] + 0.6 * reach, base[1] + 0.2 * reach]);
+    const b = arm.fitted(goal ?? scenario.nearestReachable(target, wanted?.orientation).configuration);
+    this.begin(arm, { entry: null, a: Float64Array.from(arm.q), b, target, orientation: wanted?.orientation ?? null });
   }
 
-  /** Sets what every scene begins with. @param {number | null} orientation */
-  reset(orientation) {
-    Object.assign(this, { directions: this.arm.joints.map(() => "short"), progress: 0, orientation, tipGoal: null });
-    this.update("arm");
+  /** Begins with an arm. @param {Arm} arm @param {Pick<ArmSession, "entry" | "a" | "b" | "target" | "orientation">} scene */
+  begin(arm, scene) {
+    this.replace(arm, { ...scene, directions: arm.joints.map(() => "short"), progress: 0 });
     if (this.mode === "between") this.setProgress(0);
   }
 
   /** Changes the arm within the same world. @param {ScenarioDocument} document @throws {Error} the core refuses it, and nothing changes */
   changeArm(document) {
-    const { arm: { q }, a, b, directions, entry } = this;
-    this.setArm({ ...document, queries: [] }, q, entry);
-    this.a = this.arm.fitted(a);
-    this.b = this.arm.fitted(b);
-    this.directions = this.arm.joints.map((_, i) => directions[i] ?? "short");
-    this.tipGoal = null;
-    this.update("arm");
+    const { a, b, directions } = this;
+    const arm = new Arm({ ...document, queries: [] }, this.arm.q);
+    this.replace(arm, { a: arm.fitted(a), b: arm.fitted(b), directions: arm.joints.map((_, i) => directions[i] ?? "short") });
   }
 
-  /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @param {SceneEntry | null} entry */
-  setArm(document, q, entry) {
-    const arm = new Arm(document, q);
+  /** @param {Arm} arm @param {Partial<ArmSession>} changes */
+  replace(arm, changes) {
     this.arm.free();
-    this.arm = arm;
-    this.entry = entry;
+    Object.assign(this, { ...changes, arm, tipGoal: null });
     if (arm.dimension < 3) this.orientation = null;
+    this.update("arm");
   }
 
   /** @param {ArrayLike<number>} q @param {Change} [change] @param {TipGoal | null} [tipGoal] */
@@ -115,10 +112,11 @@ export class ArmSession extends Observable {
 
   /** @param {Mode} mode */
   setMode(mode) {
+    const change = mode === this.mode ? "rest" : "mode";
     this.mode = mode;
     this.tipGoal = null;
     if (mode === "between") this.setProgress(0);
-    this.update("rest");
+    this.update(change);
   }
 
   /** The motion from A to B. @returns {Motion} */
@@ -137,7 +135,7 @@ export class ArmSession extends Observable {
     this.moveTo(this.motion.at(this.progress));
   }
 
-  /** The query to reach the target from a configuration. @param {ArrayLike<number>} start @returns {import("planarium").Query} */
+  /** The query to reach the target from a configuration. @param {ArrayLike<number>} start @returns {Query} */
   targetQuery(start) {
     const { target: point, orientation } = this;
     return { name: "reach", start: Array.from(start), target: { point, ...(orientation === null ? {} : { orientation }) } };
@@ -148,9 +146,4 @@ export class ArmSession extends Observable {
     const { arm, a, b } = this;
     return { ...arm.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, this.targetQuery(arm.q)] };
   }
-}
-
-/** @param {SceneEntry} entry @returns {ScenarioDocument} */
-export function documentOf({ id, title, obstacles, robot, a, b }) {
-  return { format: "planarium-scenario-1", name: id, title, world: { obstacles }, robot: { type: "arm", ...robot }, queries: [{ name: "a-to-b", start: a, goal: b }] };
 }

@@ -1,32 +1,30 @@
 /** The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse kinematics. */
 import { AngleSquare } from "../draw/angle-square.js";
-import { cross, disc, drawDot, ring } from "../draw/marks.js";
+import { cross, disc, drawDot, ring, setStroke } from "../draw/marks.js";
 import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 
 export class Square extends AngleSquare {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     super();
     this.session = session;
-    this.ik = ik;
   }
 
   /** @param {Brush} brush */
-  ground(brush) { if (this.session.arm.dimension === 2) this.drawGround(brush, this.session.arm.joints); }
+  ground(brush) { this.drawGround(brush, this.session.arm.joints); }
 
   /** @param {Brush} brush */
   top(brush) {
-    const { arm, mode } = this.session;
-    if (arm.dimension !== 2) return;
+    const { arm, mode, run } = this.session;
     const { context, palette } = brush;
     const isFree = arm.check.free;
     this.repeat(context, (isCopy) => {
       if (mode === "between") this.drawMotion(brush);
-      if (mode === "solve") this.drawRun(brush);
+      if (run) this.drawRun(brush, run);
       const [x, y] = this.place(arm.q);
       context.globalAlpha = isCopy ? 0.35 : 1;
       drawDot(context, x, y, isFree ? palette.robot : palette.collision, palette);
@@ -37,28 +35,23 @@ export class Square extends AngleSquare {
   /** @param {Brush} brush */
   drawMotion({ context, palette }) {
     const { a, b, motion } = this.session;
-    context.strokeStyle = palette.path;
-    context.lineWidth = 3;
+    setStroke(context, palette.path, 3);
     this.strokeMotion(context, a, motion.turns);
     drawStart(context, ...this.place(a), palette);
     drawGoal(context, ...this.place(b), palette);
     if (motion.hit !== null) drawHit(context, ...this.place(motion.at(motion.hit)), palette);
   }
 
-  /** Iterates as dots, solutions as rings. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { run } = this.ik;
-    if (!run) return;
+  /** Iterates as dots, solutions as rings. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
     context.fillStyle = palette.growth;
     for (const { q, strength } of run.recent(160)) {
       context.globalAlpha = 0.2 + 0.7 * strength;
       disc(context, ...this.place(q), 2.2);
     }
     context.globalAlpha = 1;
-    context.lineWidth = 2.4;
     for (const { q, isFree } of run.shown) {
-      context.strokeStyle = isFree ? palette.path : palette.collision;
-      context.setLineDash(isFree ? [] : [2, 3]);
+      setStroke(context, isFree ? palette.path : palette.collision, 2.4, isFree ? [] : [2, 3]);
       ring(context, ...this.place(q), 8.5);
     }
     context.setLineDash([]);

@@ -1,12 +1,12 @@
 /** The state that a link stores; numbers are stored in full, so that a run is the same to the last bit. */
 import { flag, json, list, name, number, oneOf, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
-import { SCENES } from "./scenes.js";
-import { documentOf } from "./session.js";
+import { SCENES, documentOf } from "./scenes.js";
 
-/** @import { ArmSession } from "./session.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { Point, ScenarioDocument } from "../domain/types.js" */
 /** @import { Rule } from "../formats/rules.js" */
-/** @import { ArmRobot, Mode, Point, ScenarioDocument } from "./types.js" */
+/** @import { ArmRobot } from "./arm.js" */
+/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { ArmSession, Mode } from "./session.js" */
 
 /** Iterations at most, as in the core. */
 const MOST_STEPS = 200_000;
@@ -29,7 +29,7 @@ export const stateRule = withDefaults({
 
 /** @param {ArmSession} session @param {IkPanel} ik @returns {State} */
 export function stateOf(session, ik) {
-  const { arm: { robot, q, document: { world } }, entry, mode, a, b, directions, progress, orientation, target } = session;
+  const { arm: { robot, q, document: { world } }, entry, mode, a, b, directions, progress, orientation, target, run } = session;
   const scene = /** @type {Record<string, unknown>} */ (entry ? { type: "arm", radius: 0, ...entry.robot } : {});
   return {
     ...(entry ? { scene: entry.id } : { world }),
@@ -37,7 +37,7 @@ export function stateOf(session, ik) {
     free: Boolean(entry?.robot.joint_limits && !robot.joint_limits),
     q: Array.from(mode === "solve" ? ik.start : q), mode, a: Array.from(a), b: Array.from(b),
     long: directions.flatMap((direction, i) => (direction === "long" ? [i] : [])), along: mode === "between" ? progress : 0,
-    lock: orientation ?? undefined, target, solve: { method: ik.method.id, ...ik.given }, steps: mode === "solve" ? ik.run?.run.iterations ?? 0 : 0,
+    lock: orientation ?? undefined, target, solve: { method: ik.method.id, ...ik.given }, steps: run?.run.iterations ?? 0,
   };
 }
 

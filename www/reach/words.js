@@ -3,7 +3,6 @@ import { capital, num, small, tuple } from "../widgets/format.js";
 import { touchingSentence } from "../domain/names.js";
 import { isNearlySingular } from "./jacobian.js";
 
-/** @import { IkPanel } from "./ik-panel.js" */
 /** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
 /** @typedef {{ text: string, isBad: boolean }} Sentence */
@@ -26,11 +25,11 @@ export function descriptionOf(session) {
 /** @param {number} count */
 export function linksText(count) { return `${count} ${count === 1 ? "link" : "links"}`; }
 
-/** @param {ArmSession} session @param {IkPanel} ik @returns {Sentence} */
-export function sentenceOf(session, ik) {
-  const { mode, tipGoal, arm: { dimension, ellipse }, orientation } = session;
+/** @param {ArmSession} session @returns {Sentence} */
+export function sentenceOf(session) {
+  const { mode, run, tipGoal, arm: { dimension, ellipse }, orientation } = session;
   if (mode === "between") return motionSentence(session);
-  if (mode === "solve" && ik.run) return ikSentence(ik, ik.run);
+  if (run) return ikSentence(session, run);
   const collision = collisionText(session);
   const isBad = collision !== "";
   if (tipGoal?.isStuck) return { text: `Local minimum: from this configuration the tip gets no closer to ${tuple(tipGoal.wanted)} than ${num(tipGoal.distance)} m, although another configuration would.`, isBad };
@@ -55,9 +54,9 @@ function motionSentence(session) {
   return { text: `${begin} ${where} ${collision}`.trimEnd(), isBad: collision !== "" || !arm.isFree(motion.a) };
 }
 
-/** @param {IkPanel} panel @param {IkRun} run @returns {Sentence} */
-function ikSentence({ session: { target, orientation, arm: { scenario } }, method }, run) {
-  const { verdict, solutions: { length: count } } = run;
+/** @param {ArmSession} session @param {IkRun} run @returns {Sentence} */
+function ikSentence({ target, orientation, arm: { scenario } }, run) {
+  const { method, verdict, solutions: { length: count } } = run;
   if (run.isRunning) {
     const { run: { iterations, restarts }, last: { error } } = run;
     const text = iterations === 0 ? `Drag the target, then press Play: ${inSentence(method.title)} moves the tip there step by step.`

@@ -1,15 +1,15 @@
 /** The workspace: the world, the arm with its manipulability ellipse, the motion from A to B, and a run of inverse kinematics. */
 import { drawRobot, isThin } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
-import { addLine, disc, drawLine, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawGoal, drawHit, drawLabel, drawStart } from "../draw/shapes.js";
+import { drawWorkspace } from "../draw/ground.js";
+import { addLine, disc, drawCross, drawHandle, drawLine, setStroke, strokeWithHalo } from "../draw/marks.js";
+import { drawGhost, drawGoal, drawHit, drawLabel, drawStart, fillWith } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
-import { drawCross, drawHandle, drawWorkspace } from "../draw/workspace.js";
 
+/** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
-/** @import { IkPanel } from "./ik-panel.js" */
+/** @import { IkRun } from "./ik-run.js" */
 /** @import { ArmSession } from "./session.js" */
-/** @import { Point } from "./types.js" */
 
 /** Scale of the ellipse: at full size it would hide the arm. */
 const ELLIPSE = 0.3;
@@ -17,10 +17,9 @@ const ELLIPSE = 0.3;
 const FAINT = 40;
 
 export class Workspace {
-  /** @param {ArmSession} session @param {IkPanel} ik */
-  constructor(session, ik) {
+  /** @param {ArmSession} session */
+  constructor(session) {
     this.session = session;
-    this.ik = ik;
     this.view = NO_VIEW;
   }
 
@@ -33,20 +32,17 @@ export class Workspace {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { session: { arm, mode, tipGoal }, view } = this;
+    const { session: { arm, mode, tipGoal, run }, view } = this;
     if (mode === "between") this.drawMotion(brush);
-    if (mode === "solve") this.drawRun(brush);
+    if (run) this.drawRun(brush, run);
     this.drawEllipse(brush);
     const shown = { scenario: arm.scenario, world: arm.document.world, parts: arm.parts, touching: arm.check.touching };
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
     context.save();
     if (tipGoal && !tipGoal.reached) {
       const wanted = this.view.place(tipGoal.wanted);
-      context.strokeStyle = palette.quiet;
-      context.lineWidth = 1.4;
-      context.setLineDash([4, 4]);
+      setStroke(context, palette.quiet, 1.4, [4, 4]);
       drawLine(context, ...this.view.place(tipGoal.point), ...wanted);
-      context.setLineDash([]);
       drawCross(context, ...wanted, palette.quiet, palette, 7);
     }
     this.drawTip(brush);
@@ -59,18 +55,15 @@ export class Workspace {
     const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.arm;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
-    context.strokeStyle = context.fillStyle = palette.newest;
-    context.lineWidth = 1.6;
+    setStroke(context, palette.newest, 1.6, [5, 3]);
     context.beginPath();
     for (let i = 0; i < 64; i++) {
       const [u, v] = [ELLIPSE * major * Math.cos((i * Math.PI) / 32), ELLIPSE * minor * Math.sin((i * Math.PI) / 32)];
       context.lineTo(...this.view.place([x + c * u - s * v, y + s * u + c * v]));
     }
     context.closePath();
-    context.globalAlpha = 0.14;
-    context.fill();
+    fillWith(context, palette.newest, 0.14);
     context.globalAlpha = 0.9;
-    context.setLineDash([5, 3]);
     context.stroke();
     context.restore();
   }
@@ -103,9 +96,7 @@ export class Workspace {
     // What is done is bold; what collides is red and dashed.
     for (const isDone of [false, true]) {
       for (const isCollision of [false, true]) {
-        context.strokeStyle = isCollision ? palette.collision : palette.path;
-        context.lineWidth = isDone ? 3.4 : 1.4;
-        context.setLineDash(isCollision ? [2, 5] : []);
+        setStroke(context, isCollision ? palette.collision : palette.path, isDone ? 3.4 : 1.4, isCollision ? [2, 5] : []);
         context.beginPath();
         collides.forEach((end, i) => {
           const isPart = i > 0 && (i <= done) === isDone && (collides[i - 1] || end) === isCollision;
@@ -121,15 +112,14 @@ export class Workspace {
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
   }
 
-  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush */
-  drawRun({ context, palette }) {
-    const { view, ik: { run, nearest, chosen } } = this;
-    if (!run) return;
-    const { scenario, base } = run.arm;
+  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush @param {IkRun} run */
+  drawRun({ context, palette }, run) {
+    const { view, session: { chosen } } = this;
+    const { nearest, arm: { scenario, base } } = run;
     if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
     context.save();
-    context.strokeStyle = context.fillStyle = palette.growth;
-    context.lineWidth = 1.2;
+    context.fillStyle = palette.growth;
+    setStroke(context, palette.growth, 1.2);
     context.lineJoin = "round";
     for (const { q, strength } of run.recent(FAINT)) {
       context.globalAlpha = 0.12 + 0.5 * strength ** 2;
@@ -150,7 +140,7 @@ export class Workspace {
 
   /** The target of inverse kinematics, and the nearest point if it is out of reach. @param {Brush} brush */
   drawTarget({ context, palette }) {
-    const { session: { target, orientation }, ik: { nearest } } = this;
+    const { target, orientation, run } = this.session;
     const [x, y] = this.view.place(target);
     context.save();
     drawCross(context, x, y, palette.goal, palette, 13);
@@ -159,8 +149,8 @@ export class Workspace {
       drawLine(context, x - 46 * Math.cos(orientation), y + 46 * Math.sin(orientation), x, y);
     }
     context.restore();
-    if (!nearest) return;
-    const [nearX, nearY] = this.view.place(nearest.point);
+    if (!run?.nearest) return;
+    const [nearX, nearY] = this.view.place(run.nearest.point);
     drawLabel(context, "nearest", nearX, nearY - 18, palette.quiet, palette);
   }
 }

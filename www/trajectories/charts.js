@@ -4,6 +4,7 @@
  */
 import { Chart } from "../widgets/chart.js";
 import { byId } from "../app/dom.js";
+import { pacer } from "../app/paced.js";
 import { WINDOW, movingAverage } from "./experiment.js";
 
 /** @import { Experiment } from "./experiment.js" */
@@ -11,28 +12,22 @@ import { WINDOW, movingAverage } from "./experiment.js";
 /** Milliseconds between two drawings while it grows. */
 const PAUSE = 500;
 
-export class Charts {
-  /** @param {Experiment} experiment */
-  constructor(experiment) {
-    this.experiment = experiment;
-    this.tries = new Chart("tries", "Tries per accepted trajectory");
-    this.time = new Chart("time", "Time per accepted trajectory, microseconds on this machine");
-    byId("charts", HTMLElement).append(this.tries.element, this.time.element);
-    this.drawnAt = -Infinity;
-    /** Identifies what was drawn. */
-    this.key = "";
-  }
-
-  /** @param {number} now @param {boolean} isAtRest */
-  draw(now, isAtRest) {
-    const { epoch, tries, milliseconds } = this.experiment;
-    const key = `${epoch} ${tries.length}`;
-    if (key === this.key || (!isAtRest && now - this.drawnAt < PAUSE)) return;
-    [this.drawnAt, this.key] = [now, key];
-    drawCurve(this.tries, tries, "tries", false);
+/** @param {Experiment} experiment @returns {(isAtRest: boolean) => void} draws the charts if they have changed, at rest or after a pause */
+export function makeCharts(experiment) {
+  const counts = new Chart("tries", "Tries per accepted trajectory");
+  const time = new Chart("time", "Time per accepted trajectory, microseconds on this machine");
+  byId("charts", HTMLElement).append(counts.element, time.element);
+  const isDue = pacer(PAUSE);
+  let drawn = "";
+  return (isAtRest) => {
+    const { epoch, accepted } = experiment;
+    const key = `${epoch} ${accepted.length}`;
+    if (key === drawn || !isDue(isAtRest)) return;
+    drawn = key;
+    drawCurve(counts, accepted.map(({ tries }) => tries), "tries", false);
     // Clocks of browsers are coarse and some times are outliers: dots, on a logarithmic scale.
-    drawCurve(this.time, milliseconds.map((value) => 1000 * value), "microseconds", true);
-  }
+    drawCurve(time, accepted.map(({ milliseconds }) => 1000 * milliseconds), "microseconds", true);
+  };
 }
 
 /** @param {Chart} chart @param {number[]} values @param {string} unit @param {boolean} isTime */

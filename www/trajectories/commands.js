@@ -1,4 +1,5 @@
 /** The commands of this page, which its worker runs: the experiment, with the time of each trajectory. */
+import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
 import { Trajectories, particlePoints } from "planarium";
 
@@ -38,7 +39,7 @@ export const commands = {
     /** The last one, if any: the same, the number of the one it crosses, and where. */
     const rejected = trajectories.refusedSince(Math.max(refusedCount, trajectories.refusedCount - 1));
     /** Points of each accepted one at equal times, then of the rejected one. */
-    const lines = [...rowsOf(accepted), ...rowsOf(rejected.slice(0, 6))].map(lineOf);
+    const lines = [...rowsOf(accepted, 6), ...rowsOf(rejected.slice(0, 6), 6)].map(lineOf);
     const tries = trajectories.tries();
     const result = trajectories.result();
     const isLastRejected = result.iterations > tries.reduce((sum, one) => sum + one, 0);
@@ -54,7 +55,6 @@ export function reset() { trajectories = null; }
 /** Tries one by one, with the milliseconds for each accepted one and the tries rejected before it. @param {Trajectories} all @param {number} count */
 function makeTries(all, count) {
   const end = performance.now() + LONGEST;
-  /** @type {number[]} */
   const milliseconds = [];
   let done = 0;
   let last = performance.now();
@@ -71,9 +71,6 @@ function makeTries(all, count) {
   }
   return { milliseconds, done };
 }
-
-/** @param {Float64Array} values */
-function rowsOf(values) { return Array.from({ length: values.length / 6 }, (_, i) => values.subarray(6 * i, 6 * i + 6)); }
 
 /** Points of a trajectory at equal times. @param {Float64Array} row */
 function lineOf([x, y, theta, v, w, duration]) {

@@ -1,8 +1,15 @@
 /** The experiment as the page has received it. Replies for an abandoned experiment are dropped. */
 
+import { rowsOf } from "../domain/coordinates.js";
+
 /** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Progress } from "./commands.js" */
+
+/**
+ * An accepted trajectory: x, y, theta, v, w, duration; points at equal times, metres; when it was received, as of performance.now().
+ * @typedef {{ row: Float64Array, line: Float32Array, born: number, tries: number, milliseconds: number }} Accepted
+ */
 
 /** Values in a moving average. */
 export const WINDOW = 20;
@@ -17,16 +24,8 @@ export class Experiment {
     this.options = {};
     /** @type {TrajectoriesResult | null} */
     this.result = null;
-    /** Rows of x, y, theta, v, w, duration. @type {number[]} */
-    this.rows = [];
-    /** Points of each accepted trajectory at equal times, metres. @type {Float32Array[]} */
-    this.lines = [];
-    /** When each was received, as of performance.now(). @type {number[]} */
-    this.born = [];
-    /** @type {number[]} */
-    this.tries = [];
-    /** @type {number[]} */
-    this.milliseconds = [];
+    /** @type {Accepted[]} */
+    this.accepted = [];
     /** The last one rejected: the number of the one it crosses, where, and when it was received. @type {{ line: Float32Array, other: number, place: [number, number], born: number } | null} */
     this.rejected = null;
     this.isLastRejected = false;
@@ -39,7 +38,7 @@ export class Experiment {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);
     if (epoch !== this.epoch) return false;
-    Object.assign(this, { options, result, rows: [], lines: [], born: [], tries: [], milliseconds: [], rejected: null, isLastRejected: false });
+    Object.assign(this, { options, result, accepted: [], rejected: null, isLastRejected: false });
     return true;
   }
 
@@ -59,11 +58,7 @@ export class Experiment {
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {
     const born = performance.now();
-    this.rows.push(...accepted);
-    this.lines.push(...lines.slice(0, tries.length));
-    this.born.push(...milliseconds.map(() => born));
-    this.tries.push(...tries);
-    this.milliseconds.push(...milliseconds);
+    rowsOf(accepted, 6).forEach((row, i) => this.accepted.push({ row, line: lines[i], born, tries: tries[i], milliseconds: milliseconds[i] }));
     if (rejected.length > 0) this.rejected = { line: lines[tries.length], other: rejected[6], place: [rejected[7], rejected[8]], born };
     Object.assign(this, { isLastRejected, result });
   }
@@ -76,10 +71,4 @@ export function movingAverage(values) {
     sum += value - (values[i - WINDOW] ?? 0);
     return /** @type {[number, number]} */ ([i + 1, Math.max(0, sum / WINDOW)]);
   }).slice(WINDOW - 1);
-}
-
-/** The mean of the last values. @param {number[]} values */
-export function recentMean(values) {
-  const recent = values.slice(-WINDOW);
-  return recent.reduce((sum, value) => sum + value, 0) / recent.length;
 }

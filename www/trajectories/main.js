@@ -18,8 +18,8 @@ import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
-import { Charts } from "./charts.js";
-import { Experiment, WINDOW, movingAverage, recentMean } from "./experiment.js";
+import { makeCharts } from "./charts.js";
+import { Experiment, WINDOW, movingAverage } from "./experiment.js";
 import { FIRST, Particle } from "./particle.js";
 import { Plane } from "./plane.js";
 
@@ -48,7 +48,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   const experiment = new Experiment(worker);
   const plane = new Plane(experiment);
   const figure = new Figure(app, stage, { id: "plane", kind: "workspace", caption: "Trajectories" }, plane);
-  const charts = new Charts(experiment);
+  const drawCharts = makeCharts(experiment);
   const particle = new Particle(app, byId("single", HTMLElement));
   const table = /** @type {ParameterInfo[]} */ ([...withSeed([], "experiment"), ...trajectoryOptions()]);
   let options = form({});
@@ -65,10 +65,8 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     plane.moment = plane.moment === null ? 0 : null;
     animationStart = performance.now();
     press(animate, plane.moment !== null);
-    figure.redrawTop();
-  });
-  animate.className = "quiet";
-  press(animate, false);
+    figure.redraw(["top"]);
+  }, { className: "quiet", ariaPressed: "false" });
   transport.bar.append(animate);
   const newSeed = byId("new-seed", HTMLButtonElement);
   newSeed.disabled = false;
@@ -83,7 +81,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     if (plane.moment !== null) plane.moment = (Math.max(0, now - animationStart) / 1000) % plane.round;
     plane.isStill = app.reducedMotion || !transport.isPlaying;
     const isMoving = plane.isMoving(now);
-    if (isMoving || wasMoving) figure.redrawTop();
+    if (isMoving || wasMoving) figure.redraw(["top"]);
     wasMoving = isMoving;
     return isMoving;
   });
@@ -91,16 +89,15 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     // New trajectories are drawn on top of the others, unless all are redrawn.
     const { palette, layers: { ground } } = figure;
     if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
-    charts.draw(performance.now(), !transport.isPlaying && app.pending === 0);
+    drawCharts(!transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
   });
 
-  showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.lines.length}`, title: () => "Trajectories that do not cross" }, [
+  showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.accepted.length}`, title: () => "Trajectories that do not cross" }, [
     { id: "csv", title: "Table", format: "CSV", meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`, content: tableOf },
   ]);
   app.rebuild = restart;
-  app.onTheme(() => { charts.key = ""; });
   await app.track(useLink(app, stateRule, {
     save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),
     open, contents: "the settings, the seed and the number of tries",
@@ -110,7 +107,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   function form(given) { return new Options(byId("settings", HTMLElement), table, given, () => void restart(), { first: SHOWN }); }
 
   function showProgress() {
-    figure.redrawTop();
+    figure.redraw(["top"]);
     if (!experiment.isRunning) app.announcer.say(sentence(""));
   }
 
@@ -149,47 +146,50 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     if (await restart()) {
       if (state || app.reducedMotion) await experiment.advance(state ? tried : Infinity, showProgress);
       else transport.setPlaying(true);
-      figure.redrawTop();
+      figure.redraw(["top"]);
     } else if (state) throw new Error("Its settings are not valid.");
   }
 
   /** Shows the numbers. */
   function show() {
-    const { result, lines, tries, milliseconds, isLastRejected, options: { count = 1000, model, seed = 0 } } = experiment;
+    const { result, accepted, isLastRejected, options: { count = 1000, model, seed = 0 } } = experiment;
     if (!result) return;
     const last = result.iterations === 0 ? "none" : isLastRejected ? "refused" : "accepted";
     const status = stage.dataset.status === "refused" ? "refused" : result.status;
-    Object.assign(stage.dataset, { status, accepted: lines.length, tried: result.iterations, drawn: plane.drawn, last, fingerprint: result.fingerprint });
-    const microseconds = 1000 * recentMean(milliseconds);
+    Object.assign(stage.dataset, { status, accepted: accepted.length, tried: result.iterations, drawn: plane.drawn, last, fingerprint: result.fingerprint });
+    const [tries, milliseconds] = /** @type {const} */ (["tries", "milliseconds"]).map((key) => sumOfLast(key) / Math.min(WINDOW, accepted.length));
+    const microseconds = 1000 * milliseconds;
     app.write({
-      "fact-accepted": `${grouped(lines.length)} of ${grouped(count)}`, "fact-tried": grouped(result.iterations),
-      "fact-tries": tries.length === 0 ? "\u2013" : recentMean(tries).toFixed(1),
-      "fact-time": tries.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
+      "fact-accepted": `${grouped(accepted.length)} of ${grouped(count)}`, "fact-tried": grouped(result.iterations),
+      "fact-tries": accepted.length === 0 ? "\u2013" : tries.toFixed(1),
+      "fact-time": accepted.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
       "fact-pairs": grouped(result.pairs), "fact-fingerprint": transport.isPlaying ? "\u2013" : result.fingerprint,
       where: `${model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${seed}`,
     });
     app.say(sentence(last), { isSilent: true });
-    figure.describe(`${lines.length} trajectories, no two of which cross, after ${result.iterations} tries.`);
+    figure.describe(`${accepted.length} trajectories, no two of which cross, after ${result.iterations} tries.`);
   }
 
   /** @param {string} last  the outcome of the last try */
   function sentence(last) {
-    const { result, rejected, tries, lines } = experiment;
+    const { result, rejected, accepted } = experiment;
     if (stage.dataset.status === "refused") return "These settings are not valid; see the message in the panel.";
     const total = grouped(result?.iterations ?? 0);
     if (result?.status === "solved") {
-      const recent = tries.slice(-WINDOW);
-      return `${grouped(lines.length)} trajectories, no two of which cross, after ${total} tries. The last ${recent.length} took ${grouped(recent.reduce((sum, count) => sum + count, 0))} tries.`;
+      const found = `${grouped(accepted.length)} trajectories, no two of which cross, after ${total} tries.`;
+      return `${found} The last ${Math.min(WINDOW, accepted.length)} took ${grouped(sumOfLast("tries"))} tries.`;
     }
-    if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(lines.length)} accepted: hardly anything fits between them.`;
+    if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
     if (!transport.isPlaying && last === "refused" && rejected) return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Random trajectories are added one by one; those that cross an earlier one are rejected.";
   }
 
+  /** The sum over the last accepted trajectories. @param {"tries" | "milliseconds"} key */
+  function sumOfLast(key) { return experiment.accepted.slice(-WINDOW).reduce((sum, one) => sum + one[key], 0); }
+
   function tableOf() {
-    const { rows, tries, milliseconds } = experiment;
-    const average = new Map(movingAverage(milliseconds));
-    const cells = tries.map((count, i) => [...rows.slice(6 * i, 6 * i + 6), count, milliseconds[i], average.get(i + 1) ?? null]);
-    return csvFile(COLUMNS, cells);
+    const { accepted } = experiment;
+    const average = new Map(movingAverage(accepted.map(({ milliseconds }) => milliseconds)));
+    return csvFile(COLUMNS, accepted.map(({ row, tries, milliseconds }, i) => [...row, tries, milliseconds, average.get(i + 1) ?? null]));
   }
 });

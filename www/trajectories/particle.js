@@ -3,7 +3,7 @@ import { particlePoints } from "planarium";
 import { View } from "planarium/draw";
 import { make } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
-import { disc, ring } from "../draw/marks.js";
+import { disc, ring, setStroke } from "../draw/marks.js";
 import { num, tuple } from "../widgets/format.js";
 import { Slider } from "../widgets/slider.js";
 
@@ -73,19 +73,14 @@ export class Particle {
     const marks = Math.min(MOST_MARKS, Math.floor(movement[2] / MARK));
     context.lineJoin = "round";
     for (const [points, colour, line, dash] of /** @type {const} */ ([[spiral, palette.growth, 1.8, [6, 4]], [arc, palette.path, 3, []]])) {
-      context.strokeStyle = context.fillStyle = colour;
-      context.lineWidth = line;
-      context.setLineDash([...dash]);
+      context.fillStyle = colour;
+      setStroke(context, colour, line, [...dash]);
       context.beginPath();
       for (let i = 0; i <= PIECES; i++) context.lineTo(...at(points, i));
       context.stroke();
-      context.setLineDash([]);
       for (let i = 1; i <= marks; i++) disc(context, ...at(points, Math.round((PIECES * i) / marks)), 2.4);
     }
-    context.strokeStyle = palette.start;
-    context.lineWidth = 2;
+    setStroke(context, palette.start, 2);
     ring(context, ...at(arc, 0), 5);
   }
-
-  top() {}
 }

@@ -4,7 +4,7 @@
  */
 import { View } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
-import { cross } from "../draw/marks.js";
+import { cross, setStroke } from "../draw/marks.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { Experiment } from "./experiment.js" */
@@ -38,8 +38,7 @@ export class Plane {
     const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
     const reach = half + Math.min(0.6 * fastest * duration, 3 * half);
     const view = this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false);
-    context.strokeStyle = palette.line;
-    context.lineWidth = 1;
+    setStroke(context, palette.line, 1);
     context.strokeRect(view.x(-half), view.y(half), 2 * half * view.scaleX, 2 * half * view.scaleY);
     this.drawn = 0;
     this.append(brush);
@@ -47,17 +46,18 @@ export class Plane {
 
   /** Draws the trajectories that are not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
   append({ context, palette }) {
-    const { experiment: { lines }, drawn } = this;
-    if (drawn === lines.length) return;
-    this.drawLines(context, lines.slice(drawn), palette.growth, 1.25, 1);
-    this.drawDots(context, lines.slice(drawn), palette.start, 1.4);
-    this.drawn = lines.length;
+    const { accepted } = this.experiment;
+    if (this.drawn === accepted.length) return;
+    const lines = accepted.slice(this.drawn).map(({ line }) => line);
+    this.drawLines(context, lines, palette.growth, 1.25, 1);
+    this.drawDots(context, lines, palette.start, 1.4);
+    this.drawn = accepted.length;
   }
 
   /** Whether anything glows or moves. @param {number} now */
   isMoving(now) {
-    const { born, rejected } = this.experiment;
-    return this.moment !== null || (!this.isStill && Math.max(born[born.length - 1] ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
+    const { accepted, rejected } = this.experiment;
+    return this.moment !== null || (!this.isStill && Math.max(accepted.at(-1)?.born ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
   }
 
   /** The strength of the glow of what was received at a time. @param {number} time @param {boolean} isLast */
@@ -65,21 +65,18 @@ export class Plane {
 
   /** @param {Brush} brush */
   top({ context, palette }) {
-    const { lines, born, rejected, isLastRejected } = this.experiment;
-    for (let i = Math.max(0, lines.length - MOST_GLOWING); i < lines.length; i++) {
-      const strength = this.glowOf(born[i], i === lines.length - 1 && !isLastRejected);
+    const { accepted, rejected, isLastRejected } = this.experiment;
+    for (const one of accepted.slice(-MOST_GLOWING)) {
+      const strength = this.glowOf(one.born, one === accepted.at(-1) && !isLastRejected);
       if (strength === 0) continue;
-      this.drawLines(context, [lines[i]], palette.halo, 7, 0.35 * strength);
-      this.drawLines(context, [lines[i]], palette.newest, 2.2, strength);
+      this.drawLines(context, [one.line], palette.halo, 7, 0.35 * strength);
+      this.drawLines(context, [one.line], palette.newest, 2.2, strength);
     }
     const strength = rejected ? this.glowOf(rejected.born, isLastRejected) : 0;
     if (rejected && strength > 0) {
-      this.drawLines(context, [lines[rejected.other]], palette.collision, 2.2, 0.8 * strength);
-      context.setLineDash([5, 4]);
-      this.drawLines(context, [rejected.line], palette.rejected, 2, strength);
-      context.setLineDash([]);
-      context.strokeStyle = palette.collision;
-      context.lineWidth = 2.4;
+      this.drawLines(context, [accepted[rejected.other].line], palette.collision, 2.2, 0.8 * strength);
+      this.drawLines(context, [rejected.line], palette.rejected, 2, strength, [5, 4]);
+      setStroke(context, palette.collision, 2.4);
       context.globalAlpha = strength;
       cross(context, this.view.x(rejected.place[0]), this.view.y(rejected.place[1]), 5);
     }
@@ -90,7 +87,7 @@ export class Plane {
   /** The particles at a moment of the animation. @param {Context} context @param {string} colour @param {number} moment */
   drawParticles(context, colour, moment) {
     const part = Math.min(1, Math.max(0, (moment - REST / 2) / (this.round - REST)));
-    this.drawDots(context, this.experiment.lines.map((line) => {
+    this.drawDots(context, this.experiment.accepted.map(({ line }) => {
       const pieces = line.length / 2 - 1;
       const i = Math.min(pieces - 1, Math.floor(part * pieces));
       const rest = part * pieces - i;
@@ -101,11 +98,10 @@ export class Plane {
   /** Seconds of a round of the animation. */
   get round() { return (this.experiment.options.duration ?? 1) + REST; }
 
-  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha */
-  drawLines(context, lines, colour, width, alpha) {
+  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha @param {number[]} [dash] */
+  drawLines(context, lines, colour, width, alpha, dash) {
     context.globalAlpha = alpha;
-    context.strokeStyle = colour;
-    context.lineWidth = width;
+    setStroke(context, colour, width, dash);
     context.lineCap = context.lineJoin = "round";
     context.beginPath();
     for (const line of lines) {

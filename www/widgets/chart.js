@@ -51,23 +51,21 @@ export class Chart {
     picture.replaceChildren();
     for (const value of values(1).length > 0 ? y.marks : []) {
       picture.append(svg("line", { class: "grid", x1: ROOM.left, x2: right, y1: y.at(value), y2: y.at(value) }));
-      picture.append(svgText(y.text(value), { x: ROOM.left - 8, y: y.at(value) + 4, "text-anchor": "end", "data-up": value }));
+      picture.append(svg("text", { x: ROOM.left - 8, y: y.at(value) + 4, "text-anchor": "end", "data-up": value }, y.text(value)));
     }
     for (const value of x.marks) {
       picture.append(svg("line", { class: "tick", x1: x.at(value), x2: x.at(value), y1: bottom, y2: bottom + 4 }));
-      picture.append(svgText(x.text(value), { x: x.at(value), y: bottom + 17, "text-anchor": "middle", "data-across": value }));
+      picture.append(svg("text", { x: x.at(value), y: bottom + 17, "text-anchor": "middle", "data-across": value }, x.text(value)));
     }
     picture.append(svg("line", { class: "axis", x1: ROOM.left, x2: right, y1: bottom, y2: bottom }));
-    picture.append(svgText(across.title, { x: (ROOM.left + right) / 2, y: height - 3, "text-anchor": "middle" }));
+    picture.append(svg("text", { x: (ROOM.left + right) / 2, y: height - 3, "text-anchor": "middle" }, across.title));
     const placed = lines.map(({ points }) => thinned(points).filter(([a, b]) => x.holds(a) && y.holds(b)).map(([a, b]) => [round(x.at(a)), round(y.at(b))]));
     const shapes = () => lines.flatMap((line, i) => (placed[i].length > 0 ? shapesOf(line, i, placed[i], isTimeline, up.low === undefined) : []));
     if (!isTimeline) picture.append(...shapes());
     else {
-      const clip = svg("clipPath", { id: `${this.id}-past` });
-      clip.append(past);
-      const [faint, strong] = [svg("g", { class: "future" }), svg("g", { "clip-path": `url(#${this.id}-past)` })];
-      for (const group of [faint, strong]) group.append(...shapes());
-      picture.append(clip, faint, strong, cursor);
+      const id = `${this.id}-past`;
+      const [faint, strong] = [svg("g", { class: "future" }, ...shapes()), svg("g", { "clip-path": `url(#${id})` }, ...shapes())];
+      picture.append(svg("clipPath", { id }, past), faint, strong, cursor);
       this.scale = (value) => Math.min(x.at(value), right);
       this.show(this.now);
     }
@@ -84,7 +82,8 @@ export class Chart {
       const above = ends.slice(0, i).findLast((other) => Math.abs(other.x - end.x) < 4 * APART);
       if (above) end.y = Math.max(end.y, above.y + APART);
       const isInside = end.x + 6 + 7 * end.label.length > width;
-      this.picture.append(svgText(end.label, { class: "end", x: end.x + (isInside ? -6 : 6), y: end.y + (isInside ? -6 : 4), "text-anchor": isInside ? "end" : "start" }));
+      const [dx, dy, anchor] = isInside ? [-6, -6, "end"] : [6, 4, "start"];
+      this.picture.append(svg("text", { class: "end", x: end.x + dx, y: end.y + dy, "text-anchor": anchor }, end.label));
     });
   }
 
@@ -166,16 +165,14 @@ const round = (value) => Math.round(10 * value) / 10;
 /** @param {number} value */
 export const numberText = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
 
-/** @template {keyof SVGElementTagNameMap} T @param {T} tag @param {Record<string, string | number>} attributes @returns {SVGElementTagNameMap[T]} */
-export function svg(tag, attributes) {
+/**
+ * A new SVG element.
+ * @template {keyof SVGElementTagNameMap} T
+ * @param {T} tag @param {Record<string, string | number>} attributes @param {...(Node | string)} children
+ */
+export function svg(tag, attributes, ...children) {
   const element = document.createElementNS(SPACE, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  return element;
-}
-
-/** @param {string} text @param {Record<string, string | number>} attributes */
-function svgText(text, attributes) {
-  const element = svg("text", attributes);
-  element.textContent = text;
+  element.append(...children);
   return element;
 }

@@ -41,8 +41,7 @@ export function failureOf(title) { return `The ${title.toLowerCase()} could not 
 /** A row of the panel; one choice stands beside the button, several below it. @param {Omit<Download, "content">} download @param {() => void} onSave @param {...HTMLElement} choices */
 export function downloadRow({ id, title, format, meaning }, onSave, ...choices) {
   const hint = make("span", { className: "hint", id: `export-${id}-hint` }, meaning);
-  const saveButton = button(`export-${id}`, format, onSave);
-  saveButton.ariaLabel = `${title}, ${format}`;
+  const saveButton = button(`export-${id}`, format, onSave, { ariaLabel: `${title}, ${format}` });
   saveButton.setAttribute("aria-describedby", hint.id);
   const [beside, below] = choices.length === 1 ? [choices, []] : [[], choices];
   const row = make("div", { className: "row" }, make("span", { className: "name" }, title, hint), ...beside, saveButton);

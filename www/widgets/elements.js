@@ -1,9 +1,11 @@
 /** Small controls that the panels share. */
 import { make } from "../app/dom.js";
 
-/** @param {string} id @param {string} text @param {(event: MouseEvent) => void} onClick */
-export function button(id, text, onClick) {
-  return make("button", { type: "button", id, onclick: onClick }, text);
+/** @import { Properties } from "../app/dom.js" */
+
+/** @param {string} id @param {string} text @param {(event: MouseEvent) => void} onClick @param {Properties<"button">} [properties] */
+export function button(id, text, onClick, properties) {
+  return make("button", { type: "button", id, onclick: onClick, ...properties }, text);
 }
 
 /** Marks a button as pressed or not. @param {Element} element @param {boolean} isPressed */

@@ -25,12 +25,11 @@ export class Field {
     this.control.setAttribute("aria-describedby", `${id}-meaning ${id}-reason`);
     /** The last valid value. */
     this.current = this.value;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
+    this.timer = 0;
     this.control.addEventListener("change", () => this.commit());
     this.control.addEventListener("input", () => {
       clearTimeout(this.timer);
-      if (this.validate()) this.timer = setTimeout(() => this.commit(), TYPING);
+      if (this.validate()) this.timer = window.setTimeout(() => this.commit(), TYPING);
     });
     const name = make("span", { className: "name" }, info.title || info.name);
     if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));
@@ -72,24 +71,17 @@ export class Field {
 
   /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
-    this.automatic.hidden = this.value !== undefined;
-    const reason = this.fault();
+    const { info, value, control: { validity: { badInput } } } = this;
+    this.automatic.hidden = value !== undefined;
+    let reason = "";
+    if (badInput || value !== undefined) reason = reasonAgainst(info, badInput ? NaN : value);
+    else if (info.default !== null && info.kind !== "choice") reason = `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     this.refuse(reason);
     return reason === "";
   }
-
-  /** Why the value is invalid, or empty. @returns {string} */
-  fault() {
-    const { control, info } = this;
-    if (info.kind === "choice" || info.kind === "boolean") return "";
-    const text = control.value.trim();
-    const { badInput } = control.validity;
-    if (text === "" && !badInput) return info.default === null ? "" : `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
-    return reasonAgainst(info, badInput ? NaN : Number(text));
-  }
 }
 
-/** Why a value is invalid, or empty. @param {ParameterInfo} info @param {unknown} value @returns {string} */
+/** Why a value is invalid, or empty. @param {Pick<ParameterInfo, "kind" | "min" | "max" | "choices">} info @param {unknown} value @returns {string} */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
   if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;
@@ -101,14 +93,13 @@ export function reasonAgainst({ kind, min, max, choices }, value) {
 }
 
 /** The value of an empty field, in words. @param {ParameterInfo} info */
-function automatic(info) {
-  const words = "default_meaning" in info ? info.default_meaning : null;
-  if (typeof words !== "string") return "";
+function automatic({ default_meaning: words }) {
+  if (!words) return "";
   return nothing(words) ? ` ${words[0].toUpperCase()}${words.slice(1)}.` : ` Automatic: ${words}.`;
 }
 
-/** The word for an option that has no effect while it is empty. @param {unknown} words @returns {string} */
-function nothing(words) { return /^(none|never)(?=:)/.exec(String(words))?.[0] ?? ""; }
+/** The word for an option that has no effect while it is empty. @param {string | null} [words] */
+function nothing(words) { return /^(none|never)(?=:)/.exec(words ?? "")?.[0]; }
 
 /** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
 function control(info, value, id) {
@@ -124,7 +115,7 @@ function control(info, value, id) {
     id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
     inputMode: info.kind === "integer" ? "numeric" : "decimal", value: value === null ? "" : String(value),
   });
-  if (info.default === null) input.placeholder = "default_meaning" in info && nothing(info.default_meaning) || "automatic";
+  if (info.default === null) input.placeholder = nothing(info.default_meaning) ?? "automatic";
   return input;
 }
 

@@ -2,68 +2,62 @@
 import { byId, make } from "../app/dom.js";
 import { button } from "./elements.js";
 
-/** @import { SceneEntry } from "../domain/types.js" */
-
 /** Side of a thumbnail, CSS pixels. */
 export const SIDE = 84;
 
-export class Gallery {
-  /** @param {SceneEntry[]} scenes @param {(entry: SceneEntry) => void} onChoose */
-  constructor(scenes, onChoose) {
-    this.element = byId("scenes", HTMLElement);
-    /** @type {Map<string, { input: HTMLInputElement, canvas: HTMLCanvasElement }>} */
-    this.cards = new Map();
-    for (const entry of scenes) {
-      const input = make("input", { type: "radio", name: "scene", value: entry.id, onchange: () => onChoose(entry) });
-      const canvas = make("canvas", { ariaHidden: "true" });
-      this.cards.set(entry.id, { input, canvas });
-      this.element.append(make("label", { className: "card" }, input, canvas, make("span", {}, entry.title)));
-    }
-    this.count = make("span", { className: "hint" });
-    this.more = button("all-scenes", "", () => {
-      this.show(!this.element.classList.contains("all"));
-      this.measure();
-    });
-    this.size = make("p", { className: "gallery-size" }, this.count, this.more);
-    this.element.after(this.size);
-    this.show(false);
-    // It also measures at first, with the layout of the first frame.
-    new ResizeObserver(() => this.measure()).observe(this.element);
-  }
+/** @template {{ id: string, title: string }} E @param {E[]} scenes @param {(entry: E) => void} onChoose */
+export function makeGallery(scenes, onChoose) {
+  const element = byId("scenes", HTMLElement);
+  const cards = scenes.map((entry) => {
+    const input = make("input", { type: "radio", name: "scene", value: entry.id, onchange: () => onChoose(entry) });
+    const canvas = make("canvas", { ariaHidden: "true" });
+    const card = make("label", { className: "card" }, input, canvas, make("span", {}, entry.title));
+    return { id: entry.id, input, canvas, card };
+  });
+  const count = make("span", { className: "hint" });
+  const more = button("all-scenes", "", () => {
+    show(!element.classList.contains("all"));
+    measure();
+  });
+  const size = make("p", { className: "gallery-size" }, count, more);
+  element.append(...cards.map(({ card }) => card));
+  element.after(size);
+  show(false);
+  // It also measures at first, with the layout of the first frame.
+  new ResizeObserver(measure).observe(element);
 
   /** Shows all scenes one below the other, or a strip that scrolls. @param {boolean} all */
-  show(all) {
-    this.element.classList.toggle("all", all);
-    this.more.textContent = all ? "Show fewer" : "Show all";
-    this.more.ariaExpanded = String(all);
+  function show(all) {
+    element.classList.toggle("all", all);
+    more.textContent = all ? "Show fewer" : "Show all";
+    more.ariaExpanded = String(all);
   }
 
   /** Shows the number of scenes in view, unless all are. */
-  measure() {
-    const { element, cards } = this;
+  function measure() {
     const isAll = element.classList.contains("all");
-    const inView = [...cards.values()].filter(({ input: { parentElement: card } }) => card && card.offsetLeft + card.offsetWidth <= element.clientWidth + 1).length;
-    this.size.hidden = !isAll && inView === cards.size;
-    this.count.textContent = isAll ? `${cards.size} scenes` : `${inView} of ${cards.size} scenes`;
+    const inView = cards.filter(({ card }) => card.offsetLeft + card.offsetWidth <= element.clientWidth + 1).length;
+    size.hidden = !isAll && inView === cards.length;
+    count.textContent = isAll ? `${cards.length} scenes` : `${inView} of ${cards.length} scenes`;
   }
 
-  /** Marks the open scene; null for a file. @param {string | null} id */
-  mark(id) {
-    for (const [name, { input }] of this.cards) {
-      input.checked = name === id;
-      const card = input.parentElement;
-      if (name !== id || !card) continue;
-      // Only the strip scrolls, not the page; in the next frame, as it would force a layout.
-      requestAnimationFrame(() => this.element.scrollTo({ left: card.offsetLeft - (this.element.clientWidth - card.offsetWidth) / 2 }));
-    }
-  }
+  return {
+    /** Marks the open scene; null for a file. @param {string | null} chosen */
+    mark(chosen) {
+      for (const { id, input, card } of cards) {
+        input.checked = id === chosen;
+        // Only the strip scrolls, not the page; in the next frame, as it would force a layout.
+        if (input.checked) requestAnimationFrame(() => element.scrollTo({ left: card.offsetLeft - (element.clientWidth - card.offsetWidth) / 2 }));
+      }
+    },
 
-  /** Shows a scene's thumbnail. @param {string} id @param {ImageBitmap} picture */
-  draw(id, picture) {
-    const canvas = this.cards.get(id)?.canvas;
-    if (!canvas) return;
-    canvas.width = picture.width;
-    canvas.height = picture.height;
-    canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
-  }
+    /** Shows a scene's thumbnail. @param {string} scene @param {ImageBitmap} picture */
+    draw(scene, picture) {
+      const canvas = cards.find(({ id }) => id === scene)?.canvas;
+      if (!canvas) return;
+      canvas.width = picture.width;
+      canvas.height = picture.height;
+      canvas.getContext("bitmaprenderer")?.transferFromImageBitmap(picture);
+    },
+  };
 }

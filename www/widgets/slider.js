@@ -22,8 +22,8 @@ const LOG_STEPS = 300;
 export class Slider {
   /** @param {SliderInfo} info @param {number} value @param {(value: number) => void} onInput */
   constructor(info, value, onInput) {
-    const { name, title, unit = "", isLog = false } = info;
-    this.info = info;
+    const { name, title, unit = "", isLog = false, kind = "number" } = info;
+    this.info = { ...info, kind };
     this.onInput = onInput;
     this.current = value;
     this.range = make("input", { type: "range", id: name, ariaLabel: title });
@@ -41,8 +41,6 @@ export class Slider {
     this.setLimits(info.min, info.max);
   }
 
-  get kind() { return this.info.kind ?? "number"; }
-
   /** The value at the slider; of a logarithmic one rounded to two digits. */
   get rangeValue() {
     const { info: { min, max, isLog }, range } = this;
@@ -53,8 +51,7 @@ export class Slider {
 
   /** Reports a valid value. @param {number} value */
   give(value) {
-    const { info, kind } = this;
-    const reason = reasonAgainst({ unit: "", ...info, kind, choices: null, robots: [], default: info.min, meaning: "" }, value);
+    const reason = reasonAgainst({ ...this.info, choices: null }, value);
     this.refuse(reason);
     if (reason) return;
     this.show(value);
@@ -70,7 +67,7 @@ export class Slider {
 
   /** Writes a value into the field, unless it has the focus. @param {number} value */
   write(value) {
-    const text = value.toFixed(this.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
+    const text = value.toFixed(this.info.kind === "integer" ? 0 : 3).replace(/^-(0(\.0*)?)$/, "$1");
     if (document.activeElement !== this.number && this.number.value !== text) this.number.value = text;
     if (this.info.isLog) this.range.setAttribute("aria-valuetext", grouped(value));
   }
@@ -86,11 +83,11 @@ export class Slider {
 
   /** @param {number} min @param {number} max */
   setLimits(min, max) {
-    const { info, kind, range, number } = this;
+    const { info, range, number } = this;
     Object.assign(info, { min, max });
-    const step = info.step ?? (kind === "integer" ? 1 : (max - min) / 2000);
+    const step = info.step ?? (info.kind === "integer" ? 1 : (max - min) / 2000);
     Object.assign(range, info.isLog ? { min: "0", max: String(LOG_STEPS), step: "1" } : { min: String(min), max: String(max), step: String(step) });
-    Object.assign(number, { min: String(min), max: String(max), step: kind === "integer" ? "1" : "any" });
+    Object.assign(number, { min: String(min), max: String(max), step: info.kind === "integer" ? "1" : "any" });
     this.show(this.current);
   }
 }

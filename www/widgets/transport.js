@@ -46,15 +46,13 @@ export class Transport {
     this.due = 0;
     this.last = 0;
     this.word = make("span", { className: "word" });
-    this.play = button(`${name}-play`, "", () => this.toggle());
-    this.play.className = "primary";
+    this.play = button(`${name}-play`, "", () => this.toggle(), { className: "primary" });
     this.play.append(icon("icon-play", "M5 3v14l12-7z"), icon("icon-pause", "M4.5 3h4v14h-4zm7 0h4v14h-4z"), this.word);
-    this.steps = steps.map((count) => Object.assign(button(`${name}-step-${count}`, String(count), () => this.step(count)), { ariaLabel: `Step ${count}` }));
+    this.steps = steps.map((count) => button(`${name}-step-${count}`, String(count), () => this.step(count), { ariaLabel: `Step ${count}` }));
     this.finish = button(`${name}-finish`, "To the end", () => {
       this.setPlaying(true);
       this.isFinishing = true;
-    });
-    this.finish.hidden = !canFinish;
+    }, { hidden: !canFinish });
     this.speed = make("input", { type: "range", id: `${name}-speed`, min: "0", max: "100", step: "1", ariaLabel: "Speed" });
     this.speed.value = String(Math.round((100 * Math.log(playback.pace / playback.slowest)) / Math.log(playback.fastest / playback.slowest)));
     this.speed.addEventListener("input", () => this.showSpeed());
@@ -133,25 +131,18 @@ export class Transport {
   /** @param {number} count */
   advance(count) {
     if (this.isBusy) return;
-    const result = this.app.guard(() => this.playback.advance(count)) ?? false;
-    if (typeof result === "boolean") {
-      this.goOn(result);
-      return;
-    }
-    this.isBusy = true;
-    void this.app.track(result).then((isMore) => {
+    const goOn = (/** @type {boolean | undefined} */ isMore) => {
       this.isBusy = false;
-      this.goOn(isMore === true);
-    });
+      if (!isMore && this.isPlaying) this.pause();
+    };
+    const result = this.app.guard(() => this.playback.advance(count));
+    this.isBusy = result instanceof Promise;
+    if (result instanceof Promise) void this.app.track(result).then(goOn);
+    else goOn(result);
   }
-
-  /** @param {boolean} isMore */
-  goOn(isMore) { if (!isMore && this.isPlaying) this.pause(); }
 }
 
 /** @param {string} name @param {string} path */
 function icon(name, path) {
-  const element = svg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" });
-  element.append(svg("path", { d: path, fill: "currentColor" }));
-  return element;
+  return svg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" }, svg("path", { d: path, fill: "currentColor" }));
 }

@@ -1,5 +1,5 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
-import { ShareButton } from "../../app/link.js";
+import { makeShare } from "../../app/link.js";
 import { grouped } from "../../app/dom.js";
 import { axesOf } from "../../domain/names.js";
 import { decodeLink, encodeLink } from "./codec.js";
@@ -24,7 +24,7 @@ export class Link {
       await page.arrived();
       return encodeLink(experimentOf(page));
     };
-    this.share = new ShareButton(page.app, encode, () => `the scene, the settings and ${timeText(page.session.clock)}`);
+    this.share = makeShare(page.app, encode, () => `the scene, the settings and ${timeText(page.session.clock)}`);
     page.onOpen(() => { this.wanted = null; });
     page.onState(({ clock, playing, refusal, settled, growing }) => {
       const { wanted } = this;

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { before, test } from "node:test";
 import { build } from "esbuild";
 import { Scenario } from "planarium";
-import { addFiles, install, node, pack } from "./packed.mjs";
+import { addFiles, install, node } from "./packed.mjs";
 import { disc, finish } from "./scenes.mjs";
 
 /** What each consumer runs once it has `Scenario`. */
@@ -21,7 +21,7 @@ let folder;
 let expected;
 
 before(() => {
-  folder = install(pack());
+  folder = install();
   const planner = finish(Scenario.parse(disc).planner({ seed: 5 }));
   assert.equal(planner.status, "solved");
   expected = { status: "solved", fingerprint: planner.fingerprint(), path: [...planner.path()] };

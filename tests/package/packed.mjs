@@ -1,9 +1,8 @@
 /** The package as users get it: packed into a tarball and installed into an empty folder. */
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { gunzipSync } from "node:zlib";
 import { root } from "../../scripts/run.mjs";
 
 /**
@@ -29,12 +28,12 @@ export function pack({ prepack = false } = {}) {
 }
 
 /**
- * Installs a tarball into an empty project, without a network.
- * @param {string} tarball
+ * Packs the project and installs the tarball into an empty project, without a network.
  * @param {Record<string, string>} [files]  further files of the project
+ * @param {string} [tarball]
  * @returns {string} the project's folder
  */
-export function install(tarball, files = {}) {
+export function install(files = {}, tarball = pack()) {
   const folder = emptyFolder();
   writeFileSync(join(folder, "package.json"), JSON.stringify({ name: "consumer", private: true, type: "module" }));
   npm(["install", tarball, "--offline", "--no-audit", "--no-fund"], folder);
@@ -60,25 +59,6 @@ export function addFiles(folder, files) {
  */
 export function node(args, folder = root) {
   return JSON.parse(execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }));
-}
-
-/**
- * Names and contents in a tarball (USTAR: blocks of 512 bytes, a header before each file).
- * @param {string} tarball
- * @returns {Map<string, Buffer>}
- */
-export function contents(tarball) {
-  const bytes = gunzipSync(readFileSync(tarball));
-  /** @type {Map<string, Buffer>} */
-  const files = new Map();
-  for (let at = 0; bytes[at] !== 0 && at < bytes.length;) {
-    const field = (/** @type {number} */ from, /** @type {number} */ length) =>
-      bytes.toString("latin1", at + from, at + from + length).replace(/\0.*$/s, "");
-    const size = parseInt(field(124, 12), 8);
-    if (field(156, 1) === "0" || field(156, 1) === "") files.set(field(0, 100), bytes.subarray(at + 512, at + 512 + size));
-    at += 512 + Math.ceil(size / 512) * 512;
-  }
-  return files;
 }
 
 /**

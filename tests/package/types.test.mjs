@@ -5,7 +5,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
 import { root } from "../../scripts/run.mjs";
-import { addFiles, install, pack } from "./packed.mjs";
+import { addFiles, install } from "./packed.mjs";
 
 const consumer = `
 import init, {
@@ -228,7 +228,7 @@ const base = { strict: true, noEmit: true, target: "es2022", skipLibCheck: false
 let folder;
 
 before(() => {
-  folder = install(pack(), { "consumer.ts": consumer, "drawer.ts": drawer });
+  folder = install({ "consumer.ts": consumer, "drawer.ts": drawer });
 });
 
 for (const [name, settings] of Object.entries({

@@ -3,9 +3,10 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import {
-  PHONE, atRest, chooseScene, click, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, root, textMatches, unfold,
-  useBrowser, valueWithin, violations,
+  PHONE, atRest, chooseScene, click, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, pressUntil, root, textMatches,
+  unfold, useBrowser, valueWithin, violations,
 } from "./browser.mjs";
+import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
 
 /** @import { Page } from "playwright-core" */
@@ -23,8 +24,7 @@ const STATES = {
   "the editor, with something selected": async (page) => {
     await page.click("#edit");
     await page.waitForSelector("#edit-tools");
-    await page.focus("#stage");
-    await page.keyboard.press("]");
+    await page.locator("#stage").press("]");
     await atRest(page);
   },
   "a lesson, with everything unfolded": async (page) => {
@@ -115,20 +115,15 @@ test("text and marks stand out, and different things differ for the colour-blind
 
 test("single keys work on stage and transport, and nowhere else", () => onPausedPage(async (page) => {
   await page.focus("#stage");
-  await page.keyboard.press(".");
-  await page.waitForSelector("#counters[data-iterations='1']", { state: "attached" });
-  await page.keyboard.press("Space");
-  await page.waitForSelector("#play[data-playing=true]");
-  await page.keyboard.press("Space");
-  await page.waitForSelector("#play[data-playing=false]");
-  await page.keyboard.press("r");
-  await page.waitForSelector("#counters[data-iterations='0']", { state: "attached" });
+  await pressUntil(page, ".", "#counters[data-iterations='1']");
+  await pressUntil(page, "Space", "#play[data-playing=true]");
+  await pressUntil(page, "Space", "#play[data-playing=false]");
+  await pressUntil(page, "r", "#counters[data-iterations='0']");
   const seed = await page.inputValue("#parameter-seed");
   await page.keyboard.press("n");
   await page.waitForFunction((old) => /** @type {HTMLInputElement} */ (document.getElementById("parameter-seed")).value !== old, seed);
   await page.focus("#speed");
-  await page.keyboard.press(".");
-  await page.waitForSelector("#counters[data-iterations='1']", { state: "attached" });
+  await pressUntil(page, ".", "#counters[data-iterations='1']");
   await page.focus("#planner");
   await keys(page, ".", "r", "e");
   const { iterations } = await atRest(page);
@@ -137,8 +132,7 @@ test("single keys work on stage and transport, and nowhere else", () => onPaused
   await page.keyboard.press(".");
   assert.equal((await atRest(page)).iterations, iterations + 1, "keys in the panel are the panel's");
   await page.focus("#stage");
-  await page.keyboard.press("e");
-  await page.waitForSelector("#counters[data-status=solved], #counters[data-status=exhausted]", { state: "attached" });
+  await pressUntil(page, "e", "#counters[data-status=solved], #counters[data-status=exhausted]");
 }));
 
 test("everything is reached by Tab, with a focus that shows", () => onPausedPage(async (page) => {
@@ -170,31 +164,19 @@ test("a scene is chosen, planned, gone back in and raced by keys alone", () => o
   await page.keyboard.press(",");
   assert.equal((await atRest(page)).iterations, 1);
   await page.focus("#race-fold > summary");
-  await page.keyboard.press("Enter");
-  await page.waitForSelector("#add-rival");
+  await pressUntil(page, "Enter", "#add-rival");
   await page.focus("#add-rival");
-  await page.keyboard.press("Enter");
-  await page.waitForSelector(".rival");
+  await pressUntil(page, "Enter", ".rival");
   await page.focus("#stage");
-  await page.keyboard.press("e");
-  await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
+  await pressUntil(page, "e", "#counters[data-settled=true][data-status=solved]");
 }));
 
 test("a finger drags the robot, and the page scrolls beneath one that does not", () => onPausedPage(async (page) => {
   await page.click("#your-turn");
   const before = await page.inputValue("#pose-0-number");
   const canvas = page.locator("#workspace canvas[data-layer=top]");
-  await canvas.scrollIntoViewIfNeeded();
-  await canvas.evaluate((element) => {
-    const { left, top, width, height } = element.getBoundingClientRect();
-    const at = (/** @type {string} */ type, /** @type {number} */ x, /** @type {number} */ y) => element.dispatchEvent(new PointerEvent(type, {
-      pointerId: 7, pointerType: "touch", isPrimary: true, button: 0, bubbles: true, clientX: left + x, clientY: top + y,
-    }));
-    Object.assign(element, { setPointerCapture() {} });
-    at("pointerdown", width / 2 + 40, height / 2);
-    at("pointermove", width / 2 + 30, height / 2 - 40);
-    at("pointerup", width / 2 + 30, height / 2 - 40);
-  });
+  const [x, y] = (await plane(page, 1.2))(0, 0);
+  await swipe(page, [[x + 40, y], [x + 30, y - 40]]);
   await page.waitForFunction((value) => /** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value !== value, before);
   assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is in the hand");
   await page.click("#your-turn");

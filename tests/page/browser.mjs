@@ -20,6 +20,8 @@ export const isDeep = process.env.PLANARIUM_DEEP === "1";
 
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+/** A phone whose browser lays pages out as phones do. */
+export const MOBILE = { ...PHONE, isMobile: true };
 
 /** A script that wraps the core: its next function whose name contains `self.trap` traps. */
 export const TRAP = `{
@@ -124,17 +126,6 @@ export async function onPage(options, test, { before, expectErrors = false, path
   }
 }
 
-/** An empty page in a context of its own. @param {Options} options @param {(page: Page) => Promise<void>} test */
-export async function inBrowser(options, test) {
-  assert.ok(browser, "start() comes first");
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
-  try {
-    await test(await context.newPage());
-  } finally {
-    await context.close();
-  }
-}
-
 /**
  * A page that waits at iteration 0.
  * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more]
@@ -209,6 +200,23 @@ export async function keys(page, ...names) {
   for (const name of names) await page.keyboard.press(name);
 }
 
+/** Presses a key, and waits until an element is in a state. @param {Page} page @param {string} key @param {string} selector */
+export async function pressUntil(page, key, selector) {
+  await page.keyboard.press(key);
+  await page.waitForSelector(selector, { state: "attached" });
+}
+
+/** The page's link, as its fragment. @param {Page} page */
+export async function linkOf(page) {
+  await page.evaluate(() => history.replaceState(null, "", location.pathname + location.search));
+  await page.click("#link");
+  await page.waitForFunction(() => location.hash.length > 1);
+  return new URL(page.url()).hash;
+}
+
+/** The values that a select offers. @param {Page} page @param {string} id @returns {Promise<string[]>} */
+export const offered = (page, id) => page.locator(`#${id} option`).evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+
 /** Types a value into a field and leaves it. @param {Page} page @param {string} selector @param {string} value */
 export async function fill(page, selector, value) {
   await page.fill(selector, value);
@@ -269,15 +277,15 @@ export async function openScenario(page, document) {
   return atRest(page);
 }
 
-/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
-export async function dropFile(page, name, text) {
-  await page.evaluate(([fileName, content]) => {
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string | Uint8Array} content */
+export async function dropFile(page, name, content) {
+  await page.evaluate(({ fileName, bytes }) => {
     const transfer = new DataTransfer();
-    transfer.items.add(new File([content], fileName, { type: "application/json" }));
+    transfer.items.add(new File([Uint8Array.from(bytes)], fileName));
     for (const type of ["dragenter", "dragover", "drop"]) {
       document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
     }
-  }, [name, text]);
+  }, { fileName: name, bytes: [...Buffer.from(content)] });
 }
 
 /** Waits for the next frame but one: what was drawn before is on the screen. @param {Page} page */

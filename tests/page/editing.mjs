@@ -49,12 +49,17 @@ export async function enter(page, selector, value) {
   await page.press(selector, "Enter");
 }
 
-/** A drag with the mouse along points in pixels; in the editor, until there are so many edits. @param {Page} page @param {[number, number][]} points @param {number} [edits] */
-export async function drag(page, points, edits) {
+/**
+ * A drag with the mouse along points in pixels; in the editor, until there are so many edits.
+ * @param {Page} page @param {[number, number][]} points @param {number} [edits] @param {string} [held]  a key that is held down
+ */
+export async function drag(page, points, edits, held) {
+  if (held) await page.keyboard.down(held);
   await page.mouse.move(...points[0]);
   await page.mouse.down();
   for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
   await page.mouse.up();
+  if (held) await page.keyboard.up(held);
   if (edits !== undefined) await until(page, "undo", edits);
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  alphaOf, atRest, chooseScene, counters, finish, keys, onPage, onPausedPage, passes, pickFile, pixelsOf, textMatches, useBrowser,
+  MOBILE, alphaOf, atRest, chooseScene, counters, finish, keys, onPage, onPausedPage, passes, pickFile, pixelsOf, textMatches, useBrowser,
 } from "./browser.mjs";
 import { drag, enter, near, openEditor, plane, press, saved, swipe, told, until, untilStory } from "./editing.mjs";
 import { endsOf, textOf } from "./library.mjs";
@@ -12,8 +12,6 @@ import { assertFaultless } from "./looks.mjs";
 /** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 useBrowser();
-
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** A square world with one disc and one triangle, for a disc robot: pixels are easily told. @type {ScenarioDocument} */
 const PLAIN = {
@@ -70,10 +68,7 @@ test("discs, rectangles and polygons are drawn; Shift snaps", () => onPausedPage
   await page.click("#edit-tools >> text=Rectangle");
   await drag(page, [at(0.3, 0), at(0.6, -0.15)], 2);
   await page.click("#edit-tools >> text=Rectangle");
-  await page.keyboard.down("Shift");
-  await drag(page, [at(-0.9, -0.4), at(-0.7, -0.5)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 3);
+  await drag(page, [at(-0.9, -0.4), at(-0.7, -0.5)], 3, "Shift");
   for (const [i, close] of [[4, "first"], [5, "double"], [6, "Enter"]]) {
     await page.click("#edit-tools >> text=Polygon");
     const y = 0.45 + 0.15 * (Number(i) - 4);
@@ -84,10 +79,7 @@ test("discs, rectangles and polygons are drawn; Shift snaps", () => onPausedPage
     await until(page, "undo", i);
   }
   // The dots of this sheet are half a metre apart.
-  await page.keyboard.down("Shift");
-  await drag(page, [at(0.1, -0.6), at(0.17, -0.63)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 7);
+  await drag(page, [at(0.1, -0.6), at(0.17, -0.63)], 7, "Shift");
   const { document: { world: { obstacles } } } = await saved(page);
   assert.deepEqual(obstacles.map(({ type }) => type), ["disc", "polygon", "disc", "polygon", "polygon", "polygon", "polygon", "polygon"]);
   const [, , disc, wide, square, ...drawn] = obstacles;
@@ -113,10 +105,7 @@ test("an arm's start follows its links, by fifteen degrees with Shift, and in th
   let { document } = await saved(page);
   assert.equal(document.queries[0].start[0], pose[0]);
   near(document.queries[0].start[1], pose[1] + 0.2, 0.02);
-  await page.keyboard.down("Shift");
-  await drag(page, [on(pose[0] + pose[1] + 0.2), on(pose[0] - 0.3)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 2);
+  await drag(page, [on(pose[0] + pose[1] + 0.2), on(pose[0] - 0.3)], 2, "Shift");
   near(Number(await page.inputValue("#edit-joint-2")), -Math.PI / 12, 1e-4);
   const square = await page.locator("#cspace canvas[data-layer=top]").boundingBox();
   assert.ok(square);
@@ -147,7 +136,7 @@ test("what the core refuses is shown with its reason while it is held, and retur
   await until(page, "busy", "false");
   assert.equal((await told(page)).undo, "0");
   assert.match(await page.innerText("#edit-reason"), /cross/);
-  // A polygon whose sides cross is not closed, and its corners stay to be mended.
+  // A polygon whose sides cross is not closed, and its corners stay for correction.
   await page.click("#edit-tools >> text=Polygon");
   for (const point of [at(0.2, 0.2), at(0.6, 0), at(0.6, 0.2), at(0.2, 0)]) await page.mouse.click(...point);
   await page.keyboard.press("Enter");
@@ -179,7 +168,7 @@ test("Escape cancels a gesture, an obstacle stays on the sheet, nothing covers t
   assert.ok(stone.type === "polygon" && stone.vertices.every(([x, y]) => Math.abs(x) < 1.8 && Math.abs(y) < 1.8));
 }));
 
-test("a start in collision is marked and named, planning is refused, and goes on once it is mended", () => onPausedPage(async (page) => {
+test("a start in collision is marked and named, planning is refused, and continues once it is moved", () => onPausedPage(async (page) => {
   await edit(page);
   const at = await plane(page, 1);
   await drag(page, [at(0.5, 0.5), at(-0.75, 0.7)]);
@@ -189,7 +178,7 @@ test("a start in collision is marked and named, planning is refused, and goes on
   assert.ok(await page.isDisabled("#play"));
   assert.ok(await page.isHidden("#notice"), "said where the hand is, not above the stage");
   assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 150);
-  // Closed, the page says it in its own way; opened again, it can be mended.
+  // With the editor closed the page shows a notice; with the editor open again the start can be moved.
   await page.click("#editor-fold > summary");
   await page.waitForSelector("#notice[data-code=start-in-collision]");
   await page.click("#edit");
@@ -201,7 +190,7 @@ test("a start in collision is marked and named, planning is refused, and goes on
   assert.equal((await finish(page)).status, "solved");
 }));
 
-test("planning begins anew and waits until someone plays; the configuration space follows the hand", () => onPage({}, async (page) => {
+test("planning restarts and waits until someone plays; the configuration space follows the hand", () => onPage({}, async (page) => {
   await passes(page, 5);
   await edit(page, null);
   await page.waitForSelector("#play[data-playing=false]");
@@ -370,4 +359,4 @@ test("a finger draws and drags, the tools stand above the stage and are large en
   assert.deepEqual(kept.world.obstacles.map((one) => (one.type === "polygon" ? one.vertices.length : 1)), [1, 3, 4, 3]);
   await page.tap("#editor-fold > summary");
   await page.waitForFunction(() => document.getElementById("edit-tools")?.parentElement?.id === "editor");
-}, phone));
+}, MOBILE));

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Scenario } from "planarium";
 import {
-  atRest, click, counters, fill, finish, onPausedPage, openScenario, pixelsOf, textMatches, useBrowser, valueWithin, violations,
+  MOBILE, atRest, click, counters, fill, finish, onPausedPage, openScenario, pixelsOf, textMatches, useBrowser, valueWithin, violations,
 } from "./browser.mjs";
 import { drag, enter, near, openEditor, plane, saved, swipe, told, until } from "./editing.mjs";
 import { endsOf, textOf } from "./library.mjs";
@@ -12,8 +12,6 @@ import { endsOf, textOf } from "./library.mjs";
 /** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 useBrowser();
-
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** Three links in a square world with a disc. @type {ScenarioDocument} */
 const ARM = {
@@ -34,7 +32,7 @@ function tipOf(document, pose) {
 /** How far each joint is turned between two poses at most. @param {number[]} a @param {number[]} b */
 const turned = (a, b) => Math.max(...a.map((angle, i) => Math.abs(Math.atan2(Math.sin(b[i] - angle), Math.cos(b[i] - angle)))));
 
-for (const [device, options, pull] of /** @type {const} */ ([["a desktop", {}, drag], ["a phone", phone, swipe]])) {
+for (const [device, options, pull] of /** @type {const} */ ([["a desktop", {}, drag], ["a phone", MOBILE, swipe]])) {
   test(`on ${device}, start and goal follow the end effector without a jump; undo brings them back`, () => onPausedPage(async (page) => {
     await openEditor(page, ARM);
     let at = await plane(page, 2);

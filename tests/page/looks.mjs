@@ -66,5 +66,22 @@ export async function assertForced(page) {
   assert.deepEqual(drawn, wanted);
 }
 
+/**
+ * Every state of a room is without fault, fits and has targets for fingers; then, with forced colours, the page is drawn in them.
+ * @param {Page} page @param {Record<string, (page: Page) => Promise<unknown>>} states  how each is entered from the one before it
+ */
+export async function assertRoom(page, states) {
+  for (const [state, enter] of Object.entries(states)) {
+    await enter(page);
+    await assertFaultless(page, state);
+    await assertFits(page, state, 200);
+    await assertTargets(page);
+  }
+  await page.emulateMedia({ forcedColors: "active" });
+  await settled(page);
+  await assertForced(page);
+  assert.deepEqual(await violations(page), []);
+}
+
 /** How many pixels hang over. @param {Page} page */
 export const overhang = (page) => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

@@ -71,6 +71,22 @@ test("a state in an address is 2 KB at most, and unpacks to no more than 16", as
   assert.match(fault ?? "", /too long/);
 });
 
+test("a link that does not work is said not to, in every room, which opens all the same", async () => {
+  const forest = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest", given: { trees: 1000 } };
+  for (const [room, ready, fragments] of /** @type {const} */ ([
+    ["reach", "body[data-state=ready][data-settled=true][data-scene=islands]", ["1abc", "2abc", `1${"a".repeat(3000)}`, "nothing"]],
+    ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", ["1abc", "nothing", await encodeState(forest, () => {})]],
+    ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"]],
+  ])) {
+    for (const fragment of fragments) {
+      await onPage({ reducedMotion: "reduce" }, async (page) => {
+        await page.waitForSelector(ready);
+        assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/, `${room}: ${fragment}`);
+      }, { path: `${room}.html#${fragment}` });
+    }
+  }
+});
+
 test("links that were made before states had defaults still open", async () => {
   /** @param {string} name @param {string} fragment @param {string} ready @param {(data: Record<string, string>, value: (id: string) => Promise<string>) => Promise<void>} check */
   const opened = (name, fragment, ready, check) => onPage({ reducedMotion: "reduce" }, async (page) => {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drive, Neighbours, Planner, Reach, Scenario, Trajectories } from "planarium";
-import { arm, body, car, disc, fails, finish, options } from "./scenes.mjs";
+import { arm, body, car, disc, fails, finish, options, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
 
@@ -214,13 +214,6 @@ test("handles come from the package alone", () => {
     fails(() => new Class(Symbol("planarium"), {}), "illegal-constructor");
   }
 });
-
-/** A proxy that throws at every touch. */
-function revoked() {
-  const { proxy, revoke } = Proxy.revocable(/** @type {any} */ ([0, 0]), {});
-  revoke();
-  return proxy;
-}
 
 test("a caller's slip is told as such, and the core lives on", () => {
   const scenario = Scenario.parse(arm);

@@ -50,16 +50,6 @@ test("each method reaches a target, and iterates and solutions come by cursors",
   }
 });
 
-test("stepFor makes one iteration at least, and leads to the same result", () => {
-  const start = () => armOf([1, 0.8, 0.5]).reach({ target: [1, 0.7], solutions: 2, seed: 1 });
-  const [one, other] = [start(), start()];
-  assert.equal(one.stepFor(0), "running");
-  assert.equal(one.iterations, 1);
-  while (one.stepFor(0.1) === "running");
-  other.step(1e6);
-  assert.deepEqual([one.status, one.fingerprint()], ["solved", other.fingerprint()]);
-});
-
 test("a target out of reach says why, and what is nearest", () => {
   const far = ended(armOf([1, 0.5]), { target: [3, 0] });
   assert.equal(far.status, "exhausted");

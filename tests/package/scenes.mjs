@@ -86,6 +86,13 @@ export function finish(planner, slice = 1000) {
   return planner;
 }
 
+/** A proxy that throws at every touch. @param {object} [target] @returns {any} */
+export function revoked(target = []) {
+  const { proxy, revoke } = Proxy.revocable(target, {});
+  revoke();
+  return proxy;
+}
+
 /**
  * Holds bad input to an error with a stable code, and a pointer to where it stands.
  * @param {() => unknown} work

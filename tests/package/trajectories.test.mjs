@@ -33,15 +33,6 @@ test("trajectories are accepted one by one, and read by cursors", () => {
   assert.equal(trajectories.fingerprint, result.fingerprint);
 });
 
-test("stepFor tries some at least, and leads to the same result", () => {
-  const [one, other] = [new Trajectories({ seed: 3, count: 100 }), new Trajectories({ seed: 3, count: 100 })];
-  assert.equal(one.stepFor(0), "running");
-  assert.equal(one.iterations, 1);
-  while (one.stepFor(0.2) === "running");
-  other.step(1e6);
-  assert.deepEqual([one.status, one.fingerprint], ["solved", other.fingerprint]);
-});
-
 test("slices and the index change nothing, the seed does", () => {
   const fingerprint = (/** @type {object} */ options, /** @type {number} */ slice) => {
     const trajectories = new Trajectories({ count: 150, ...options });

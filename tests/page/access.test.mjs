@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import {
-  PHONE, atRest, chooseScene, click, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, pressUntil, root, textMatches,
+  PHONE, atRest, chooseScene, click, coloursOf, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, pressUntil, root, textMatches,
   unfold, useBrowser, valueWithin, violations,
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
@@ -91,13 +91,9 @@ test("text and marks stand out, and different things differ for the colour-blind
   ];
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     await page.emulateMedia({ colorScheme });
-    const colours = await page.evaluate((names) => Object.fromEntries(names.map((name) => {
-      const probe = document.createElement("span");
-      probe.style.color = `var(--${name})`;
-      document.body.append(probe);
-      return [name, (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number)];
-    })), [...new Set(PAIRS.flat())]);
-    const linear = (/** @type {string} */ name) => colours[name].map((byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4));
+    const names = [...new Set(PAIRS.flat())];
+    const colours = await coloursOf(page, names.map((name) => `var(--${name})`));
+    const linear = (/** @type {string} */ name) => colours[names.indexOf(name)].map((byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4));
     for (const [mark, ground] of PAIRS) {
       const [dark, light] = [mark, ground].map((name) => linear(name).reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0)).sort((x, y) => x - y);
       const ratio = (light + 0.05) / (dark + 0.05);

@@ -12,6 +12,7 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
+/** @typedef {import("../../www/draw/layer.js").LayerName} LayerName */
 /** @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the page, its query and fragment */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
@@ -291,32 +292,47 @@ export async function dropFile(page, name, content) {
 /** Waits for the next frame but one: what was drawn before is on the screen. @param {Page} page */
 export const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
+/** Colours as the page computes them: red, green and blue, 0 to 255. @param {Page} page @param {string[]} expressions  of CSS */
+export const coloursOf = (page, expressions) => page.evaluate((all) => all.map((expression) => {
+  const probe = document.createElement("span");
+  probe.style.forcedColorAdjust = "none";
+  probe.style.color = expression;
+  document.body.append(probe);
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+}), expressions);
+
+/** The pixels of a layer, RGBA row by row, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+async function imageOf(page, pane, layer) {
+  await frames(page);
+  const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
+    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, width, height));
+    const rows = Array.from({ length: height }, (_, y) => String.fromCharCode(...data.subarray(4 * y * width, 4 * (y + 1) * width)));
+    return { width, height, text: btoa(rows.join("")) };
+  });
+  return { width, height, data: Buffer.from(text, "base64") };
+}
+
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer @param {string} property  without its dashes
+ * @param {Page} page @param {string} pane @param {LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
-  await frames(page);
-  return page.evaluate(([paneId, layerName, name]) => {
-    const probe = document.createElement("span");
-    probe.style.forcedColorAdjust = "none";
-    probe.style.color = `var(--${name})`;
-    document.body.append(probe);
-    const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
-    probe.remove();
-    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
-    // Its pixels are read from a copy.
-    const copy = new OffscreenCanvas(canvas.width, canvas.height);
-    const context = copy.getContext("2d", { willReadFrequently: true });
-    if (!context) return -1;
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      if (data[i + 3] > 200 && [0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 12)) count++;
-    }
-    return count;
-  }, [pane, layer, property]);
+  const { data } = await imageOf(page, pane, layer);
+  const [wanted] = await coloursOf(page, [`var(--${property})`]);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && wanted.every((value, k) => Math.abs(data[i + k] - value) < 12)) count++;
+  return count;
+}
+
+/** How dense the pixels of a layer are, 0 to 255 each, row by row; and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+export async function alphaOf(page, pane, layer) {
+  const { width, height, data } = await imageOf(page, pane, layer);
+  return { width, height, alpha: data.filter((_, i) => i % 4 === 3) };
 }
 
 /**
@@ -340,21 +356,6 @@ export async function pictureOf(page, selector) {
     });
     return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
   }));
-}
-
-/** How dense the pixels of a layer are, 0 to 255 each, row by row; and its size. @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer */
-export async function alphaOf(page, pane, layer) {
-  await frames(page);
-  const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-    context?.drawImage(canvas, 0, 0);
-    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
-    const alpha = data.filter((_, i) => i % 4 === 3);
-    const rows = Array.from({ length: canvas.height }, (_, y) => String.fromCharCode(...alpha.subarray(y * canvas.width, (y + 1) * canvas.width)));
-    return { width: canvas.width, height: canvas.height, text: btoa(rows.join("")) };
-  });
-  return { width, height, alpha: new Uint8Array(Buffer.from(text, "base64")) };
 }
 
 /** What the layers of growth show. @param {Page} page @param {string} pane */

@@ -39,11 +39,14 @@ test("a room whose core was lost says so, and goes on", () => onReach(async (pag
   assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
 }, DESK, { before: async (page) => void await page.addInitScript(TRAP) }));
 
-test("a room without its WebAssembly says so and stays a page", () => onPage(DESK, async (page) => {
-  await page.waitForSelector("body[data-state=failed]");
-  assert.match(await page.innerText("#notice"), /WebAssembly/);
-  assert.equal(await page.locator(".rooms a").count() > 1, true);
-}, { path: "reach.html", expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
+for (const [path, failed] of [["", "#counters[data-status=failed]"], ["reach.html", "body[data-state=failed]"]]) {
+  test(`without its WebAssembly ${path || "the planner's page"} says so and stays a page`, () => onPage(DESK, async (page) => {
+    await page.waitForSelector(failed, { state: "attached" });
+    await page.waitForSelector("#notice:not([hidden])");
+    assert.match(await page.innerText("#notice"), /WebAssembly/);
+    assert.ok(await page.locator(".rooms a").count() > 1);
+  }, { path, expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
+}
 
 const rule = record({ values: list(number, 0, Infinity) });
 

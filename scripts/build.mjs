@@ -17,7 +17,7 @@ import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { coreDeclarations, forJavaScript, optionTypes, rowsOf } from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
-import { Problem, ask, isMain, requireFile, root, run, script } from "./run.mjs";
+import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
 
 export { assembleOneFile, assemblePage };
@@ -132,7 +132,6 @@ async function makeTypes() {
 }
 
 async function assemblePackage() {
-  requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
   for (const file of [...sources, ...["catalogue.js", "core.js"].map((name) => join(glue, name)), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));

@@ -1,6 +1,5 @@
 /** Running other programs, with errors that name the command. */
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 /** The root of the project, and the working directory of every command. */
@@ -8,11 +7,6 @@ export const root = fileURLToPath(new URL("..", import.meta.url));
 
 /** An expected failure whose message says what to do; it is printed without a stack trace. */
 export class Problem extends Error {}
-
-/** @param {string} path @throws {Problem} */
-export function requireFile(path) {
-  if (!existsSync(path)) throw new Problem(`${path} is missing.`);
-}
 
 /**
  * Runs a program to its end. Its output goes to standard error, so that standard output is free for results.

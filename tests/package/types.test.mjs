@@ -28,8 +28,10 @@ export type Proof = None<Loose<[
   Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape, QueryCheck,
   Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World, Query, Growth,
   Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo, PlannerOptions, GenerateOptions,
-  Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], Motion["control"],
-  { init: typeof init, initSync: typeof initSync, planners: typeof planners, input: InitInput | InitSyncInput, q: Configuration, phase: (typeof phases)[number] },
+  Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], {
+    init: typeof init, initSync: typeof initSync, planners: typeof planners, input: InitInput | InitSyncInput,
+    q: Configuration, phase: (typeof phases)[number], control: Motion["control"][0], vertices: Shape["vertices"],
+  },
 ]>>;
 // @ts-expect-error: the proof can fail
 export type Disproof = None<Loose<[Stats, { loose(value: any): void }]>>;

@@ -20,11 +20,6 @@ export async function until(page, name, value) {
   await page.waitForFunction(([key, wanted]) => document.getElementById("editor")?.dataset[key] === wanted, [name, String(value)]);
 }
 
-/** Waits until the story contains this. @param {Page} page @param {string} words */
-export async function untilStory(page, words) {
-  await page.waitForFunction((wanted) => document.getElementById("story")?.innerText.includes(wanted), words);
-}
-
 /** Pixels of the window for points of the workspace, once the stage stands still. @param {Page} page @param {number | { min: number[], max: number[] }} box  that it shows, or half of its side */
 export async function plane(page, box) {
   const canvas = page.locator("#workspace canvas[data-layer=top]");

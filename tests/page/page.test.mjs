@@ -157,11 +157,15 @@ test("a refused value says why beside its field and leaves the run alone", () =>
   }
 }));
 
-test("every planner has a short panel, rarer parameters under headings, and switches", () => onPausedPage(async (page) => {
+test("every planner has its pseudo-code, a short panel, rarer parameters under headings, and switches", () => onPausedPage(async (page) => {
+  assert.equal(await page.getAttribute("#pseudocode details", "open"), "", "open on a desktop");
   const isArms = (/** @type {{ robots: string[] }} */ { robots }) => robots.includes("arm");
-  for (const { id, parameters: all } of planners().filter(isArms)) {
+  for (const { id, pseudocode, parameters: all } of planners().filter(isArms)) {
     const parameters = all.filter(isArms);
     await page.selectOption("#planner", id);
+    // Planners share lines, so all of them are compared.
+    const lines = pseudocode.map(({ text }) => text).join("\n");
+    await page.waitForFunction((wanted) => Array.from(document.querySelectorAll("#pseudocode li"), (line) => line.textContent).join("\n") === wanted, lines);
     const first = await page.locator("#parameters .field").count();
     const groups = await page.locator("#more-parameters .group").evaluateAll((elements) => elements.map((element) => [element.querySelector("h3")?.textContent ?? "", element.querySelectorAll(".field").length]));
     assert.ok(first >= 3 && first <= 4, `${id}: ${first}`);

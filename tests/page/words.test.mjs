@@ -72,18 +72,6 @@ test("lit lines have a glyph, are not announced, change slowly enough to follow"
   for (let i = 1; i < times.length; i++) assert.ok(times[i] - times[i - 1] > 190, `${times}`);
 }));
 
-test("the pseudo-code is open on a desktop and follows the planner that is chosen", () => onPausedPage(async (page) => {
-  assert.equal(await page.getAttribute("#pseudocode details", "open"), "");
-  for (const { id, pseudocode } of planners().filter(({ robots }) => robots.includes("arm"))) {
-    await page.selectOption("#planner", id);
-    // Planners share lines: all of them are waited for, or the last planner's may still stand there.
-    await page.waitForFunction(
-      (lines) => JSON.stringify([...document.querySelectorAll("#pseudocode li")].map(({ textContent }) => textContent)) === lines,
-      JSON.stringify(pseudocode.map(({ text }) => text)),
-    );
-  }
-}));
-
 test("a slider generates the scene again and leaves the settings of the planner and the speed as they are", () => onPausedPage(async (page) => {
   assert.equal(await page.locator(".sliders input").count(), 0, "a scene of a file has none");
   await chooseScene(page, "passage");

@@ -1,10 +1,9 @@
 /** The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion, a projector. */
 import assert from "node:assert/strict";
-import { join } from "node:path";
 import { test } from "node:test";
 import {
-  PHONE, atRest, chooseScene, click, coloursOf, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, pressUntil, root, textMatches,
-  unfold, useBrowser, valueWithin, violations,
+  PHONE, atRest, chooseScene, click, coloursOf, fill, finish, keys, onPausedPage, pickFile, pixelsOf, pressUntil, textMatches, unfold,
+  useBrowser, violations,
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
@@ -243,18 +242,3 @@ test("light and dark follow the system until the reader chooses", () => onPaused
   await page.waitForSelector("#counters[data-status=running]");
   assert.equal(await background(), light, "the choice is remembered");
 }, { colorScheme: "light" }));
-
-test("pictures for people", { skip: !isDeep }, async () => {
-  const folder = join(root, "dist", "screenshots");
-  for (const [device, width, height] of /** @type {const} */ ([["desk", 1440, 900], ["tablet", 820, 1180], ["phone", 360, 740]])) {
-    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-      await onPage({ viewport: { width, height }, colorScheme, deviceScaleFactor: device === "phone" ? 2 : 1 }, async (page) => {
-        await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.edges) > 200);
-        await page.screenshot({ path: join(folder, `${device}-${colorScheme}-growing.png`) });
-        await finish(page);
-        await valueWithin(page, "along", 0.3);
-        await page.screenshot({ path: join(folder, `${device}-${colorScheme}-solved.png`) });
-      });
-    }
-  }
-});

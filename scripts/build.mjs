@@ -62,7 +62,7 @@ async function compileCrate() {
   const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   const env = { RUSTFLAGS: [...flags, INLINE_LESS].join(" ") };
-  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], { env });
+  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], env);
   return join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
 }
 

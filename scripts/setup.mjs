@@ -80,7 +80,7 @@ export async function ensureWasmPack() {
   if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
   say(`installing wasm-pack ${WASM_PACK} (once, takes some minutes)`);
   // It only calls other programs. A build without optimization takes a third of the time.
-  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { env: { CARGO_PROFILE_DEV_DEBUG: "0" } });
+  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { CARGO_PROFILE_DEV_DEBUG: "0" });
 }
 
 /**
@@ -99,7 +99,7 @@ export async function ensureBrowser() {
   say("installing Chromium and chromedriver");
   for (const line of [["apt-get", "update"], install]) {
     const [command, ...args] = [...prefix, ...line];
-    await run(command, args, { env: { DEBIAN_FRONTEND: "noninteractive" } });
+    await run(command, args, { DEBIAN_FRONTEND: "noninteractive" });
   }
   const installed = findBrowser();
   if (installed === undefined) throw new Problem(`Chromium and chromedriver are not on the PATH. Run:\n${byHand}`);

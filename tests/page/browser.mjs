@@ -218,10 +218,12 @@ export async function linkOf(page) {
 /** The values that a select offers. @param {Page} page @param {string} id @returns {Promise<string[]>} */
 export const offered = (page, id) => page.locator(`#${id} option`).evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
 
-/** Types a value into a field and leaves it. @param {Page} page @param {string} selector @param {string} value */
+/** Gives a field or a select a value, and leaves it. @param {Page} page @param {string} selector @param {string} value */
 export async function fill(page, selector, value) {
-  await page.fill(selector, value);
-  await page.locator(selector).blur();
+  const control = page.locator(selector);
+  if (await control.evaluate(({ tagName }) => tagName === "SELECT")) await control.selectOption(value);
+  else await control.fill(value);
+  await control.blur();
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { planners } from "planarium";
 import {
-  PHONE, atRest, changes, chooseScene, click, finish, frames, growthHash, keys, offered, onPage, onPausedPage, openScenario, pixelsOf, seek,
+  PHONE, atRest, changes, chooseScene, click, fill, finish, frames, growthHash, keys, offered, onPage, onPausedPage, openScenario, pixelsOf, seek,
   setParameter, textMatches, unfold, useBrowser, valueWithin,
 } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
@@ -53,9 +53,7 @@ const time = (/** @type {Page} */ page) => page.inputValue("#time").then(Number)
 async function give(page, rival, name, value) {
   const field = page.locator(`#rival-${rival}-${name}`);
   for (let i = 0; i < 2 && !(await field.isVisible()); i++) await page.locator(`fieldset.rival:has(#rival-${rival}-planner) details:not([open]) > summary:visible`).last().click();
-  if ((await field.evaluate(({ tagName }) => tagName)) === "SELECT") await field.selectOption(value);
-  else await field.fill(value);
-  await field.blur();
+  await fill(page, `#rival-${rival}-${name}`, value);
   await atRest(page);
 }
 

@@ -77,13 +77,8 @@ async function change(page, name, value) {
 
 /** Puts a value into the panel. @param {Page} page @param {string} name @param {string} value */
 async function set(page, name, value) {
-  const field = page.locator(`#option-${name}`);
-  if (!await field.isVisible()) await page.locator("#settings summary").click();
-  if (await field.evaluate((element) => element.tagName === "SELECT")) await field.selectOption(value);
-  else {
-    await field.fill(value);
-    await field.blur();
-  }
+  if (!await page.isVisible(`#option-${name}`)) await page.locator("#settings summary").click();
+  await fill(page, `#option-${name}`, value);
 }
 
 test("the experiment begins by itself and grows; with reduced motion it shows what has grown", async () => {

@@ -6,7 +6,7 @@ import { View } from "planarium/draw";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
 import {
-  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold, useBrowser,
+  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, fill, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold, useBrowser,
 } from "./browser.mjs";
 import { load, sceneOf } from "./library.mjs";
 
@@ -33,10 +33,8 @@ async function square(page) {
 /** Sets a switch, a number or a choice of the view. @param {Page} page @param {string} id @param {string | boolean} value */
 async function see(page, id, value) {
   await unfold(page, "view");
-  const control = page.locator(`#${id}`);
-  if (typeof value === "boolean") await control.setChecked(value);
-  else if (await control.evaluate((element) => element.tagName === "SELECT")) await control.selectOption(value);
-  else await control.fill(value);
+  if (typeof value === "boolean") await page.setChecked(`#${id}`, value);
+  else await fill(page, `#${id}`, value);
   await atRest(page);
   await frames(page);
 }

@@ -66,10 +66,7 @@ async function compileCrate() {
   return join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
 }
 
-/**
- * Writes the glue and the optimized module, unless they exist for the same input.
- * @param {string} wasm
- */
+/** Writes the glue and the optimized module, unless they exist for the same input. @param {string} wasm */
 async function makeGlue(wasm) {
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
@@ -146,12 +143,7 @@ async function assemblePackage() {
   takeOver(out, join(dist, "package"));
 }
 
-/**
- * Moves the files of a new folder into one that may be in use: equal files stay untouched, files that are not in the new folder are
- * removed.
- * @param {string} fresh
- * @param {string} place
- */
+/** Moves a new folder's files into one that may be in use: equal files stay, others go. @param {string} fresh @param {string} place */
 function takeOver(fresh, place) {
   mkdirSync(place, { recursive: true });
   const names = new Set(readdirSync(fresh));

@@ -5,21 +5,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { root } from "../../scripts/run.mjs";
 
-/**
- * An empty folder that is removed when the test process ends.
- * @returns {string}
- */
+/** An empty folder that is removed when the test process ends. */
 export function emptyFolder() {
   const folder = mkdtempSync(join(tmpdir(), "planarium-"));
   process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/**
- * Packs the project as it was built.
- * @param {{ prepack?: boolean }} [options]  is it built first, as npm does?
- * @returns {string} path of the tarball
- */
+/** Packs the project, and returns the path of the tarball. @param {{ prepack?: boolean }} [options]  is it built first, as npm does? */
 export function pack({ prepack = false } = {}) {
   const folder = emptyFolder();
   const scripts = prepack ? [] : ["--ignore-scripts"];
@@ -41,10 +34,7 @@ export function install(files = {}, tarball = pack()) {
   return folder;
 }
 
-/**
- * @param {string} folder
- * @param {Record<string, string>} files
- */
+/** @param {string} folder @param {Record<string, string>} files */
 export function addFiles(folder, files) {
   for (const [name, text] of Object.entries(files)) {
     mkdirSync(join(folder, name, ".."), { recursive: true });
@@ -52,19 +42,12 @@ export function addFiles(folder, files) {
   }
 }
 
-/**
- * Runs Node in a folder and gives back what it prints, as JSON.
- * @param {string[]} args
- * @param {string} [folder]
- */
+/** Runs Node in a folder, and returns what it prints as JSON. @param {string[]} args @param {string} [folder] */
 export function node(args, folder = root) {
   return JSON.parse(execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }));
 }
 
-/**
- * @param {string[]} args
- * @param {string} folder
- */
+/** @param {string[]} args @param {string} folder */
 function npm(args, folder) {
   // npm hands its settings to scripts through the environment; a test under `npm test` must not inherit them.
   const env = Object.fromEntries(Object.entries(process.env).filter(([name]) => !name.startsWith("npm_")));

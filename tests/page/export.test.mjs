@@ -241,9 +241,18 @@ test("of a race each planner is told of, in one table, and by choice in a file o
 
 const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
 
-test("NumPy polygons are added to the scene or replace its obstacles, the planner stays", () => onPausedPage(async (page) => {
+test("NumPy polygons are left out on Escape, added to the scene or replace its obstacles, the planner stays", () => onPausedPage(async (page) => {
   await page.selectOption("#planner", "rrt-connect");
   const before = await obstacles(page);
+  for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
+    await pickFile(page, "ragged.npy", fixture(name));
+    await page.waitForSelector("#notice.question");
+    assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.isVisible("#notice"), false);
+  }
+  assert.equal(await page.getAttribute("body", "data-scene"), "stones");
+  assert.equal(await obstacles(page), before);
   await pickFile(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
   await page.waitForSelector("#notice.question");
   assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
@@ -258,19 +267,6 @@ test("NumPy polygons are added to the scene or replace its obstacles, the planne
   await page.waitForFunction(() => document.getElementById("notice")?.hidden);
   assert.equal(await obstacles(page), 2);
   assert.equal((await finish(page)).status, "solved");
-}));
-
-test("objects are read as NumPy 1 and 2 pickle them; Escape leaves the scene alone", () => onPausedPage(async (page) => {
-  const before = await obstacles(page);
-  for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
-    await pickFile(page, "ragged.npy", fixture(name));
-    await page.waitForSelector("#notice.question");
-    assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
-    await page.keyboard.press("Escape");
-    assert.equal(await page.isVisible("#notice"), false);
-  }
-  assert.equal(await page.getAttribute("body", "data-scene"), "stones");
-  assert.equal(await obstacles(page), before);
 }));
 
 test("NumPy configurations are marked by shape on both sheets, counted and cleared", () => onPausedPage(async (page) => {

@@ -183,9 +183,8 @@ test("counts and cursors", () => {
 
 test("use after free throws freed; freeing twice does nothing", () => {
   const scenario = Scenario.parse(arm);
-  const handles = [
-    scenario.planner(), scenario.neighbours(), scenario.reach({ target: [0.1, 0.1] }), Scenario.parse(car).drive(), new Trajectories(), scenario,
-  ];
+  const drive = Scenario.parse(car).drive();
+  const handles = [scenario.planner(), scenario.neighbours(), scenario.reach({ target: [1, 0] }), drive, new Trajectories(), scenario];
   for (const [i, handle] of handles.entries()) {
     if (i % 2 === 0) handle.free();
     handle[Symbol.dispose]();

@@ -3,7 +3,7 @@
 /** How many times the hand moves on its way to the target. */
 const MOVES = 20;
 
-/** Options by their names in JavaScript: the golden files have those of documents. @param {Record<string, unknown>} options @returns {any} */
+/** Options by their names in JavaScript, from those of documents. @param {Record<string, unknown>} options @returns {any} */
 function inCamelCase(options) {
   const renamed = Object.entries(options).map(([name, value]) => [name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), value]);
   return Object.fromEntries(renamed);
@@ -17,7 +17,8 @@ function inCamelCase(options) {
  */
 export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, scenes }) {
   /** @param {any} given */
-  const opened = ({ scene, scenario, generate, options }) => (generate ? Scenario.generate(generate, options) : Scenario.parse(scenario ?? scenes[scene]));
+  const opened = ({ scene, scenario = scenes[scene], generate, options }) =>
+    generate ? Scenario.generate(generate, options) : Scenario.parse(scenario);
   return [
     plans.map((given) => planned(opened(given), given)),
     neighbours.map((given) => nearest(opened(given), given)),
@@ -54,7 +55,7 @@ function tried(trajectories) {
   return result;
 }
 
-/** The run, how near the arm can come, and where it is after it has followed a hand. @param {import("planarium").Scenario} scenario @param {any} given */
+/** A run, the nearest reachable point, and an arm that follows a hand. @param {import("planarium").Scenario} scenario @param {any} given */
 function reached(scenario, { reach }) {
   const { target: [x, y], orientation } = reach;
   const run = scenario.reach(inCamelCase(reach));

@@ -18,10 +18,9 @@ const place = join(root, "www", "scenes");
 const scenes = Object.fromEntries(
   readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
-const cases = {
-  plans: golden("golden"), neighbours: golden("golden-neighbours"), trajectories: golden("golden-trajectories"), reaches: golden("golden-ik"), scenes,
-};
-const lists = [cases.plans, cases.neighbours, cases.trajectories, cases.reaches];
+const lists = ["golden", "golden-neighbours", "golden-trajectories", "golden-ik"].map(golden);
+const [plans, neighbours, trajectories, reaches] = lists;
+const cases = { plans, neighbours, trajectories, reaches, scenes };
 const expected = lists.map((some) => some.map(({ outcome }) => outcome));
 
 test("golden outcomes in Node", () => {

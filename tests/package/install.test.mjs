@@ -66,14 +66,15 @@ await init({ module_or_path: bytes });${plan}`;
 for (const [how, entry, options] of /** @type {[string, string, import("esbuild").BuildOptions][]} */ ([
   ["for Node", imported, { platform: "node" }],
   ["for Node, minified", imported, { platform: "node", minify: true }],
-  ["for browsers, with the module's bytes inside", inlined, { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } }],
+  ["for browsers, with the bytes inside", inlined, { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } }],
 ])) {
   test(`bundled by esbuild ${how}`, async () => {
     const out = join(folder, how);
     addFiles(folder, { "entry.mjs": entry });
     const outfile = join(out, "bundle.mjs");
     await build({ entryPoints: [join(folder, "entry.mjs")], outfile, bundle: true, format: "esm", logLevel: "error", ...options });
-    if (!options.loader) copyFileSync(join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm"), join(out, "planarium_bg.wasm"));
+    const wasm = join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm");
+    if (!options.loader) copyFileSync(wasm, join(out, "planarium_bg.wasm"));
     assert.deepEqual(node([outfile], folder), expected);
   });
 }

@@ -165,7 +165,8 @@ for (const options of DRIVING) {
       const looks = dense(from, list);
       for (const at of trace) assert.ok(looks.some((look) => gap(look, at)[0] < 5e-3), `edge ${edge} is not at ${at}`);
     }
-    for (const read of /** @type {const} */ (["motionsSince", "tracesSince"])) fails(() => planner[read](edgeCount + 1), "out-of-range", "/row");
+    fails(() => planner.motionsSince(edgeCount + 1), "out-of-range", "/row");
+    fails(() => planner.tracesSince(edgeCount + 1), "out-of-range", "/row");
   });
 }
 

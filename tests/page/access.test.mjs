@@ -92,7 +92,8 @@ test("text and marks stand out, and different things differ for the colour-blind
     await page.emulateMedia({ colorScheme });
     const names = [...new Set(PAIRS.flat())];
     const colours = await coloursOf(page, names.map((name) => `var(--${name})`));
-    const linear = (/** @type {string} */ name) => colours[names.indexOf(name)].map((byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4));
+    const linear = (/** @type {string} */ name) => colours[names.indexOf(name)].map((byte) => byte / 255)
+      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
     for (const [mark, ground] of PAIRS) {
       const [dark, light] = [mark, ground].map((name) => linear(name).reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0)).sort((x, y) => x - y);
       const ratio = (light + 0.05) / (dark + 0.05);

@@ -216,7 +216,8 @@ export async function linkOf(page) {
 }
 
 /** The values that a select offers. @param {Page} page @param {string} id @returns {Promise<string[]>} */
-export const offered = (page, id) => page.locator(`#${id} option`).evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+export const offered = (page, id) => page.locator(`#${id}`)
+  .evaluate((/** @type {HTMLSelectElement} */ { options }) => Array.from(options, ({ value }) => value));
 
 /** Gives a field or a select a value, and leaves it. @param {Page} page @param {string} selector @param {string} value */
 export async function fill(page, selector, value) {
@@ -331,7 +332,7 @@ export async function pixelsOf(page, pane, layer, property) {
   return count;
 }
 
-/** How dense the pixels of a layer are, 0 to 255 each, row by row; and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+/** How dense the pixels of a layer are, 0 to 255, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
 export async function alphaOf(page, pane, layer) {
   const { width, height, data } = await imageOf(page, pane, layer);
   return { width, height, alpha: data.filter((_, i) => i % 4 === 3) };

@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { Driving } from "../../www/planner/driving/driving.js";
-import { PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, pressUntil, textMatches, useBrowser } from "./browser.mjs";
+import {
+  PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, pressUntil, textMatches, useBrowser,
+} from "./browser.mjs";
 import { assertFaultless } from "./looks.mjs";
 
 /** @import { DriveKey, ScenarioDocument } from "planarium" */
@@ -24,7 +26,7 @@ const scenario = Scenario.parse(ROAD);
 /** When the tests of time begin, in milliseconds. */
 const from = 1e12;
 
-/** A drive without a page that begins at `from`: the parts of a session that it needs. @param {boolean} [byKeys]  time passes with keys alone */
+/** A drive that begins at `from`, with what it needs of a session. @param {boolean} [byKeys]  time passes with keys alone */
 function begun(byKeys = false) {
   const document = scenario.document();
   const { start, goal } = document.queries[0];

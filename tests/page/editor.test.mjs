@@ -24,7 +24,7 @@ const PLAIN = {
   queries: [{ name: "across", start: [-0.8, 0.7], goal: [0.8, -0.7] }],
 };
 
-/** @typedef {(page: Page, at: (x: number, y: number) => [number, number]) => Promise<void>} Act   `at`: pixels of the window for points of the workspace */
+/** @typedef {(page: Page, at: Awaited<ReturnType<typeof plane>>) => Promise<void>} Act */
 
 /** The editor on the plain scenario. @param {Act} act @param {ScenarioDocument} [document] */
 const onPlain = (act, document = PLAIN) => onPausedPage(async (page) => {

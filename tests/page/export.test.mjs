@@ -184,7 +184,7 @@ test("a moving picture can be cancelled, and is not gone on with when another ru
   assert.match((await take(page, "gif")).name, /-10\.gif$/);
 }));
 
-test("what is not to be had says why; files hold the numbers of the run, and the exported scene plans the same", () => onPausedPage(async (page) => {
+test("what is missing says why; files hold the numbers of the run; the exported scene plans the same", () => onPausedPage(async (page) => {
   await unfold(page, "export");
   const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#export-${id}`)));
   assert.deepEqual(await off(), [true, true, false]);
@@ -241,7 +241,7 @@ test("of a race each planner is told of, in one table, and by choice in a file o
 
 const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
 
-test("NumPy polygons are left out on Escape, added to the scene or replace its obstacles, the planner stays", () => onPausedPage(async (page) => {
+test("NumPy polygons are added to the scene, replace its obstacles or are left out; the planner stays", () => onPausedPage(async (page) => {
   await page.selectOption("#planner", "rrt-connect");
   const before = await obstacles(page);
   for (const name of ["numpy1-ragged", "numpy2-ragged"]) {

@@ -12,7 +12,7 @@ import { isFree, open, pieces, ran, sceneOf, touchedBy } from "./library.mjs";
 /** @param {string} id */
 const lessonOf = (id) => LESSONS.find((lesson) => lesson.id === id) ?? assert.fail(id);
 
-/** What a step of a lesson shows: its run, up to where it rests. @param {string} id @param {number} at  from 1, as people count @returns {Played} */
+/** The run of a lesson's step, up to where it rests. @param {string} id @param {number} at  from 1, as people count @returns {Played} */
 function shown(id, at) {
   const lesson = lessonOf(id);
   const { scene, algorithm, settings } = stageAt(lesson, at - 1);
@@ -225,6 +225,7 @@ test("three controls need the fewest iterations, five the shorter path; the sett
   assert.ok(five.result.length < three.result.length && three.result.length < one.result.length);
   const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
   for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
-    assert.deepEqual(stageAt(lessonOf("wheels"), at).settings, { ...namesOfDocuments(presets.find((preset) => preset.id === id)?.settings ?? {}), seed: 1 });
+    const { settings } = presets.find((preset) => preset.id === id) ?? assert.fail(id);
+    assert.deepEqual(stageAt(lessonOf("wheels"), at).settings, { ...namesOfDocuments(settings), seed: 1 });
   }
 });

@@ -47,7 +47,7 @@ test("on a phone the transport is low but can be reached, and the rest is folded
   assert.equal(await overhang(page), 0);
 }, PHONE));
 
-test("a roadmap grows by itself; solved, the path draws itself and the robot drives along it until it is paused", () => onPage({}, async (page) => {
+test("a roadmap grows by itself; then the path draws itself and the robot drives along it until paused", () => onPage({}, async (page) => {
   await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.vertices) > 4);
   await passes(page, (await counters(page)).iterations);
   await finish(page);
@@ -165,7 +165,9 @@ test("every planner has its pseudo-code, a short panel, rarer parameters under h
     await page.selectOption("#planner", id);
     // Planners share lines, so all of them are compared.
     const lines = pseudocode.map(({ text }) => text).join("\n");
-    await page.waitForFunction((wanted) => Array.from(document.querySelectorAll("#pseudocode li"), (line) => line.textContent).join("\n") === wanted, lines);
+    await page.waitForFunction(
+      (wanted) => Array.from(document.querySelectorAll("#pseudocode li"), (line) => line.textContent).join("\n") === wanted, lines,
+    );
     const first = await page.locator("#parameters .field").count();
     const groups = await page.locator("#more-parameters .group").evaluateAll((elements) => elements.map((element) => [element.querySelector("h3")?.textContent ?? "", element.querySelectorAll(".field").length]));
     assert.ok(first >= 3 && first <= 4, `${id}: ${first}`);

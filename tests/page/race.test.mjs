@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { planners } from "planarium";
 import {
-  PHONE, atRest, changes, chooseScene, click, fill, finish, frames, growthHash, keys, offered, onPage, onPausedPage, openScenario, pixelsOf, seek,
-  setParameter, textMatches, unfold, useBrowser, valueWithin,
+  PHONE, atRest, changes, chooseScene, click, fill, finish, frames, growthHash, keys, offered, onPage, onPausedPage, openScenario,
+  pixelsOf, seek, setParameter, textMatches, unfold, useBrowser, valueWithin,
 } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
 import { assertFaultless, assertFits, assertTargets } from "./looks.mjs";

@@ -10,7 +10,7 @@ import {
 
 useBrowser();
 
-/** Runs with enough of everything that copies of layers are taken and used; SST removes vertices, too. @type {[string, string, Record<string, number>][]} */
+/** Runs large enough that copies of layers are taken and used; SST removes vertices. @type {[string, string, Record<string, number>][]} */
 const RUNS = [
   ["locked", "prm", { samples: 700, k: 8 }],
   ["locked", "visibility-prm", { failures: 4000 }],

@@ -240,4 +240,4 @@ test("keys play, step and restart", () => onEmpty(async (page) => {
   await pressUntil(page, "r", atRest("[data-tried='0']"));
 }));
 
-test("axe finds nothing, all fits, and forced colours are honoured", () => onSolved((page) => assertRoom(page, { "solved": async () => {} })));
+test("axe finds nothing, all fits; forced colours are honoured", () => onSolved((page) => assertRoom(page, { solved: async () => {} })));

@@ -6,7 +6,8 @@ import { View } from "planarium/draw";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
 import {
-  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, fill, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold, useBrowser,
+  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, fill, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold,
+  useBrowser,
 } from "./browser.mjs";
 import { load, sceneOf } from "./library.mjs";
 

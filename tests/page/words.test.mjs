@@ -6,7 +6,8 @@ import { Scenario, generators, phases, planners } from "planarium";
 import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import {
-  DESK, PHONE, atRest, changes, chooseScene, click, finish, growthHash, offered, onPage, onPausedPage, seek, setParameter, unfold, useBrowser,
+  DESK, PHONE, atRest, changes, chooseScene, click, finish, growthHash, offered, onPage, onPausedPage, seek, setParameter, unfold,
+  useBrowser,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
 
@@ -72,7 +73,7 @@ test("lit lines have a glyph, are not announced, change slowly enough to follow"
   for (let i = 1; i < times.length; i++) assert.ok(times[i] - times[i - 1] > 190, `${times}`);
 }));
 
-test("a slider generates the scene again and leaves the settings of the planner and the speed as they are", () => onPausedPage(async (page) => {
+test("a slider generates the scene again, with the same settings and speed", () => onPausedPage(async (page) => {
   assert.equal(await page.locator(".sliders input").count(), 0, "a scene of a file has none");
   await chooseScene(page, "passage");
   await setParameter(page, "samples", "77");

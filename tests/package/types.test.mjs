@@ -25,10 +25,10 @@ type None<T extends never> = T;
 /** Those of several types that have such a member. */
 type Loose<T extends unknown[]> = { [I in keyof T]: [AnyMembers<T[I]>] extends [never] ? never : I }[number];
 export type Proof = None<Loose<[
-  Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape, QueryCheck,
-  Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World, Query, Growth,
-  Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo, PlannerOptions, GenerateOptions,
-  Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], {
+  Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape,
+  Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World,
+  Query, QueryCheck, Growth, Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo,
+  PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], {
     init: typeof init, initSync: typeof initSync, planners: typeof planners, input: InitInput | InitSyncInput,
     q: Configuration, phase: (typeof phases)[number], control: Motion["control"][0], vertices: Shape["vertices"],
   },

@@ -158,7 +158,7 @@ for (const options of DRIVING) {
       const trace = seen[edge];
       assert.ok(trace.length >= 2, `edge ${edge} is traced`);
       assert.deepEqual([trace[0], trace[trace.length - 1]], [from, to]);
-      // Close enough to be joined by straight lines, and all of it on the drive.
+      // Close enough to be connected by straight lines, and all of it on the drive.
       const length = list.reduce((sum, { control: [v], duration }) => sum + Math.abs(v) * duration, 0);
       const chords = trace.slice(1).reduce((sum, at, i) => sum + gap(trace[i], at)[0], 0);
       assert.ok(chords <= length + 1e-9 && chords > 0.99 * length - 1e-9, `edge ${edge}: ${chords} of ${length}`);

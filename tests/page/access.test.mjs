@@ -40,7 +40,7 @@ const STATES = {
     await page.click("#link");
     await page.locator("#link-told input").waitFor();
   },
-  "the robot in the hand, in collision, beside bad news": async (page) => {
+  "the robot moved by hand, in collision, beside a refused file": async (page) => {
     await page.click("#your-turn");
     await fill(page, "#pose-0-number", "0.7");
     await fill(page, "#pose-1-number", "0");
@@ -174,7 +174,7 @@ test("a finger drags the robot, and the page scrolls beneath one that does not",
   const [x, y] = (await plane(page, 1.2))(0, 0);
   await swipe(page, [[x + 40, y], [x + 30, y - 40]]);
   await page.waitForFunction((value) => /** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value !== value, before);
-  assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is in the hand");
+  assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is moved by hand");
   await page.click("#your-turn");
   await page.waitForFunction(() => !document.getElementById("stage")?.classList.contains("in-hand"));
   assert.match(await canvas.evaluate((element) => getComputedStyle(element).touchAction), /pan-y/);

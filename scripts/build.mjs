@@ -17,7 +17,7 @@ import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { coreDeclarations, forJavaScript, optionTypes, rowsOf } from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
-import { Problem, ask, isMain, requireFile, root, run, script } from "./run.mjs";
+import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
 
 export { assembleOneFile, assemblePage };
@@ -62,14 +62,11 @@ async function compileCrate() {
   const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   const env = { RUSTFLAGS: [...flags, INLINE_LESS].join(" ") };
-  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], { env });
+  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], env);
   return join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
 }
 
-/**
- * Writes the glue and the optimized module, unless they exist for the same input.
- * @param {string} wasm
- */
+/** Writes the glue and the optimized module, unless they exist for the same input. @param {string} wasm */
 async function makeGlue(wasm) {
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
@@ -132,7 +129,6 @@ async function makeTypes() {
 }
 
 async function assemblePackage() {
-  requireFile(join(root, "schema", "scenario.schema.json"));
   const out = mkdtempSync(join(dist, "package-"));
   const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
   for (const file of [...sources, ...["catalogue.js", "core.js"].map((name) => join(glue, name)), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
@@ -147,12 +143,7 @@ async function assemblePackage() {
   takeOver(out, join(dist, "package"));
 }
 
-/**
- * Moves the files of a new folder into one that may be in use: equal files stay untouched, files that are not in the new folder are
- * removed.
- * @param {string} fresh
- * @param {string} place
- */
+/** Moves a new folder's files into one that may be in use: equal files stay, others go. @param {string} fresh @param {string} place */
 function takeOver(fresh, place) {
   mkdirSync(place, { recursive: true });
   const names = new Set(readdirSync(fresh));

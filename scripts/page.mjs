@@ -37,7 +37,7 @@ export function assemblePage() {
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   const rooms = assembleRooms(inParts);
   for (const [name] of PAGES) {
-    const scripts = importsOf(ROOMS.includes(name) ? rooms : planner, `www/${ROOMS.includes(name) ? name : "planner"}/main.js`);
+    const scripts = ROOMS.includes(name) ? importsOf(rooms, `www/${name}/main.js`) : importsOf(planner, "www/planner/main.js");
     writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/"))));
   }
   const files = readdirSync(out, { recursive: true, withFileTypes: true })

@@ -1,6 +1,5 @@
 /** Running other programs, with errors that name the command. */
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 /** The root of the project, and the working directory of every command. */
@@ -9,62 +8,42 @@ export const root = fileURLToPath(new URL("..", import.meta.url));
 /** An expected failure whose message says what to do; it is printed without a stack trace. */
 export class Problem extends Error {}
 
-/** @param {string} path @throws {Problem} */
-export function requireFile(path) {
-  if (!existsSync(path)) throw new Problem(`${path} is missing.`);
-}
+/** Variables of the environment besides those of this process. @typedef {Record<string, string | undefined>} Env */
 
 /**
  * Runs a program to its end. Its output goes to standard error, so that standard output is free for results.
- * @param {string} command
- * @param {string[]} args
- * @param {{ env?: Record<string, string | undefined>, cwd?: string }} [options]
- * @returns {Promise<void>}
+ * @param {string} command @param {string[]} args @param {Env} [env]
  * @throws {Problem} if it cannot be started or does not exit with 0
  */
-export async function run(command, args, options = {}) {
-  const code = await exitCode(command, args, options, ["ignore", 2, 2]);
+export async function run(command, args, env) {
+  const code = await exitCode(command, args, env, ["ignore", 2, 2]);
   if (code !== 0) throw new Problem(`\`${[command, ...args].join(" ")}\` failed (exit code ${code}).`);
 }
 
-/**
- * Runs a program to its end, prints its output as it arrives, and returns it.
- * @param {string} command
- * @param {string[]} args
- * @param {{ env?: Record<string, string | undefined>, cwd?: string }} [options]
- * @returns {Promise<{ code: number, output: string }>}
- */
-export async function watch(command, args, options = {}) {
+/** Runs a program to its end, and prints and returns its output. @param {string} command @param {string[]} args @param {Env} [env] */
+export async function watch(command, args, env) {
   let output = "";
-  const code = await exitCode(command, args, options, ["ignore", "pipe", "pipe"], (text) => {
+  const code = await exitCode(command, args, env, ["ignore", "pipe", "pipe"], (text) => {
     output += text;
     process.stdout.write(text);
   });
   return { code, output };
 }
 
-/**
- * The standard output of a short command, or undefined if it cannot be run or fails.
- * @param {string} command
- * @param {string[]} args
- * @returns {string | undefined}
- */
+/** The standard output of a short command, or undefined if it cannot be run or fails. @param {string} command @param {string[]} args */
 export function ask(command, args) {
   const { status, stdout } = spawnSync(command, args, { cwd: root, encoding: "utf8", maxBuffer: 256 * 1024 * 1024 });
   return status === 0 ? stdout.trim() : undefined;
 }
 
 /**
- * @param {string} command
- * @param {string[]} args
- * @param {{ env?: Record<string, string | undefined>, cwd?: string }} options
- * @param {import("node:child_process").StdioOptions} stdio
+ * @param {string} command @param {string[]} args @param {Env | undefined} env @param {import("node:child_process").StdioOptions} stdio
  * @param {(text: string) => void} [listen]
  * @returns {Promise<number>}
  */
-function exitCode(command, args, options, stdio, listen) {
+function exitCode(command, args, env, stdio, listen) {
   return new Promise((resolve, reject) => {
-    const child = spawn(command, args, { cwd: options.cwd ?? root, env: { ...process.env, ...options.env }, stdio });
+    const child = spawn(command, args, { cwd: root, env: { ...process.env, ...env }, stdio });
     for (const stream of [child.stdout, child.stderr]) {
       stream?.setEncoding("utf8").on("data", (text) => listen?.(text));
     }
@@ -86,10 +65,7 @@ export async function script(main) {
   }
 }
 
-/**
- * Whether a module is the program that Node was started with.
- * @param {string} url  its `import.meta.url`
- */
+/** Whether a module is the program that Node was started with. @param {string} url  its `import.meta.url` */
 export function isMain(url) {
   return process.argv[1] !== undefined && fileURLToPath(url) === process.argv[1];
 }

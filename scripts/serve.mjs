@@ -1,4 +1,5 @@
 /** A static server for one folder, for development and for tests. */
+import { once } from "node:events";
 import { createServer } from "node:http";
 import { Problem } from "./run.mjs";
 
@@ -36,30 +37,19 @@ export async function requireFreePort(port) {
   await close(server);
 }
 
-/**
- * @param {import("node:http").Server} server
- * @param {number} port
- * @returns {Promise<void>}
- */
-function listen(server, port) {
-  return new Promise((resolve, reject) => {
-    server.once("error", (error) => reject(explain(error, port)));
-    server.listen(port, HOST, resolve);
-  });
+/** @param {import("node:http").Server} server @param {number} port */
+async function listen(server, port) {
+  await once(server.listen(port, HOST), "listening").catch((error) => { throw explain(error, port); });
 }
 
-/** @param {import("node:http").Server} server @returns {Promise<void>} */
-function close(server) {
-  return new Promise((resolve) => {
-    server.close(() => resolve());
-    server.closeAllConnections();
-  });
+/** @param {import("node:http").Server} server */
+async function close(server) {
+  const closed = once(server.close(), "close");
+  server.closeAllConnections();
+  await closed;
 }
 
-/**
- * @param {NodeJS.ErrnoException} error
- * @param {number} port
- */
+/** @param {NodeJS.ErrnoException} error @param {number} port */
 function explain(error, port) {
   if (error.code === "EADDRINUSE") return new Problem(`Port ${port} is in use. Choose another one: PORT=${(port % 65535) + 1} npm start`);
   if (error.code === "EACCES") return new Problem(`Port ${port} is not allowed. Choose a port above 1023: PORT=8080 npm start`);

@@ -59,10 +59,7 @@ export async function ensureRustComponents() {
   }
 }
 
-/**
- * Builds wasm-bindgen's command line and test runner in the version of the crate.
- * @returns {Promise<string>} their folder
- */
+/** Builds wasm-bindgen's command line and test runner in the version of the crate, and returns their folder. */
 export async function ensureTestRunner() {
   await run("cargo", [...QUICK_TOOL, "build", "--quiet", "--locked", "-p", "planarium-bindgen", "--features", "tests"]);
   return join(targetFolder(), "debug");
@@ -80,14 +77,10 @@ export async function ensureWasmPack() {
   if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
   say(`installing wasm-pack ${WASM_PACK} (once, takes some minutes)`);
   // It only calls other programs. A build without optimization takes a third of the time.
-  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { env: { CARGO_PROFILE_DEV_DEBUG: "0" } });
+  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { CARGO_PROFILE_DEV_DEBUG: "0" });
 }
 
-/**
- * Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is faster than the full
- * browser, since it draws no window.
- * @returns {Promise<{ chromium: string, chromedriver: string }>}
- */
+/** Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is the fastest browser. */
 export async function ensureBrowser() {
   const found = findBrowser();
   if (found !== undefined) return found;
@@ -99,17 +92,14 @@ export async function ensureBrowser() {
   say("installing Chromium and chromedriver");
   for (const line of [["apt-get", "update"], install]) {
     const [command, ...args] = [...prefix, ...line];
-    await run(command, args, { env: { DEBIAN_FRONTEND: "noninteractive" } });
+    await run(command, args, { DEBIAN_FRONTEND: "noninteractive" });
   }
   const installed = findBrowser();
   if (installed === undefined) throw new Problem(`Chromium and chromedriver are not on the PATH. Run:\n${byHand}`);
   return installed;
 }
 
-/**
- * Chromium and its driver, from the variables CHROMIUM and CHROMEDRIVER or from the PATH.
- * @returns {{ chromium: string, chromedriver: string } | undefined}
- */
+/** Chromium and its driver, from the variables CHROMIUM and CHROMEDRIVER or from the PATH. */
 function findBrowser() {
   const browsers = ["chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
   const chromium = process.env.CHROMIUM ?? find(...browsers);
@@ -117,11 +107,7 @@ function findBrowser() {
   return chromium !== undefined && chromedriver !== undefined ? { chromium, chromedriver } : undefined;
 }
 
-/**
- * The version of a crate in the lock file.
- * @param {string} crate
- * @returns {string}
- */
+/** The version of a crate in the lock file. @param {string} crate */
 export function lockedVersion(crate) {
   const lock = readFileSync(join(root, "Cargo.lock"), "utf8");
   const versions = [...lock.matchAll(new RegExp(`^name = "${crate}"\nversion = "(.+)"$`, "gm"))].map((match) => match[1]);
@@ -131,26 +117,14 @@ export function lockedVersion(crate) {
   return versions[0];
 }
 
-/**
- * The path of the first of these programs that is on the PATH.
- * @param {string[]} programs
- * @returns {string | undefined}
- */
+/** The path of the first of these programs that is on the PATH. @param {string[]} programs */
 function find(...programs) {
   const folders = (process.env.PATH ?? "").split(delimiter).filter((folder) => folder !== "");
-  for (const program of programs) {
-    for (const folder of folders) {
-      const path = join(folder, program);
-      if (existsSync(path)) return path;
-    }
-  }
-  return undefined;
+  return programs.flatMap((program) => folders.map((folder) => join(folder, program))).find((path) => existsSync(path));
 }
 
 /** @param {string} what */
-function say(what) {
-  console.error(`set-up: ${what}`);
-}
+const say = (what) => console.error(`set-up: ${what}`);
 
 if (isMain(import.meta.url)) {
   await script(async () => {

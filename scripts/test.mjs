@@ -4,7 +4,7 @@
  *
  * A suite that runs no test, or whose count cannot be parsed, has failed.
  */
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { assembleOneFile, assemblePage, buildPackage } from "./build.mjs";
 import { countsOfHarness, countsOfTap } from "./counts.mjs";
@@ -14,6 +14,7 @@ import {
 } from "./setup.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
+/** @typedef {import("./run.mjs").Env} Env */
 /** @typedef {{ groups: string[], name: string, run: () => Promise<Counts | undefined> }} Suite */
 /** @typedef {{ name: string, seconds: number, counts: Counts, note: string }} Result */
 
@@ -32,7 +33,7 @@ const suites = [
   { groups: ["check"], name: "clippy, native", run: () => command("cargo", ["clippy", "--locked", "--workspace", "--features", "cli,schema", "--all-targets", ...NO_WARNINGS]) },
   { groups: ["check"], name: "clippy, wasm32", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]) },
   { groups: ["check"], name: "Rust documentation", run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }) },
-  { groups: ["check"], name: "JavaScript types", run: types },
+  ...["js", "scripts", "www"].map((project) => ({ groups: ["check"], name: `JavaScript types, ${project}`, run: () => types(project) })),
   { groups: ["rust", "quick"], name: "Rust, native", run: () => harness("cargo", ["test", "--locked", "--features", "cli,schema"]) },
   { groups: ["wasm"], name: "Rust, in Node", run: () => wasm() },
   { groups: ["wasm"], name: "Rust, in Chrome", run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }) },
@@ -54,33 +55,19 @@ const needs = {
 const ALL = Object.keys(needs);
 needs.quick = [ensureRustComponents];
 
-/**
- * Runs a program that counts as one test.
- * @param {string} program
- * @param {string[]} args
- * @param {Record<string, string>} [env]
- */
+/** Runs a program that counts as one test. @param {string} program @param {string[]} args @param {Env} [env] */
 async function command(program, args, env) {
-  const { code } = await watch(program, args, { env });
+  const { code } = await watch(program, args, env);
   return code === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
-/**
- * Runs Rust's test harness, natively or in WebAssembly.
- * @param {string} program
- * @param {string[]} args
- * @param {Record<string, string>} [env]
- * @returns {Promise<Counts | undefined>}
- */
+/** Runs Rust's test harness, natively or in WebAssembly. @param {string} program @param {string[]} args @param {Env} [env] */
 async function harness(program, args, env) {
-  const { code, output } = await watch(program, args, { env });
+  const { code, output } = await watch(program, args, env);
   return withExitCode(countsOfHarness(output), code);
 }
 
-/**
- * Runs the tests that are compiled to WebAssembly, in Node or, if the environment says so, in a browser.
- * @param {Record<string, string>} [env]
- */
+/** Runs the tests that are compiled to WebAssembly, in Node or, if the environment says so, in a browser. @param {Env} [env] */
 function wasm(env) {
   return harness("cargo", ["test", "--locked", ...WASM, "--test", "all"], { ...wasmEnvironment(), ...env });
 }
@@ -105,27 +92,15 @@ function webdriverFile() {
   return file;
 }
 
-/** Checks the types of all JavaScript, with the settings of each folder. */
-async function types() {
-  const compiler = join(root, "node_modules", "typescript", "bin", "tsc");
-  const counts = { passed: 0, failed: 0 };
-  for (const project of ["js", "scripts", "www"]) {
-    const { code } = await watch(process.execPath, [compiler, "--noEmit", "-p", project]);
-    counts[code === 0 ? "passed" : "failed"] += 1;
-  }
-  return counts;
+/** Checks the types of JavaScript with the settings of a folder. @param {string} project */
+function types(project) {
+  return command(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "--noEmit", "-p", project]);
 }
 
-/**
- * Runs the tests in a folder with Node's test runner.
- * @param {string} folder
- * @param {number} concurrency  the number of files that run in parallel
- * @returns {Promise<Counts | undefined>}
- */
+/** Runs the tests in a folder with Node's test runner. @param {string} folder @param {number} concurrency  files at a time */
 async function nodeTests(folder, concurrency) {
   const place = join(root, "tests", folder);
-  const files = existsSync(place) ? readdirSync(place).filter((name) => name.endsWith(".test.mjs")).sort() : [];
-  if (files.length === 0) return undefined;
+  const files = readdirSync(place).filter((name) => name.endsWith(".test.mjs")).sort();
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
   const { code } = await watch(process.execPath, [
@@ -137,11 +112,7 @@ async function nodeTests(folder, concurrency) {
   return withExitCode(countsOfTap(readFileSync(report, "utf8")), code);
 }
 
-/**
- * A program that was aborted may report no failed test; a nonzero exit code then counts as one.
- * @param {Counts | undefined} counts
- * @param {number} code
- */
+/** A program that was aborted may report no failed test: its exit code is one. @param {Counts | undefined} counts @param {number} code */
 function withExitCode(counts, code) {
   return counts !== undefined && code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
 }
@@ -159,11 +130,7 @@ async function prepare(groups) {
   for (const step of new Set(groups.flatMap((group) => needs[group]))) await step();
 }
 
-/**
- * Runs one suite. An exception is a failure of that suite only.
- * @param {Suite} suite
- * @returns {Promise<Result>}
- */
+/** Runs one suite. An exception is a failure of that suite only. @param {Suite} suite @returns {Promise<Result>} */
 async function runSuite({ name, run }) {
   console.log(`\n=== ${name} ===`);
   const began = performance.now();

@@ -1,8 +1,8 @@
-/** Bad input: always a with a stable code, a sentence with the offending value, and where it stands. */
+/** Bad input: always an error with a stable code, a sentence with the offending value, and a pointer to it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Planner, Scenario, Trajectories } from "planarium";
-import { arm, car, disc, fails, options } from "./scenes.mjs";
+import { Drive, Neighbours, Planner, Reach, Scenario, Trajectories } from "planarium";
+import { arm, body, car, disc, fails, finish, options, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
 
@@ -22,6 +22,15 @@ test("scenarios: text and object are refused alike, with code and pointer", () =
     [{ ...arm, world: { obstacles: [{ type: "polygon", vertices: [[0, 1], [1, 1]] }] } }, "degenerate-polygon", undefined],
     [{ ...arm, world: { obstacles: [{ type: "disc", center: [0, 0], radius: 0.5 }] } }, "base-in-collision", undefined],
     [query({ start: [0] }), "wrong-dimension", "/queries/0/start"],
+    [query({ goal_tolerance: { translation: 0.1, rotation: 1 } }), "unknown-field", "/queries/0/goal_tolerance"],
+    [{ ...body, robot: { type: "rigid_body" } }, "missing-field", "/robot/shape"],
+    [{ ...body, robot: { ...body.robot, metric: { translation: 0, rotation: 1 } } }, "out-of-range", "/robot/metric/translation"],
+    [{ ...body, world: { obstacles: [] } }, "missing-field", "/world/bounds"],
+    [{ ...body, queries: [{ ...body.queries[0], goal: [2, 1] }] }, "wrong-dimension", "/queries/0/goal"],
+    [{ ...car, robot: { ...car.robot, wheelbase: 0 } }, "out-of-range", "/robot/wheelbase"],
+    [{ ...car, robot: { ...car.robot, steering: [0.5, -0.5] } }, "out-of-range", "/robot/steering"],
+    [{ ...car, robot: { ...car.robot, steering: [-0.5, 1.6] } }, "out-of-range", "/robot/steering/1"],
+    [{ ...car, queries: [{ ...car.queries[0], goal_tolerance: { translation: 0.1 } }] }, "missing-field", "/queries/0/goal_tolerance/rotation"],
   ]);
   for (const [document, code, pointer] of cases) {
     fails(() => parse(document), code, pointer);
@@ -34,6 +43,7 @@ test("numbers that JSON cannot say are refused by name, where they stand", () =>
     fails(() => Scenario.parse(query({ start: [0, value] })), "not-finite", "/queries/0/start/1", new RegExp(String(value)));
   }
   fails(() => parse({ ...arm, "a/b~c": { x: NaN } }), "not-finite", "/a~1b~0c/x");
+  fails(() => parse({ ...car, robot: { ...car.robot, speed: [0, Infinity] } }), "not-finite", "/robot/speed/1");
   fails(() => Scenario.parse(JSON.stringify(arm).replace("0.8", "1e999")), "invalid-json");
 });
 
@@ -151,28 +161,34 @@ test("pictures of the configuration space", () => {
 });
 
 test("counts and cursors", () => {
-  const planner = Scenario.parse(arm).planner();
-  for (const n of [-1, 0.5, 2 ** 53]) fails(() => planner.step(n), "out-of-range", "/n");
-  for (const n of [NaN, Infinity]) fails(() => planner.step(n), "not-finite", "/n");
-  for (const n of /** @type {any[]} */ ([undefined, null, "1", 1n, {}])) fails(() => planner.step(n), "wrong-type", "/n");
-  fails(() => planner.stepFor(-1), "out-of-range", "/ms");
-  fails(() => planner.stepFor(NaN), "not-finite", "/ms");
-  for (const read of /** @type {const} */ (["verticesSince", "edgesSince", "motionsSince", "tracesSince", "eventsSince"])) {
-    fails(() => planner[read](-1), "out-of-range", "/row");
-    fails(() => planner[read](1e6), "out-of-range", "/row");
-    fails(() => planner[read](NaN), "not-finite", "/row");
+  const counting = [Scenario.parse(arm).planner(), Scenario.parse(arm).reach({ target: [0.1, 0.1] }), new Trajectories()];
+  for (const one of counting) {
+    for (const n of [-1, 0.5, 2 ** 53]) fails(() => one.step(n), "out-of-range", "/n");
+    for (const n of [NaN, Infinity]) fails(() => one.step(n), "not-finite", "/n");
+    for (const n of /** @type {any[]} */ ([undefined, null, "1", 1n, {}])) fails(() => one.step(n), "wrong-type", "/n");
+    fails(() => one.stepFor(-1), "out-of-range", "/ms");
+    fails(() => one.stepFor(NaN), "not-finite", "/ms");
+    assert.equal(one.iterations, 0);
   }
-  assert.equal(planner.iterations, 0);
+  const driven = finish(Scenario.parse(car).planner({ maxIterations: 50 }));
+  for (const one of [...counting, driven, Scenario.parse(car).drive()]) {
+    const reads = Object.getOwnPropertyNames(Object.getPrototypeOf(one)).filter((name) => name.endsWith("Since"));
+    assert.ok(reads.length > 0);
+    for (const read of reads) {
+      for (const row of [-1, 0.5, 1e6]) fails(() => Reflect.get(one, read).call(one, row), "out-of-range", "/row");
+      fails(() => Reflect.get(one, read).call(one, NaN), "not-finite", "/row");
+    }
+  }
 });
 
 test("use after free throws freed; freeing twice does nothing", () => {
   const scenario = Scenario.parse(arm);
-  const planner = scenario.planner();
-  planner.free();
-  planner.free();
-  scenario.free();
-  scenario.free();
-  for (const handle of [planner, scenario]) {
+  const drive = Scenario.parse(car).drive();
+  const handles = [scenario.planner(), scenario.neighbours(), scenario.reach({ target: [1, 0] }), drive, new Trajectories(), scenario];
+  for (const [i, handle] of handles.entries()) {
+    if (i % 2 === 0) handle.free();
+    handle[Symbol.dispose]();
+    handle.free();
     for (const [name, { get, value }] of Object.entries(Object.getOwnPropertyDescriptors(Object.getPrototypeOf(handle)))) {
       if (name === "constructor" || name === "free" || name.startsWith("__")) continue;
       fails(() => (get ?? value).call(handle), "freed", "", /freed/);
@@ -180,17 +196,23 @@ test("use after free throws freed; freeing twice does nothing", () => {
   }
 });
 
-test("handles come from the package alone", () => {
-  fails(() => new /** @type {any} */ (Scenario)(), "illegal-constructor");
-  fails(() => new /** @type {any} */ (Planner)(Symbol("planarium"), {}), "illegal-constructor");
+test("what a scenario makes outlives it", () => {
+  const scenario = Scenario.parse(car);
+  const [planner, index, drive] = [scenario.planner(), scenario.neighbours(), scenario.drive()];
+  scenario.free();
+  assert.equal(planner.step(1), "running");
+  index.add([[1, 1, 0]]);
+  assert.deepEqual([...index.nearest([1, 1, 0], 1).distances], [0]);
+  drive.press("faster");
+  assert.equal(drive.tick(10).v, 0.1);
 });
 
-/** A proxy that throws at every touch. */
-function revoked() {
-  const { proxy, revoke } = Proxy.revocable(/** @type {any} */ ([0, 0]), {});
-  revoke();
-  return proxy;
-}
+test("handles come from the package alone", () => {
+  for (const Class of /** @type {any[]} */ ([Scenario, Planner, Neighbours, Reach, Drive])) {
+    fails(() => new Class(), "illegal-constructor");
+    fails(() => new Class(Symbol("planarium"), {}), "illegal-constructor");
+  }
+});
 
 test("a caller's slip is told as such, and the core lives on", () => {
   const scenario = Scenario.parse(arm);

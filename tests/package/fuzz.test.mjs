@@ -3,17 +3,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drive, Neighbours, PlanariumError, Planner, Scenario } from "planarium";
 import { seeded } from "../page/seeded.mjs";
-import { arm, body, car, disc, finish } from "./scenes.mjs";
+import { arm, body, car, disc, finish, revoked } from "./scenes.mjs";
 
 /** Calls for each seed. */
 const CALLS = 35_000;
-
-/** A proxy that throws at every touch. */
-function revoked() {
-  const { proxy, revoke } = Proxy.revocable(/** @type {any} */ ({}), {});
-  revoke();
-  return proxy;
-}
 
 /** An array whose numbers are gone. */
 function detached() {

@@ -1,6 +1,6 @@
 /** The same bits everywhere: the golden outcomes by the package in Node, in Chromium, and in a worker there. */
 import assert from "node:assert/strict";
-import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { cpSync, readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
 import { test } from "node:test";
 import * as planarium from "planarium";
@@ -8,49 +8,43 @@ import { chromium } from "playwright-core";
 import { root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { ensureBrowser } from "../../scripts/setup.mjs";
-import { outcomes, reachOutcomes, trajectoryOutcomes } from "./golden.mjs";
-import { neighboursOf } from "./neighbours.mjs";
-import { emptyFolder } from "./packed.mjs";
+import { outcomes } from "./golden.mjs";
+import { addFiles, emptyFolder } from "./packed.mjs";
 
-/** Cases with their outcomes. @param {string} name */
-function golden(name) { return JSON.parse(readFileSync(join(root, "tests", `${name}.json`), "utf8")); }
+/** Cases with their outcomes. @param {string} name @returns {any[]} */
+const golden = (name) => JSON.parse(readFileSync(join(root, "tests", `${name}.json`), "utf8"));
 
-/** @type {import("./golden.mjs").Case[]} */
-const cases = golden("golden");
 const place = join(root, "www", "scenes");
 const scenes = Object.fromEntries(
   readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
-/** @type {import("./neighbours.mjs").Case[]} */
-const asked = golden("golden-neighbours");
-/** @type {import("./golden.mjs").TrajectoryCase[]} */
-const tracks = golden("golden-trajectories");
-/** @type {import("./golden.mjs").ReachCase[]} */
-const reaches = golden("golden-ik");
-const expected = [cases, asked, tracks, reaches].map((some) => some.map(({ outcome }) => outcome));
+const lists = ["golden", "golden-neighbours", "golden-trajectories", "golden-ik"].map(golden);
+const [plans, neighbours, trajectories, reaches] = lists;
+const cases = { plans, neighbours, trajectories, reaches, scenes };
+const expected = lists.map((some) => some.map(({ outcome }) => outcome));
 
 test("golden outcomes in Node", () => {
-  assert.ok(cases.length >= 110 && asked.length >= 24 && tracks.length >= 10 && reaches.length >= 30);
-  assert.deepEqual([outcomes(planarium, cases, scenes), neighboursOf(planarium, asked, scenes), trajectoryOutcomes(planarium, tracks), reachOutcomes(planarium, reaches)], expected);
+  [110, 24, 10, 30].forEach((least, i) => assert.ok(lists[i].length >= least));
+  assert.deepEqual(outcomes(planarium, cases), expected);
 });
 
 test("golden outcomes in Chromium, on the page and in a worker, without special headers", async () => {
   const site = emptyFolder();
   cpSync(join(root, "dist", "package"), join(site, "package"), { recursive: true });
-  for (const name of ["golden.mjs", "neighbours.mjs"]) cpSync(join(root, "tests", "package", name), join(site, name));
-  mkdirSync(join(site, "data"));
-  writeFileSync(join(site, "data", "input.json"), JSON.stringify({ cases, asked, tracks, reaches, scenes }));
-  writeFileSync(join(site, "run.mjs"), `
+  cpSync(join(root, "tests", "package", "golden.mjs"), join(site, "golden.mjs"));
+  addFiles(site, {
+    "input.json": JSON.stringify(cases),
+    "run.mjs": `
 import init, * as planarium from "./package/planarium.js";
-import { outcomes, reachOutcomes, trajectoryOutcomes } from "./golden.mjs";
-import { neighboursOf } from "./neighbours.mjs";
+import { outcomes } from "./golden.mjs";
 export async function run() {
-  const { cases, asked, tracks, reaches, scenes } = await (await fetch("./data/input.json")).json();
+  const cases = await (await fetch("./input.json")).json();
   await init();
-  return [outcomes(planarium, cases, scenes), neighboursOf(planarium, asked, scenes), trajectoryOutcomes(planarium, tracks), reachOutcomes(planarium, reaches)];
-}`);
-  writeFileSync(join(site, "worker.mjs"), `import { run } from "./run.mjs"; run().then((answer) => postMessage(answer));`);
-  writeFileSync(join(site, "index.html"), "<!doctype html><title>golden</title>");
+  return outcomes(planarium, cases);
+}`,
+    "worker.mjs": `import { run } from "./run.mjs"; run().then((found) => postMessage(found));`,
+    "index.html": "<!doctype html><title>golden</title>",
+  });
   const server = await serve({ root: site, port: 0 });
   const browser = await chromium.launch({ executablePath: (await ensureBrowser()).chromium, args: ["--no-sandbox"] });
   try {

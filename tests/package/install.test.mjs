@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { before, test } from "node:test";
 import { build } from "esbuild";
 import { Scenario } from "planarium";
-import { addFiles, install, node, pack } from "./packed.mjs";
+import { addFiles, install, node } from "./packed.mjs";
 import { disc, finish } from "./scenes.mjs";
 
 /** What each consumer runs once it has `Scenario`. */
@@ -14,6 +14,7 @@ const planner = Scenario.parse(${JSON.stringify(disc)}).planner({ seed: 5 });
 while (planner.step(100) === "running");
 console.log(JSON.stringify({ status: planner.status, fingerprint: planner.fingerprint(), path: [...planner.path()] }));
 `;
+const imported = `import { Scenario } from "planarium";${plan}`;
 
 /** @type {string} */
 let folder;
@@ -21,20 +22,20 @@ let folder;
 let expected;
 
 before(() => {
-  folder = install(pack());
+  folder = install();
   const planner = finish(Scenario.parse(disc).planner({ seed: 5 }));
   assert.equal(planner.status, "solved");
   expected = { status: "solved", fingerprint: planner.fingerprint(), path: [...planner.path()] };
 });
 
 for (const [how, args, files] of /** @type {[string, string[], Record<string, string>][]} */ ([
-  ["by import", ["import.mjs"], { "import.mjs": `import { Scenario } from "planarium";${plan}` }],
+  ["by import", ["import.mjs"], { "import.mjs": imported }],
   ["by require", ["--no-warnings", "require.cjs"], { "require.cjs": `const { Scenario } = require("planarium");${plan}` }],
   ["by require, after an init that resolves at once", ["--no-warnings", "init.cjs"], {
     "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });`,
   }],
   ["in a worker", ["main.mjs"], {
-    "worker.mjs": `import { Scenario } from "planarium";${plan}`, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");`,
+    "worker.mjs": imported, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");`,
   }],
 ])) {
   test(`used in Node ${how}`, () => {
@@ -57,30 +58,23 @@ test("inner modules cannot be reached", () => {
   assert.equal(node(["inner.mjs"], folder), "ERR_PACKAGE_PATH_NOT_EXPORTED");
 });
 
-for (const minify of [false, true]) {
-  test(`bundled by esbuild for Node${minify ? ", minified" : ""}`, async () => {
-    const out = join(folder, minify ? "bundle-min" : "bundle");
-    addFiles(folder, { "entry.mjs": `import { Scenario } from "planarium";${plan}` });
-    await build({
-      entryPoints: [join(folder, "entry.mjs")], outfile: join(out, "bundle.mjs"),
-      bundle: true, format: "esm", platform: "node", minify, logLevel: "error",
-    });
-    copyFileSync(join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm"), join(out, "planarium_bg.wasm"));
-    assert.deepEqual(node([join(out, "bundle.mjs")], folder), expected);
-  });
-}
-
-test("bundled by esbuild for browsers, with the module's bytes inside", async () => {
-  addFiles(folder, {
-    "page.mjs": `
+const inlined = `
 import init, { Scenario } from "planarium";
 import bytes from "planarium/planarium_bg.wasm";
-await init({ module_or_path: bytes });${plan}`,
+await init({ module_or_path: bytes });${plan}`;
+
+for (const [how, entry, options] of /** @type {[string, string, import("esbuild").BuildOptions][]} */ ([
+  ["for Node", imported, { platform: "node" }],
+  ["for Node, minified", imported, { platform: "node", minify: true }],
+  ["for browsers, with the bytes inside", inlined, { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } }],
+])) {
+  test(`bundled by esbuild ${how}`, async () => {
+    const out = join(folder, how);
+    addFiles(folder, { "entry.mjs": entry });
+    const outfile = join(out, "bundle.mjs");
+    await build({ entryPoints: [join(folder, "entry.mjs")], outfile, bundle: true, format: "esm", logLevel: "error", ...options });
+    const wasm = join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm");
+    if (!options.loader) copyFileSync(wasm, join(out, "planarium_bg.wasm"));
+    assert.deepEqual(node([outfile], folder), expected);
   });
-  const outfile = join(folder, "inline", "bundle.mjs");
-  await build({
-    entryPoints: [join(folder, "page.mjs")], outfile, bundle: true, format: "esm", platform: "browser", target: "es2022", minify: true, logLevel: "error",
-    loader: { ".wasm": "binary" },
-  });
-  assert.deepEqual(node([outfile], folder), expected);
-});
+}

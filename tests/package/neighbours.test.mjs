@@ -1,7 +1,7 @@
 /** Nearest neighbours, as the package has them. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Neighbours, Scenario, neighbourIndexes } from "planarium";
+import { Scenario, neighbourIndexes } from "planarium";
 import { arm, body, car, disc, fails } from "./scenes.mjs";
 
 /** @param {object} [options] */
@@ -112,19 +112,4 @@ test("what is wrong is refused, and leaves the index as it was", () => {
   fails(() => limited.nearest([0, 2], 1), "out-of-range", "/q/1");
   const forest = made({ index: "forest", trees: 64 });
   fails(() => forest.add(new Float64Array(2 * 156_251)), "too-large", "/rows");
-  fails(() => new /** @type {any} */ (Neighbours)(), "illegal-constructor");
-});
-
-test("a freed index says so; one lives on when its scenario is freed", () => {
-  const scenario = Scenario.parse(arm);
-  const held = scenario.neighbours();
-  scenario.free();
-  held.add([[0, 0]]);
-  assert.equal(held.nearest([1, 0], 1).distances[0], 1);
-  held[Symbol.dispose]();
-  held.free();
-  fails(() => held.add([[0, 0]]), "freed");
-  fails(() => held.size, "freed");
-  fails(() => held.nearest([0, 0], 1), "freed");
-  fails(() => held.within([0, 0], 1), "freed");
 });

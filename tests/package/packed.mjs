@@ -1,26 +1,18 @@
 /** The package as users get it: packed into a tarball and installed into an empty folder. */
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { gunzipSync } from "node:zlib";
 import { root } from "../../scripts/run.mjs";
 
-/**
- * An empty folder that is removed when the test process ends.
- * @returns {string}
- */
+/** An empty folder that is removed when the test process ends. */
 export function emptyFolder() {
   const folder = mkdtempSync(join(tmpdir(), "planarium-"));
   process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/**
- * Packs the project as it was built.
- * @param {{ prepack?: boolean }} [options]  is it built first, as npm does?
- * @returns {string} path of the tarball
- */
+/** Packs the project, and returns the path of the tarball. @param {{ prepack?: boolean }} [options]  is it built first, as npm does? */
 export function pack({ prepack = false } = {}) {
   const folder = emptyFolder();
   const scripts = prepack ? [] : ["--ignore-scripts"];
@@ -29,12 +21,12 @@ export function pack({ prepack = false } = {}) {
 }
 
 /**
- * Installs a tarball into an empty project, without a network.
- * @param {string} tarball
+ * Packs the project and installs the tarball into an empty project, without a network.
  * @param {Record<string, string>} [files]  further files of the project
+ * @param {string} [tarball]
  * @returns {string} the project's folder
  */
-export function install(tarball, files = {}) {
+export function install(files = {}, tarball = pack()) {
   const folder = emptyFolder();
   writeFileSync(join(folder, "package.json"), JSON.stringify({ name: "consumer", private: true, type: "module" }));
   npm(["install", tarball, "--offline", "--no-audit", "--no-fund"], folder);
@@ -42,10 +34,7 @@ export function install(tarball, files = {}) {
   return folder;
 }
 
-/**
- * @param {string} folder
- * @param {Record<string, string>} files
- */
+/** @param {string} folder @param {Record<string, string>} files */
 export function addFiles(folder, files) {
   for (const [name, text] of Object.entries(files)) {
     mkdirSync(join(folder, name, ".."), { recursive: true });
@@ -53,38 +42,12 @@ export function addFiles(folder, files) {
   }
 }
 
-/**
- * Runs Node in a folder and gives back what it prints, as JSON.
- * @param {string[]} args
- * @param {string} [folder]
- */
+/** Runs Node in a folder, and returns what it prints as JSON. @param {string[]} args @param {string} [folder] */
 export function node(args, folder = root) {
   return JSON.parse(execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }));
 }
 
-/**
- * Names and contents in a tarball (USTAR: blocks of 512 bytes, a header before each file).
- * @param {string} tarball
- * @returns {Map<string, Buffer>}
- */
-export function contents(tarball) {
-  const bytes = gunzipSync(readFileSync(tarball));
-  /** @type {Map<string, Buffer>} */
-  const files = new Map();
-  for (let at = 0; bytes[at] !== 0 && at < bytes.length;) {
-    const field = (/** @type {number} */ from, /** @type {number} */ length) =>
-      bytes.toString("latin1", at + from, at + from + length).replace(/\0.*$/s, "");
-    const size = parseInt(field(124, 12), 8);
-    if (field(156, 1) === "0" || field(156, 1) === "") files.set(field(0, 100), bytes.subarray(at + 512, at + 512 + size));
-    at += 512 + Math.ceil(size / 512) * 512;
-  }
-  return files;
-}
-
-/**
- * @param {string[]} args
- * @param {string} folder
- */
+/** @param {string[]} args @param {string} folder */
 function npm(args, folder) {
   // npm hands its settings to scripts through the environment; a test under `npm test` must not inherit them.
   const env = Object.fromEntries(Object.entries(process.env).filter(([name]) => !name.startsWith("npm_")));

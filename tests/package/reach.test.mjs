@@ -1,8 +1,8 @@
 /** Inverse kinematics, as the package has it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Reach, Scenario, reachMethods } from "planarium";
-import { arm, car, fails } from "./scenes.mjs";
+import { Scenario, reachMethods } from "planarium";
+import { car, fails } from "./scenes.mjs";
 
 /** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium").Obstacle[]} [obstacles] */
 const armOf = (links, limits, obstacles = []) => Scenario.parse({
@@ -48,17 +48,6 @@ test("each method reaches a target, and iterates and solutions come by cursors",
     again.step(1e6);
     assert.equal(again.fingerprint(), run.fingerprint());
   }
-});
-
-test("stepFor makes one iteration at least, and leads to the same result", () => {
-  const start = () => armOf([1, 0.8, 0.5]).reach({ target: [1, 0.7], solutions: 2, seed: 1 });
-  const [one, other] = [start(), start()];
-  assert.equal(one.stepFor(0), "running");
-  assert.equal(one.iterations, 1);
-  while (one.stepFor(0.1) === "running");
-  other.step(1e6);
-  assert.deepEqual([one.status, one.fingerprint()], ["solved", other.fingerprint()]);
-  fails(() => one.stepFor(NaN), "not-finite", "/ms");
 });
 
 test("a target out of reach says why, and what is nearest", () => {
@@ -113,12 +102,4 @@ test("what is wrong is refused by name", () => {
   fails(() => scenario.follow([0, 1], /** @type {never} */ ([1])), "wrong-dimension", "/target");
   fails(() => scenario.nearestReachable([1, Infinity]), "not-finite", "/target/1");
   fails(() => scenario.nearestReachable([1, 0], NaN), "not-finite", "/orientation");
-  fails(() => new /** @type {new () => unknown} */ (/** @type {unknown} */ (Reach))(), "illegal-constructor");
-  const run = Scenario.parse(arm).reach({ target: [0.1, 0.1] });
-  fails(() => run.step(-1), "out-of-range", "/n");
-  fails(() => run.iteratesSince(2), "out-of-range", "/row");
-  fails(() => run.solutionsSince(1), "out-of-range", "/row");
-  run.free();
-  run.free();
-  for (const use of [() => run.step(1), () => run.status, () => run.verdict(), () => run.iteratesSince(0)]) fails(use, "freed");
 });

@@ -8,7 +8,7 @@ import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
 import { recordingContext } from "./canvas.mjs";
-import { addFiles, emptyFolder, install, pack } from "./packed.mjs";
+import { addFiles, emptyFolder, install } from "./packed.mjs";
 
 const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md")).map((name) => `docs/${name}`)];
 const texts = new Map(names.map((name) => [name, readFileSync(join(root, name), "utf8")]));
@@ -42,7 +42,7 @@ globalThis.requestAnimationFrame = (frame) => setImmediate(frame);
 `;
 
 test("every JavaScript example runs in the installed package", () => {
-  const folder = install(pack(), { "browser.mjs": BROWSER });
+  const folder = install({ "browser.mjs": BROWSER });
   for (const name of names) {
     const examples = blocks(name, "js");
     const expected = PRINTED[name] ?? [];

@@ -69,29 +69,27 @@ export const body = {
 /** A robot's type, and a scene for it. @type {Record<import("planarium").Robot["type"], ScenarioDocument>} */
 export const scenes = { arm, disc, rigid_body: body, car };
 
-/**
- * Options that are made at run time, which no type can tell.
- * @param {object} made
- * @returns {import("planarium").PlannerOptions & import("planarium").ResumeOptions}
- */
-export function options(made) { return /** @type {any} */ (made); }
+/** @import { PlannerOptions, ResumeOptions } from "planarium" */
 
-/**
- * Runs a planner to its end.
- * @param {import("planarium").Planner} planner
- * @param {number} [slice]
- */
+/** Options that are made at run time, which no type can describe. @param {any} made @returns {PlannerOptions & ResumeOptions} */
+export const options = (made) => made;
+
+/** Runs a planner to its end. @param {import("planarium").Planner} planner @param {number} [slice] */
 export function finish(planner, slice = 1000) {
   while (planner.step(slice) === "running");
   return planner;
 }
 
+/** A proxy that throws at every touch. @param {object} [target] @returns {any} */
+export function revoked(target = []) {
+  const { proxy, revoke } = Proxy.revocable(target, {});
+  revoke();
+  return proxy;
+}
+
 /**
- * Holds bad input to an error with a stable code, and a pointer to where it stands.
- * @param {() => unknown} work
- * @param {string} code
- * @param {string} [pointer]
- * @param {RegExp} [message]
+ * Checks that bad input is an error with a stable code and a pointer to it.
+ * @param {() => unknown} work @param {string} code @param {string} [pointer] @param {RegExp} [message]
  */
 export function fails(work, code, pointer, message = /.{11}/) {
   assert.throws(work, (error) => {

@@ -1,11 +1,11 @@
 /** The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion, a projector. */
 import assert from "node:assert/strict";
-import { join } from "node:path";
 import { test } from "node:test";
 import {
-  PHONE, atRest, chooseScene, click, fill, finish, isDeep, keys, onPage, onPausedPage, pickFile, pixelsOf, root, textMatches, unfold,
-  useBrowser, valueWithin, violations,
+  PHONE, atRest, chooseScene, click, coloursOf, fill, finish, keys, onPausedPage, pickFile, pixelsOf, pressUntil, textMatches, unfold,
+  useBrowser, violations,
 } from "./browser.mjs";
+import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
 
 /** @import { Page } from "playwright-core" */
@@ -23,8 +23,7 @@ const STATES = {
   "the editor, with something selected": async (page) => {
     await page.click("#edit");
     await page.waitForSelector("#edit-tools");
-    await page.focus("#stage");
-    await page.keyboard.press("]");
+    await page.locator("#stage").press("]");
     await atRest(page);
   },
   "a lesson, with everything unfolded": async (page) => {
@@ -41,7 +40,7 @@ const STATES = {
     await page.click("#link");
     await page.locator("#link-told input").waitFor();
   },
-  "the robot in the hand, in collision, beside bad news": async (page) => {
+  "the robot moved by hand, in collision, beside a refused file": async (page) => {
     await page.click("#your-turn");
     await fill(page, "#pose-0-number", "0.7");
     await fill(page, "#pose-1-number", "0");
@@ -91,13 +90,10 @@ test("text and marks stand out, and different things differ for the colour-blind
   ];
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     await page.emulateMedia({ colorScheme });
-    const colours = await page.evaluate((names) => Object.fromEntries(names.map((name) => {
-      const probe = document.createElement("span");
-      probe.style.color = `var(--${name})`;
-      document.body.append(probe);
-      return [name, (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number)];
-    })), [...new Set(PAIRS.flat())]);
-    const linear = (/** @type {string} */ name) => colours[name].map((byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4));
+    const names = [...new Set(PAIRS.flat())];
+    const colours = await coloursOf(page, names.map((name) => `var(--${name})`));
+    const linear = (/** @type {string} */ name) => colours[names.indexOf(name)].map((byte) => byte / 255)
+      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
     for (const [mark, ground] of PAIRS) {
       const [dark, light] = [mark, ground].map((name) => linear(name).reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0)).sort((x, y) => x - y);
       const ratio = (light + 0.05) / (dark + 0.05);
@@ -115,20 +111,15 @@ test("text and marks stand out, and different things differ for the colour-blind
 
 test("single keys work on stage and transport, and nowhere else", () => onPausedPage(async (page) => {
   await page.focus("#stage");
-  await page.keyboard.press(".");
-  await page.waitForSelector("#counters[data-iterations='1']", { state: "attached" });
-  await page.keyboard.press("Space");
-  await page.waitForSelector("#play[data-playing=true]");
-  await page.keyboard.press("Space");
-  await page.waitForSelector("#play[data-playing=false]");
-  await page.keyboard.press("r");
-  await page.waitForSelector("#counters[data-iterations='0']", { state: "attached" });
+  await pressUntil(page, ".", "#counters[data-iterations='1']");
+  await pressUntil(page, "Space", "#play[data-playing=true]");
+  await pressUntil(page, "Space", "#play[data-playing=false]");
+  await pressUntil(page, "r", "#counters[data-iterations='0']");
   const seed = await page.inputValue("#parameter-seed");
   await page.keyboard.press("n");
   await page.waitForFunction((old) => /** @type {HTMLInputElement} */ (document.getElementById("parameter-seed")).value !== old, seed);
   await page.focus("#speed");
-  await page.keyboard.press(".");
-  await page.waitForSelector("#counters[data-iterations='1']", { state: "attached" });
+  await pressUntil(page, ".", "#counters[data-iterations='1']");
   await page.focus("#planner");
   await keys(page, ".", "r", "e");
   const { iterations } = await atRest(page);
@@ -137,8 +128,7 @@ test("single keys work on stage and transport, and nowhere else", () => onPaused
   await page.keyboard.press(".");
   assert.equal((await atRest(page)).iterations, iterations + 1, "keys in the panel are the panel's");
   await page.focus("#stage");
-  await page.keyboard.press("e");
-  await page.waitForSelector("#counters[data-status=solved], #counters[data-status=exhausted]", { state: "attached" });
+  await pressUntil(page, "e", "#counters[data-status=solved], #counters[data-status=exhausted]");
 }));
 
 test("everything is reached by Tab, with a focus that shows", () => onPausedPage(async (page) => {
@@ -170,33 +160,21 @@ test("a scene is chosen, planned, gone back in and raced by keys alone", () => o
   await page.keyboard.press(",");
   assert.equal((await atRest(page)).iterations, 1);
   await page.focus("#race-fold > summary");
-  await page.keyboard.press("Enter");
-  await page.waitForSelector("#add-rival");
+  await pressUntil(page, "Enter", "#add-rival");
   await page.focus("#add-rival");
-  await page.keyboard.press("Enter");
-  await page.waitForSelector(".rival");
+  await pressUntil(page, "Enter", ".rival");
   await page.focus("#stage");
-  await page.keyboard.press("e");
-  await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
+  await pressUntil(page, "e", "#counters[data-settled=true][data-status=solved]");
 }));
 
 test("a finger drags the robot, and the page scrolls beneath one that does not", () => onPausedPage(async (page) => {
   await page.click("#your-turn");
   const before = await page.inputValue("#pose-0-number");
   const canvas = page.locator("#workspace canvas[data-layer=top]");
-  await canvas.scrollIntoViewIfNeeded();
-  await canvas.evaluate((element) => {
-    const { left, top, width, height } = element.getBoundingClientRect();
-    const at = (/** @type {string} */ type, /** @type {number} */ x, /** @type {number} */ y) => element.dispatchEvent(new PointerEvent(type, {
-      pointerId: 7, pointerType: "touch", isPrimary: true, button: 0, bubbles: true, clientX: left + x, clientY: top + y,
-    }));
-    Object.assign(element, { setPointerCapture() {} });
-    at("pointerdown", width / 2 + 40, height / 2);
-    at("pointermove", width / 2 + 30, height / 2 - 40);
-    at("pointerup", width / 2 + 30, height / 2 - 40);
-  });
+  const [x, y] = (await plane(page, 1.2))(0, 0);
+  await swipe(page, [[x + 40, y], [x + 30, y - 40]]);
   await page.waitForFunction((value) => /** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value !== value, before);
-  assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is in the hand");
+  assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is moved by hand");
   await page.click("#your-turn");
   await page.waitForFunction(() => !document.getElementById("stage")?.classList.contains("in-hand"));
   assert.match(await canvas.evaluate((element) => getComputedStyle(element).touchAction), /pan-y/);
@@ -265,18 +243,3 @@ test("light and dark follow the system until the reader chooses", () => onPaused
   await page.waitForSelector("#counters[data-status=running]");
   assert.equal(await background(), light, "the choice is remembered");
 }, { colorScheme: "light" }));
-
-test("pictures for people", { skip: !isDeep }, async () => {
-  const folder = join(root, "dist", "screenshots");
-  for (const [device, width, height] of /** @type {const} */ ([["desk", 1440, 900], ["tablet", 820, 1180], ["phone", 360, 740]])) {
-    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-      await onPage({ viewport: { width, height }, colorScheme, deviceScaleFactor: device === "phone" ? 2 : 1 }, async (page) => {
-        await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.edges) > 200);
-        await page.screenshot({ path: join(folder, `${device}-${colorScheme}-growing.png`) });
-        await finish(page);
-        await valueWithin(page, "along", 0.3);
-        await page.screenshot({ path: join(folder, `${device}-${colorScheme}-solved.png`) });
-      });
-    }
-  }
-});

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import {
-  TRAP, atRest, choose, chooseScene, click, finish, inBrowser, onPage, onPausedPage, root, thumbnails, unfold, useBrowser, worker,
+  TRAP, atRest, choose, chooseScene, click, finish, onPage, onPausedPage, root, thumbnails, unfold, useBrowser, worker,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
@@ -55,7 +55,7 @@ for (const where of ["from the disk", "in a sandboxed frame"]) {
   test(`the page in one file runs ${where}, and plans the same bits as the package`, async () => {
     const { algorithm, settings } = sceneOf("stones");
     const { fingerprint } = ran(open(sceneOf("stones")), algorithm, settings).result;
-    await inBrowser({ reducedMotion: "reduce" }, async (page) => {
+    await onPage({ reducedMotion: "reduce" }, async (page) => {
       /** @type {string[]} */
       const requests = [];
       page.on("request", (request) => requests.push(request.url()));
@@ -75,11 +75,11 @@ for (const where of ["from the disk", "in a sandboxed frame"]) {
       await choose(frame, "scene", "rings");
       await frame.waitForSelector("body[data-scene=rings]");
       assert.ok(requests.every((url) => /^(file|data|blob):/.test(url)), requests.join(" "));
-    });
+    }, { path: "icon.svg", expectErrors: true });
   });
 }
 
-/** A parent that keeps all it is told. @param {string} url */
+/** A parent page that stores all messages from the frame. @param {string} url */
 const parent = (url) => `<!doctype html><title>Parent</title><button id="before">before</button>
   <iframe id="frame" src="${url}?embed=1" style="width: 640px; height: 420px; border: 0"></iframe>
   <script>
@@ -124,14 +124,14 @@ test("embedded it shows the stage only, takes no focus and obeys orders", () => 
   const playing = (await order({ planarium: "load", scene: "stones", algorithm: "rrt-connect", play: true })).value;
   assert.deepEqual([playing.playing, playing.lanes[0].algorithm, playing.lanes[0].unit], [true, "rrt-connect", "rad"]);
   await order({ planarium: "load", scene: "firs", algorithm: "rrt", settings: { seed: 5, step: 0.35 }, iteration: 40 });
-  await order({ planarium: "step", count: 10 });
-  assert.equal((await ask()).iteration, 50);
-  await order({ planarium: "step", count: -3 });
-  assert.equal((await ask()).iteration, 47);
-  await order({ planarium: "seek", iteration: 12 });
+  for (const [message, iteration] of /** @type {[object, number][]} */ ([
+    [{ planarium: "step", count: 10 }, 50], [{ planarium: "step", count: -3 }, 47], [{ planarium: "seek", iteration: 12 }, 12],
+  ])) {
+    await order(message);
+    assert.equal((await ask()).iteration, iteration);
+  }
   const { lanes, sentence } = await ask();
-  assert.equal(lanes[0].iteration, 12);
-  assert.equal(lanes[0].algorithm, "rrt");
+  assert.deepEqual([lanes[0].iteration, lanes[0].algorithm], [12, "rrt"]);
   assert.ok(sentence.length > 10);
   await order({ planarium: "play" });
   await page.waitForFunction("told.at(-1).state?.playing && told.at(-1).state.iteration > 20");

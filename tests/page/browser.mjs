@@ -12,6 +12,7 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
+/** @typedef {import("../../www/draw/layer.js").LayerName} LayerName */
 /** @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the page, its query and fragment */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
@@ -20,6 +21,8 @@ export const isDeep = process.env.PLANARIUM_DEEP === "1";
 
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+/** A phone whose browser lays pages out as phones do. */
+export const MOBILE = { ...PHONE, isMobile: true };
 
 /** A script that wraps the core: its next function whose name contains `self.trap` traps. */
 export const TRAP = `{
@@ -124,17 +127,6 @@ export async function onPage(options, test, { before, expectErrors = false, path
   }
 }
 
-/** An empty page in a context of its own. @param {Options} options @param {(page: Page) => Promise<void>} test */
-export async function inBrowser(options, test) {
-  assert.ok(browser, "start() comes first");
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, ...options });
-  try {
-    await test(await context.newPage());
-  } finally {
-    await context.close();
-  }
-}
-
 /**
  * A page that waits at iteration 0.
  * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more]
@@ -209,10 +201,30 @@ export async function keys(page, ...names) {
   for (const name of names) await page.keyboard.press(name);
 }
 
-/** Types a value into a field and leaves it. @param {Page} page @param {string} selector @param {string} value */
+/** Presses a key, and waits until an element is in a state. @param {Page} page @param {string} key @param {string} selector */
+export async function pressUntil(page, key, selector) {
+  await page.keyboard.press(key);
+  await page.waitForSelector(selector, { state: "attached" });
+}
+
+/** The page's link, as its fragment. @param {Page} page */
+export async function linkOf(page) {
+  await page.evaluate(() => history.replaceState(null, "", location.pathname + location.search));
+  await page.click("#link");
+  await page.waitForFunction(() => location.hash.length > 1);
+  return new URL(page.url()).hash;
+}
+
+/** The values that a select offers. @param {Page} page @param {string} id @returns {Promise<string[]>} */
+export const offered = (page, id) => page.locator(`#${id}`)
+  .evaluate((/** @type {HTMLSelectElement} */ { options }) => Array.from(options, ({ value }) => value));
+
+/** Gives a field or a select a value, and leaves it. @param {Page} page @param {string} selector @param {string} value */
 export async function fill(page, selector, value) {
-  await page.fill(selector, value);
-  await page.locator(selector).blur();
+  const control = page.locator(selector);
+  if (await control.evaluate(({ tagName }) => tagName === "SELECT")) await control.selectOption(value);
+  else await control.fill(value);
+  await control.blur();
 }
 
 /** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
@@ -269,46 +281,61 @@ export async function openScenario(page, document) {
   return atRest(page);
 }
 
-/** Drops a file on the page. @param {Page} page @param {string} name @param {string} text */
-export async function dropFile(page, name, text) {
-  await page.evaluate(([fileName, content]) => {
+/** Drops a file on the page. @param {Page} page @param {string} name @param {string | Uint8Array} content */
+export async function dropFile(page, name, content) {
+  await page.evaluate(({ fileName, bytes }) => {
     const transfer = new DataTransfer();
-    transfer.items.add(new File([content], fileName, { type: "application/json" }));
+    transfer.items.add(new File([Uint8Array.from(bytes)], fileName));
     for (const type of ["dragenter", "dragover", "drop"]) {
       document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
     }
-  }, [name, text]);
+  }, { fileName: name, bytes: [...Buffer.from(content)] });
 }
 
 /** Waits for the next frame but one: what was drawn before is on the screen. @param {Page} page */
 export const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
+/** Colours as the page computes them: red, green and blue, 0 to 255. @param {Page} page @param {string[]} expressions  of CSS */
+export const coloursOf = (page, expressions) => page.evaluate((all) => all.map((expression) => {
+  const probe = document.createElement("span");
+  probe.style.forcedColorAdjust = "none";
+  probe.style.color = expression;
+  document.body.append(probe);
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+}), expressions);
+
+/** The pixels of a layer, RGBA row by row, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+async function imageOf(page, pane, layer) {
+  await frames(page);
+  const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
+    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, width, height));
+    const rows = Array.from({ length: height }, (_, y) => String.fromCharCode(...data.subarray(4 * y * width, 4 * (y + 1) * width)));
+    return { width, height, text: btoa(rows.join("")) };
+  });
+  return { width, height, data: Buffer.from(text, "base64") };
+}
+
 /**
  * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer @param {string} property  without its dashes
+ * @param {Page} page @param {string} pane @param {LayerName} layer @param {string} property  without its dashes
  */
 export async function pixelsOf(page, pane, layer, property) {
-  await frames(page);
-  return page.evaluate(([paneId, layerName, name]) => {
-    const probe = document.createElement("span");
-    probe.style.forcedColorAdjust = "none";
-    probe.style.color = `var(--${name})`;
-    document.body.append(probe);
-    const wanted = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
-    probe.remove();
-    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(`#${paneId} canvas[data-layer=${layerName}]`));
-    // Its pixels are read from a copy.
-    const copy = new OffscreenCanvas(canvas.width, canvas.height);
-    const context = copy.getContext("2d", { willReadFrequently: true });
-    if (!context) return -1;
-    context.drawImage(canvas, 0, 0);
-    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      if (data[i + 3] > 200 && [0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 12)) count++;
-    }
-    return count;
-  }, [pane, layer, property]);
+  const { data } = await imageOf(page, pane, layer);
+  const [wanted] = await coloursOf(page, [`var(--${property})`]);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && wanted.every((value, k) => Math.abs(data[i + k] - value) < 12)) count++;
+  return count;
+}
+
+/** How dense the pixels of a layer are, 0 to 255, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+export async function alphaOf(page, pane, layer) {
+  const { width, height, data } = await imageOf(page, pane, layer);
+  return { width, height, alpha: data.filter((_, i) => i % 4 === 3) };
 }
 
 /**
@@ -332,21 +359,6 @@ export async function pictureOf(page, selector) {
     });
     return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
   }));
-}
-
-/** How dense the pixels of a layer are, 0 to 255 each, row by row; and its size. @param {Page} page @param {string} pane @param {import("../../www/draw/layer.js").LayerName} layer */
-export async function alphaOf(page, pane, layer) {
-  await frames(page);
-  const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-    context?.drawImage(canvas, 0, 0);
-    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
-    const alpha = data.filter((_, i) => i % 4 === 3);
-    const rows = Array.from({ length: canvas.height }, (_, y) => String.fromCharCode(...alpha.subarray(y * canvas.width, (y + 1) * canvas.width)));
-    return { width: canvas.width, height: canvas.height, text: btoa(rows.join("")) };
-  });
-  return { width, height, alpha: new Uint8Array(Buffer.from(text, "base64")) };
 }
 
 /** What the layers of growth show. @param {Page} page @param {string} pane */

@@ -3,16 +3,18 @@ import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { Driving } from "../../www/planner/driving/driving.js";
-import { PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, textMatches, useBrowser } from "./browser.mjs";
+import {
+  PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, pressUntil, textMatches, useBrowser,
+} from "./browser.mjs";
 import { assertFaultless } from "./looks.mjs";
 
-/** @import { DriveKey } from "planarium" */
+/** @import { DriveKey, ScenarioDocument } from "planarium" */
 /** @import { Session } from "../../www/planner/session.js" */
 /** @import { Page } from "./browser.mjs" */
 
 useBrowser();
 
-/** A car on an empty square with a wall to its right. */
+/** A car on an empty square with a wall to its right. @type {ScenarioDocument} */
 const ROAD = {
   format: "planarium-scenario-1", name: "road",
   world: { bounds: { min: [0, 0], max: [2, 2] }, obstacles: [{ type: "disc", center: [0.3, 1.7], radius: 0.1 }, { type: "polygon", vertices: [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] }] },
@@ -20,25 +22,28 @@ const ROAD = {
   queries: [{ name: "home", start: [0.3, 0.5, 0], goal: [0.9, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
 };
 
-/** A driving without a page: what it needs of a session, and no more. */
-function alone() {
-  const scenario = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD));
+const scenario = Scenario.parse(ROAD);
+/** When the tests of time begin, in milliseconds. */
+const from = 1e12;
+
+/** A drive that begins at `from`, with what it needs of a session. @param {boolean} [byKeys]  time passes with keys alone */
+function begun(byKeys = false) {
   const document = scenario.document();
-  const { start: from, goal } = document.queries[0];
-  const shown = { scenario, document, query: "home", start: from, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
+  const { start, goal } = document.queries[0];
+  const shown = { scenario, document, query: "home", start, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
   const session = { shown, wake() {}, timeline: { pause() {} }, byHand: { release() {}, game: {} } };
-  return new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
+  const driving = new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
+  driving.turn(true, byKeys, from);
+  return driving;
 }
 
 describe("time", () => {
   /** Moments of keys, milliseconds. @type {[number, DriveKey][]} */
   const keys = [[3, "faster"], [111.4, "faster"], [127, "left"], [600.01, "faster"], [640, "right"], [641, "right"], [1234.5, "slower"], [1802, "left"]];
-  const from = 1e12;
 
   /** Drives for two seconds. @param {number} rate  frames a second @param {number} [late]  milliseconds after which a key is heard */
   function driven(rate, late = 0) {
-    const driving = alone();
-    driving.turn(true, false, from);
+    const driving = begun();
     /** @type {[number, () => void][]} */
     const happens = keys.map(([at, key]) => [at + late, () => driving.press(key, from + at)]);
     for (let frame = 1; frame <= 2.2 * rate; frame++) happens.push([(1000 * frame) / rate, () => driving.pass(from + (1000 * frame) / rate)]);
@@ -46,7 +51,7 @@ describe("time", () => {
     for (const [, then] of happens) then();
     driving.pause(from + 2030);
     assert.ok(driving.state && driving.state.blocked === null);
-    return { state: driving.state, trace: [...driving.trace] };
+    return { state: driving.state, trace: [...driving.trace], record: driving.record()?.record ?? [] };
   }
 
   test("the same keys lead to the same bits at 30, 60, 120 and 144 frames a second", () => {
@@ -59,28 +64,19 @@ describe("time", () => {
     assert.deepEqual(driven(60, 25), driven(60));
   });
 
-  test("a pose of two seconds is that of exact arcs", () => {
-    const { state } = driven(60);
-    const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
-    for (const { step, key } of recordOf()) {
+  test("a pose after two seconds is that of the package's drive by the same keys, one step after the other", () => {
+    const { state, record } = driven(60);
+    assert.equal(record.length, keys.length);
+    const direct = scenario.drive();
+    for (const { step, key } of record) {
       direct.tick(step - direct.state.steps);
       direct.press(key);
     }
-    direct.tick(state.steps - direct.state.steps);
-    assert.deepEqual(direct.state.pose, state.pose);
+    assert.deepEqual(direct.tick(state.steps - direct.state.steps).pose, state.pose);
   });
 
-  /** The keys and their steps. */
-  function recordOf() {
-    const driving = alone();
-    driving.turn(true, false, from);
-    for (const [at, key] of keys) driving.press(key, from + at);
-    return driving.record()?.record ?? [];
-  }
-
   test("a page that nobody saw for a while has not driven on meanwhile", () => {
-    const driving = alone();
-    driving.turn(true, false, from);
+    const driving = begun();
     driving.press("faster", from);
     driving.pass(from + 16);
     driving.pass(from + 60_000);
@@ -88,8 +84,7 @@ describe("time", () => {
   });
 
   test("by keys alone, each takes a quarter of a second", () => {
-    const driving = alone();
-    driving.turn(true, true, from);
+    const driving = begun(true);
     driving.press("faster", from);
     driving.pass(from + 5000);
     driving.press("keep", from + 6000);
@@ -97,8 +92,7 @@ describe("time", () => {
   });
 
   test("while it is paused no time goes by; C goes on", () => {
-    const driving = alone();
-    driving.turn(true, false, from);
+    const driving = begun();
     driving.press("faster", from);
     driving.pass(from + 130);
     driving.pause(from + 130);
@@ -176,11 +170,9 @@ test("in its own time it drives on, can be paused, and goes on", () => onPage({}
   await drive(page);
   await press(page, "w", "w");
   await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.4);
-  await page.keyboard.press("p");
-  await page.waitForSelector("#drive[data-paused=true]");
+  await pressUntil(page, "p", "#drive[data-paused=true]");
   const { steps } = await dash(page);
-  await page.keyboard.press("c");
-  await page.waitForSelector("#drive[data-paused=false]");
+  await pressUntil(page, "c", "#drive[data-paused=false]");
   await page.waitForFunction((before) => Number(document.getElementById("drive")?.dataset.steps) > before, steps);
 }));
 
@@ -206,7 +198,7 @@ test("a drive is replayed to the same place, and so is its file; another one is 
   await page.click("#drive .more summary");
   const record = JSON.parse((await download(page, "#drive-save")).text);
   assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
-  const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
+  const direct = scenario.drive();
   assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
   await page.click("#drive-anew");
   await page.waitForSelector("#drive[data-keys='0']");

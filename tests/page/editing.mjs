@@ -20,11 +20,6 @@ export async function until(page, name, value) {
   await page.waitForFunction(([key, wanted]) => document.getElementById("editor")?.dataset[key] === wanted, [name, String(value)]);
 }
 
-/** Waits until the story contains this. @param {Page} page @param {string} words */
-export async function untilStory(page, words) {
-  await page.waitForFunction((wanted) => document.getElementById("story")?.innerText.includes(wanted), words);
-}
-
 /** Pixels of the window for points of the workspace, once the stage stands still. @param {Page} page @param {number | { min: number[], max: number[] }} box  that it shows, or half of its side */
 export async function plane(page, box) {
   const canvas = page.locator("#workspace canvas[data-layer=top]");
@@ -49,12 +44,17 @@ export async function enter(page, selector, value) {
   await page.press(selector, "Enter");
 }
 
-/** A drag with the mouse along points in pixels; in the editor, until there are so many edits. @param {Page} page @param {[number, number][]} points @param {number} [edits] */
-export async function drag(page, points, edits) {
+/**
+ * A drag with the mouse along points in pixels; in the editor, until there are so many edits.
+ * @param {Page} page @param {[number, number][]} points @param {number} [edits] @param {string} [held]  a key that is held down
+ */
+export async function drag(page, points, edits, held) {
+  if (held) await page.keyboard.down(held);
   await page.mouse.move(...points[0]);
   await page.mouse.down();
   for (const point of points.slice(1)) await page.mouse.move(...point, { steps: 4 });
   await page.mouse.up();
+  if (held) await page.keyboard.up(held);
   if (edits !== undefined) await until(page, "undo", edits);
 }
 

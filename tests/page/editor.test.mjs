@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  alphaOf, atRest, chooseScene, counters, finish, keys, onPage, onPausedPage, passes, pickFile, pixelsOf, textMatches, useBrowser,
+  MOBILE, alphaOf, atRest, chooseScene, counters, finish, keys, onPage, onPausedPage, passes, pickFile, pixelsOf, textMatches, useBrowser,
 } from "./browser.mjs";
-import { drag, enter, near, openEditor, plane, press, saved, swipe, told, until, untilStory } from "./editing.mjs";
+import { drag, enter, near, openEditor, plane, press, saved, swipe, told, until } from "./editing.mjs";
 import { endsOf, textOf } from "./library.mjs";
 import { assertFaultless } from "./looks.mjs";
 
@@ -12,8 +12,6 @@ import { assertFaultless } from "./looks.mjs";
 /** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 useBrowser();
-
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** A square world with one disc and one triangle, for a disc robot: pixels are easily told. @type {ScenarioDocument} */
 const PLAIN = {
@@ -26,8 +24,19 @@ const PLAIN = {
   queries: [{ name: "across", start: [-0.8, 0.7], goal: [0.8, -0.7] }],
 };
 
-/** Opens the editor on a scenario. @param {Page} page @param {ScenarioDocument | null} [document] */
-const edit = (page, document = PLAIN) => openEditor(page, document);
+/** @typedef {(page: Page, at: Awaited<ReturnType<typeof plane>>) => Promise<void>} Act */
+
+/** The editor on the plain scenario. @param {Act} act @param {ScenarioDocument} [document] */
+const onPlain = (act, document = PLAIN) => onPausedPage(async (page) => {
+  await openEditor(page, document);
+  await act(page, await plane(page, 1));
+});
+
+/** The editor on the scene that the page opens with. @param {Act} act */
+const onStones = (act) => onPausedPage(async (page) => {
+  await openEditor(page, null);
+  await act(page, await plane(page, 1.2));
+});
 
 /** Does the picture of the configuration space show an obstacle at two angles? @param {Page} page @param {number} across @param {number} up */
 async function isBlocked(page, across, up) {
@@ -38,9 +47,7 @@ async function isBlocked(page, across, up) {
   return alpha[Math.round(y) * width + Math.round(x)] > 128;
 }
 
-test("things, their handles and vertices are dragged; each gesture is one edit", () => onPausedPage(async (page) => {
-  await edit(page);
-  const at = await plane(page, 1);
+test("things, their handles and vertices are dragged; each gesture is one edit", () => onPlain(async (page, at) => {
   for (const [i, [from, to]] of /** @type {[number, number][][]} */ ([
     [[0.5, 0.5], [0.2, 0.6]], [[0.35, 0.6], [0.45, 0.6]],
     [[-0.3, 0], [-0.4, -0.3]], [[-0.4, 0], [-0.4, 0.2]], [[-0.4, -0.5], [-0.4, -0.7]],
@@ -61,19 +68,14 @@ test("things, their handles and vertices are dragged; each gesture is one edit",
   assert.deepEqual({ ...(await counters(page)), fingerprint: "", length: 0 }, { status: "running", phase: "sampling", iterations: 0, vertices: 2, edges: 0, fingerprint: "", length: 0 });
 }));
 
-test("discs, rectangles and polygons are drawn; Shift snaps", () => onPausedPage(async (page) => {
-  await edit(page);
-  const at = await plane(page, 1);
+test("discs, rectangles and polygons are drawn; Shift snaps", () => onPlain(async (page, at) => {
   await page.click("#edit-tools >> text=Disc");
   await drag(page, [at(0.1, -0.6), at(0.3, -0.6)], 1);
   await until(page, "tool", "select");
   await page.click("#edit-tools >> text=Rectangle");
   await drag(page, [at(0.3, 0), at(0.6, -0.15)], 2);
   await page.click("#edit-tools >> text=Rectangle");
-  await page.keyboard.down("Shift");
-  await drag(page, [at(-0.9, -0.4), at(-0.7, -0.5)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 3);
+  await drag(page, [at(-0.9, -0.4), at(-0.7, -0.5)], 3, "Shift");
   for (const [i, close] of [[4, "first"], [5, "double"], [6, "Enter"]]) {
     await page.click("#edit-tools >> text=Polygon");
     const y = 0.45 + 0.15 * (Number(i) - 4);
@@ -84,10 +86,7 @@ test("discs, rectangles and polygons are drawn; Shift snaps", () => onPausedPage
     await until(page, "undo", i);
   }
   // The dots of this sheet are half a metre apart.
-  await page.keyboard.down("Shift");
-  await drag(page, [at(0.1, -0.6), at(0.17, -0.63)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 7);
+  await drag(page, [at(0.1, -0.6), at(0.17, -0.63)], 7, "Shift");
   const { document: { world: { obstacles } } } = await saved(page);
   assert.deepEqual(obstacles.map(({ type }) => type), ["disc", "polygon", "disc", "polygon", "polygon", "polygon", "polygon", "polygon"]);
   const [, , disc, wide, square, ...drawn] = obstacles;
@@ -102,9 +101,7 @@ test("discs, rectangles and polygons are drawn; Shift snaps", () => onPausedPage
   for (const polygon of drawn) assert.equal(polygon.type === "polygon" && polygon.vertices.length, 3);
 }));
 
-test("an arm's start follows its links, by fifteen degrees with Shift, and in the square its point", () => onPausedPage(async (page) => {
-  await edit(page, null);
-  const at = await plane(page, 1.2);
+test("an arm's start follows its links, by fifteen degrees with Shift, and in the square its point", () => onStones(async (page, at) => {
   const { queries: [{ start: pose }] } = JSON.parse(textOf("stones"));
   const elbow = [0.62 * Math.cos(pose[0]), 0.62 * Math.sin(pose[0])];
   const on = (/** @type {number} */ angle) => at(elbow[0] + 0.4 * Math.cos(angle), elbow[1] + 0.4 * Math.sin(angle));
@@ -113,10 +110,7 @@ test("an arm's start follows its links, by fifteen degrees with Shift, and in th
   let { document } = await saved(page);
   assert.equal(document.queries[0].start[0], pose[0]);
   near(document.queries[0].start[1], pose[1] + 0.2, 0.02);
-  await page.keyboard.down("Shift");
-  await drag(page, [on(pose[0] + pose[1] + 0.2), on(pose[0] - 0.3)]);
-  await page.keyboard.up("Shift");
-  await until(page, "undo", 2);
+  await drag(page, [on(pose[0] + pose[1] + 0.2), on(pose[0] - 0.3)], 2, "Shift");
   near(Number(await page.inputValue("#edit-joint-2")), -Math.PI / 12, 1e-4);
   const square = await page.locator("#cspace canvas[data-layer=top]").boundingBox();
   assert.ok(square);
@@ -129,11 +123,10 @@ test("an arm's start follows its links, by fifteen degrees with Shift, and in th
   near(endsOf(document.queries[0])[1][1], 1, 0.03);
 }));
 
-test("what the core refuses is shown with its reason while it is held, and returns when let go", () => onPausedPage(async (page) => {
-  /** @type {ScenarioDocument["world"]["obstacles"][number]} */
-  const box = { type: "polygon", vertices: [[-0.6, -0.2], [0, -0.2], [0, 0.3], [-0.6, 0.3]] };
-  await edit(page, { ...PLAIN, world: { ...PLAIN.world, obstacles: [PLAIN.world.obstacles[0], box] } });
-  const at = await plane(page, 1);
+/** @type {ScenarioDocument["world"]["obstacles"][number]} */
+const BOX = { type: "polygon", vertices: [[-0.6, -0.2], [0, -0.2], [0, 0.3], [-0.6, 0.3]] };
+
+test("what the core refuses is shown with its reason while it is held, and returns when let go", () => onPlain(async (page, at) => {
   await page.mouse.click(...at(-0.3, 0));
   await until(page, "kind", "polygon");
   await page.mouse.move(...at(0, 0.3));
@@ -141,28 +134,26 @@ test("what the core refuses is shown with its reason while it is held, and retur
   // Across the opposite edge, at once.
   await page.mouse.move(...at(-0.3, -0.6));
   await until(page, "code", "degenerate-polygon");
-  await untilStory(page, "cross");
+  await textMatches(page, "#story", /cross/);
   assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 20, "the refused shape is drawn");
   await page.mouse.up();
   await until(page, "busy", "false");
   assert.equal((await told(page)).undo, "0");
   assert.match(await page.innerText("#edit-reason"), /cross/);
-  // A polygon whose sides cross is not closed, and its corners stay to be mended.
+  // A polygon whose sides cross is not closed, and its corners stay for correction.
   await page.click("#edit-tools >> text=Polygon");
   for (const point of [at(0.2, 0.2), at(0.6, 0), at(0.6, 0.2), at(0.2, 0)]) await page.mouse.click(...point);
   await page.keyboard.press("Enter");
-  await untilStory(page, "cross");
+  await textMatches(page, "#story", /cross/);
   assert.equal((await told(page)).code, "degenerate-polygon");
   assert.equal((await told(page)).undo, "0");
   await press(page, ["Backspace", "Enter"], "undo", 1);
   const { document: { world } } = await saved(page);
   assert.equal(world.obstacles.length, 3);
-  assert.deepEqual(world.obstacles[1], box);
-}));
+  assert.deepEqual(world.obstacles[1], BOX);
+}, { ...PLAIN, world: { ...PLAIN.world, obstacles: [PLAIN.world.obstacles[0], BOX] } }));
 
-test("Escape cancels a gesture, an obstacle stays on the sheet, nothing covers the arm's base", () => onPausedPage(async (page) => {
-  await edit(page, null);
-  const at = await plane(page, 1.2);
+test("Escape cancels a gesture, an obstacle stays on the sheet, nothing covers the arm's base", () => onStones(async (page, at) => {
   await page.mouse.move(...at(0.62, 0.5));
   await page.mouse.down();
   await page.mouse.move(...at(0.8, -0.8), { steps: 4 });
@@ -179,17 +170,15 @@ test("Escape cancels a gesture, an obstacle stays on the sheet, nothing covers t
   assert.ok(stone.type === "polygon" && stone.vertices.every(([x, y]) => Math.abs(x) < 1.8 && Math.abs(y) < 1.8));
 }));
 
-test("a start in collision is marked and named, planning is refused, and goes on once it is mended", () => onPausedPage(async (page) => {
-  await edit(page);
-  const at = await plane(page, 1);
+test("a start in collision is marked and named, planning is refused, and continues once it is moved", () => onPlain(async (page, at) => {
   await drag(page, [at(0.5, 0.5), at(-0.75, 0.7)]);
   await until(page, "touching", "The start is in collision: disc touches obstacle 0.");
-  await untilStory(page, "start is in collision: disc touches obstacle 0");
+  await textMatches(page, "#story", /start is in collision: disc touches obstacle 0/);
   assert.equal((await counters(page)).status, "none");
   assert.ok(await page.isDisabled("#play"));
   assert.ok(await page.isHidden("#notice"), "said where the hand is, not above the stage");
   assert.ok(await pixelsOf(page, "workspace", "top", "collision") > 150);
-  // Closed, the page says it in its own way; opened again, it can be mended.
+  // With the editor closed the page shows a notice; with the editor open again the start can be moved.
   await page.click("#editor-fold > summary");
   await page.waitForSelector("#notice[data-code=start-in-collision]");
   await page.click("#edit");
@@ -201,9 +190,9 @@ test("a start in collision is marked and named, planning is refused, and goes on
   assert.equal((await finish(page)).status, "solved");
 }));
 
-test("planning begins anew and waits until someone plays; the configuration space follows the hand", () => onPage({}, async (page) => {
+test("planning restarts and waits until someone plays; the configuration space follows the hand", () => onPage({}, async (page) => {
   await passes(page, 5);
-  await edit(page, null);
+  await openEditor(page, null);
   await page.waitForSelector("#play[data-playing=false]");
   const at = await plane(page, 1.2);
   // Both links stretched out towards the stone.
@@ -231,7 +220,7 @@ test("sixty edits are undone and redone, one a gesture, and the scene is again t
     return whole;
   };
   const header = (/** @type {string} */ title) => page.locator("#where", { hasText: `${title} \u00b7 PRM` }).waitFor();
-  await edit(page, null);
+  await openEditor(page, null);
   await page.focus("#stage");
   await press(page, ["]", "]", "]"], "title", "Obstacle 0, a polygon");
   await header("Two links among stones");
@@ -258,8 +247,7 @@ test("sixty edits are undone and redone, one a gesture, and the scene is again t
   assert.equal(await text(), changed);
 }));
 
-test("by keys alone things are put, selected, moved, changed, copied and deleted, and announced", () => onPausedPage(async (page) => {
-  await edit(page);
+test("by keys alone things are put, selected, moved, changed, copied and deleted, and announced", () => onPlain(async (page) => {
   await page.focus("#edit-tools button:nth-child(2)");
   await press(page, ["Enter"], "tool", "disc");
   await page.focus("#stage");
@@ -308,7 +296,7 @@ test("in the open editor keys turn an arm's joints by degrees; a number out of r
   await keys(page, "]", "Delete", "ArrowUp", "Control+z");
   assert.equal((await atRest(page)).status, "running");
   assert.equal(await page.getAttribute("body", "data-scene"), "stones", "while the editor is closed its keys do nothing");
-  await edit(page, null);
+  await openEditor(page, null);
   await page.focus("#stage");
   await press(page, ["]", "PageUp"], "title", "Start, end effector");
   await press(page, ["PageUp"], "title", "Start, joint 2");
@@ -320,9 +308,7 @@ test("in the open editor keys turn an arm's joints by degrees; a number out of r
   assert.equal((await told(page)).undo, "1");
 }));
 
-test("a saved scenario opened again has the same fingerprint, and another scene forgets its edits", () => onPausedPage(async (page) => {
-  await edit(page, null);
-  const at = await plane(page, 1.2);
+test("a saved scenario opened again has the same fingerprint, and another scene forgets its edits", () => onStones(async (page, at) => {
   await drag(page, [at(0.62, 0.5), at(0.7, 0.62)], 1);
   await page.waitForSelector("body[data-scene=file]");
   const ended = await finish(page);
@@ -346,7 +332,7 @@ test("a saved scenario opened again has the same fingerprint, and another scene 
 }));
 
 test("a finger draws and drags, the tools stand above the stage and are large enough", () => onPausedPage(async (page) => {
-  await edit(page);
+  await openEditor(page, PLAIN);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
   const above = await page.evaluate(() => document.getElementById("stage")?.previousElementSibling?.id);
   assert.equal(above, "edit-tools");
@@ -370,4 +356,4 @@ test("a finger draws and drags, the tools stand above the stage and are large en
   assert.deepEqual(kept.world.obstacles.map((one) => (one.type === "polygon" ? one.vertices.length : 1)), [1, 3, 4, 3]);
   await page.tap("#editor-fold > summary");
   await page.waitForFunction(() => document.getElementById("edit-tools")?.parentElement?.id === "editor");
-}, phone));
+}, MOBILE));

@@ -1,22 +1,17 @@
 /** NumPy's files, as NumPy 1.26 and 2 write them; broken and hostile ones are refused in words. */
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync } from "node:fs";
-import { join } from "node:path";
+import { readdirSync } from "node:fs";
 import { test } from "node:test";
 import { readNpy, readNpyPolygons, writeNpy } from "../../www/formats/npy.js";
-import { root } from "./browser.mjs";
+import { FIXTURES, file, fixture, pickled } from "./npy.mjs";
 import { mutated, seeded } from "./seeded.mjs";
 
-const FOLDER = join(root, "tests", "page", "fixtures");
-const NAMES = readdirSync(FOLDER).filter((name) => name.endsWith(".npy")).map((name) => name.slice(0, -4));
+const NAMES = readdirSync(FIXTURES).filter((name) => name.endsWith(".npy")).map((name) => name.slice(0, -4));
 
 const TRIANGLE = [[0, 0], [1, 0], [0.5, 1.25]];
 const SQUARE = [[2, 2], [3, 2], [3, 3], [2, 3]];
 const OTHER = [[-1.5, 1e-3], [4, 0.1], [0.2, 7]];
 const EIGHTHS = Array.from({ length: 24 }, (_, i) => i / 8 - 1);
-
-/** @param {string} name */
-const fixture = (name) => new Uint8Array(readFileSync(join(FOLDER, `${name}.npy`)));
 
 /** What reading says of a file that it does not read. @param {() => unknown} read @returns {string} */
 function refusal(read) {
@@ -33,18 +28,6 @@ function refusal(read) {
 /** @param {Uint8Array} bytes @param {RegExp} pattern */
 function refuses(bytes, pattern) {
   assert.match(refusal(() => readNpyPolygons(bytes)), pattern);
-}
-
-/** A file of version 1.0. @param {string} literal @param {ArrayLike<number>} body */
-function file(literal, body = []) {
-  const head = `\x93NUMPY\x01\0${String.fromCharCode(literal.length & 255, literal.length >> 8)}${literal}`;
-  return Uint8Array.from([...Array.from(head, (c) => c.charCodeAt(0)), ...Array.from(body)]);
-}
-
-/** A pickled array of objects; text is put down byte by byte. @param {...(string | number[])} parts */
-function pickled(...parts) {
-  const body = parts.flatMap((part) => (typeof part === "string" ? Array.from(part, (c) => c.charCodeAt(0)) : part));
-  return file("{'descr': '|O', 'fortran_order': False, 'shape': (1,), }\n", body);
 }
 
 test("numbers of every type, order and version are read, in C order", () => {
@@ -122,7 +105,7 @@ test("files cut short at any length are refused", () => {
       assert.notEqual(refusal(() => readNpy(cut)), "", `${name} at ${length}`);
       assert.notEqual(refusal(() => readNpyPolygons(cut)), "", `${name} at ${length}`);
     }
-    if (!readFileSync(join(FOLDER, `${name}.npy`)).includes("|O")) assert.notEqual(refusal(() => readNpy(Uint8Array.of(...bytes, 0))), "", `${name} and a byte`);
+    if (!Buffer.from(bytes).includes("|O")) assert.notEqual(refusal(() => readNpy(Uint8Array.of(...bytes, 0))), "", `${name} and a byte`);
   }
 });
 

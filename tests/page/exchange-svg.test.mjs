@@ -120,7 +120,7 @@ test("arcs go round as on a canvas: whole circles, both directions, any angles",
   }
 });
 
-test("an arc is joined to the path by a line, and a capsule is one outline", () => {
+test("an arc is connected to the path by a line, and a capsule is one outline", () => {
   const [{ d }] = paths((context) => {
     context.beginPath();
     context.arc(20, 50, 10, Math.PI / 2, -Math.PI / 2);

@@ -1,20 +1,17 @@
 /** The page's scenes and runs of them, for tests that need no browser. */
-import { withOptions } from "../../www/domain/option-names.js";
+import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
+import { withOptions } from "../../www/domain/option-names.js";
 import { SCENES, optionsAt } from "../../www/planner/scenes/scenes.js";
 
 /** @typedef {import("../../www/domain/types.js").SceneEntry} SceneEntry */
 /** @typedef {import("../../www/domain/types.js").Settings} Settings */
 
 /** One of the page's scenes. @param {string} id @returns {SceneEntry} */
-export function sceneOf(id) {
-  const entry = SCENES.find((scene) => scene.id === id);
-  if (!entry) throw new Error(`there is no scene ${id}`);
-  return entry;
-}
+export const sceneOf = (id) => SCENES.find((scene) => scene.id === id) ?? assert.fail(`there is no scene ${id}`);
 
 /** The poses that a query names: the start, and the goal unless any will do that reaches a target. @param {import("planarium").Query} query @returns {number[][]} */
 export function endsOf({ start, goal }) { return goal ? [start, goal] : [start]; }

@@ -1,6 +1,6 @@
 /** What holds for every page in every state: for axe, at any width, for fingers, in forced colours. */
 import assert from "node:assert/strict";
-import { DESK, frames, violations } from "./browser.mjs";
+import { DESK, coloursOf, frames, violations } from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -53,17 +53,25 @@ export async function assertTargets(page) {
 
 /** The stage is drawn in the colours of the system. @param {Page} page  opened with forced colours */
 export async function assertForced(page) {
-  const [drawn, wanted] = await page.evaluate(() => {
-    const probe = document.createElement("span");
-    probe.style.forcedColorAdjust = "none";
-    document.body.append(probe);
-    const resolved = (/** @type {string} */ colour) => {
-      probe.style.color = colour;
-      return getComputedStyle(probe).color;
-    };
-    return [[resolved("var(--robot)"), resolved("var(--stage)")], [resolved("CanvasText"), resolved("Canvas")]];
-  });
-  assert.deepEqual(drawn, wanted);
+  const [robot, stage, text, ground] = await coloursOf(page, ["var(--robot)", "var(--stage)", "CanvasText", "Canvas"]);
+  assert.deepEqual([robot, stage], [text, ground]);
+}
+
+/**
+ * Every state of a room is without fault, fits and has targets for fingers; then, with forced colours, the page is drawn in them.
+ * @param {Page} page @param {Record<string, (page: Page) => Promise<unknown>>} states  how each is entered from the one before it
+ */
+export async function assertRoom(page, states) {
+  for (const [state, enter] of Object.entries(states)) {
+    await enter(page);
+    await assertFaultless(page, state);
+    await assertFits(page, state, 200);
+    await assertTargets(page);
+  }
+  await page.emulateMedia({ forcedColors: "active" });
+  await settled(page);
+  await assertForced(page);
+  assert.deepEqual(await violations(page), []);
 }
 
 /** How many pixels hang over. @param {Page} page */

@@ -12,7 +12,7 @@ import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
 import { folded, unrolled } from "../../www/draw/trace.js";
-import { View, difference, motionCurves } from "planarium/draw";
+import { motionCurves } from "planarium/draw";
 import { ending, going } from "../../www/planner/story.js";
 import { nameAll } from "../../www/planner/race/names.js";
 import { leaders, letters } from "../../www/planner/race/standings.js";
@@ -48,12 +48,6 @@ test("a motion of the naive metric goes the long way, and is drawn on the square
   const { points, firsts } = motionCurves(load("stones"), Float64Array.from([0.1, 0, 6.2, 0]), [false, false]);
   const left = points.filter((_, i) => i % 2 === 0).slice(0, firsts[1]).reduce((least, x) => Math.min(least, x));
   assert.ok(left < -0.5, "the end-effector goes all the way round");
-});
-
-test("the way between two angles is the short one, signed", () => {
-  assert.ok(Math.abs(difference(3, -3, true) - (2 * Math.PI - 6)) < 1e-12);
-  assert.ok(Math.abs(difference(-3, 3, true) + (2 * Math.PI - 6)) < 1e-12);
-  assert.equal(difference(3, -3, false), -6);
 });
 
 test("traced curves end where the core says, and follow its interpolation", () => {
@@ -245,15 +239,6 @@ test("a playback runs from start to goal at constant speed, rests, and comes bac
     if (Number.isInteger(playback.at) && ends.at(-1) !== playback.at) ends.push(playback.at);
   }
   assert.deepEqual(ends, [1, 0]);
-});
-
-test("a view maps the plane to pixels and back", () => {
-  const view = new View({ min: [-2, -1], max: [2, 1] }, 400, 400, { left: 0, right: 0, top: 0, bottom: 0 }, false);
-  assert.equal(view.x(-2), 0);
-  assert.equal(view.y(0), 200);
-  assert.ok(view.y(1) < view.y(-1), "y points up");
-  const [x, y] = view.toPlane(view.x(0.3), view.y(-0.7));
-  assert.ok(Math.abs(x - 0.3) < 1e-12 && Math.abs(y + 0.7) < 1e-12);
 });
 
 test("a collision is told as who touches what", () => {

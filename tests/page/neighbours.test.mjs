@@ -1,15 +1,13 @@
 /** The page of nearest neighbours: asked, dragged, measured, fed with lists, linked and taken away, on a desk and on a phone. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
 import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
-import { encodeState } from "../../www/app/link.js";
-import { DESK, PHONE, download, fill, pickFile, pixelsOf, root, useBrowser } from "./browser.mjs";
+import { DESK, PHONE, download, dropFile, fill, linkOf, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
-import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
+import { assertRoom } from "./looks.mjs";
+import { fixture } from "./npy.mjs";
 import { roomOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
 
@@ -189,7 +187,6 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a deskto
   }, options));
 }
 
-const fixture = (/** @type {string} */ name) => readFileSync(join(root, "tests", "page", "fixtures", name));
 const LIST = [[3, 0], [-3, 0.5], [0, 0], [-3, 0], [3, 0]];
 
 test("JSON and arrays of NumPy's are taken, picked or dropped, in their order", () => onNeighbours(async (page) => {
@@ -199,21 +196,17 @@ test("JSON and arrays of NumPy's are taken, picked or dropped, in their order", 
   const state = await stateOf(page);
   assert.deepEqual(numbers(state.found), [...foundBy(state, {}, LIST).indices]);
   assert.match(await page.innerText("#list-told"), /mine\.json: 5 configurations/);
-  await page.evaluate((bytes) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(bytes)], "mine.npy"));
-    for (const type of ["dragover", "drop"]) document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
-  }, [...writeNpy(Float64Array.from(LIST.slice(1).flat()), [4, 2])]);
+  await dropFile(page, "mine.npy", writeNpy(Float64Array.from(LIST.slice(1).flat()), [4, 2]));
   await page.waitForSelector("body[data-source=file][data-n='4']");
   await rest(page);
   const dropped = await stateOf(page);
   assert.deepEqual(numbers(dropped.found), [...foundBy(dropped, {}, LIST.slice(1)).indices]);
-  await pickFile(page, "one.npy", fixture("numpy1-one.npy"));
+  await pickFile(page, "one.npy", fixture("numpy1-one"));
   await page.waitForSelector("body[data-n='3']");
   await rest(page);
   await choose(page, "four");
   assert.equal((await stateOf(page)).source, "drawn");
-  await pickFile(page, "third.npy", fixture("numpy1-third.npy"));
+  await pickFile(page, "third.npy", fixture("numpy1-third"));
   await page.waitForSelector("body[data-source=file][data-n='3']");
   await put(page, "count-number", 300);
   assert.deepEqual([(await stateOf(page)).source, (await stateOf(page)).n], ["drawn", "300"]);
@@ -222,15 +215,15 @@ test("JSON and arrays of NumPy's are taken, picked or dropped, in their order", 
 test("whatever else is refused with a reason, and the list of before stays", () => onNeighbours(async (page) => {
   const was = await stateOf(page);
   for (const [name, content, code, words] of /** @type {[string, Uint8Array | string, string, RegExp][]} */ ([
-    ["objects.npy", fixture("numpy1-objects.npy"), "invalid-npy", /./],
-    ["complex.npy", fixture("numpy1-complex.npy"), "invalid-npy", /./],
-    ["solid.npy", fixture("numpy1-c.npy"), "wrong-dimension", /two dimensions/],
-    ["scalar.npy", fixture("numpy1-scalar.npy"), "wrong-dimension", /two dimensions/],
-    ["third.npy", fixture("numpy1-third.npy"), "wrong-dimension", /2 numbers; the rows of this array have 4/],
+    ["objects.npy", fixture("numpy1-objects"), "invalid-npy", /./],
+    ["complex.npy", fixture("numpy1-complex"), "invalid-npy", /./],
+    ["solid.npy", fixture("numpy1-c"), "wrong-dimension", /two dimensions/],
+    ["scalar.npy", fixture("numpy1-scalar"), "wrong-dimension", /two dimensions/],
+    ["third.npy", fixture("numpy1-third"), "wrong-dimension", /2 numbers; the rows of this array have 4/],
     ["none.npy", writeNpy(new Float64Array(), [0, 2]), "out-of-range", /no configuration/],
     ["nan.npy", writeNpy(Float64Array.of(0, 0, NaN, 0), [2, 2]), "not-finite", /./],
     ["huge.npy", writeNpy(Float64Array.of(0, 0, 1e7, 0), [2, 2]), "out-of-range", /./],
-    ["cut.npy", fixture("numpy1-one.npy").subarray(0, 90), "invalid-npy", /./],
+    ["cut.npy", fixture("numpy1-one").subarray(0, 90), "invalid-npy", /./],
     ["text.json", "hello", "invalid-json", /neither JSON nor/],
     ["object.json", "{}", "wrong-type", /array of arrays/],
     ["row.json", "[[0, 0], 3]", "wrong-type", /Configuration 1/],
@@ -292,9 +285,8 @@ test("a link shows the same again, and says that a list of one's own is not in i
   await select(page, "option-metric", "euclidean");
   await put(page, "q2-number", -1.5);
   await put(page, "k-number", 17);
-  await page.click("#link");
+  const [state, fragment] = [await stateOf(page), await linkOf(page)];
   await page.getByText(/own list is not included/).waitFor();
-  const [state, fragment] = [await stateOf(page), await page.evaluate(() => location.hash)];
   await onNeighbours(async (other) => {
     assert.deepEqual(await stateOf(other), state);
     assert.equal(await other.inputValue("#option-candidates"), "77");
@@ -302,17 +294,6 @@ test("a link shows the same again, and says that a list of one's own is not in i
     assert.equal(await other.isChecked("#free"), false);
   }, DESK, { path: `neighbours.html${fragment}` });
 }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
-
-test("a link that does not work is said not to, and the page opens all the same", async () => {
-  const state = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest" };
-  const strange = await encodeState({ ...state, given: { trees: 1000 } }, () => {});
-  for (const fragment of ["#1abc", "#2abc", "#nothing", `#${strange}`]) {
-    await onNeighbours(async (page) => {
-      assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/);
-      assert.equal((await stateOf(page)).robot, "two");
-    }, DESK, { path: `neighbours.html${fragment}` });
-  }
-});
 
 test("picture, drawing and table hold what is shown", () => onNeighbours(async (page) => {
   await page.click("#export-fold > summary");
@@ -325,32 +306,21 @@ test("picture, drawing and table hold what is shown", () => onNeighbours(async (
   assert.deepEqual(lines.slice(1).map((line) => line.split(",").slice(0, 3).map(Number)), [...indices].map((one, i) => [i + 1, one, distances[i]]));
 }));
 
-/** @type {Record<string, (page: Page) => Promise<void>>} */
-const STATES = {
-  "first": async () => {},
-  "naive": (page) => select(page, "option-metric", "naive"),
-  "a body, by a forest, measured": async (page) => {
-    await choose(page, "body");
-    await select(page, "index", "forest");
-    await page.click("#measure");
-    await page.waitForSelector("#timing[data-timing=done]");
-    await page.click("#export-fold > summary");
-  },
-  "bad news": async (page) => {
-    await pickFile(page, "mine.json", "{");
-    await page.waitForSelector("#notice[data-code=invalid-json]");
-  },
-};
-
 test("in any state axe finds nothing and all fits; forced colours are honoured", () => onNeighbours(async (page) => {
-  for (const [state, enter] of Object.entries(STATES)) {
-    await enter(page);
-    await assertFaultless(page, state);
-    await assertFits(page, state, 200);
-    await assertTargets(page);
-  }
-  await page.emulateMedia({ forcedColors: "active" });
-  await rest(page);
-  await assertForced(page);
+  await assertRoom(page, {
+    "first": async () => {},
+    "naive": () => select(page, "option-metric", "naive"),
+    "a body, by a forest, measured": async () => {
+      await choose(page, "body");
+      await select(page, "index", "forest");
+      await page.click("#measure");
+      await page.waitForSelector("#timing[data-timing=done]");
+      await page.click("#export-fold > summary");
+    },
+    "a refused file": async () => {
+      await pickFile(page, "mine.json", "{");
+      await page.waitForSelector("#notice[data-code=invalid-json]");
+    },
+  });
   assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
 }));

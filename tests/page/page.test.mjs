@@ -16,11 +16,6 @@ const ALIKE = ["open", "slot", "trap", "maze", "shelf", "tentacle", "corner", "t
 
 useBrowser();
 
-test("a roadmap grows by itself", () => onPage({}, async (page) => {
-  await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.vertices) > 4);
-  await passes(page, (await counters(page)).iterations);
-}));
-
 test("a printed page has scene, settings and iteration, no buttons, and panes side by side", () => onPausedPage(async (page) => {
   const { iterations } = await finish(page);
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
@@ -52,7 +47,9 @@ test("on a phone the transport is low but can be reached, and the rest is folded
   assert.equal(await overhang(page), 0);
 }, PHONE));
 
-test("solved, the path draws itself and the robot drives along it until it is paused", () => onPage({}, async (page) => {
+test("a roadmap grows by itself; then the path draws itself and the robot drives along it until paused", () => onPage({}, async (page) => {
+  await page.waitForFunction(() => Number(document.getElementById("counters")?.dataset.vertices) > 4);
+  await passes(page, (await counters(page)).iterations);
   await finish(page);
   await valueWithin(page, "along", 0.05);
   for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "path") > 200, pane);
@@ -63,12 +60,6 @@ test("solved, the path draws itself and the robot drives along it until it is pa
   await frames(page);
   assert.equal(await page.inputValue("#along"), place);
 }));
-
-test("without its WebAssembly it says so and stays a page", () => onPage({}, async (page) => {
-  await page.waitForSelector("#notice:not([hidden])");
-  assert.match(await page.innerText("#notice"), /WebAssembly/);
-  assert.equal((await counters(page)).status, "failed");
-}, { before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); }, expectErrors: true }));
 
 test("play makes iterations until it is paused; step 1, 10 and 100 make exactly as many", () => onPausedPage(async (page) => {
   // Slow enough that it does not end meanwhile.
@@ -166,11 +157,17 @@ test("a refused value says why beside its field and leaves the run alone", () =>
   }
 }));
 
-test("every planner has a short panel, rarer parameters under headings, and switches", () => onPausedPage(async (page) => {
+test("every planner has its pseudo-code, a short panel, rarer parameters under headings, and switches", () => onPausedPage(async (page) => {
+  assert.equal(await page.getAttribute("#pseudocode details", "open"), "", "open on a desktop");
   const isArms = (/** @type {{ robots: string[] }} */ { robots }) => robots.includes("arm");
-  for (const { id, parameters: all } of planners().filter(isArms)) {
+  for (const { id, pseudocode, parameters: all } of planners().filter(isArms)) {
     const parameters = all.filter(isArms);
     await page.selectOption("#planner", id);
+    // Planners share lines, so all of them are compared.
+    const lines = pseudocode.map(({ text }) => text).join("\n");
+    await page.waitForFunction(
+      (wanted) => Array.from(document.querySelectorAll("#pseudocode li"), (line) => line.textContent).join("\n") === wanted, lines,
+    );
     const first = await page.locator("#parameters .field").count();
     const groups = await page.locator("#more-parameters .group").evaluateAll((elements) => elements.map((element) => [element.querySelector("h3")?.textContent ?? "", element.querySelectorAll(".field").length]));
     assert.ok(first >= 3 && first <= 4, `${id}: ${first}`);

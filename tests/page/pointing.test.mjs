@@ -5,6 +5,7 @@ import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/planner/stage/snapshots.js";
 import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
 import { LocalRun, runOf } from "./runs.mjs";
+import { seeded } from "./seeded.mjs";
 
 /** Who waits, told the slow way: from the whole log up to the iteration. @param {LocalRun} run @param {number[]} roots */
 function waitingOf(run, roots) {
@@ -70,8 +71,7 @@ test("in a tree the cost from the root is the length of the way down the parents
 });
 
 test("the nearest of 20,000 vertices is that of the slow way", () => {
-  let state = 7;
-  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  const { next: random } = seeded(7);
   const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
   const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
   const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };

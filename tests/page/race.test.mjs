@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { planners } from "planarium";
 import {
-  PHONE, atRest, changes, chooseScene, click, finish, frames, growthHash, keys, onPage, onPausedPage, openScenario, pixelsOf, seek,
-  setParameter, textMatches, unfold, useBrowser, valueWithin,
+  PHONE, atRest, changes, chooseScene, click, fill, finish, frames, growthHash, keys, offered, onPage, onPausedPage, openScenario,
+  pixelsOf, seek, setParameter, textMatches, unfold, useBrowser, valueWithin,
 } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
 import { assertFaultless, assertFits, assertTargets } from "./looks.mjs";
@@ -53,9 +53,7 @@ const time = (/** @type {Page} */ page) => page.inputValue("#time").then(Number)
 async function give(page, rival, name, value) {
   const field = page.locator(`#rival-${rival}-${name}`);
   for (let i = 0; i < 2 && !(await field.isVisible()); i++) await page.locator(`fieldset.rival:has(#rival-${rival}-planner) details:not([open]) > summary:visible`).last().click();
-  if ((await field.evaluate(({ tagName }) => tagName)) === "SELECT") await field.selectOption(value);
-  else await field.fill(value);
-  await field.blur();
+  await fill(page, `#rival-${rival}-${name}`, value);
   await atRest(page);
 }
 
@@ -261,17 +259,16 @@ test("they stay when the scene changes, go one by one, and the last one leaves a
 
 test("only planners that serve the robot are offered; others are removed, and the race goes on", () => onPausedPage(async (page) => {
   const idsFor = (/** @type {string} */ robot) => planners().flatMap(({ id, robots }) => (robots.some((one) => one === robot) ? [id] : []));
-  const offered = (/** @type {string} */ id) => page.locator(`#${id} option`).evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
   await race(page, "rrt");
-  assert.deepEqual(await offered("rival"), idsFor("arm"));
+  assert.deepEqual(await offered(page, "rival"), idsFor("arm"));
   await chooseScene(page, "blossom");
-  assert.deepEqual([await offered("rival"), await offered("rival-B-planner")], [idsFor("car"), idsFor("car")]);
+  for (const list of ["rival", "rival-B-planner"]) assert.deepEqual(await offered(page, list), idsFor("car"));
   await page.selectOption("#rival-B-planner", "rrt-control");
   await race(page, "sst", "rrt");
   await chooseScene(page, "rings");
   assert.equal(await page.innerText("#notice strong"), "Kinodynamic RRT needs a car, so rival B was removed. SST needs a car, so rival C was removed.");
   assert.deepEqual((await table(page)).map(({ name, found }) => [name, found]), [["A PRM", "sampling"], ["B RRT", "growing"]]);
-  assert.deepEqual([await offered("rival"), await offered("rival-B-planner")], [idsFor("disc"), idsFor("disc")]);
+  for (const list of ["rival", "rival-B-planner"]) assert.deepEqual(await offered(page, list), idsFor("disc"));
   await page.click("#play");
   await valueWithin(page, "time", 0);
   await finish(page);
@@ -377,7 +374,7 @@ test("they follow a run that grows, drawn at most four times a second", () => on
   await page.fill("#speed", "30");
   await unfold(page, "curves");
   await page.waitForSelector("svg.vertices .line");
-  // The picture is drawn anew; the mark of the time that is shown moves by itself.
+  // The picture is drawn again; the mark of the time that is shown moves by itself.
   const drawn = await changes(page, "svg.vertices", { childList: true });
   // However slow the machine is, what comes between two drawings can only be longer; each is noticed a little after it.
   for (let i = 1; i < drawn.length; i++) assert.ok(drawn[i] - drawn[i - 1] > 200, `${drawn}`);

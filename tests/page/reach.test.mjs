@@ -8,7 +8,7 @@ import { Motion } from "../../www/reach/motion.js";
 import { DESK, PHONE, alphaOf, keys, pickFile, pixelsOf, useBrowser, valueWithin } from "./browser.mjs";
 import { choose, click, entryOf, onReach, poseOf, press, put, rest, scenarioOf, solved, windowOf } from "./reach.mjs";
 import { textOf } from "./library.mjs";
-import { drag } from "./editing.mjs";
+import { drag, swipe } from "./editing.mjs";
 
 /** @import { Options } from "./browser.mjs" */
 
@@ -175,15 +175,7 @@ test("a finger at the tip drags it, and elsewhere leaves the page to be scrolled
     return !canvas.dispatchEvent(new TouchEvent("touchstart", { touches: [touch], cancelable: true, bubbles: true }));
   }), [[x, y], [fx, fy]]);
   assert.deepEqual(prevented, [true, false]);
-  await page.locator("#workspace canvas[data-layer=top]").evaluate((canvas, [px, py]) => {
-    const at = (/** @type {string} */ type, /** @type {number} */ dx, /** @type {number} */ dy) => canvas.dispatchEvent(new PointerEvent(type, {
-      pointerId: 7, pointerType: "touch", isPrimary: true, button: 0, bubbles: true, clientX: px + dx, clientY: py + dy,
-    }));
-    Object.assign(canvas, { setPointerCapture() {} });
-    at("pointerdown", 0, 0);
-    at("pointermove", -20, 30);
-    at("pointerup", -20, 30);
-  }, [x, y]);
+  await swipe(page, [[x, y], [x - 20, y + 30]]);
   await rest(page);
   assert.notDeepEqual(await poseOf(page), before);
 }, PHONE));

@@ -39,11 +39,14 @@ test("a room whose core was lost says so, and goes on", () => onReach(async (pag
   assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
 }, DESK, { before: async (page) => void await page.addInitScript(TRAP) }));
 
-test("a room without its WebAssembly says so and stays a page", () => onPage(DESK, async (page) => {
-  await page.waitForSelector("body[data-state=failed]");
-  assert.match(await page.innerText("#notice"), /WebAssembly/);
-  assert.equal(await page.locator(".rooms a").count() > 1, true);
-}, { path: "reach.html", expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
+for (const [path, failed] of [["", "#counters[data-status=failed]"], ["reach.html", "body[data-state=failed]"]]) {
+  test(`without its WebAssembly ${path || "the planner's page"} says so and stays a page`, () => onPage(DESK, async (page) => {
+    await page.waitForSelector(failed, { state: "attached" });
+    await page.waitForSelector("#notice:not([hidden])");
+    assert.match(await page.innerText("#notice"), /WebAssembly/);
+    assert.ok(await page.locator(".rooms a").count() > 1);
+  }, { path, expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
+}
 
 const rule = record({ values: list(number, 0, Infinity) });
 
@@ -69,6 +72,22 @@ test("a state in an address is 2 KB at most, and unpacks to no more than 16", as
   await assert.rejects(encodeState({ values: Array.from({ length: 20_000 }, () => 0) }, rule), /too long/);
   const { fault } = await decodeState(`1${"A".repeat(3000)}`, rule);
   assert.match(fault ?? "", /too long/);
+});
+
+test("a link that does not work is said not to, in every room, which opens all the same", async () => {
+  const forest = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest", given: { trees: 1000 } };
+  for (const [room, ready, fragments] of /** @type {const} */ ([
+    ["reach", "body[data-state=ready][data-settled=true][data-scene=islands]", ["1abc", "2abc", `1${"a".repeat(3000)}`, "nothing"]],
+    ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", ["1abc", "nothing", await encodeState(forest, () => {})]],
+    ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"]],
+  ])) {
+    for (const fragment of fragments) {
+      await onPage({ reducedMotion: "reduce" }, async (page) => {
+        await page.waitForSelector(ready);
+        assert.match(await page.innerText("#notice"), /This link does not work|The link cannot be opened/, `${room}: ${fragment}`);
+      }, { path: `${room}.html#${fragment}` });
+    }
+  }
 });
 
 test("links that were made before states had defaults still open", async () => {

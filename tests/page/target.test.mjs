@@ -3,17 +3,15 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Scenario } from "planarium";
 import {
-  atRest, click, counters, fill, finish, onPausedPage, openScenario, pixelsOf, textMatches, useBrowser, valueWithin, violations,
+  MOBILE, atRest, click, counters, fill, finish, onPausedPage, openScenario, pixelsOf, textMatches, useBrowser, valueWithin, violations,
 } from "./browser.mjs";
-import { drag, enter, near, openEditor, plane, saved, swipe, told, until } from "./editing.mjs";
+import { drag, enter, near, openEditor, plane, press, saved, swipe, told, until } from "./editing.mjs";
 import { endsOf, textOf } from "./library.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/domain/types.js").ScenarioDocument} ScenarioDocument */
 
 useBrowser();
-
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** Three links in a square world with a disc. @type {ScenarioDocument} */
 const ARM = {
@@ -34,7 +32,7 @@ function tipOf(document, pose) {
 /** How far each joint is turned between two poses at most. @param {number[]} a @param {number[]} b */
 const turned = (a, b) => Math.max(...a.map((angle, i) => Math.abs(Math.atan2(Math.sin(b[i] - angle), Math.cos(b[i] - angle)))));
 
-for (const [device, options, pull] of /** @type {const} */ ([["a desktop", {}, drag], ["a phone", phone, swipe]])) {
+for (const [device, options, pull] of /** @type {const} */ ([["a desktop", {}, drag], ["a phone", MOBILE, swipe]])) {
   test(`on ${device}, start and goal follow the end effector without a jump; undo brings them back`, () => onPausedPage(async (page) => {
     await openEditor(page, ARM);
     let at = await plane(page, 2);
@@ -105,13 +103,10 @@ for (const [device, options, pull] of /** @type {const} */ ([["a desktop", {}, d
 
 test("the end effector is one more joint: Page Up picks it, arrows move it, fields put it", () => onPausedPage(async (page) => {
   await openEditor(page, ARM);
-  const stage = page.locator("#stage");
-  await stage.press("]");
-  await stage.press("PageUp");
-  await until(page, "title", "Start, end effector");
+  await page.focus("#stage");
+  await press(page, ["]", "PageUp"], "title", "Start, end effector");
   const tip = tipOf(ARM, ARM.queries[0].start);
-  await stage.press("Shift+ArrowUp");
-  await until(page, "undo", 1);
+  await press(page, ["Shift+ArrowUp"], "undo", 1);
   const up = tipOf(ARM, (await saved(page)).document.queries[0].start);
   near(up[0], tip[0], 1e-3);
   assert.ok(up[1] > tip[1] + 0.05, `${up}`);
@@ -122,12 +117,9 @@ test("the end effector is one more joint: Page Up picks it, arrows move it, fiel
 
 test("a target is moved by arrows and by numbers", () => onPausedPage(async (page) => {
   await openEditor(page, { ...ARM, queries: [{ name: "q", start: [2.4, 0.5, 0.3], target: { point: [1, 0.5], orientation: 0.5 } }] });
-  const stage = page.locator("#stage");
-  await stage.press("]");
-  await stage.press("]");
-  await until(page, "title", "Target");
-  await stage.press("ArrowLeft");
-  await until(page, "undo", 1);
+  await page.focus("#stage");
+  await press(page, ["]", "]"], "title", "Target");
+  await press(page, ["ArrowLeft"], "undo", 1);
   await enter(page, "#edit-y", "0.25");
   await until(page, "undo", 2);
   const { target } = (await saved(page)).document.queries[0];

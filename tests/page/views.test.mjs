@@ -6,7 +6,8 @@ import { View } from "planarium/draw";
 import { SvgContext } from "../../www/formats/svg.js";
 import { allOf, readXml } from "./xml.mjs";
 import {
-  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold, useBrowser,
+  PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, fill, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold,
+  useBrowser,
 } from "./browser.mjs";
 import { load, sceneOf } from "./library.mjs";
 
@@ -33,10 +34,8 @@ async function square(page) {
 /** Sets a switch, a number or a choice of the view. @param {Page} page @param {string} id @param {string | boolean} value */
 async function see(page, id, value) {
   await unfold(page, "view");
-  const control = page.locator(`#${id}`);
-  if (typeof value === "boolean") await control.setChecked(value);
-  else if (await control.evaluate((element) => element.tagName === "SELECT")) await control.selectOption(value);
-  else await control.fill(value);
+  if (typeof value === "boolean") await page.setChecked(`#${id}`, value);
+  else await fill(page, `#${id}`, value);
   await atRest(page);
   await frames(page);
 }
@@ -92,18 +91,13 @@ for (const options of [{}, { viewport: PHONE.viewport }]) {
     const sheet = await page.locator("#workspace .sheet").boundingBox() ?? assert.fail();
     const world = new View(scenario.extent(), sheet.width, sheet.height, { left: 14, right: 14, top: 14, bottom: 14 }, false);
     const tips = scenario.endEffectors(rows);
-    const count = rows.length / 2;
     for (const wanted of [17, 60, 201]) {
       for (const pane of ["cspace", "workspace"]) {
         const place = (/** @type {number} */ v) => (pane === "cspace" ? at(rows[2 * v], rows[2 * v + 1]) : { x: world.x(tips[2 * v]), y: world.y(tips[2 * v + 1]) });
         const { x, y } = place(wanted);
         const point = { x: x + 1, y: y + 1 };
-        let [nearest, least] = [-1, Infinity];
-        for (let v = 0; v < count; v++) {
-          const other = place(v);
-          const distance = Math.hypot(other.x - point.x, other.y - point.y);
-          if (distance < least) [nearest, least] = [v, distance];
-        }
+        const distances = Array.from({ length: rows.length / 2 }, (_, v) => Math.hypot(place(v).x - point.x, place(v).y - point.y));
+        const nearest = distances.indexOf(Math.min(...distances));
         // On a phone the transport stands over the lower end of the page.
         await page.locator(`#${pane}`).evaluate((figure) => figure.scrollIntoView({ block: "start" }));
         await page.hover(`#${pane} .sheet`, { position: point, force: true });

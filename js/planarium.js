@@ -16,7 +16,7 @@ export { version } from "./version.js";
  * import, and this resolves at once. After an error with the code `internal` the core is lost; `init` makes a fresh one.
  * @param {InitInput | Promise<InitInput> | InitOptions} [input]  `planarium_bg.wasm`; by default the file beside this one
  * @returns {Promise<void>}
- * @throws {PlanariumError} rejects with the code `init-failed`; the next call tries again
+ * @throws {PlanariumError} rejects with the code `no-simd` or `init-failed`; the next call tries again
  */
 export default async function init(input) {
   await load(input ?? new URL("./planarium_bg.wasm", import.meta.url));
@@ -26,7 +26,7 @@ export default async function init(input) {
  * Loads Planarium synchronously, from bytes or a compiled module.
  * @param {InitSyncInput | InitSyncOptions} module
  * @returns {void}
- * @throws {PlanariumError} `init-failed`
+ * @throws {PlanariumError} `no-simd`, `init-failed`
  */
 export function initSync(module) {
   loadSync(module);

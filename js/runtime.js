@@ -6,6 +6,9 @@
 import * as glue from "./planarium_glue.js";
 import { PlanariumError, isFromCore, isOwn, reasonOf } from "./error.js";
 
+/** A module of one function that returns a vector: valid where the engine has vector instructions. */
+const VECTORS = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11);
+
 /** Number of the instance in use, from 0 as the glue counts them; -1 before the first. Objects of the core hold theirs. */
 let instance = -1;
 /** What made the instance trap, or undefined while it is sound. @type {unknown} */
@@ -63,17 +66,19 @@ function lost() {
  * Loads the core once. Concurrent callers share the load; after a trap the next call makes a fresh instance from the compiled module.
  * @param {unknown} source  see `InitInput` in the types
  * @returns {Promise<void>}
- * @throws {PlanariumError} `init-failed`; a later call tries again
+ * @throws {PlanariumError} `no-simd`, `init-failed`; a later call tries again
  */
 export async function load(source) {
   if (instance >= 0) return renew();
+  requireVectors();
   loading ??= compile(source).then(start).finally(() => { loading = undefined; });
   return loading;
 }
 
-/** Loads the core synchronously, from bytes or a compiled module. @param {unknown} source @throws {PlanariumError} `init-failed` */
+/** Loads the core synchronously, from bytes or a compiled module. @param {unknown} source @throws {PlanariumError} `no-simd`, `init-failed` */
 export function loadSync(source) {
   if (instance >= 0) return renew();
+  requireVectors();
   const module = unwrap(source);
   const tag = tagOf(module);
   if (tag === "WebAssembly.Module") return start(/** @type {WebAssembly.Module} */ (module));
@@ -85,6 +90,15 @@ export function loadSync(source) {
   } catch (error) {
     throw failed("these bytes do not compile as WebAssembly", error);
   }
+}
+
+/** Refuses an engine that cannot run the core. */
+function requireVectors() {
+  if (WebAssembly.validate(VECTORS)) return;
+  throw new PlanariumError(
+    "no-simd",
+    "Planarium needs the vector instructions of WebAssembly (simd128), which this engine does not have. Browsers have them since March 2023, Node since version 16.4.",
+  );
 }
 
 /** After a trap: a fresh instance. Otherwise nothing. */

@@ -61,9 +61,13 @@ async function compileCrate() {
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
   const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
-  const env = { RUSTFLAGS: [...flags, INLINE_LESS].join(" ") };
-  await run("cargo", ["build", "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"], env);
-  return join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
+  // Joined to those of .cargo/config.toml, which the variable RUSTFLAGS would replace.
+  const joined = `target.wasm32-unknown-unknown.rustflags=${JSON.stringify([...flags, INLINE_LESS])}`;
+  await run("cargo", ["build", "--config", joined, "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  const wasm = join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
+  // Its list of features has the length of each name before it.
+  if (!readFileSync(wasm).includes("+\x07simd128")) throw new Problem("The module was compiled without vector instructions: unset the variable RUSTFLAGS.");
+  return wasm;
 }
 
 /** Writes the glue and the optimized module, unless they exist for the same input. @param {string} wasm */

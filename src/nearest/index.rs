@@ -1,11 +1,12 @@
 //! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
+use super::packs::HAS_VECTORS;
 use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
 
-/// Whether the scan is used. Without vector instructions it is no faster than the tree, so WebAssembly does not use it.
-const SCANS: bool = !cfg!(target_arch = "wasm32");
+/// Whether the scan is used: without vector instructions it is no faster than the tree.
+const SCANS: bool = HAS_VECTORS;
 
 /// The scan's copy of the states is dropped above this size; only a very large k would still favour it.
 const MOST_SCANNED: usize = 8192;

@@ -3,8 +3,11 @@
 use crate::graph::VertexId;
 use crate::space::{Space, gap};
 
+/// Whether the target has vector instructions. WebAssembly has them if it is compiled with `simd128`.
+pub(super) const HAS_VECTORS: bool = !cfg!(target_arch = "wasm32") || cfg!(target_feature = "simd128");
+
 /// How many states a pack holds: as many as vector instructions compute in parallel; without them, one.
-pub(super) const LANES: usize = if cfg!(target_arch = "wasm32") { 1 } else { 8 };
+pub(super) const LANES: usize = if HAS_VECTORS { 8 } else { 1 };
 
 /// The lane of state number `at`: a remainder, which the linter would reject for packs of one.
 #[inline(always)]

@@ -122,6 +122,16 @@ test("init without an input loads the file beside the module", async () => {
   );
 });
 
+test("an engine without vector instructions is refused", async () => {
+  const errors = await fresh(`
+    WebAssembly.validate = () => false;
+    return [await caught(() => init(bytes)), await caught(() => initSync(bytes))];`);
+  for (const error of errors) {
+    assert.equal(error.code, "no-simd");
+    assert.match(error.message, /vector instructions/);
+  }
+});
+
 test("init called many times at once and again loads once", async () => {
   assert.deepEqual(
     await fresh(`

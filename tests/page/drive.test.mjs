@@ -208,7 +208,7 @@ test("a drive is replayed to the same place, and so is its file; another one is 
   assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
   const direct = Scenario.parse(/** @type {import("planarium").ScenarioDocument} */ (ROAD)).drive();
   assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
-  await page.click("#drive-anew");
+  await page.click("#drive-restart");
   await page.waitForSelector("#drive[data-keys='0']");
   const file = (/** @type {object} */ content) => pickFile(page, "x.json", JSON.stringify(content), "#drive-file");
   await file(record);

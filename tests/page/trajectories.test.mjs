@@ -133,7 +133,7 @@ test("what is accepted is added to the picture; what is refused is shown on top,
 test("the picture that was added to is the one drawn at once", () => onEmpty(async (page) => {
   for (let sum = 100; sum <= 300; sum += 100) await step(page, 100, sum);
   const added = await inked(page);
-  // Another look draws all of it anew.
+  // Changed colours redraw all of it.
   await page.click("#theme");
   await rest(page, "[data-tried='300']");
   await page.click("#theme");

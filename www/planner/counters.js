@@ -15,24 +15,23 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show(lane, settled) {
+  show({ status, phase, iteration, vertices, edges, checks, motions, evaluations, stats, length, unit, segments, fingerprint }, settled) {
     const { dataset } = this.element;
-    const { status, phase, iteration, vertices, edges, fingerprint, length } = lane;
     Object.assign(dataset, { status, phase, iterations: iteration, vertices, edges, settled });
     if (fingerprint) dataset.fingerprint = fingerprint;
     else delete dataset.fingerprint;
     if (length !== null) dataset.length = String(length);
     else delete dataset.length;
     this.write({
-      phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
-      iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),
-      length: lane.length === null ? "" : `${lane.length.toFixed(2)} ${lane.unit}`,
-      segments: lane.segments === null ? "" : grouped(lane.segments),
-      checks: short(lane.checks), motions: short(lane.motions), evaluations: short(lane.evaluations),
-      nearest: lane.stats ? short(lane.stats.nearest) : "",
-      time: lane.stats ? duration(lane.stats.seconds) : "",
-      rate: lane.stats && lane.stats.seconds > 0 ? short(lane.iteration / lane.stats.seconds) : "",
-      fingerprint: lane.fingerprint,
+      phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
+      iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
+      length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
+      segments: segments === null ? "" : grouped(segments),
+      checks: short(checks), motions: short(motions), evaluations: short(evaluations),
+      nearest: stats ? short(stats.nearest) : "",
+      time: stats ? duration(stats.seconds) : "",
+      rate: stats && stats.seconds > 0 ? short(iteration / stats.seconds) : "",
+      fingerprint,
     });
   }
 

@@ -9,7 +9,6 @@ import { button, press } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
-/** @import { Field } from "./objects.js" */
 /** @typedef {(editor: Editor) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
@@ -49,7 +48,7 @@ export class EditorControls {
     this.shape = "";
     /** @type {HTMLInputElement[]} */
     this.inputs = [];
-    /** The coordinates last written into the fields. @type {Field[]} */
+    /** The coordinates last written into the fields. @type {Editor["fields"]} */
     this.shown = [];
     this.refused = "";
     this.tools = TOOLS.map(([tool, text]) => this.button(text, (editor) => editor.use(tool)));
@@ -196,8 +195,8 @@ export class EditorControls {
   enter(index) {
     const input = this.inputs[index];
     const { value: before, low, high } = this.shown[index];
-    const value = Number(input.value);
-    const isValid = input.value.trim() !== "" && value >= low && value <= high;
+    const value = input.valueAsNumber;
+    const isValid = value >= low && value <= high;
     // A new value is invalid until the core has accepted it.
     input.ariaInvalid = isValid && value === before ? null : "true";
     if (isValid && value !== before) this.act((editor) => editor.set(index, value));

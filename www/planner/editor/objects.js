@@ -1,9 +1,8 @@
 /** The editable objects of a scenario document: start and goal of a query, and obstacles. Every change returns a new document. */
 
-/** @import { Coordinate, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @import { Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query or the obstacle */
 /** @typedef {[number, number]} Point */
-/** @typedef {Omit<Coordinate, "isCircle"> & { value: number }} Field   one coordinate of an object */
 
 /** All objects, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
 export function objectsOf({ queries, world }, query) {
@@ -59,6 +58,9 @@ export function rounded(value, unit) {
   return Number((Math.round(value / unit) * unit).toFixed(Math.max(0, -Math.round(Math.log10(unit))))) + 0; // no -0, which JSON does not store
 }
 
+/** Rounds the joints of an arm that follows its end effector: finely, so that the end effector stays in place. @param {ArrayLike<number>} pose */
+export function fine(pose) { return Array.from(pose, (angle) => rounded(angle, 1e-7)); }
+
 /** @param {Obstacle} obstacle @param {number} dx @param {number} dy @param {number} unit @returns {Obstacle} */
 export function moved(obstacle, dx, dy, unit) {
   const move = (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([rounded(x + dx, unit), rounded(y + dy, unit)]);
@@ -71,32 +73,27 @@ export function rectangle([x, y], width, height) {
   return { type: "polygon", vertices: [[a, b], [c, b], [c, d], [a, d]] };
 }
 
-/** A coordinate of a point, as a field. @param {string} name @param {number} value @returns {Field} */
-export function place(name, value) { return { name, value, unit: "m", low: -Infinity, high: Infinity }; }
-
-/** The coordinates of an object, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
-export function fieldsOf(document, object, vertex, coordinates) {
-  const pose = poseOf(document, object);
-  if (pose) return coordinates.map(({ name, unit, low, high }, i) => ({ name, value: pose[i], unit, low, high }));
-  const target = targetOf(document, object);
-  if (target) return [place("x", target.point[0]), place("y", target.point[1])];
+/** The coordinates of an object, or of one vertex of a polygon; those of a disc end with its radius. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @returns {number[]} */
+export function numbersOf(document, object, vertex) {
   const obstacle = obstacleOf(document, object);
-  if (!obstacle) return [];
-  const [x, y] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[vertex];
-  return [place("x", x), place("y", y), ...(obstacle.type === "disc" ? [place("radius", obstacle.radius)] : [])];
+  if (!obstacle) return poseOf(document, object) ?? targetOf(document, object)?.point ?? [];
+  return obstacle.type === "disc" ? [...obstacle.center, obstacle.radius] : obstacle.vertices[vertex];
 }
 
-/** The document with one of these coordinates changed. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
-export function withField(document, object, vertex, index, value) {
-  const pose = poseOf(document, object);
-  if (pose) return withPose(document, object, pose.with(index, value));
+/** The document with other coordinates of a target, a disc or a vertex. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number[]} numbers @returns {ScenarioDocument} */
+export function withNumbers(document, object, vertex, [x, y, radius]) {
   const target = targetOf(document, object);
-  if (target) return withTarget(document, object, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
+  if (target) return withTarget(document, object, { ...target, point: [x, y] });
   const obstacle = obstacleOf(document, object);
   if (!obstacle) return document;
-  const point = (/** @type {Point} */ old) => /** @type {Point} */ (old.with(index, value));
-  if (obstacle.type === "polygon") return withObstacle(document, object.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
-  return withObstacle(document, object.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
+  return withObstacle(document, object.index, obstacle.type === "disc" ? { ...obstacle, center: [x, y], radius } : withVertex(obstacle, vertex, [x, y]));
+}
+
+/** The middle of the edge after a vertex. @param {Point[]} vertices @param {number} index @returns {Point} */
+export function middle(vertices, index) {
+  const [x, y] = vertices[index];
+  const [nx, ny] = vertices[(index + 1) % vertices.length];
+  return [(x + nx) / 2, (y + ny) / 2];
 }
 
 /** A polygon with one vertex replaced, inserted or removed. @param {Extract<Obstacle, { type: "polygon" }>} polygon @param {number} index @param {Point | null} vertex @param {boolean} [added] @returns {Obstacle} */

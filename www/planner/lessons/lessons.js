@@ -34,8 +34,11 @@ export class Lessons {
     this.text = make("span", {});
     this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
     this.run = button("lesson-run", "Run", () => void page.app.track(this.play(), "This step could not be run."));
-    this.back = button("lesson-previous", "Previous", () => this.go(this.at - 1));
-    this.next = button("lesson-next", "Next", () => this.go(this.at + 1));
+    this.back = button("lesson-previous", "Previous", () => void this.put(this.at - 1));
+    this.next = button("lesson-next", "", () => {
+      if (this.isLast) this.leave();
+      else void this.put(this.at + 1);
+    });
     const leave = button("lesson-leave", "Exit", () => this.leave());
     leave.className = "quiet";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
@@ -44,8 +47,7 @@ export class Lessons {
       words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
     const list = make("ul", {}, ...LESSONS.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
-      this.lesson = lesson;
-      void this.put(0);
+      void this.put(0, lesson);
       this.run.focus();
     }))));
     byId("lessons", HTMLElement).append(list);
@@ -59,32 +61,29 @@ export class Lessons {
     const { page } = this;
     const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
     const lesson = LESSONS.find((one) => one.id === id);
-    if (lesson && lesson.steps[Number(step) - 1]) {
-      this.lesson = lesson;
-      await this.put(Number(step) - 1);
+    if (lesson?.steps[Number(step) - 1]) {
+      await this.put(Number(step) - 1, lesson);
       return;
     }
     if (!page.facts) await page.openScene(SCENES[0]);
     page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
   }
 
-  /** @param {number} step */
-  go(step) {
-    if (step >= (this.lesson?.steps.length ?? 0)) this.leave();
-    else if (step >= 0) void this.put(step);
-  }
+  get isLast() { return this.at + 1 === this.lesson?.steps.length; }
 
   leave() {
     this.lesson = null;
+    this.shown = "question";
     this.band.hidden = true;
     setAddress("");
     byId("stage", HTMLElement).focus();
   }
 
-  /** Asks the question of a step, with its planner before the run. @param {number} step */
-  async put(step) {
-    const { lesson, page } = this;
+  /** Asks the question of a step, with its planner before the run. @param {number} step @param {Lesson | null} [lesson] */
+  async put(step, lesson = this.lesson) {
+    const { page } = this;
     if (!lesson) return;
+    this.lesson = lesson;
     this.at = step;
     const { question, choices } = lesson.steps[step];
     this.title.textContent = lesson.title;
@@ -92,7 +91,7 @@ export class Lessons {
     this.legend.textContent = question;
     this.choices.replaceChildren(...choices.map((choice, i) => make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice)));
     this.back.disabled = step === 0;
-    this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
+    this.next.textContent = this.isLast ? "Finish" : "Next";
     this.band.hidden = false;
     this.show("question");
     setAddress(`#lesson=${lesson.id}.${step + 1}`);
@@ -127,11 +126,10 @@ export class Lessons {
   /** The iteration at which the run pauses; undefined for its end. */
   get rest() { return this.lesson?.steps[this.at].iteration; }
 
-  /** The scene and the plans of the step. @throws {Error} there is no such scene */
+  /** The scene and the plans of the step. */
   get stage() {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
-    const entry = SCENES.find(({ id }) => id === scene);
-    if (!entry) throw new Error(`There is no scene "${scene}".`);
+    const entry = /** @type {SceneEntry} */ (SCENES.find(({ id }) => id === scene));
     return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
   }
 

@@ -37,7 +37,6 @@ export class Race {
     this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);
-    this.number();
     page.race = this;
     page.onState((state) => this.show(state));
   }
@@ -51,24 +50,19 @@ export class Race {
       choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
   }
 
-  get infos() { return this.page.panel.infos.filter(({ id }) => this.page.panel.serves(id)); }
-
   /** Offers the planners for the robot, and removes other rivals. @returns {{ lane: number, algorithm: string }[]} those removed */
   offer() {
-    const { choice, infos, page: { panel } } = this;
+    const { choice, page: { panel, panel: { served } } } = this;
     const before = choice.value;
-    choice.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
     // By default a planner with two trees.
-    choice.value = infos.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? infos[0].id;
-    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value)).map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
-    this.rivals = this.rivals.filter((rival) => {
-      const isServed = panel.serves(rival.planner.value);
-      if (isServed) rival.offer(infos);
-      else rival.element.remove();
-      return isServed;
-    });
+    choice.value = served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
+    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value));
+    for (const { element } of dropped) element.remove();
+    this.rivals = this.rivals.filter((rival) => !dropped.includes(rival));
+    for (const { form } of this.rivals) form.offer(served);
     this.number();
-    return dropped;
+    return dropped.map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
   }
 
   /** The rivals' plans, or null while a field holds an invalid value. @param {Plan} plan @returns {Plan[] | null} */
@@ -89,9 +83,7 @@ export class Race {
 
   /** @param {Plan} plan */
   enter(plan) {
-    const { panel } = this.page;
-    const fits = (/** @type {object} */ info) => panel.fits(info);
-    const rival = new Rival(this.infos, fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
+    const rival = new Rival(this.page.panel, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
     this.rivals.push(rival);
     this.list.append(rival.element);
   }

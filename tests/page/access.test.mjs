@@ -190,7 +190,7 @@ test("a finger drags the robot, and the page scrolls beneath one that does not",
     const at = (/** @type {string} */ type, /** @type {number} */ x, /** @type {number} */ y) => element.dispatchEvent(new PointerEvent(type, {
       pointerId: 7, pointerType: "touch", isPrimary: true, button: 0, bubbles: true, clientX: left + x, clientY: top + y,
     }));
-    Object.assign(element, { setPointerCapture() {} });
+    Object.assign(element, { setPointerCapture() {}, hasPointerCapture: () => true });
     at("pointerdown", width / 2 + 40, height / 2);
     at("pointermove", width / 2 + 30, height / 2 - 40);
     at("pointerup", width / 2 + 30, height / 2 - 40);

@@ -38,7 +38,7 @@ describe("time", () => {
   /** Drives for two seconds. @param {number} rate  frames a second @param {number} [late]  milliseconds after which a key is heard */
   function driven(rate, late = 0) {
     const driving = alone();
-    driving.turn(true, false, from);
+    driving.start(false, from);
     /** @type {[number, () => void][]} */
     const happens = keys.map(([at, key]) => [at + late, () => driving.press(key, from + at)]);
     for (let frame = 1; frame <= 2.2 * rate; frame++) happens.push([(1000 * frame) / rate, () => driving.pass(from + (1000 * frame) / rate)]);
@@ -73,14 +73,14 @@ describe("time", () => {
   /** The keys and their steps. */
   function recordOf() {
     const driving = alone();
-    driving.turn(true, false, from);
+    driving.start(false, from);
     for (const [at, key] of keys) driving.press(key, from + at);
     return driving.record()?.record ?? [];
   }
 
   test("a page that nobody saw for a while has not driven on meanwhile", () => {
     const driving = alone();
-    driving.turn(true, false, from);
+    driving.start(false, from);
     driving.press("faster", from);
     driving.pass(from + 16);
     driving.pass(from + 60_000);
@@ -89,7 +89,7 @@ describe("time", () => {
 
   test("by keys alone, each takes a quarter of a second", () => {
     const driving = alone();
-    driving.turn(true, true, from);
+    driving.start(true, from);
     driving.press("faster", from);
     driving.pass(from + 5000);
     driving.press("keep", from + 6000);
@@ -98,7 +98,7 @@ describe("time", () => {
 
   test("while it is paused no time goes by; C goes on", () => {
     const driving = alone();
-    driving.turn(true, false, from);
+    driving.start(false, from);
     driving.press("faster", from);
     driving.pass(from + 130);
     driving.pause(from + 130);

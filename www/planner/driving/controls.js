@@ -124,24 +124,21 @@ export class DriveControls {
   /** @param {DriveKey} key @param {Event} event */
   press(key, event) { this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp)); }
 
+  /** Begins or ends driving. */
   toggle() {
-    if (this.on) this.leave();
-    else this.begin();
-  }
-
-  begin() {
     const { page } = this;
-    page.app.guard(() => {
+    if (this.on) this.leave();
+    else page.app.guard(() => {
       // A car is not edited while it is driven.
       byId("editor-fold", HTMLDetailsElement).open = false;
-      page.run(() => this.driving.turn(true, page.calm, moment()));
+      page.run(() => this.driving.start(page.calm, moment()));
       this.stage.focus({ preventScroll: true });
       this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     }, "This scene cannot be driven.");
   }
 
   leave() {
-    this.act((driving) => driving.turn(false, false, moment()));
+    this.act((driving) => driving.stop());
     byId("your-turn", HTMLButtonElement).focus();
   }
 

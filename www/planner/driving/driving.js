@@ -29,7 +29,7 @@ export class Driving {
     this.since = 0;
     this.base = 0;
     this.seen = 0;
-    /** The recording that is replayed. @type {{ record: KeyPress[], steps: number, next: number } | null} */
+    /** The rest of the recording that is replayed, up to a step. @type {{ record: KeyPress[], steps: number } | null} */
     this.tape = null;
     /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
@@ -43,21 +43,20 @@ export class Driving {
   /** The car's trajectory, rows of x, y, theta. */
   get trace() { return this.drive?.traceSince(0) ?? new Float64Array(0); }
 
+  /** Whether time runs by itself. */
+  get runs() { return !this.paused && !this.byKeys; }
+
   /** Whether the car moves by itself. */
   get moves() {
     const { state } = this;
-    return state !== null && !this.paused && !this.byKeys && (state.v !== 0 || this.tape !== null);
+    return state !== null && this.runs && (state.v !== 0 || this.tape !== null);
   }
 
-  /** Begins or ends driving. @param {boolean} on @param {boolean} byKeys @param {number} now */
-  turn(on, byKeys, now) {
+  /** @param {boolean} byKeys @param {number} now */
+  start(byKeys, now) {
     const { session } = this;
     const { shown } = session;
-    if (!on || !shown) {
-      this.stop();
-      session.wake();
-      return;
-    }
+    if (!shown) return;
     session.timeline.pause();
     session.byHand.release();
     session.byHand.game = { touches: 0, arrived: false };
@@ -95,7 +94,7 @@ export class Driving {
     if (!drive || !state) return;
     this.tape = null;
     if (key === "keep" && this.paused) this.pause(at);
-    if (!this.paused && !this.byKeys) this.advance(at);
+    if (this.runs) this.advance(at);
     const wasStill = drive.state.v === 0;
     drive.press(key);
     if (this.byKeys) drive.tick(Math.round(STRIDE / drive.stepSeconds));
@@ -107,18 +106,18 @@ export class Driving {
 
   /** Pauses or resumes. @param {number} now */
   pause(now) {
-    if (this.paused) this.resume(now);
-    else if (!this.byKeys) this.advance(now - BEHIND);
+    if (this.runs) this.advance(now - BEHIND);
     this.paused = !this.paused;
+    if (!this.paused) this.resume(now);
     this.announcement = this.paused ? "Paused; press C to resume." : "Resumed.";
     this.show();
   }
 
   /** @param {boolean} byKeys @param {number} now */
   setByKeys(byKeys, now) {
-    if (!byKeys) this.resume(now);
-    else if (!this.paused) this.advance(now - BEHIND);
+    if (this.runs) this.advance(now - BEHIND);
     this.byKeys = byKeys;
+    this.resume(now);
     this.show();
   }
 
@@ -141,7 +140,7 @@ export class Driving {
     const due = this.base + Math.floor((at - this.since) / (1000 * drive.stepSeconds) + 1e-6);
     const { steps } = drive.state;
     if (tape) {
-      this.wind(drive, tape, Math.min(due, tape.steps));
+      this.wind(drive, tape.record, Math.min(due, tape.steps));
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
@@ -149,10 +148,10 @@ export class Driving {
     } else if (due > steps) drive.tick(Math.min(due - steps, 1e6));
   }
 
-  /** Replays a recording up to a step. @param {Drive} drive @param {{ record: KeyPress[], next: number }} tape @param {number} until */
-  wind(drive, tape, until) {
-    for (; tape.next < tape.record.length && tape.record[tape.next].step <= until; tape.next++) {
-      const { step, key } = tape.record[tape.next];
+  /** Replays a recording up to a step. @param {Drive} drive @param {KeyPress[]} record @param {number} until */
+  wind(drive, record, until) {
+    while (record.length > 0 && record[0].step <= until) {
+      const [{ step, key }] = record.splice(0, 1);
       drive.tick(Math.max(0, step - drive.state.steps));
       drive.press(key);
     }
@@ -164,7 +163,7 @@ export class Driving {
     if (!recording) return;
     const { record, steps } = recording;
     this.begin(record, this.byKeys ? steps : 0, now);
-    if (!this.byKeys) this.tape = { record, steps, next: 0 };
+    if (!this.byKeys) this.tape = { record: [...record], steps };
     this.announcement = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
   }
 

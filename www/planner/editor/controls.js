@@ -6,6 +6,7 @@ import { Editor } from "./editor.js";
 import { byId, make, write } from "../../app/dom.js";
 import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
+import { Field } from "../../widgets/field.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
@@ -46,7 +47,7 @@ export class EditorControls {
     this.message = "";
     /** The objects that the fields are for. */
     this.shape = "";
-    /** @type {HTMLInputElement[]} */
+    /** @type {Field[]} */
     this.inputs = [];
     /** The coordinates last written into the fields. @type {Editor["fields"]} */
     this.shown = [];
@@ -168,38 +169,29 @@ export class EditorControls {
   /** Shows the coordinates of the selection. @param {Editor} editor */
   showFields({ title, kind, part, fields, reason }) {
     const shape = `${kind} ${title} ${fields.length}`;
-    const isNew = shape !== this.shape;
-    if (isNew) {
+    if (shape !== this.shape) {
       this.shape = shape;
-      this.fields.replaceChildren();
-      this.inputs = fields.map(({ name, unit }, i) => {
-        const input = make("input", {
-          type: "number", step: "any", id: `edit-${name.replace(" ", "-")}`, autocomplete: "off", inputMode: "decimal", onchange: () => this.enter(i),
-        });
-        input.setAttribute("aria-describedby", "edit-reason");
-        const label = `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`;
-        this.fields.append(make("label", { className: "row" }, make("span", { className: "name" }, label, make("span", { className: "unit" }, ` ${unit}`)), input));
-        return input;
-      });
+      this.shown = fields;
+      this.inputs = fields.map(({ name, unit, low, high, value }, i) => new Field({
+        name: name.replace(" ", "-"), title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`, unit, kind: "number",
+        min: low, max: high, default: value, choices: null, robots: [], meaning: "",
+      }, value, () => this.enter(i), "edit"));
+      this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
     }
     const isResolved = this.refused !== "" && reason === "";
     this.refused = reason;
     fields.forEach(({ value }, i) => {
       // Text being typed stays until the number itself changes.
-      if (isNew || isResolved || value !== this.shown[i].value) Object.assign(this.inputs[i], { value, ariaInvalid: null });
+      if (isResolved || value !== this.shown[i].value) this.inputs[i].set(value);
     });
     this.shown = fields;
   }
 
   /** Applies a typed number. @param {number} index */
   enter(index) {
-    const input = this.inputs[index];
-    const { value: before, low, high } = this.shown[index];
-    const value = input.valueAsNumber;
-    const isValid = value >= low && value <= high;
-    // A new value is invalid until the core has accepted it.
-    input.ariaInvalid = isValid && value === before ? null : "true";
-    if (isValid && value !== before) this.act((editor) => editor.set(index, value));
+    const { value, control } = this.inputs[index];
+    this.act((editor) => editor.set(index, Number(value)));
+    if (this.editor.refusal) control.ariaInvalid = "true";
   }
 
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */

@@ -58,7 +58,6 @@ export class Race {
     // By default a planner with two trees.
     choice.value = served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
     const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value));
-    for (const { element } of dropped) element.remove();
     this.rivals = this.rivals.filter((rival) => !dropped.includes(rival));
     for (const { form } of this.rivals) form.offer(served);
     this.number();
@@ -85,13 +84,11 @@ export class Race {
   enter(plan) {
     const rival = new Rival(this.page.panel, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
     this.rivals.push(rival);
-    this.list.append(rival.element);
   }
 
   /** @param {Rival} rival */
   drop(rival) {
     this.rivals.splice(this.rivals.indexOf(rival), 1);
-    rival.element.remove();
     this.number();
     this.button.focus();
     this.page.plan();
@@ -99,14 +96,16 @@ export class Race {
 
   /** Replaces the rivals by those of a link. @param {Plan[]} plans */
   adopt([first, ...others]) {
-    for (const { element } of this.rivals.splice(0)) element.remove();
+    this.rivals = [];
     for (const { algorithm, settings: { seed, ...settings } } of others) {
       this.enter({ algorithm, settings: seed === first.settings.seed ? settings : { seed, ...settings } });
     }
     this.number();
   }
 
+  /** Shows the rivals with their letters. */
   number() {
+    this.list.replaceChildren(...this.rivals.map(({ element }) => element));
     this.rivals.forEach((rival, i) => rival.place(i + 1));
     const { length } = this.rivals;
     this.button.disabled = this.choice.disabled = length === MOST;

@@ -21,7 +21,6 @@ export function showSceneOptions(page, generators) {
   let options = {};
   /** The latest request that has not begun. @type {{ source: Source, entry: SceneEntry | undefined } | null} */
   let next = null;
-  let isBusy = false;
 
   page.onOpen((_, entry) => adopt(entry));
 
@@ -60,22 +59,19 @@ export function showSceneOptions(page, generators) {
 
   /** @param {Source} source @param {SceneEntry} [entry] */
   function request(source, entry) {
+    if (!next) requestAnimationFrame(openNext);
     next = { source, entry };
     // The state shown is out of date from now on, not only from the next frame.
     page.session.markDirty();
-    if (!isBusy) requestAnimationFrame(() => void openNext());
-    isBusy = true;
   }
 
-  /** Opens the latest request, and any that comes meanwhile, with the current settings of the planner. */
-  async function openNext() {
-    while (next) {
-      const { source, entry } = next;
-      next = null;
-      const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
-      await page.app.track(opening, "This scene cannot be generated.");
-    }
-    isBusy = false;
+  /** Opens the latest request with the current settings of the planner. */
+  function openNext() {
+    if (!next) return;
+    const { source, entry } = next;
+    next = null;
+    const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
+    void page.app.track(opening, "This scene cannot be generated.");
   }
 }
 

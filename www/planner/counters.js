@@ -16,12 +16,7 @@ export class Counters {
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
   show({ status, phase, iteration, vertices, edges, checks, motions, evaluations, stats, length, unit, segments, fingerprint }, settled) {
-    const { dataset } = this.element;
-    Object.assign(dataset, { status, phase, iterations: iteration, vertices, edges, settled });
-    if (fingerprint) dataset.fingerprint = fingerprint;
-    else delete dataset.fingerprint;
-    if (length !== null) dataset.length = String(length);
-    else delete dataset.length;
+    this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
     this.write({
       phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
@@ -40,17 +35,20 @@ export class Counters {
     for (const [name, word] of Object.entries(words)) write(byId(`count-${name}`, HTMLElement), word || "\u2013");
   }
 
-  /** Declares the counters out of date. */
-  unsettle() {
-    const { dataset } = this.element;
-    dataset.settled = "false";
-    delete dataset.fingerprint;
-    delete dataset.length;
+  /** Sets data attributes; null removes one. @param {Record<string, string | number | boolean | null>} values */
+  mark(values) {
+    for (const [name, value] of Object.entries(values)) {
+      if (value === null) this.element.removeAttribute(`data-${name}`);
+      else this.element.dataset[name] = String(value);
+    }
   }
+
+  /** Declares the counters out of date. */
+  unsettle() { this.mark({ settled: false, fingerprint: null, length: null }); }
 
   /** Shows that the page could not start. */
   fail() {
-    this.element.dataset.status = "failed";
+    this.mark({ status: "failed" });
     this.write({ phase: "failed" });
   }
 }

@@ -10,7 +10,7 @@ import { Field } from "../../widgets/field.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
-/** @typedef {(editor: Editor) => unknown} Command */
+/** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
 const TOOLS = [["select", "Select"], ["disc", "Disc"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]];
@@ -21,15 +21,17 @@ const COMMANDS = {
   duplicate: (editor) => editor.duplicate(), undo: (editor) => editor.go(-1), redo: (editor) => editor.go(1),
 };
 
-/** @type {Record<string, Command>} */
+/** Moves the selection, with Shift ten times as far. @param {number} dx @param {number} dy @returns {Command} */
+const arrow = (dx, dy) => (editor, event) => editor.nudge(event?.shiftKey ? 10 * dx : dx, event?.shiftKey ? 10 * dy : dy, event?.repeat ?? false);
+
+/** @type {Partial<Record<string, Command>>} */
 const KEYS = {
   "[": (editor) => editor.select(-1), "]": (editor) => editor.select(1), PageUp: COMMANDS.previous, PageDown: COMMANDS.next,
   Delete: COMMANDS.remove, Backspace: COMMANDS.remove, Insert: COMMANDS.insert, d: COMMANDS.duplicate,
   Enter: (editor) => editor.enter(), Escape: (editor) => editor.cancel(),
+  ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1),
+  "Control+z": COMMANDS.undo, "Control+Shift+z": COMMANDS.redo, "Control+y": COMMANDS.redo,
 };
-
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class EditorControls {
   /** @param {Page} page */
@@ -42,7 +44,6 @@ export class EditorControls {
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened. @type {{ source: Source | null, entry: SceneEntry | null }} */
     this.original = { source: null, entry: null };
-    this.adopting = false;
     this.changes = 0;
     this.message = "";
     /** The objects that the fields are for. */
@@ -84,9 +85,7 @@ export class EditorControls {
     // Posing the robot by hand takes the pointer.
     byId("your-turn", HTMLButtonElement).addEventListener("click", () => { this.fold.open = false; });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
-    page.onOpen(() => {
-      if (!this.adopting) this.original = { source: page.source, entry: page.entry };
-    });
+    page.onOpen(() => { this.original = { source: page.source, entry: page.entry }; });
     page.onState(({ isEditing }) => { if (isEditing) this.show(this.editor); });
     if (this.fold.open) this.turn();
   }
@@ -98,8 +97,8 @@ export class EditorControls {
     (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: this.page.calm ? "auto" : "smooth" });
   }
 
-  /** @param {Command} command */
-  act(command) { this.page.act(() => command(this.editor)); }
+  /** @param {Command} command @param {KeyboardEvent} [event] */
+  act(command, event) { this.page.act(() => command(this.editor, event)); }
 
   /** @param {string} text @param {Command} command @param {string} [key] */
   button(text, command, key) {
@@ -124,15 +123,10 @@ export class EditorControls {
   key(event) {
     if (!this.fold.open || event.altKey || (event.key === "Enter" && event.target instanceof HTMLButtonElement)) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const arrow = ARROWS[key];
-    const factor = event.shiftKey ? 10 : 1;
-    /** @type {Command | undefined} */
-    let command = KEYS[key];
-    if (event.ctrlKey || event.metaKey) command = key === "y" || (key === "z" && event.shiftKey) ? COMMANDS.redo : key === "z" ? COMMANDS.undo : undefined;
-    else if (arrow) command = (editor) => editor.nudge(arrow[0] * factor, arrow[1] * factor, event.repeat);
+    const command = KEYS[event.ctrlKey || event.metaKey ? `Control+${event.shiftKey ? "Shift+" : ""}${key}` : key];
     if (!command) return;
     event.preventDefault();
-    this.act(command);
+    this.act(command, event);
   }
 
   /** @param {Editor} editor */
@@ -201,8 +195,7 @@ export class EditorControls {
     page.source = isChanged ? { document: facts.document } : original.source;
     page.entry = isChanged ? null : original.entry;
     page.notice.hide();
-    this.adopting = true;
     page.show(facts);
-    this.adopting = false;
+    this.original = original;
   }
 }

@@ -1,7 +1,7 @@
 /** The pointer in the editor, as a state machine over pointer events. */
-import { simple } from "./new-obstacles.js";
 import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
+import { simple } from "./objects.js";
 import { gridOf } from "../../draw/ground.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */

@@ -4,7 +4,6 @@
  */
 import { errorInfo } from "../../app/error-info.js";
 import { drawOverlay } from "./selection.js";
-import { around, simple } from "./new-obstacles.js";
 import { contained, coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
 import { Hand } from "./drag.js";
@@ -13,7 +12,8 @@ import { capital } from "../../widgets/format.js";
 import { touchingSentence } from "../../domain/names.js";
 import { isTip } from "../pose/grip.js";
 import {
-  fine, middle, moved, numbersOf, objectsOf, obstacleOf, poseOf, rounded, same, targetOf, withNumbers, withObstacle, withPose, withTarget, withVertex,
+  around, fine, middle, moved, numbersOf, objectsOf, obstacleOf, poseOf, rounded, same, simple, targetOf, withNumbers, withObstacle, withPose,
+  withTarget, withVertex,
 } from "./objects.js";
 
 /** @import { Coordinate, EditTool, ErrorInfo, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
@@ -149,14 +149,10 @@ export class Editor {
     const { selected, part, shown, document, tip } = this;
     const pose = poseOf(document, selected);
     if (!selected) return;
-    if (pose && tip) {
-      const { configuration } = shown.scenario.follow(pose, /** @type {Point} */ (tip.with(index, value)));
-      this.change(withPose(document, selected, fine(configuration)), goesOn);
-      return;
-    }
-    const numbers = numbersOf(document, selected, part ?? 0).with(index, value);
-    if (pose) this.change(withPose(document, selected, contained(Float64Array.from(numbers), coordinatesOf(shown))), goesOn);
-    else this.change(withNumbers(document, selected, part ?? 0, numbers), goesOn);
+    const numbers = Array.from(tip ?? numbersOf(document, selected, part ?? 0)).with(index, value);
+    if (!pose) this.change(withNumbers(document, selected, part ?? 0, numbers), goesOn);
+    else if (tip) this.change(withPose(document, selected, fine(shown.scenario.follow(pose, [numbers[0], numbers[1]]).configuration)), goesOn);
+    else this.change(withPose(document, selected, contained(Float64Array.from(numbers), coordinatesOf(shown))), goesOn);
   }
 
   /** Adds a vertex after the selected one. */

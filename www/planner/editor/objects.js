@@ -1,8 +1,12 @@
 /** The editable objects of a scenario document: start and goal of a query, and obstacles. Every change returns a new document. */
 
-/** @import { Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @import { EditTool, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query or the obstacle */
 /** @typedef {[number, number]} Point */
+
+/** Distances at which a new obstacle is tried, as parts of the world, and directions, as eighths of a turn. */
+const RINGS = [0.09, 0.18, 0.28, 0.38, 0.46];
+const DIRECTIONS = [7, 1, 3, 5];
 
 /** All objects, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
 export function objectsOf({ queries, world }, query) {
@@ -101,4 +105,20 @@ export function withVertex(polygon, index, vertex, added = false) {
   const vertices = [...polygon.vertices];
   vertices.splice(index, added ? 0 : 1, ...(vertex ? [vertex] : []));
   return { ...polygon, vertices };
+}
+
+/** Copies of an obstacle around it, from near to far. @param {Obstacle} obstacle @param {number} size  of the world @param {number} unit */
+export function around(obstacle, size, unit) {
+  return RINGS.flatMap((part) => DIRECTIONS.map((turn) => {
+    const angle = (turn * Math.PI) / 4;
+    return moved(obstacle, part * size * Math.cos(angle), part * size * Math.sin(angle), unit);
+  }));
+}
+
+/** The obstacle that a tool adds without a drag. @param {EditTool} tool @param {Point} at @param {number} size @param {number} unit @returns {Obstacle} */
+export function simple(tool, [x, y], size, unit) {
+  const side = rounded(size / 12, unit);
+  const half = rounded(side / 2, unit);
+  if (tool === "disc") return moved({ type: "disc", center: [0, 0], radius: half }, x, y, unit);
+  return moved(tool === "rectangle" ? rectangle([0, 0], side, side) : { type: "polygon", vertices: [[-half, -half], [half, -half], [0, half]] }, x, y, unit);
 }

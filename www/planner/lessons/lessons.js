@@ -12,7 +12,7 @@ import { button } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
-/** @import { Plan, SceneEntry, State } from "../../domain/types.js" */
+/** @import { SceneEntry, State } from "../../domain/types.js" */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
@@ -95,11 +95,8 @@ export class Lessons {
     this.band.hidden = false;
     this.show("question");
     setAddress(`#lesson=${lesson.id}.${step + 1}`);
-    const iteration = beginningOf(lesson, step);
     try {
-      const { entry, plans } = this.stage;
-      if (this.isThere(entry, plans)) page.act(({ timeline }) => timeline.seek(iteration));
-      else await page.openScene(entry, { plans, iteration, play: false });
+      if (await this.arrive()) page.act(({ timeline }) => timeline.seek(beginningOf(lesson, step)));
     } catch (error) {
       if (!page.facts) await page.openScene(SCENES[0]);
       page.app.fail(error, "This step could not be shown.");
@@ -110,10 +107,8 @@ export class Lessons {
   async play() {
     const { lesson, page, at } = this;
     if (!lesson) return;
-    const { entry, plans } = this.stage;
     // Another scene may have been opened since the question.
-    if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
-    if (this.lesson !== lesson || this.at !== at) return;
+    if (!await this.arrive() || this.lesson !== lesson || this.at !== at) return;
     this.show("run");
     const rest = this.rest ?? (page.calm ? Infinity : undefined);
     page.act(({ timeline }) => {
@@ -126,6 +121,9 @@ export class Lessons {
   /** The iteration at which the run pauses; undefined for its end. */
   get rest() { return this.lesson?.steps[this.at].iteration; }
 
+  /** Opens the scene of the step with its planner, unless the page shows them. @returns {Promise<boolean>} whether it does then */
+  async arrive() { return this.isThere || this.page.openScene(this.stage.entry, { plans: this.stage.plans, play: false }); }
+
   /** The scene and the plans of the step. */
   get stage() {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
@@ -135,9 +133,7 @@ export class Lessons {
 
   /** Whether the run has ended or paused. @param {State} state */
   isOver({ clock, lanes: [{ status }] }) {
-    if (status === "running" && clock.now < (this.rest ?? Infinity)) return false;
-    const { entry, plans } = this.stage;
-    return this.isThere(entry, plans);
+    return (status !== "running" || clock.now >= (this.rest ?? Infinity)) && this.isThere;
   }
 
   /** Shows the question, or also the answer. @param {"question" | "run" | "answer"} shown */
@@ -158,9 +154,10 @@ export class Lessons {
     this.outcome.hidden = !isAnswered;
   }
 
-  /** Whether the page shows this scene with these plans. @param {SceneEntry} entry @param {Plan[]} plans */
-  isThere(entry, plans) {
+  /** Whether the page shows the scene of the step with its planner. */
+  get isThere() {
     const { source, facts, current, panel } = this.page;
+    const { entry, plans } = this.stage;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
       && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
   }

@@ -4,6 +4,7 @@ import { pacer } from "../app/paced.js";
 import { LAYERS } from "../draw/layer.js";
 import { robotName } from "../domain/names.js";
 
+/** @import { LayerName } from "../draw/layer.js" */
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes the drawing */
@@ -83,17 +84,13 @@ export class Sheets {
     const caption = make("span", {});
     const note = make("small", {});
     const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
-    const canvases = LAYERS.map((name) => {
-      const canvas = make("canvas", { ariaHidden: "true" });
-      canvas.dataset.layer = name;
-      sheet.append(canvas);
-      return canvas;
-    });
-    const top = canvases[canvases.length - 1];
+    const canvases = /** @type {Record<LayerName, HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name) => [name, make("canvas", { ariaHidden: "true" })])));
+    for (const [name, canvas] of Object.entries(canvases)) canvas.dataset.layer = name;
+    sheet.append(...Object.values(canvases));
+    const { top } = canvases;
     Object.assign(top, { ariaHidden: null, role: "img" });
     this.listen(top, id);
-    const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
-    this.session.stage.add(id, kind, lane, named);
+    this.session.stage.add(id, kind, lane, canvases);
     const made = { figure, caption, note, usual: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);

@@ -10,7 +10,7 @@ import { Hand } from "./drag.js";
 import { ANGLE } from "./gestures.js";
 import { capital } from "../../widgets/format.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip } from "../pose/grip.js";
+import { isTip } from "../stage/grip.js";
 import {
   around, fine, middle, moved, numbersOf, objectsOf, obstacleOf, poseOf, rounded, same, simple, targetOf, withNumbers, withObstacle, withPose,
   withTarget, withVertex,

@@ -2,10 +2,10 @@
  * Gestures: functions from the position of the pointer to a document. Shift snaps points to fifths of the grid, joints and directions to
  * 15 degrees, and rectangles to squares.
  */
-import { gripOf, isTip } from "../pose/grip.js";
+import { gripOf, isTip } from "../stage/grip.js";
 import { fine, moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
-/** @import { Snap } from "../pose/grip.js" */
+/** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */

@@ -1,5 +1,5 @@
 /** Hit testing: handles of the selection, start, goal and obstacles. */
-import { TIP, distanceToShape, partAt } from "../pose/grip.js";
+import { TIP, distanceToShape, partAt } from "../stage/grip.js";
 import { middle, objectsOf, obstacleOf, poseOf, same, targetOf } from "./objects.js";
 
 /** @import { Pane } from "../stage/pane.js" */

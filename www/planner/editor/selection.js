@@ -2,7 +2,7 @@
 import { obstaclePath } from "planarium/draw";
 import { handlesOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip } from "../pose/grip.js";
+import { isTip } from "../stage/grip.js";
 import { obstacleOf, poseOf, targetOf } from "./objects.js";
 import { ring } from "../../draw/marks.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts } from "../../draw/shapes.js";

@@ -3,7 +3,7 @@
  * space. Without a pointer, a vertex is chosen by its number. Loaded with the first pointer event.
  */
 import { Passages } from "../stage/passages.js";
-import { gripOf, partAt } from "./grip.js";
+import { gripOf, partAt } from "../stage/grip.js";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
 import { num } from "../../widgets/format.js";
@@ -13,7 +13,7 @@ import { PAST } from "../run-log/run-log.js";
 /** @import { Place } from "../stage/stage.js" */
 /** @import { View } from "planarium/draw" */
 /** @import { Hover, Lane } from "../lane.js" */
-/** @import { Grip } from "./grip.js" */
+/** @import { Grip } from "../stage/grip.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 

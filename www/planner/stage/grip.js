@@ -8,8 +8,8 @@ import { distanceToSegment } from "../../draw/trace.js";
 import { contained, coordinatesOf } from "../../domain/coordinates.js";
 
 /** @import { View } from "planarium/draw" */
-/** @import { CSpace } from "../stage/cspace-pane.js" */
-/** @import { Pane } from "../stage/pane.js" */
+/** @import { CSpace } from "./cspace-pane.js" */
+/** @import { Pane } from "./pane.js" */
 /** @import { Coordinate, Obstacle, Part, Scenario } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @typedef {(x: number, y: number, shift: boolean) => Float64Array} Grip   the configuration for a position of the pointer in the plane */

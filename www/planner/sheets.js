@@ -84,7 +84,8 @@ export class Sheets {
     const caption = make("span", {});
     const note = make("small", {});
     const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
-    const canvases = /** @type {Record<LayerName, HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name) => [name, make("canvas", { ariaHidden: "true" })])));
+    const entries = LAYERS.map((name) => [name, make("canvas", { ariaHidden: "true" })]);
+    const canvases = /** @type {Record<LayerName, HTMLCanvasElement>} */ (Object.fromEntries(entries));
     for (const [name, canvas] of Object.entries(canvases)) canvas.dataset.layer = name;
     sheet.append(...Object.values(canvases));
     const { top } = canvases;

@@ -22,7 +22,10 @@ const COMMANDS = {
 };
 
 /** Moves the selection, with Shift ten times as far. @param {number} dx @param {number} dy @returns {Command} */
-const arrow = (dx, dy) => (editor, event) => editor.nudge(event?.shiftKey ? 10 * dx : dx, event?.shiftKey ? 10 * dy : dy, event?.repeat ?? false);
+const arrow = (dx, dy) => (editor, event) => {
+  const factor = event?.shiftKey ? 10 : 1;
+  editor.nudge(factor * dx, factor * dy, event?.repeat ?? false);
+};
 
 /** @type {Partial<Record<string, Command>>} */
 const KEYS = {

@@ -7,7 +7,7 @@ import { fine, moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObst
 
 /** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
-/** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Hit } from "./handles.js" */
 /** @import { Point } from "./objects.js" */
@@ -46,19 +46,20 @@ export function pointFrom(scale, from, x, y, shift) {
 export function moveGesture(shown, { object, part, handle }, scale, square, [x0, y0], arm) {
   const { document, scenario } = shown;
   const obstacle = obstacleOf(document, object);
+  const replace = (/** @type {Obstacle} */ next) => withObstacle(document, object.index, next);
   if (obstacle?.type === "disc" && handle) {
     const [cx, cy] = obstacle.center;
-    return (x, y, shift) => withObstacle(document, object.index, { ...obstacle, radius: snapped(Math.hypot(x - cx, y - cy), scale.grid, scale.unit, shift) });
+    return (x, y, shift) => replace({ ...obstacle, radius: snapped(Math.hypot(x - cx, y - cy), scale.grid, scale.unit, shift) });
   }
   /** Moves a point with the pointer. @param {ArrayLike<number>} anchor @param {(point: Point) => ScenarioDocument} put @returns {Gesture} */
   const carry = (anchor, put) => (x, y, shift) => put(pointAt(scale, anchor[0] + x - x0, anchor[1] + y - y0, shift));
   if (obstacle?.type === "polygon" && handle) {
     const isAdded = handle.kind === "middle";
-    return carry(handle.at, (point) => withObstacle(document, object.index, withVertex(obstacle, handle.part + Number(isAdded), point, isAdded)));
+    return carry(handle.at, (point) => replace(withVertex(obstacle, handle.part + Number(isAdded), point, isAdded)));
   }
   if (obstacle) {
     const [ax, ay] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[0];
-    return carry([ax, ay], ([x, y]) => withObstacle(document, object.index, moved(obstacle, x - ax, y - ay, scale.unit)));
+    return carry([ax, ay], ([x, y]) => replace(moved(obstacle, x - ax, y - ay, scale.unit)));
   }
   const target = targetOf(document, object);
   if (target) return carry(target.point, (point) => withTarget(document, object, { ...target, point }));

@@ -49,8 +49,9 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
   const chosen = obstacleOf(document, selected);
   if (chosen && selected && !isSquare) {
     for (const handle of handlesOf(chosen, view)) {
+      const { kind, part, at } = handle;
       // A vertex is preferred to a middle.
-      offer(selected, distanceTo(view.place(handle.at)) + (handle.kind === "middle" ? 3 : 0), handle.kind === "vertex" ? handle.part : null, handle);
+      offer(selected, distanceTo(view.place(at)) + (kind === "middle" ? 3 : 0), kind === "vertex" ? part : null, handle);
     }
     if (best) return best;
   }

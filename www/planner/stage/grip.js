@@ -29,12 +29,13 @@ export function isTip({ robot, dimension }, part) { return robot === "arm" && pa
  */
 export function partAt(pane, { scenario, placed }, pose, px, py, reach) {
   const view = /** @type {View} */ (pane.view);
+  const q = Float64Array.from(pose);
   const isNear = (/** @type {ArrayLike<number>} */ at, /** @type {number} */ within) => Math.hypot(at[0] - px, at[1] - py) <= within;
   // The end effector is preferred to its link, and the handle to the body.
-  if (scenario.robot === "arm" && isNear(pane.pixels(Float64Array.from(pose)), Math.max(TIP, reach))) return { part: scenario.dimension, distance: 0 };
+  if (scenario.robot === "arm" && isNear(pane.pixels(q), Math.max(TIP, reach))) return { part: scenario.dimension, distance: 0 };
   if (placed && isNear(placed.handle(pose, view), reach)) return { part: 0, distance: 0 };
   const [x, y] = view.toPlane(px, py);
-  const distances = scenario.footprint(Float64Array.from(pose)).map((part) => Math.max(0, distanceToShape(part, x, y)) * view.scaleX);
+  const distances = scenario.footprint(q).map((part) => Math.max(0, distanceToShape(part, x, y)) * view.scaleX);
   const distance = Math.min(...distances);
   return distance <= reach ? { part: placed ? null : distances.lastIndexOf(distance), distance } : null;
 }

@@ -33,7 +33,7 @@ function begun(byKeys = false) {
   const shown = { scenario, document, query: "home", start, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
   const session = { shown, wake() {}, timeline: { pause() {} }, byHand: { release() {}, game: {} } };
   const driving = new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
-  driving.turn(true, byKeys, from);
+  driving.start(byKeys, from);
   return driving;
 }
 
@@ -200,7 +200,7 @@ test("a drive is replayed to the same place, and so is its file; another one is 
   assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
   const direct = scenario.drive();
   assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
-  await page.click("#drive-anew");
+  await page.click("#drive-restart");
   await page.waitForSelector("#drive[data-keys='0']");
   const file = (/** @type {object} */ content) => pickFile(page, "x.json", JSON.stringify(content), "#drive-file");
   await file(record);

@@ -5,7 +5,7 @@ import { byId, make } from "./dom.js";
 export class Notice {
   constructor() {
     this.element = byId("notice", HTMLElement);
-    /** Answers the open question. @type {(choice: string) => void} */
+    /** Closes the open question with a choice. @type {(choice: string) => void} */
     this.answer = () => {};
   }
 

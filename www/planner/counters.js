@@ -15,24 +15,18 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show(lane, settled) {
-    const { dataset } = this.element;
-    const { status, phase, iteration, vertices, edges, fingerprint, length } = lane;
-    Object.assign(dataset, { status, phase, iterations: iteration, vertices, edges, settled });
-    if (fingerprint) dataset.fingerprint = fingerprint;
-    else delete dataset.fingerprint;
-    if (length !== null) dataset.length = String(length);
-    else delete dataset.length;
+  show({ status, phase, iteration, vertices, edges, checks, motions, evaluations, stats, length, unit, segments, fingerprint }, settled) {
+    this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
     this.write({
-      phase: lane.status === "running" ? lane.phase : lane.status === "none" ? "not started" : lane.status === "exhausted" ? "no path" : lane.status,
-      iterations: grouped(lane.iteration), vertices: grouped(lane.vertices), edges: grouped(lane.edges),
-      length: lane.length === null ? "" : `${lane.length.toFixed(2)} ${lane.unit}`,
-      segments: lane.segments === null ? "" : grouped(lane.segments),
-      checks: short(lane.checks), motions: short(lane.motions), evaluations: short(lane.evaluations),
-      nearest: lane.stats ? short(lane.stats.nearest) : "",
-      time: lane.stats ? duration(lane.stats.seconds) : "",
-      rate: lane.stats && lane.stats.seconds > 0 ? short(lane.iteration / lane.stats.seconds) : "",
-      fingerprint: lane.fingerprint,
+      phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
+      iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
+      length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
+      segments: segments === null ? "" : grouped(segments),
+      checks: short(checks), motions: short(motions), evaluations: short(evaluations),
+      nearest: stats ? short(stats.nearest) : "",
+      time: stats ? duration(stats.seconds) : "",
+      rate: stats && stats.seconds > 0 ? short(iteration / stats.seconds) : "",
+      fingerprint,
     });
   }
 
@@ -41,17 +35,20 @@ export class Counters {
     for (const [name, word] of Object.entries(words)) write(byId(`count-${name}`, HTMLElement), word || "\u2013");
   }
 
-  /** Declares the counters out of date. */
-  unsettle() {
-    const { dataset } = this.element;
-    dataset.settled = "false";
-    delete dataset.fingerprint;
-    delete dataset.length;
+  /** Sets data attributes; null removes one. @param {Record<string, string | number | boolean | null>} values */
+  mark(values) {
+    for (const [name, value] of Object.entries(values)) {
+      if (value === null) this.element.removeAttribute(`data-${name}`);
+      else this.element.dataset[name] = String(value);
+    }
   }
+
+  /** Declares the counters out of date. */
+  unsettle() { this.mark({ settled: false, fingerprint: null, length: null }); }
 
   /** Shows that the page could not start. */
   fail() {
-    this.element.dataset.status = "failed";
+    this.mark({ status: "failed" });
     this.write({ phase: "failed" });
   }
 }

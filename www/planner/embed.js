@@ -1,11 +1,6 @@
 /**
- * The page in a frame: `?embed=1` shows only the stage and its transport, and the parent controls it by messages.
- *
- * The parent posts `{ planarium: "load" | "play" | "pause" | "step" | "seek" | "state", id?, ... }` to the frame:
- * - `load`: `scene` (an id) or `document` (a scenario), and optionally `algorithm`, `settings`, `query`, `iteration`, `play`;
- * - `step`: `count` (1; below 0: back); `seek`: `iteration`; `state`: the state once all earlier messages have been carried out;
- * and gets `{ planarium: "answer", id, value }` or `{ planarium: "answer", id, fault: { message, code, pointer } }`. Once ready
- * and with each change, the frame posts `{ planarium: "state", state }` to its parent, ten times a second at most.
+ * The page in a frame: `?embed=1` shows only the stage and its transport, and the parent controls it by messages, which
+ * docs/teaching.md lists. Once ready and with each change, the frame posts its state to the parent.
  */
 import { errorInfo } from "../app/error-info.js";
 import { paced } from "../app/paced.js";

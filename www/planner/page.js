@@ -107,7 +107,7 @@ export class Page {
     }
     // Planners and parameters for other robots would be refused.
     panel.offer(scenario.robot);
-    if (!given) panel.build();
+    if (!given) panel.form.build();
     const plan = given ? panel.planFrom(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const dropped = this.race?.offer() ?? [];
     const wanted = plans?.slice(1) ?? this.race?.beside(plan) ?? this.current.slice(1);

@@ -4,6 +4,7 @@ import { pacer } from "../app/paced.js";
 import { LAYERS } from "../draw/layer.js";
 import { robotName } from "../domain/names.js";
 
+/** @import { LayerName } from "../draw/layer.js" */
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
 /** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes the drawing */
@@ -17,8 +18,8 @@ export class Sheets {
     /** @type {Map<string, Figure>} */
     this.figures = new Map();
     this.isDescriptionDue = pacer(1000);
-    /** Notes that replace the usual ones, by kind. @type {Partial<Record<PaneKind, string>>} */
-    this.notes = {};
+    /** The coordinates on the axes of the configuration space, where it has more than two. */
+    this.axes = "";
     this.observer = new ResizeObserver(() => this.measure());
   }
 
@@ -57,7 +58,7 @@ export class Sheets {
   /** Shows the standing of a lane in a race. @param {number} lane @param {string} text */
   setStanding(lane, text) {
     for (const figure of this.figures.values()) {
-      if (figure.lane !== lane || figure.standing === text) continue;
+      if (figure.lane !== lane) continue;
       figure.standing = text;
       this.writeNote(figure);
     }
@@ -66,16 +67,15 @@ export class Sheets {
   /** Notes the coordinates of the configuration space. @param {State} state @param {SceneFacts | null} facts */
   showAxes({ view: { axes: [across, up], slice } }, facts) {
     const { dimension = 0, coordinates = [] } = facts ?? {};
-    const text = dimension > 2 && across < dimension && up < dimension
-      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}` : undefined;
-    if (this.notes.cspace === text) return;
-    this.notes.cspace = text;
+    this.axes = dimension > 2 && across < dimension && up < dimension
+      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}` : "";
     for (const figure of this.figures.values()) this.writeNote(figure);
   }
 
   /** @param {Figure} figure */
   writeNote({ kind, note, usual, standing }) {
-    write(note, standing ? [standing, this.notes[kind]].filter(Boolean).join("; ") : this.notes[kind] || usual);
+    const axes = kind === "cspace" ? this.axes : "";
+    write(note, standing && axes ? `${standing}; ${axes}` : standing || axes || usual);
   }
 
   /** @param {string} id @param {PaneKind} kind @param {number} lane @returns {Figure} */
@@ -84,17 +84,14 @@ export class Sheets {
     const caption = make("span", {});
     const note = make("small", {});
     const figure = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, caption, " ", note), sheet);
-    const canvases = LAYERS.map((name) => {
-      const canvas = make("canvas", { ariaHidden: "true" });
-      canvas.dataset.layer = name;
-      sheet.append(canvas);
-      return canvas;
-    });
-    const top = canvases[canvases.length - 1];
+    const entries = LAYERS.map((name) => [name, make("canvas", { ariaHidden: "true" })]);
+    const canvases = /** @type {Record<LayerName, HTMLCanvasElement>} */ (Object.fromEntries(entries));
+    for (const [name, canvas] of Object.entries(canvases)) canvas.dataset.layer = name;
+    sheet.append(...Object.values(canvases));
+    const { top } = canvases;
     Object.assign(top, { ariaHidden: null, role: "img" });
     this.listen(top, id);
-    const named = /** @type {Record<typeof LAYERS[number], HTMLCanvasElement>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, canvases[i]])));
-    this.session.stage.add(id, kind, lane, named);
+    this.session.stage.add(id, kind, lane, canvases);
     const made = { figure, caption, note, usual: "", standing: "", sheet, top, kind, lane };
     this.figures.set(id, made);
     this.observer.observe(sheet);
@@ -127,25 +124,19 @@ export class Sheets {
 
   /** Passes on the primary pointer, captured while it is down. @param {HTMLCanvasElement} canvas @param {string} pane */
   listen(canvas, pane) {
-    let down = false;
-    /** @param {PointerEvent} event @param {Pointer["type"]} type */
-    const send = (event, type) => {
-      if (!event.isPrimary) return;
-      void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0 || !event.isPrimary) return;
-      down = true;
-      canvas.setPointerCapture(event.pointerId);
-      send(event, "down");
+    /** @param {"pointerdown" | "pointermove" | "pointerup" | "pointercancel" | "pointerleave"} name @param {(isDown: boolean, event: PointerEvent) => Pointer["type"] | null} typeOf */
+    const send = (name, typeOf) => canvas.addEventListener(name, (event) => {
+      const type = event.isPrimary ? typeOf(canvas.hasPointerCapture(event.pointerId), event) : null;
+      if (type) void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
     });
-    canvas.addEventListener("pointermove", (event) => send(event, down ? "move" : "hover"));
-    for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
-      canvas.addEventListener(end, (event) => {
-        if (down) send(event, end === "pointerup" ? "up" : "cancel");
-        down = false;
-      });
-    }
-    canvas.addEventListener("pointerleave", (event) => send(event, "leave"));
+    send("pointerdown", (_, { button, pointerId }) => {
+      if (button !== 0) return null;
+      canvas.setPointerCapture(pointerId);
+      return "down";
+    });
+    send("pointermove", (isDown) => (isDown ? "move" : "hover"));
+    send("pointerup", (isDown) => (isDown ? "up" : null));
+    send("pointercancel", (isDown) => (isDown ? "cancel" : null));
+    send("pointerleave", () => "leave");
   }
 }

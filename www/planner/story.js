@@ -3,6 +3,7 @@ import { grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
+import { capital } from "../widgets/format.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
@@ -102,9 +103,7 @@ function invitation({ robot }, square) {
 
 /** The configuration posed by hand, in words. @param {Scenario} scenario @param {Check} check */
 export function poseSentence(scenario, check) {
-  if (check.free) return "Collision-free.";
-  const sentence = touchingSentence(scenario, check);
-  return `${sentence[0].toUpperCase()}${sentence.slice(1)}.`;
+  return check.free ? "Collision-free." : `${capital(touchingSentence(scenario, check))}.`;
 }
 
 /** @param {number} touches */

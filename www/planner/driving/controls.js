@@ -1,6 +1,6 @@
 /** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
 import { json, save } from "../../app/files.js";
-import { Driving } from "./driving.js";
+import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
@@ -19,7 +19,6 @@ const PAD = [
   ["slower", "Brake or reverse", "M10 17 4 8h12z", "ArrowDown"], ["right", "Steer right", "M16 10 7 4v12z", "ArrowRight"],
 ];
 const NUMBERS = /** @type {const} */ ([["v", "v"], ["phi", "\u03c6"], ["x", "x"], ["y", "y"], ["theta", "\u03b8"], ["time", "time"]]);
-const FORMAT = "planarium-drive-1";
 const LABEL = "Stage. The arrow keys or W, A, S and D drive; C holds the controls; P pauses; R restarts; Escape exits.";
 
 export class DriveControls {
@@ -38,11 +37,17 @@ export class DriveControls {
       arrow.innerHTML = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" fill="currentColor"/></svg>`;
       return arrow;
     }));
+    /** By key. */
+    this.actions = {
+      p: () => this.act((driving) => driving.pause(moment())),
+      r: () => this.act((driving) => driving.restart(moment())),
+      Escape: () => this.leave(),
+    };
     const keep = this.button("keep", "Hold controls", "C", (event) => this.press("keep", event));
-    this.pause = this.button("pause", "Pause", "P", () => this.togglePause());
-    const restart = this.button("anew", "Restart", "R", () => this.act((driving) => driving.restart(moment())));
-    this.replay = this.button("replay", "Replay", "", () => this.act((driving) => driving.replay(null, 0, moment())));
-    const leave = this.button("leave", "Exit", "Escape", () => this.leave());
+    this.pause = this.button("pause", "Pause", "P", this.actions.p);
+    const restart = this.button("restart", "Restart", "R", this.actions.r);
+    this.replay = this.button("replay", "Replay", "", () => this.act((driving) => driving.replay(moment())));
+    const leave = this.button("leave", "Exit", "Escape", this.actions.Escape);
     this.cells = Object.fromEntries(NUMBERS.map(([name]) => [name, make("dd", {})]));
     const numbers = make("dl", { className: "counters" }, ...NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name])));
     this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
@@ -73,7 +78,7 @@ export class DriveControls {
     const form = make("form", { noValidate: true, className: "roll", ariaLabel: "Preview of one control" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      const [v, phi, duration] = fields.map(({ input }) => (input.value.trim() === "" ? NaN : Number(input.value)));
+      const [v, phi, duration] = fields.map(({ input }) => input.valueAsNumber);
       for (const { input } of fields) input.ariaInvalid = null;
       try {
         this.page.run(() => this.driving.roll(v, phi, duration));
@@ -109,7 +114,7 @@ export class DriveControls {
       : record.scenario !== page.facts?.name ? `It was recorded in the scene "${record.scenario}".` : "";
     if (fault) throw new Error(fault);
     page.notice.hide();
-    page.run(() => this.driving.replay(record.record, record.steps, moment()));
+    page.run(() => this.driving.replay(moment(), record));
     this.stage.focus();
   }
 
@@ -119,26 +124,21 @@ export class DriveControls {
   /** @param {DriveKey} key @param {Event} event */
   press(key, event) { this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp)); }
 
-  togglePause() { this.act((driving) => driving.pause(moment())); }
-
+  /** Begins or ends driving. */
   toggle() {
-    if (this.on) this.leave();
-    else this.begin();
-  }
-
-  begin() {
     const { page } = this;
-    page.app.guard(() => {
+    if (this.on) this.leave();
+    else page.app.guard(() => {
       // A car is not edited while it is driven.
       byId("editor-fold", HTMLDetailsElement).open = false;
-      page.run(() => this.driving.turn(true, page.calm, moment()));
+      page.run(() => this.driving.start(page.calm, moment()));
       this.stage.focus({ preventScroll: true });
       this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     }, "This scene cannot be driven.");
   }
 
   leave() {
-    this.act((driving) => driving.turn(false, false, moment()));
+    this.act((driving) => driving.stop());
     byId("your-turn", HTMLButtonElement).focus();
   }
 
@@ -146,16 +146,13 @@ export class DriveControls {
   key(event) {
     if (!this.on || event.ctrlKey || event.metaKey || event.altKey) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const isOwn = event.target instanceof HTMLInputElement && event.target.type !== "checkbox";
-    const drives = KEYS[key];
-    if (isOwn && key !== "Escape") return;
+    const isTyped = event.target instanceof HTMLInputElement && event.target.type !== "checkbox";
+    if (isTyped && key !== "Escape") return;
     const isOnStage = event.target === this.stage;
-    /** @type {(() => void) | undefined} */
-    let action;
-    if (drives) action = () => this.press(drives, event);
-    else if (key === "p" || (key === " " && isOnStage)) action = () => this.togglePause();
-    else if (key === "r") action = () => this.act((driving) => driving.restart(moment()));
-    else if (key === "Escape") action = () => this.leave();
+    const drives = KEYS[key];
+    /** @type {Partial<Record<string, () => void>>} */
+    const actions = this.actions;
+    const action = drives ? () => this.press(drives, event) : actions[isOnStage && key === " " ? "p" : key];
     if (action || (isOnStage && /^[.,en]$/.test(key))) event.preventDefault();
     // A key held down counts once.
     if (!event.repeat) action?.();

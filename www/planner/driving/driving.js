@@ -1,12 +1,14 @@
 /**
  * The keyboard car: a drive of the core, in the core's own time steps. A key counts from the moment it was pressed, so the same keys
- * lead to the same configuration at any frame rate.
+ * lead to the same configuration at any frame rate. Moments are milliseconds since the epoch.
  */
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
 /** @import { Session } from "../session.js" */
 
+/** The format of recordings. */
+export const FORMAT = "planarium-drive-1";
 /** Milliseconds by which the drive lags behind the clock: a key event that is late by less counts from its moment. */
 const BEHIND = 30;
 /** Milliseconds between two frames that count, at most. */
@@ -20,19 +22,15 @@ export class Driving {
     this.session = session;
     /** @type {Drive | null} */
     this.drive = null;
-    /** @type {DriveState | null} */
-    this.state = null;
     /** Whether time advances with each key only. */
     this.byKeys = false;
     this.paused = false;
-    /** The moment, in milliseconds, of step `base`, and the moment of the last frame. */
+    /** The moment of step `base`, and the moment of the last frame. */
     this.since = 0;
     this.base = 0;
     this.seen = 0;
-    /** The recording that is replayed. @type {{ record: KeyPress[], steps: number, next: number } | null} */
+    /** The rest of the recording that is replayed, up to a step. @type {{ record: KeyPress[], steps: number } | null} */
     this.tape = null;
-    /** The car's trajectory, rows of x, y, theta. */
-    this.trace = /** @type {Float64Array} */ (new Float64Array(0));
     /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
     this.announcement = "";
@@ -40,18 +38,25 @@ export class Driving {
 
   get on() { return this.drive !== null; }
 
-  /** Whether the car moves by itself. */
-  get moves() { return this.state !== null && !this.paused && !this.byKeys && (this.state.v !== 0 || this.tape !== null); }
+  get state() { return this.drive?.state ?? null; }
 
-  /** Begins or ends driving. @param {boolean} on @param {boolean} byKeys @param {number} now */
-  turn(on, byKeys, now) {
+  /** The car's trajectory, rows of x, y, theta. */
+  get trace() { return this.drive?.traceSince(0) ?? new Float64Array(0); }
+
+  /** Whether time runs by itself. */
+  get runs() { return !this.paused && !this.byKeys; }
+
+  /** Whether the car moves by itself. */
+  get moves() {
+    const { state } = this;
+    return state !== null && this.runs && (state.v !== 0 || this.tape !== null);
+  }
+
+  /** @param {boolean} byKeys @param {number} now */
+  start(byKeys, now) {
     const { session } = this;
     const { shown } = session;
-    if (!on || !shown) {
-      this.stop();
-      session.wake();
-      return;
-    }
+    if (!shown) return;
     session.timeline.pause();
     session.byHand.release();
     session.byHand.game = { touches: 0, arrived: false };
@@ -59,7 +64,6 @@ export class Driving {
     const isFree = start && scenario.check(start).free;
     this.drive = scenario.drive(isFree ? start : undefined);
     this.byKeys = byKeys;
-    this.rollout = null;
     this.restart(now);
   }
 
@@ -71,13 +75,9 @@ export class Driving {
 
   /** @param {KeyPress[]} record @param {number} steps @param {number} now */
   begin(record, steps, now) {
-    const { drive } = this;
-    if (!drive) return;
-    this.state = drive.replay(record, steps);
-    this.tape = null;
+    this.drive?.replay(record, steps);
+    this.tape = this.rollout = null;
     this.paused = false;
-    this.rollout = null;
-    this.trace = drive.traceSince(0);
     this.resume(now);
     this.show();
   }
@@ -88,17 +88,17 @@ export class Driving {
     this.base = this.state?.steps ?? 0;
   }
 
-  /** Handles a key. @param {DriveKey} key @param {number} at  milliseconds since the epoch */
+  /** Handles a key. @param {DriveKey} key @param {number} at */
   press(key, at) {
     const { drive, state } = this;
     if (!drive || !state) return;
     this.tape = null;
     if (key === "keep" && this.paused) this.pause(at);
-    if (!this.paused && !this.byKeys) this.advance(at);
+    if (this.runs) this.advance(at);
+    const wasStill = drive.state.v === 0;
     drive.press(key);
-    if (this.byKeys) this.state = drive.tick(Math.round(STRIDE / drive.stepSeconds));
-    else if (this.state?.v === 0) this.resume(at);
-    this.state = drive.state;
+    if (this.byKeys) drive.tick(Math.round(STRIDE / drive.stepSeconds));
+    else if (wasStill) this.resume(at);
     this.rollout = null;
     this.show();
     this.describe(state);
@@ -106,75 +106,73 @@ export class Driving {
 
   /** Pauses or resumes. @param {number} now */
   pause(now) {
-    if (this.paused) this.resume(now);
-    else if (!this.byKeys) this.advance(now - BEHIND);
+    if (this.runs) this.advance(now - BEHIND);
     this.paused = !this.paused;
+    if (!this.paused) this.resume(now);
     this.announcement = this.paused ? "Paused; press C to resume." : "Resumed.";
     this.show();
   }
 
   /** @param {boolean} byKeys @param {number} now */
   setByKeys(byKeys, now) {
-    if (!byKeys) this.resume(now);
-    else if (!this.paused) this.advance(now - BEHIND);
+    if (this.runs) this.advance(now - BEHIND);
     this.byKeys = byKeys;
+    this.resume(now);
     this.show();
   }
 
   /** Advances to a frame. @param {number} now */
   pass(now) {
-    if (!this.moves) return;
+    const { state } = this;
+    if (!state || !this.moves) return;
     const gap = now - this.seen;
     if (gap > LONGEST) this.since += gap - LONGEST;
     this.seen = now;
-    const before = this.state;
     this.advance(now - BEHIND);
-    if (before) this.describe(before);
+    this.describe(state);
     this.show();
   }
 
   /** Takes all steps that are due. @param {number} at */
   advance(at) {
-    const { drive, state, tape } = this;
-    if (!drive || !state) return;
+    const { drive, tape } = this;
+    if (!drive) return;
     const due = this.base + Math.floor((at - this.since) / (1000 * drive.stepSeconds) + 1e-6);
+    const { steps } = drive.state;
     if (tape) {
-      this.wind(drive, tape, Math.min(due, tape.steps));
+      this.wind(drive, tape.record, Math.min(due, tape.steps));
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
       this.announcement = "End of the recording; press C to drive on.";
-    } else if (due > state.steps) this.state = drive.tick(Math.min(due - state.steps, 1e6));
+    } else if (due > steps) drive.tick(Math.min(due - steps, 1e6));
   }
 
-  /** Replays a recording up to a step. @param {Drive} drive @param {{ record: KeyPress[], next: number }} tape @param {number} until */
-  wind(drive, tape, until) {
-    for (; tape.next < tape.record.length && tape.record[tape.next].step <= until; tape.next++) {
-      const { step, key } = tape.record[tape.next];
+  /** Replays a recording up to a step. @param {Drive} drive @param {KeyPress[]} record @param {number} until */
+  wind(drive, record, until) {
+    while (record.length > 0 && record[0].step <= until) {
+      const [{ step, key }] = record.splice(0, 1);
       drive.tick(Math.max(0, step - drive.state.steps));
       drive.press(key);
     }
-    this.state = drive.tick(Math.max(0, until - drive.state.steps));
+    drive.tick(Math.max(0, until - drive.state.steps));
   }
 
-  /** Replays the drive so far, or a recording from a file. Where time advances with keys only, the end is shown at once. @param {KeyPress[] | null} given @param {number} steps @param {number} now */
-  replay(given, steps, now) {
-    const { drive, state } = this;
-    if (!drive || !state) return;
-    const record = given ?? drive.record();
-    const until = given ? steps : state.steps;
-    this.begin(record, this.byKeys ? until : 0, now);
-    if (!this.byKeys) this.tape = { record, steps: until, next: 0 };
+  /** Replays the drive so far, or a recording from a file. Where time advances with keys only, the end is shown at once. @param {number} now @param {{ record: KeyPress[], steps: number }} [recording] */
+  replay(now, recording = this.record() ?? undefined) {
+    if (!recording) return;
+    const { record, steps } = recording;
+    this.begin(record, this.byKeys ? steps : 0, now);
+    if (!this.byKeys) this.tape = { record: [...record], steps };
     this.announcement = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
-    this.show();
   }
 
   /** The recording, as a document. */
   record() {
-    const { drive, state, session: { shown } } = this;
-    if (!drive || !state || !shown) return null;
-    const [x, y, theta] = drive.traceSince(0);
-    return { format: "planarium-drive-1", scenario: shown.scenario.name, start: [x, y, theta], steps: state.steps, record: drive.record(), pose: state.pose };
+    const { drive, trace, session: { shown } } = this;
+    if (!drive || !shown) return null;
+    const { steps, pose } = drive.state;
+    return { format: FORMAT, scenario: shown.scenario.name, start: [...trace.slice(0, 3)], steps, record: drive.record(), pose };
   }
 
   /** Previews one control. @param {number} v @param {number} phi @param {number} duration @throws {Error} with `code` and `pointer` */
@@ -185,21 +183,16 @@ export class Driving {
     this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
     const { seconds, blocked } = this.rollout;
-    this.announcement = blocked === null ? `Free for all ${seconds.toFixed(2)} s.` : `Free for ${seconds.toFixed(2)} s; then ${this.name(blocked)}.`;
+    const time = `${seconds.toFixed(2)} s`;
+    this.announcement = blocked === null ? `Free for all ${time}.` : `Free for ${time}; then ${reasonOf(blocked)}.`;
     this.show();
-  }
-
-  /** The obstruction, in words. @param {Obstructed} blocked */
-  name(blocked) {
-    if (blocked === "bounds") return "the bounds are in the way";
-    return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
   }
 
   /** Describes an event since an earlier state. @param {DriveState} before */
   describe(before) {
     const { state } = this;
     if (!state) return;
-    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.announcement = `Stopped: ${this.name(state.blocked)}.`;
+    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.announcement = `Stopped: ${reasonOf(state.blocked)}.`;
     else if (state.blocked === null && before.blocked !== null) this.announcement = "Free again.";
     else if (this.announcement.startsWith("At the start") && state.v !== 0) this.announcement = "";
   }
@@ -211,30 +204,20 @@ export class Driving {
   }
 
   show() {
-    const { session, drive, state } = this;
+    const { session, state, trace, rollout } = this;
     const { shown } = session;
-    if (!drive || !state || !shown) return;
-    const known = this.trace.length / 3;
-    if (state.traceCount > known) {
-      const fresh = drive.traceSince(known);
-      const longer = new Float64Array(this.trace.length + fresh.length);
-      longer.set(this.trace);
-      longer.set(fresh, this.trace.length);
-      this.trace = longer;
-    }
+    if (!state || !shown) return;
     shown.hand = Float64Array.from(state.pose);
     shown.check = { free: true, touching: [] };
-    shown.driven = { steering: state.phi, trace: this.trace, blocked: state.blocked, rollout: this.rollout, drawUnder: drawTrace, drawOver: drawDrive };
+    shown.driven = { steering: state.phi, trace, blocked: state.blocked, rollout, drawUnder: drawTrace, drawOver: drawDrive };
     session.wake();
   }
 
   stop() {
     const { shown } = this.session;
     this.drive?.free();
-    this.drive = this.state = this.tape = this.rollout = null;
-    if (!shown?.driven) return;
-    shown.driven = null;
-    shown.hand = shown.check = null;
+    this.drive = this.tape = this.rollout = null;
+    if (shown?.driven) shown.driven = shown.hand = shown.check = null;
   }
 
   /** The sentence above the stage. */
@@ -242,7 +225,13 @@ export class Driving {
     const { state } = this;
     if (!state) return "";
     if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${state.keyCount} ${state.keyCount === 1 ? "key" : "keys"}.`;
-    if (state.blocked !== null) return `Stopped: ${this.name(state.blocked)}. Reverse, or steer another way.`;
+    if (state.blocked !== null) return `Stopped: ${reasonOf(state.blocked)}. Reverse, or steer another way.`;
     return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
   }
+}
+
+/** The obstruction, in words. @param {Obstructed} blocked */
+function reasonOf(blocked) {
+  if (blocked === "bounds") return "the bounds are in the way";
+  return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
 }

@@ -6,11 +6,11 @@ import { Editor } from "./editor.js";
 import { byId, make, write } from "../../app/dom.js";
 import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
+import { Field } from "../../widgets/field.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
-/** @import { Field } from "./objects.js" */
-/** @typedef {(editor: Editor) => unknown} Command */
+/** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
 const TOOLS = [["select", "Select"], ["disc", "Disc"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]];
@@ -21,15 +21,20 @@ const COMMANDS = {
   duplicate: (editor) => editor.duplicate(), undo: (editor) => editor.go(-1), redo: (editor) => editor.go(1),
 };
 
-/** @type {Record<string, Command>} */
+/** Moves the selection, with Shift ten times as far. @param {number} dx @param {number} dy @returns {Command} */
+const arrow = (dx, dy) => (editor, event) => {
+  const factor = event?.shiftKey ? 10 : 1;
+  editor.nudge(factor * dx, factor * dy, event?.repeat ?? false);
+};
+
+/** @type {Partial<Record<string, Command>>} */
 const KEYS = {
   "[": (editor) => editor.select(-1), "]": (editor) => editor.select(1), PageUp: COMMANDS.previous, PageDown: COMMANDS.next,
   Delete: COMMANDS.remove, Backspace: COMMANDS.remove, Insert: COMMANDS.insert, d: COMMANDS.duplicate,
   Enter: (editor) => editor.enter(), Escape: (editor) => editor.cancel(),
+  ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1),
+  "Control+z": COMMANDS.undo, "Control+Shift+z": COMMANDS.redo, "Control+y": COMMANDS.redo,
 };
-
-/** @type {Record<string, [number, number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class EditorControls {
   /** @param {Page} page */
@@ -42,14 +47,13 @@ export class EditorControls {
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened. @type {{ source: Source | null, entry: SceneEntry | null }} */
     this.original = { source: null, entry: null };
-    this.adopting = false;
     this.changes = 0;
     this.message = "";
     /** The objects that the fields are for. */
     this.shape = "";
-    /** @type {HTMLInputElement[]} */
+    /** @type {Field[]} */
     this.inputs = [];
-    /** The coordinates last written into the fields. @type {Field[]} */
+    /** The coordinates last written into the fields. @type {Editor["fields"]} */
     this.shown = [];
     this.refused = "";
     this.tools = TOOLS.map(([tool, text]) => this.button(text, (editor) => editor.use(tool)));
@@ -84,9 +88,7 @@ export class EditorControls {
     // Posing the robot by hand takes the pointer.
     byId("your-turn", HTMLButtonElement).addEventListener("click", () => { this.fold.open = false; });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
-    page.onOpen(() => {
-      if (!this.adopting) this.original = { source: page.source, entry: page.entry };
-    });
+    page.onOpen(() => { this.original = { source: page.source, entry: page.entry }; });
     page.onState(({ isEditing }) => { if (isEditing) this.show(this.editor); });
     if (this.fold.open) this.turn();
   }
@@ -98,8 +100,8 @@ export class EditorControls {
     (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: this.page.calm ? "auto" : "smooth" });
   }
 
-  /** @param {Command} command */
-  act(command) { this.page.act(() => command(this.editor)); }
+  /** @param {Command} command @param {KeyboardEvent} [event] */
+  act(command, event) { this.page.act(() => command(this.editor, event)); }
 
   /** @param {string} text @param {Command} command @param {string} [key] */
   button(text, command, key) {
@@ -124,15 +126,10 @@ export class EditorControls {
   key(event) {
     if (!this.fold.open || event.altKey || (event.key === "Enter" && event.target instanceof HTMLButtonElement)) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const arrow = ARROWS[key];
-    const factor = event.shiftKey ? 10 : 1;
-    /** @type {Command | undefined} */
-    let command = KEYS[key];
-    if (event.ctrlKey || event.metaKey) command = key === "y" || (key === "z" && event.shiftKey) ? COMMANDS.redo : key === "z" ? COMMANDS.undo : undefined;
-    else if (arrow) command = (editor) => editor.nudge(arrow[0] * factor, arrow[1] * factor, event.repeat);
+    const command = KEYS[event.ctrlKey || event.metaKey ? `Control+${event.shiftKey ? "Shift+" : ""}${key}` : key];
     if (!command) return;
     event.preventDefault();
-    this.act(command);
+    this.act(command, event);
   }
 
   /** @param {Editor} editor */
@@ -169,38 +166,29 @@ export class EditorControls {
   /** Shows the coordinates of the selection. @param {Editor} editor */
   showFields({ title, kind, part, fields, reason }) {
     const shape = `${kind} ${title} ${fields.length}`;
-    const isNew = shape !== this.shape;
-    if (isNew) {
+    if (shape !== this.shape) {
       this.shape = shape;
-      this.fields.replaceChildren();
-      this.inputs = fields.map(({ name, unit }, i) => {
-        const input = make("input", {
-          type: "number", step: "any", id: `edit-${name.replace(" ", "-")}`, autocomplete: "off", inputMode: "decimal", onchange: () => this.enter(i),
-        });
-        input.setAttribute("aria-describedby", "edit-reason");
-        const label = `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`;
-        this.fields.append(make("label", { className: "row" }, make("span", { className: "name" }, label, make("span", { className: "unit" }, ` ${unit}`)), input));
-        return input;
-      });
+      this.shown = fields;
+      this.inputs = fields.map(({ name, unit, low, high, value }, i) => new Field({
+        name: name.replace(" ", "-"), title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`, unit, kind: "number",
+        min: low, max: high, default: value, choices: null, robots: [], meaning: "",
+      }, value, () => this.enter(i), "edit"));
+      this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
     }
     const isResolved = this.refused !== "" && reason === "";
     this.refused = reason;
     fields.forEach(({ value }, i) => {
       // Text being typed stays until the number itself changes.
-      if (isNew || isResolved || value !== this.shown[i].value) Object.assign(this.inputs[i], { value, ariaInvalid: null });
+      if (isResolved || value !== this.shown[i].value) this.inputs[i].set(value);
     });
     this.shown = fields;
   }
 
   /** Applies a typed number. @param {number} index */
   enter(index) {
-    const input = this.inputs[index];
-    const { value: before, low, high } = this.shown[index];
-    const value = Number(input.value);
-    const isValid = input.value.trim() !== "" && value >= low && value <= high;
-    // A new value is invalid until the core has accepted it.
-    input.ariaInvalid = isValid && value === before ? null : "true";
-    if (isValid && value !== before) this.act((editor) => editor.set(index, value));
+    const { value, control } = this.inputs[index];
+    this.act((editor) => editor.set(index, Number(value)));
+    if (this.editor.refusal) control.ariaInvalid = "true";
   }
 
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */
@@ -210,8 +198,7 @@ export class EditorControls {
     page.source = isChanged ? { document: facts.document } : original.source;
     page.entry = isChanged ? null : original.entry;
     page.notice.hide();
-    this.adopting = true;
     page.show(facts);
-    this.adopting = false;
+    this.original = original;
   }
 }

@@ -1,7 +1,7 @@
 /** The pointer in the editor, as a state machine over pointer events. */
-import { simple } from "./commands.js";
 import { drawGesture, moveGesture, pointAt, pointFrom } from "./gestures.js";
 import { REACH, hitAt } from "./handles.js";
+import { simple } from "./objects.js";
 import { gridOf } from "../../draw/ground.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
@@ -61,7 +61,7 @@ export class Hand {
     const { x, y, scale, square } = place;
     if (drag) {
       drag.moved ||= Math.hypot(pending.x - drag.from.x, pending.y - drag.from.y) > (pending.touch ? SLACK.touch : SLACK.mouse);
-      if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), drag.drawn ?? editor.selected, true);
+      if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), drag.drawn ?? editor.selected);
     } else if (this.draft.length > 0 && !square) this.loose = pointFrom(scale, this.draft.at(-1), x, y, pending.shift);
   }
 
@@ -94,7 +94,7 @@ export class Hand {
       this.drag = { change: drawGesture(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
     } else {
       const hit = hitAt(pane, square !== null, shown, editor.session.query, editor.selected, pointer.x, pointer.y, reach);
-      editor.choose(hit?.object ?? null, hit?.handle?.kind === "middle" ? null : hit?.part ?? null);
+      editor.choose(hit?.object ?? null, hit?.part ?? null);
       if (hit) this.drag = { change: moveGesture(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
     }
   }

@@ -4,29 +4,25 @@
  */
 import { errorInfo } from "../../app/error-info.js";
 import { drawOverlay } from "./selection.js";
-import { copies, middle, nudged, places, simple } from "./commands.js";
-import { coordinatesOf, sizeOf } from "../../domain/coordinates.js";
+import { contained, coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 import { History } from "./history.js";
 import { Hand } from "./drag.js";
+import { ANGLE } from "./gestures.js";
+import { capital } from "../../widgets/format.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip, followTip, otherGoal, tipOf } from "./end-effector.js";
-import { fieldsOf, obstacleOf, place, poseOf, rounded, same, targetOf, objectsOf, withField, withObstacle, withVertex } from "./objects.js";
+import { isTip } from "../stage/grip.js";
+import {
+  around, fine, middle, moved, numbersOf, objectsOf, obstacleOf, poseOf, rounded, same, simple, targetOf, withNumbers, withObstacle, withPose,
+  withTarget, withVertex,
+} from "./objects.js";
 
-/** @import { Check, EditTool, ErrorInfo, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Coordinate, EditTool, ErrorInfo, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
 /** @import { Point, EditorObject } from "./objects.js" */
 
-/**
- * @typedef {object} Overlay   drawn on the panes
- * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} draw
- * @property {EditorObject | null} selected
- * @property {number | null} part       vertex or joint
- * @property {Point[]} draft            the polygon being drawn, up to the pointer
- * @property {Obstacle | null} refused  by the core
- * @property {{ end: "start" | "goal", pose: number[], check: Check }[]} touching
- */
+/** @typedef {Editor} Overlay   drawn on the panes */
 
 /** How to use each tool. @type {Record<EditTool, string>} */
 const HINTS = {
@@ -36,8 +32,11 @@ const HINTS = {
   polygon: "Click the corners; click the first one again, double-click or press Enter to close the polygon.",
 };
 
+/** The coordinates of points and discs. @type {Coordinate[]} */
+const PLACE = ["x", "y", "radius"].map((name) => ({ name, unit: "m", low: -Infinity, high: Infinity, isCircle: false }));
+
 /** @param {string} message */
-function sentence(message) { return message && `${message[0].toUpperCase()}${message.slice(1)}.`; }
+function sentence(message) { return message && `${capital(message)}.`; }
 
 export class Editor {
   /** @param {Session} session */
@@ -45,8 +44,7 @@ export class Editor {
     this.session = session;
     this.on = false;
     this.changes = 0;
-    /** @type {History | null} */
-    this.edits = null;
+    this.history = new History(/** @type {ScenarioDocument} */ (session.shown?.document));
     this.story = session.story;
     this.hand = new Hand(this);
     /** @type {EditTool} */
@@ -60,12 +58,11 @@ export class Editor {
     /** @type {Obstacle | null} */
     this.refused = null;
     this.announcement = "";
-    if (session.shown) this.begin();
   }
 
   /** Begins with the scenario that was opened. */
   begin() {
-    this.edits = new History(this.shown.document);
+    this.history = new History(this.document);
     this.story = this.session.story;
     this.hand.release();
     this.tool = "select";
@@ -78,10 +75,9 @@ export class Editor {
   /** The target, where that is selected. */
   get target() { return targetOf(this.document, this.selected); }
   get obstacle() { return obstacleOf(this.document, this.selected); }
-  get history() { return /** @type {History} */ (this.edits); }
 
   /** Whether the scenario differs from the one that was opened. */
-  get isChanged() { return this.edits !== null && this.edits.now !== this.edits.first; }
+  get isChanged() { return this.history.now !== this.history.first; }
 
   /** Whether the stage shows a document that is not in the history yet. */
   get isDifferent() { return this.document !== this.history.now; }
@@ -132,27 +128,40 @@ export class Editor {
     if (parts > 0) this.choose(this.selected, part === null ? (way > 0 ? 0 : parts - 1) : (part + way + parts) % parts);
   }
 
-  /** Moves the selection by small steps. @param {number} dx @param {number} dy @param {boolean} goesOn  a key is held down */
+  /** Moves the selection by a hundred units, or a joint or a heading by a degree. @param {number} dx @param {number} dy  one of both is 0 @param {boolean} goesOn  a key is held down */
   nudge(dx, dy, goesOn) {
-    if (this.selected) this.change(nudged(this.shown, this.selected, this.part, dx, dy, this.unit), goesOn);
+    const { selected, part, obstacle, document, fields, unit } = this;
+    const step = 100 * unit;
+    if (!selected) return;
+    if (obstacle && part === null) {
+      this.change(withObstacle(document, selected.index, moved(obstacle, dx * step, dy * step, unit)), goesOn);
+      return;
+    }
+    const isHeading = fields.length > 2 && part !== null;
+    const index = fields[0].unit === "rad" ? part ?? 0 : isHeading ? 2 : Number(dx === 0);
+    const { value, unit: measure } = fields[index];
+    const next = measure === "rad" ? rounded(value + ((dx + dy) * Math.PI) / 180, ANGLE) : rounded(value + (dx + dy) * step, unit);
+    this.set(index, next, goesOn);
   }
 
-  /** Sets one coordinate of the selection. @param {number} index @param {number} value */
-  set(index, value) {
-    const { selected, part, shown, document } = this;
+  /** Sets one coordinate of the selection. @param {number} index @param {number} value @param {boolean} [goesOn] */
+  set(index, value, goesOn) {
+    const { selected, part, shown, document, tip } = this;
     const pose = poseOf(document, selected);
-    if (selected && pose && isTip(shown.scenario, selected, part)) {
-      const point = tipOf(shown.scenario, pose);
-      this.change(followTip(shown, selected, pose)(/** @type {Point} */ (Array.from(point).with(index, value))));
-    } else if (selected) this.change(withField(document, selected, part ?? 0, index, value));
+    if (!selected) return;
+    const numbers = Array.from(tip ?? numbersOf(document, selected, part ?? 0)).with(index, value);
+    if (!pose) this.change(withNumbers(document, selected, part ?? 0, numbers), goesOn);
+    else if (tip) this.change(withPose(document, selected, fine(shown.scenario.follow(pose, [numbers[0], numbers[1]]).configuration)), goesOn);
+    else this.change(withPose(document, selected, contained(Float64Array.from(numbers), coordinatesOf(shown))), goesOn);
   }
 
   /** Adds a vertex after the selected one. */
   insert() {
     const { selected, obstacle, document } = this;
     if (!selected || obstacle?.type !== "polygon") return;
-    const at = (this.part ?? 0) + 1;
-    if (this.change(withObstacle(document, selected.index, withVertex(obstacle, at, middle(obstacle.vertices, at - 1, this.unit), true)))) this.choose(selected, at);
+    const part = this.part ?? 0;
+    const [x, y] = middle(obstacle.vertices, part).map((value) => rounded(value, this.unit));
+    if (this.change(withObstacle(document, selected.index, withVertex(obstacle, part + 1, [x, y], true)))) this.choose(selected, part + 1);
   }
 
   /** Deletes the selected vertex or obstacle, or the last vertex of a polygon being drawn. */
@@ -170,23 +179,31 @@ export class Editor {
     this.announcement = `${title} deleted.`;
   }
 
-  /** Turns a goal into a target, or a target into a goal. */
+  /** Turns a goal into a target, or a target into a goal: the first configuration that reaches it. */
   retarget() {
-    const { selected, shown } = this;
-    const document = selected && otherGoal(shown, selected);
-    if (!document || !this.change(document)) return;
+    const { selected, document, target, shown: { scenario, goal, goals } } = this;
+    if (!selected || this.goal === "") return;
+    const point = goal && scenario.endEffector(goal).map((value) => rounded(value, 1e-6));
+    const next = point ? withTarget(document, selected, { point: /** @type {Point} */ (point) })
+      : target && withPose(document, selected, goals[0] ?? scenario.nearestReachable(target.point, target.orientation).configuration);
+    if (!next || !this.change(next)) return;
     this.choose(selected, null);
     this.announcement = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
   }
 
   duplicate() {
-    if (this.obstacle) this.add(copies(this.obstacle, this.size, this.unit));
+    if (this.obstacle) this.add(around(this.obstacle, this.size, this.unit));
   }
 
   /** Closes the polygon being drawn, or adds an obstacle where there is room. */
   enter() {
-    if (this.hand.draft.length > 0) this.hand.close();
-    else if (this.tool !== "select") this.add(places(this.shown, this.size).map((at) => simple(this.tool, at, this.size, this.unit)));
+    const { hand, tool, size, unit } = this;
+    const { min, max } = this.shown.scenario.extent();
+    if (hand.draft.length > 0) hand.close();
+    else if (tool !== "select") {
+      const centred = simple(tool, [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2], size, unit);
+      this.add([centred, ...around(centred, size, unit)]);
+    }
   }
 
   /** Undoes or redoes. @param {-1 | 1} way */
@@ -201,9 +218,8 @@ export class Editor {
   /** Restores the scene as opened, which can be undone. */
   revert() {
     this.abandon();
-    const { history } = this;
-    if (history.now === history.first) return;
-    history.commit(history.first);
+    if (!this.isChanged) return;
+    this.history.commit(this.history.first);
     this.settle();
     this.announcement = "The scene is restored.";
   }
@@ -235,17 +251,17 @@ export class Editor {
     }
   }
 
-  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} object  the one changed @param {boolean} live  during a gesture */
-  attempt(document, object, live) {
+  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} [dragged]  the object of a gesture */
+  attempt(document, dragged = null) {
     const scenario = this.read(document);
-    this.refused = scenario || !live ? null : obstacleOf(document, object);
-    if (scenario) this.session.replace(scenario, document, live);
+    this.refused = scenario ? null : obstacleOf(document, dragged);
+    if (scenario) this.session.replace(scenario, document, dragged !== null);
     return scenario !== null;
   }
 
   /** Makes a change. @param {ScenarioDocument} document @param {boolean} [goesOn]  it continues the previous one */
   change(document, goesOn = false) {
-    if (!this.attempt(document, null, false)) return false;
+    if (!this.attempt(document)) return false;
     this.end(goesOn);
     return true;
   }
@@ -277,7 +293,7 @@ export class Editor {
 
   /** Shows the current document of the history again. */
   settle() {
-    this.attempt(this.history.now, null, false);
+    this.attempt(this.history.now);
     if (!this.obstacle && !this.target && !poseOf(this.document, this.selected)) this.selected = null;
     if ((this.part ?? 0) >= this.parts) this.part = null;
     this.end();
@@ -292,7 +308,7 @@ export class Editor {
       this.announcement = this.whereabouts;
     }
     this.changes++;
-    session.story = history.now === history.first ? this.story : { algorithm: "", isProven: true, sentence: "" };
+    session.story = !this.isChanged ? this.story : { algorithm: "", isProven: true, sentence: "" };
     this.shown.rough = false;
     session.stage.invalidate();
   }
@@ -310,45 +326,52 @@ export class Editor {
     const { selected, part, obstacle } = this;
     if (!selected) return "";
     const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : this.target ? "Target" : "Goal";
-    if (isTip(this.shown.scenario, selected, part)) return `${name}, end effector`;
+    if (this.tip) return `${name}, end effector`;
     if (part === null || this.parts === 0) return name;
     return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? `vertex ${part}` : `joint ${part + 1}`}`;
   }
 
-  get fields() {
-    const { document, selected, part, shown } = this;
+  /** The position of the end effector, where that is selected. */
+  get tip() {
+    const { document, selected, part, shown: { scenario } } = this;
     const pose = poseOf(document, selected);
-    if (!pose || !isTip(shown.scenario, selected, part)) return fieldsOf(document, selected, part ?? 0, coordinatesOf(shown));
-    const [x, y] = tipOf(shown.scenario, pose);
-    return [place("x", rounded(x, this.unit)), place("y", rounded(y, this.unit))];
+    return pose && isTip(scenario, part) ? scenario.endEffector(pose) : null;
+  }
+
+  /** The coordinates of the selection. */
+  get fields() {
+    const { document, selected, part, shown, tip, unit } = this;
+    const numbers = tip?.map((value) => rounded(value, unit)) ?? numbersOf(document, selected, part ?? 0);
+    const coordinates = poseOf(document, selected) && !tip ? coordinatesOf(shown) : PLACE;
+    return numbers.map((value, i) => ({ ...coordinates[i], value }));
   }
 
   /** The selection and its coordinates. */
   get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
 
-  overlay() {
-    const { shown, on, selected, part, refused, hand: { draft, loose } } = this;
-    if (!on) {
-      shown.overlay = null;
-      return;
-    }
-    const ends = this.session.refusal ? [{ end: /** @type {const} */ ("start"), pose: shown.start }, { end: /** @type {const} */ ("goal"), pose: shown.goal }] : [];
-    shown.overlay = {
-      draw: drawOverlay,
-      selected, part, refused, draft: loose ? [...draft, loose] : draft,
-      touching: ends.flatMap(({ end, pose }) => {
-        const check = pose && shown.scenario.check(pose);
-        return check && !check.free ? [{ end, pose: Array.from(pose), check }] : [];
-      }),
-    };
+  /** Draws the selection on the panes while the editor is on. */
+  overlay() { this.shown.overlay = this.on ? this : null; }
+
+  /** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+  draw(pane, context, lane) { drawOverlay(pane, context, lane, this); }
+
+  /** Start and goal in collision, once planning was refused. */
+  get collisions() {
+    const { session, shown } = this;
+    if (!session.refusal) return [];
+    return /** @type {const} */ (["start", "goal"]).flatMap((end) => {
+      const pose = shown[end];
+      const check = pose && shown.scenario.check(pose);
+      return check && !check.free ? [{ end, pose, check }] : [];
+    });
   }
 
   /** A start or goal in collision, or a target out of reach, in words. @returns {string} */
   get touching() {
-    const { overlay, scenario, target } = this.shown;
+    const { scenario, target } = this.shown;
     const { refusal } = this.session;
     if (target && refusal) return sentence(errorInfo(refusal.error).message);
-    return (overlay?.touching ?? []).map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
+    return this.collisions.map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
   }
 
   /** Why the last change was refused, or empty. @returns {string} */

@@ -2,16 +2,15 @@
  * Gestures: functions from the position of the pointer to a document. Shift snaps points to fifths of the grid, joints and directions to
  * 15 degrees, and rectangles to squares.
  */
-import { wrap } from "planarium/draw";
-import { contained, coordinatesOf } from "../../domain/coordinates.js";
-import { isTip, followTip } from "./end-effector.js";
-import { moved, obstacleOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
+import { gripOf, isTip } from "../stage/grip.js";
+import { fine, moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObstacle, withPose, withTarget, withVertex } from "./objects.js";
 
+/** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Hit } from "./handles.js" */
-/** @import { Point, EditorObject } from "./objects.js" */
+/** @import { Point } from "./objects.js" */
 /** @typedef {(x: number, y: number, shift: boolean) => ScenarioDocument} Gesture   the pointer in coordinates of the pane's plane */
 
 /**
@@ -45,68 +44,31 @@ export function pointFrom(scale, from, x, y, shift) {
 
 /** Moves the object under the pointer. @param {Shown} shown @param {Hit} hit @param {Scale} scale @param {CSpace | null} square @param {Point} from @param {() => Scenario} arm   the current one @returns {Gesture} */
 export function moveGesture(shown, { object, part, handle }, scale, square, [x0, y0], arm) {
-  const { document, scenario, start, goal, placed } = shown;
+  const { document, scenario } = shown;
   const obstacle = obstacleOf(document, object);
-  if (obstacle) return reshapeGesture(document, obstacle, object, handle, scale, x0, y0);
-  const target = targetOf(document, object);
-  if (target) {
-    const [tx, ty] = target.point;
-    return (x, y, shift) => withTarget(document, object, { ...target, point: pointAt(scale, tx + x - x0, ty + y - y0, shift) });
-  }
-  const pose = Array.from((object.kind === "start" ? start : goal) ?? []);
-  const coordinates = coordinatesOf({ scenario, document });
-  /** @param {number[]} next */
-  const put = (next) => withPose(document, object, contained(Float64Array.from(next), coordinates));
-  if (square) {
-    const { axes } = square;
-    return (x, y, shift) => put(pose.map((value, i) => {
-      const at = axes.indexOf(i);
-      if (at < 0) return value;
-      return coordinates[i].unit === "m" ? snapped([x, y][at], scale.grid, scale.unit, shift) : snapped([x, y][at], TURN, ANGLE, shift);
-    }));
-  }
-  if (placed && part === 0) {
-    // The handle turns the body with the pointer.
-    const off = pose[2] - Math.atan2(y0 - pose[1], x0 - pose[0]);
-    return (x, y, shift) => put(pose.with(2, snapped(Math.atan2(y - pose[1], x - pose[0]) + off, TURN, ANGLE, shift)));
-  }
-  if (placed) return (x, y, shift) => put([...pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift), pose[2]]);
-  if (scenario.robot === "disc") return (x, y, shift) => put(pointAt(scale, pose[0] + x - x0, pose[1] + y - y0, shift));
-  if (isTip(scenario, object, part)) {
-    const lead = followTip(shown, object, pose, arm);
-    return (x, y, shift) => lead(pointAt(scale, x, y, shift));
-  }
-  const joint = part ?? 0;
-  const link = scenario.footprint(pose)[joint];
-  if (link.type !== "capsule") return () => document;
-  const [bx, by] = link.a;
-  let before = Math.atan2(y0 - by, x0 - bx);
-  let turned = 0;
-  return (x, y, shift) => {
-    const now = Math.atan2(y - by, x - bx);
-    turned += wrap(now - before);
-    before = now;
-    return put(pose.with(joint, snapped(pose[joint] + turned, TURN, ANGLE, shift)));
-  };
-}
-
-/** @param {ScenarioDocument} document @param {Obstacle} obstacle @param {EditorObject} object @param {Hit["handle"]} handle @param {Scale} scale @param {number} x0 @param {number} y0 @returns {Gesture} */
-function reshapeGesture(document, obstacle, { index }, handle, scale, x0, y0) {
-  /** @param {Obstacle} next */
-  const put = (next) => withObstacle(document, index, next);
-  if (obstacle.type === "disc" && handle) {
+  const replace = (/** @type {Obstacle} */ next) => withObstacle(document, object.index, next);
+  if (obstacle?.type === "disc" && handle) {
     const [cx, cy] = obstacle.center;
-    return (x, y, shift) => put({ ...obstacle, radius: snapped(Math.hypot(x - cx, y - cy), scale.grid, scale.unit, shift) });
+    return (x, y, shift) => replace({ ...obstacle, radius: snapped(Math.hypot(x - cx, y - cy), scale.grid, scale.unit, shift) });
   }
-  if (obstacle.type === "polygon" && handle) {
-    const added = handle.kind === "middle";
-    return (x, y, shift) => put(withVertex(obstacle, handle.part + (added ? 1 : 0), pointAt(scale, x, y, shift), added));
+  /** Moves a point with the pointer. @param {ArrayLike<number>} anchor @param {(point: Point) => ScenarioDocument} put @returns {Gesture} */
+  const carry = (anchor, put) => (x, y, shift) => put(pointAt(scale, anchor[0] + x - x0, anchor[1] + y - y0, shift));
+  if (obstacle?.type === "polygon" && handle) {
+    const isAdded = handle.kind === "middle";
+    return carry(handle.at, (point) => replace(withVertex(obstacle, handle.part + Number(isAdded), point, isAdded)));
   }
-  const [ax, ay] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[0];
-  return (x, y, shift) => {
-    const [nx, ny] = pointAt(scale, ax + x - x0, ay + y - y0, shift);
-    return put(moved(obstacle, nx - ax, ny - ay, scale.unit));
-  };
+  if (obstacle) {
+    const [ax, ay] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[0];
+    return carry([ax, ay], ([x, y]) => replace(moved(obstacle, x - ax, y - ay, scale.unit)));
+  }
+  const target = targetOf(document, object);
+  if (target) return carry(target.point, (point) => withTarget(document, object, { ...target, point }));
+  const pose = /** @type {number[]} */ (poseOf(document, object));
+  /** @type {Snap} */
+  const snap = (value, unit, shift) => (unit === "m" ? snapped(value, scale.grid, scale.unit, shift) : snapped(value, TURN, ANGLE, shift));
+  const hold = gripOf(shown, pose, part, square, [x0, y0], snap, arm);
+  const roundTip = isTip(scenario, part) ? fine : (/** @type {Float64Array} */ q) => q;
+  return (x, y, shift) => withPose(document, object, roundTip(hold(x, y, shift)));
 }
 
 /** Draws a disc from its centre, or a rectangle from corner to corner. @param {"disc" | "rectangle"} tool @param {ScenarioDocument} document @param {Scale} scale @param {Point} from @param {boolean} snaps  whether its first point is on the grid @returns {Gesture} */

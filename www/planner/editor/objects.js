@@ -1,9 +1,12 @@
 /** The editable objects of a scenario document: start and goal of a query, and obstacles. Every change returns a new document. */
 
-/** @import { Coordinate, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @import { EditTool, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query or the obstacle */
 /** @typedef {[number, number]} Point */
-/** @typedef {Omit<Coordinate, "isCircle"> & { value: number }} Field   one coordinate of an object */
+
+/** Distances at which a new obstacle is tried, as parts of the world, and directions, as eighths of a turn. */
+const RINGS = [0.09, 0.18, 0.28, 0.38, 0.46];
+const DIRECTIONS = [7, 1, 3, 5];
 
 /** All objects, in the order of the keyboard. @param {ScenarioDocument} document @param {string | undefined} query @returns {EditorObject[]} */
 export function objectsOf({ queries, world }, query) {
@@ -59,6 +62,9 @@ export function rounded(value, unit) {
   return Number((Math.round(value / unit) * unit).toFixed(Math.max(0, -Math.round(Math.log10(unit))))) + 0; // no -0, which JSON does not store
 }
 
+/** Rounds the joints of an arm that follows its end effector: finely, so that the end effector stays in place. @param {ArrayLike<number>} pose */
+export function fine(pose) { return Array.from(pose, (angle) => rounded(angle, 1e-7)); }
+
 /** @param {Obstacle} obstacle @param {number} dx @param {number} dy @param {number} unit @returns {Obstacle} */
 export function moved(obstacle, dx, dy, unit) {
   const move = (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([rounded(x + dx, unit), rounded(y + dy, unit)]);
@@ -71,32 +77,27 @@ export function rectangle([x, y], width, height) {
   return { type: "polygon", vertices: [[a, b], [c, b], [c, d], [a, d]] };
 }
 
-/** A coordinate of a point, as a field. @param {string} name @param {number} value @returns {Field} */
-export function place(name, value) { return { name, value, unit: "m", low: -Infinity, high: Infinity }; }
-
-/** The coordinates of an object, or of one vertex of a polygon. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @param {Coordinate[]} coordinates @returns {Field[]} */
-export function fieldsOf(document, object, vertex, coordinates) {
-  const pose = poseOf(document, object);
-  if (pose) return coordinates.map(({ name, unit, low, high }, i) => ({ name, value: pose[i], unit, low, high }));
-  const target = targetOf(document, object);
-  if (target) return [place("x", target.point[0]), place("y", target.point[1])];
+/** The coordinates of an object, or of one vertex of a polygon; those of a disc end with its radius. @param {ScenarioDocument} document @param {EditorObject | null} object @param {number} vertex @returns {number[]} */
+export function numbersOf(document, object, vertex) {
   const obstacle = obstacleOf(document, object);
-  if (!obstacle) return [];
-  const [x, y] = obstacle.type === "disc" ? obstacle.center : obstacle.vertices[vertex];
-  return [place("x", x), place("y", y), ...(obstacle.type === "disc" ? [place("radius", obstacle.radius)] : [])];
+  if (!obstacle) return poseOf(document, object) ?? targetOf(document, object)?.point ?? [];
+  return obstacle.type === "disc" ? [...obstacle.center, obstacle.radius] : obstacle.vertices[vertex];
 }
 
-/** The document with one of these coordinates changed. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number} index @param {number} value @returns {ScenarioDocument} */
-export function withField(document, object, vertex, index, value) {
-  const pose = poseOf(document, object);
-  if (pose) return withPose(document, object, pose.with(index, value));
+/** The document with other coordinates of a target, a disc or a vertex. @param {ScenarioDocument} document @param {EditorObject} object @param {number} vertex @param {number[]} numbers @returns {ScenarioDocument} */
+export function withNumbers(document, object, vertex, [x, y, radius]) {
   const target = targetOf(document, object);
-  if (target) return withTarget(document, object, { ...target, point: /** @type {Point} */ (target.point.with(index, value)) });
+  if (target) return withTarget(document, object, { ...target, point: [x, y] });
   const obstacle = obstacleOf(document, object);
   if (!obstacle) return document;
-  const point = (/** @type {Point} */ old) => /** @type {Point} */ (old.with(index, value));
-  if (obstacle.type === "polygon") return withObstacle(document, object.index, withVertex(obstacle, vertex, point(obstacle.vertices[vertex])));
-  return withObstacle(document, object.index, index === 2 ? { ...obstacle, radius: value } : { ...obstacle, center: point(obstacle.center) });
+  return withObstacle(document, object.index, obstacle.type === "disc" ? { ...obstacle, center: [x, y], radius } : withVertex(obstacle, vertex, [x, y]));
+}
+
+/** The middle of the edge after a vertex. @param {Point[]} vertices @param {number} index @returns {Point} */
+export function middle(vertices, index) {
+  const [x, y] = vertices[index];
+  const [nx, ny] = vertices[(index + 1) % vertices.length];
+  return [(x + nx) / 2, (y + ny) / 2];
 }
 
 /** A polygon with one vertex replaced, inserted or removed. @param {Extract<Obstacle, { type: "polygon" }>} polygon @param {number} index @param {Point | null} vertex @param {boolean} [added] @returns {Obstacle} */
@@ -104,4 +105,20 @@ export function withVertex(polygon, index, vertex, added = false) {
   const vertices = [...polygon.vertices];
   vertices.splice(index, added ? 0 : 1, ...(vertex ? [vertex] : []));
   return { ...polygon, vertices };
+}
+
+/** Copies of an obstacle around it, from near to far. @param {Obstacle} obstacle @param {number} size  of the world @param {number} unit */
+export function around(obstacle, size, unit) {
+  return RINGS.flatMap((part) => DIRECTIONS.map((turn) => {
+    const angle = (turn * Math.PI) / 4;
+    return moved(obstacle, part * size * Math.cos(angle), part * size * Math.sin(angle), unit);
+  }));
+}
+
+/** The obstacle that a tool adds without a drag. @param {EditTool} tool @param {Point} at @param {number} size @param {number} unit @returns {Obstacle} */
+export function simple(tool, [x, y], size, unit) {
+  const side = rounded(size / 12, unit);
+  const half = rounded(side / 2, unit);
+  if (tool === "disc") return moved({ type: "disc", center: [0, 0], radius: half }, x, y, unit);
+  return moved(tool === "rectangle" ? rectangle([0, 0], side, side) : { type: "polygon", vertices: [[-half, -half], [half, -half], [0, half]] }, x, y, unit);
 }

@@ -2,8 +2,9 @@
 import { obstaclePath } from "planarium/draw";
 import { handlesOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
-import { isTip, tipOf } from "./end-effector.js";
+import { isTip } from "../stage/grip.js";
 import { obstacleOf, poseOf, targetOf } from "./objects.js";
+import { ring } from "../../draw/marks.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts } from "../../draw/shapes.js";
 import { Workspace } from "../stage/workspace-pane.js";
 
@@ -11,29 +12,39 @@ import { Workspace } from "../stage/workspace-pane.js";
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { View } from "planarium/draw" */
-/** @import { Overlay } from "./editor.js" */
+/** @import { Editor } from "./editor.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 
-/** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-export function drawOverlay(pane, context, lane) {
-  if (pane instanceof Workspace) drawSelection(pane, context, lane);
-  else drawSelectedPoint(pane, context, lane);
-}
-
-/** On the workspace. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-function drawSelection(pane, context, lane) {
-  const { shown } = lane;
-  const { overlay, document, scenario } = shown;
+/** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Editor} editor */
+export function drawOverlay(pane, context, lane, editor) {
+  const { document, scenario } = lane.shown;
   const palette = /** @type {Palette} */ (pane.palette);
   const view = /** @type {View} */ (pane.view);
-  if (!overlay) return;
-  const { selected, part, draft, refused, touching } = overlay;
-  for (const { pose, check } of touching) {
+  const { selected, part } = editor;
+  const isSquare = !(pane instanceof Workspace);
+  if (!isSquare) drawObjects(pane, context, lane, editor, view, palette);
+  const pose = poseOf(document, selected);
+  const target = targetOf(document, selected);
+  const isPoint = isSquare || isTip(scenario, part);
+  const point = pose && isPoint ? pane.pixels(Float64Array.from(pose)) : target && !isSquare ? view.place(target.point) : null;
+  if (point) {
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.5;
+    ring(context, point[0], point[1], 13);
+  }
+  nameTouching(pane, context, editor, scenario, palette);
+}
+
+/** The objects of the workspace. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Editor} editor @param {View} view @param {Palette} palette */
+function drawObjects(pane, context, lane, { selected, part, hand: { draft, loose }, refused, collisions }, view, palette) {
+  const { shown } = lane;
+  const { document, scenario } = shown;
+  for (const { pose, check } of collisions) {
     for (const { obstacle } of check.touching) pane.drawTouched(context, document, obstacle);
     const hit = new Set(check.touching.map((pair) => pair.part));
     drawTouchingParts(context, view, scenario.footprint(pose).filter((_, i) => hit.has(i)), palette, pane.hatchOnPart);
   }
-  if (touching.length > 0) pane.drawEnds(context, lane, palette);
+  if (collisions.length > 0) pane.drawEnds(context, lane, palette);
   const pose = poseOf(document, selected);
   if (selected && pose) {
     const colour = palette[selected.kind === "start" ? "start" : "goal"];
@@ -46,9 +57,6 @@ function drawSelection(pane, context, lane) {
     const isActive = selected?.kind === end && part === 0;
     if (at) shown.placed?.drawHandle(context, view, at, palette[end], isActive ? palette.ink : palette.stage);
   }
-  const target = targetOf(document, selected);
-  if (pose && selected && isTip(scenario, selected, part)) drawSelected(context, ...pixelsOf(view, tipOf(scenario, pose)), palette);
-  if (target) drawSelected(context, ...pixelsOf(view, target.point), palette);
   context.save();
   context.lineJoin = "round";
   const obstacle = obstacleOf(document, selected);
@@ -66,10 +74,11 @@ function drawSelection(pane, context, lane) {
   if (draft.length > 0) {
     context.setLineDash([4, 4]);
     context.lineWidth = 2;
-    obstaclePath(context, view, { type: "polygon", vertices: draft });
+    const vertices = loose ? [...draft, loose] : draft;
+    obstaclePath(context, view, { type: "polygon", vertices });
     context.stroke();
     context.setLineDash([]);
-    draft.forEach(([x, y], i) => drawHandle(context, view.x(x), view.y(y), i === 0 ? 6 : 3.5, i > 0, palette.stage));
+    vertices.forEach(([x, y], i) => drawHandle(context, view.x(x), view.y(y), i === 0 ? 6 : 3.5, i > 0, palette.stage));
   }
   if (refused) {
     obstaclePath(context, view, refused);
@@ -81,46 +90,15 @@ function drawSelection(pane, context, lane) {
     context.setLineDash([5, 4]);
     context.lineWidth = 2;
     context.stroke();
-    context.setLineDash([]);
   }
   context.restore();
-  nameTouching(pane, context, overlay, scenario);
 }
 
-/** On the configuration space, where start and goal are points. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-function drawSelectedPoint(pane, context, { shown }) {
-  const { overlay, scenario, document } = shown;
-  const palette = /** @type {Palette} */ (pane.palette);
-  if (!overlay) return;
-  const pose = poseOf(document, overlay.selected);
-  if (pose) {
+/** Names the collision beside each start or goal in collision, within the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Editor} editor @param {Scenario} scenario @param {Palette} palette */
+function nameTouching(pane, context, { collisions }, scenario, palette) {
+  for (const { end, pose, check } of collisions) {
     const [x, y] = pane.pixels(Float64Array.from(pose));
-    drawSelected(context, x, y, palette);
-  }
-  for (const { pose: at } of overlay.touching) {
-    const [x, y] = pane.pixels(Float64Array.from(at));
-    drawHit(context, x, y, palette);
-  }
-  nameTouching(pane, context, overlay, scenario);
-}
-
-/** A ring around the selection. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
-function drawSelected(context, x, y, palette) {
-  context.strokeStyle = palette.ink;
-  context.lineWidth = 1.5;
-  context.beginPath();
-  context.arc(x, y, 13, 0, 2 * Math.PI);
-  context.stroke();
-}
-
-/** @param {View} view @param {ArrayLike<number>} point @returns {[number, number]} */
-function pixelsOf(view, point) { return [view.x(point[0]), view.y(point[1])]; }
-
-/** Names the collision beside each start or goal in collision, within the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Overlay} overlay @param {Scenario} scenario */
-function nameTouching(pane, context, { touching }, scenario) {
-  const palette = /** @type {Palette} */ (pane.palette);
-  for (const { end, pose, check } of touching) {
-    const [x, y] = pane.pixels(Float64Array.from(pose));
+    if (!(pane instanceof Workspace)) drawHit(context, x, y, palette);
     const [first, ...more] = check.touching;
     const text = `${end}: ${touchingSentence(scenario, { free: false, touching: [first] })}${more.length > 0 ? ` and ${more.length} more` : ""}`;
     context.font = "600 13px system-ui, sans-serif";

@@ -12,7 +12,7 @@ import { button } from "../../widgets/elements.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
-/** @import { Plan, SceneEntry, State } from "../../domain/types.js" */
+/** @import { SceneEntry, State } from "../../domain/types.js" */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
@@ -34,8 +34,11 @@ export class Lessons {
     this.text = make("span", {});
     this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
     this.run = button("lesson-run", "Run", () => void page.app.track(this.play(), "This step could not be run."));
-    this.back = button("lesson-previous", "Previous", () => this.go(this.at - 1));
-    this.next = button("lesson-next", "Next", () => this.go(this.at + 1));
+    this.back = button("lesson-previous", "Previous", () => void this.put(this.at - 1));
+    this.next = button("lesson-next", "", () => {
+      if (this.isLast) this.leave();
+      else void this.put(this.at + 1);
+    });
     const leave = button("lesson-leave", "Exit", () => this.leave());
     leave.className = "quiet";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
@@ -44,8 +47,7 @@ export class Lessons {
       words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
     const list = make("ul", {}, ...LESSONS.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
-      this.lesson = lesson;
-      void this.put(0);
+      void this.put(0, lesson);
       this.run.focus();
     }))));
     byId("lessons", HTMLElement).append(list);
@@ -59,32 +61,29 @@ export class Lessons {
     const { page } = this;
     const [, id, step = "1"] = ADDRESS.exec(fragment) ?? [];
     const lesson = LESSONS.find((one) => one.id === id);
-    if (lesson && lesson.steps[Number(step) - 1]) {
-      this.lesson = lesson;
-      await this.put(Number(step) - 1);
+    if (lesson?.steps[Number(step) - 1]) {
+      await this.put(Number(step) - 1, lesson);
       return;
     }
     if (!page.facts) await page.openScene(SCENES[0]);
     page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
   }
 
-  /** @param {number} step */
-  go(step) {
-    if (step >= (this.lesson?.steps.length ?? 0)) this.leave();
-    else if (step >= 0) void this.put(step);
-  }
+  get isLast() { return this.at + 1 === this.lesson?.steps.length; }
 
   leave() {
     this.lesson = null;
+    this.shown = "question";
     this.band.hidden = true;
     setAddress("");
     byId("stage", HTMLElement).focus();
   }
 
-  /** Asks the question of a step, with its planner before the run. @param {number} step */
-  async put(step) {
-    const { lesson, page } = this;
+  /** Asks the question of a step, with its planner before the run. @param {number} step @param {Lesson | null} [lesson] */
+  async put(step, lesson = this.lesson) {
+    const { page } = this;
     if (!lesson) return;
+    this.lesson = lesson;
     this.at = step;
     const { question, choices } = lesson.steps[step];
     this.title.textContent = lesson.title;
@@ -92,15 +91,12 @@ export class Lessons {
     this.legend.textContent = question;
     this.choices.replaceChildren(...choices.map((choice, i) => make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice)));
     this.back.disabled = step === 0;
-    this.next.textContent = step + 1 === lesson.steps.length ? "Finish" : "Next";
+    this.next.textContent = this.isLast ? "Finish" : "Next";
     this.band.hidden = false;
     this.show("question");
     setAddress(`#lesson=${lesson.id}.${step + 1}`);
-    const iteration = beginningOf(lesson, step);
     try {
-      const { entry, plans } = this.stage;
-      if (this.isThere(entry, plans)) page.act(({ timeline }) => timeline.seek(iteration));
-      else await page.openScene(entry, { plans, iteration, play: false });
+      if (await this.arrive()) page.act(({ timeline }) => timeline.seek(beginningOf(lesson, step)));
     } catch (error) {
       if (!page.facts) await page.openScene(SCENES[0]);
       page.app.fail(error, "This step could not be shown.");
@@ -111,10 +107,8 @@ export class Lessons {
   async play() {
     const { lesson, page, at } = this;
     if (!lesson) return;
-    const { entry, plans } = this.stage;
     // Another scene may have been opened since the question.
-    if (!this.isThere(entry, plans) && !await page.openScene(entry, { plans, iteration: 0, play: false })) return;
-    if (this.lesson !== lesson || this.at !== at) return;
+    if (!await this.arrive() || this.lesson !== lesson || this.at !== at) return;
     this.show("run");
     const rest = this.rest ?? (page.calm ? Infinity : undefined);
     page.act(({ timeline }) => {
@@ -127,19 +121,19 @@ export class Lessons {
   /** The iteration at which the run pauses; undefined for its end. */
   get rest() { return this.lesson?.steps[this.at].iteration; }
 
-  /** The scene and the plans of the step. @throws {Error} there is no such scene */
+  /** Opens the scene of the step with its planner, unless the page shows them. @returns {Promise<boolean>} whether it does then */
+  async arrive() { return this.isThere || this.page.openScene(this.stage.entry, { plans: this.stage.plans, play: false }); }
+
+  /** The scene and the plans of the step. */
   get stage() {
     const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
-    const entry = SCENES.find(({ id }) => id === scene);
-    if (!entry) throw new Error(`There is no scene "${scene}".`);
+    const entry = /** @type {SceneEntry} */ (SCENES.find(({ id }) => id === scene));
     return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
   }
 
   /** Whether the run has ended or paused. @param {State} state */
   isOver({ clock, lanes: [{ status }] }) {
-    if (status === "running" && clock.now < (this.rest ?? Infinity)) return false;
-    const { entry, plans } = this.stage;
-    return this.isThere(entry, plans);
+    return (status !== "running" || clock.now >= (this.rest ?? Infinity)) && this.isThere;
   }
 
   /** Shows the question, or also the answer. @param {"question" | "run" | "answer"} shown */
@@ -160,9 +154,10 @@ export class Lessons {
     this.outcome.hidden = !isAnswered;
   }
 
-  /** Whether the page shows this scene with these plans. @param {SceneEntry} entry @param {Plan[]} plans */
-  isThere(entry, plans) {
+  /** Whether the page shows the scene of the step with its planner. */
+  get isThere() {
     const { source, facts, current, panel } = this.page;
+    const { entry, plans } = this.stage;
     return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
       && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
   }

@@ -3,43 +3,36 @@
  *
  * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. It is checked entry by entry, is never
  * evaluated, and unpacks to 1 MB at most.
- *
- * @import { PaneKind, ViewOptions } from "../../domain/types.js"
- *
- * @typedef {import("../../domain/types.js").Settings} Settings
- * @typedef {Partial<ViewOptions> & { projector?: boolean, lens?: PaneKind }} View   absent options are off, and the lens is the workspace
- *
- * @typedef {object} Experiment
- * @property {1} version
- * @property {string} [scene]     a built-in scene; absent where there is a document
- * @property {Record<string, unknown>} [document]  a scenario from a file
- * @property {string} [query]
- * @property {{ algorithm: string, settings: Settings }[]} lanes  1 to 4
- * @property {number} iteration   a whole number from 0
- * @property {View} view
- * @property {Settings} [options]  of the scene
  */
 import { decodeFragment, encodeFragment } from "../../formats/fragment.js";
-import { flag, json, list, must, name, record, rule, settings, text, whole } from "../../formats/rules.js";
+import { flag, json, list, must, name, oneOf, record, rule, settings, text, whole, withDefaults } from "../../formats/rules.js";
+
+/** @import { Allowed, Rule } from "../../formats/rules.js" */
+/** @import { Plan } from "../../domain/types.js" */
+/** @typedef {import("../../domain/types.js").Settings} Settings */
+/** @typedef {Omit<Allowed<typeof experimentRule>, "lanes"> & { lanes: Plan[] }} Experiment */
+/** @typedef {Experiment["view"]} View   absent options are off, and the lens is the workspace */
 
 const LIMITS = { characters: 65535, bytes: 1 << 20 };
 
-const experimentRule = record({
-  version: rule((value) => value === 1),
+const experimentRule = withDefaults({
+  version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
+  // A built-in scene, or a scenario from a file.
   scene: name,
-  document: record({}, json(16)),
+  document: /** @type {Rule<Record<string, unknown>>} */ (record({}, json(16))),
   // Names of queries are free text in a scenario; they are only compared.
   query: text,
   lanes: list(record({ algorithm: name, settings }), 1, 4),
   iteration: whole(Number.MAX_SAFE_INTEGER),
   view: record({
     axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, projector: flag,
-    lens: rule((value) => value === "workspace" || value === "cspace"),
+    lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
   }),
+  // Of the scene.
   options: settings,
-});
+}, { version: /** @type {const} */ (1), iteration: 0, view: {} });
 
-/** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value @returns {asserts value is Partial<Experiment> & Pick<Experiment, "lanes">} */
+/** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */
 function requireExperiment(value) {
   experimentRule(value, "experiment");
   const { scene, document, lanes } = /** @type {Partial<Experiment>} */ (value);
@@ -70,7 +63,7 @@ export async function encodeLink(experiment) {
 export async function decodeLink(fragment) {
   const { value, fault } = await decodeFragment(fragment, LIMITS, requireExperiment);
   if (fault) return { experiment: null, fault };
-  const read = /** @type {Partial<Experiment> & Pick<Experiment, "lanes">} */ (value);
-  const lanes = read.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
-  return { experiment: { iteration: 0, view: {}, ...read, version: 1, lanes }, fault: null };
+  const experiment = { ...experimentRule.defaults, .../** @type {Experiment} */ (value) };
+  const lanes = experiment.lanes.map((lane) => ({ ...lane, settings: lane.settings ?? {} }));
+  return { experiment: { ...experiment, lanes }, fault: null };
 }

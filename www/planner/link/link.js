@@ -31,7 +31,9 @@ export class Link {
       if (wanted === null) return;
       const isOver = playing || refusal || clock.now >= wanted;
       if (isOver || settled) this.wanted = null;
-      if (!isOver && settled && !growing) this.complain(`The run ends at ${timeText(clock)}, before ${grouped(wanted)}.`);
+      if (isOver || !settled || growing) return;
+      this.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(wanted)}.`);
+      this.complain();
     });
   }
 
@@ -52,10 +54,8 @@ export class Link {
 
   /** @param {Experiment} experiment @throws {Error} its scenario cannot be read */
   async restore(experiment) {
-    const { page, catalogue } = this;
+    const { page, catalogue, faults } = this;
     const { query, iteration, view } = experiment;
-    /** @type {string[]} */
-    const faults = [];
     const { source, entry, plans } = find(experiment, catalogue, faults);
     const opening = { entry, query, plans, iteration, play: false };
     if (source) await page.open(source, opening);
@@ -72,12 +72,10 @@ export class Link {
     this.projector.turn(projector);
     if (page.current.length > 1) page.race?.setPicture(lens);
     this.wanted = iteration;
-    if (faults.length > 0) this.complain(...faults);
+    if (faults.length > 0) this.complain();
   }
 
-  /** @param {...string} faults */
-  complain(...faults) {
-    this.faults.push(...faults);
+  complain() {
     this.page.notice.show("Parts of the link could not be restored.", this.faults.join(" "));
   }
 }

@@ -3,7 +3,8 @@
  * space. Without a pointer, a vertex is chosen by its number. Loaded with the first pointer event.
  */
 import { Passages } from "../stage/passages.js";
-import { Grip } from "./grip.js";
+import { gripOf, partAt } from "../stage/grip.js";
+import { coordinatesOf } from "../../domain/coordinates.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
 import { num } from "../../widgets/format.js";
 import { PAST } from "../run-log/run-log.js";
@@ -12,12 +13,17 @@ import { PAST } from "../run-log/run-log.js";
 /** @import { Place } from "../stage/stage.js" */
 /** @import { View } from "planarium/draw" */
 /** @import { Hover, Lane } from "../lane.js" */
+/** @import { Grip } from "../stage/grip.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Scenario } from "../../domain/types.js" */
 
+/** Distance within which a pointer holds the robot, CSS pixels. */
+const REACH = 18;
+
 export class Pointing {
   constructor() {
-    this.grip = new Grip();
+    /** The hold of the robot. @type {Grip | null} */
+    this.grip = null;
     /** The index of edges on the last pane, and its view. @type {Passages | null} */
     this.passages = null;
     /** @type {View | null} */
@@ -29,10 +35,22 @@ export class Pointing {
   }
 
   /** The configuration of the robot that the pointer holds. @param {Place} place @param {"down" | "move"} type @param {number} x @param {number} y @returns {Float64Array | null} */
-  hold({ pane, kind }, type, x, y) {
-    const { grip } = this;
-    if (kind === "cspace") return grip.square(/** @type {CSpace} */ (pane), x, y);
-    return type === "down" ? grip.take(pane, x, y) : grip.drag(pane, x, y);
+  hold(place, type, x, y) {
+    const { lane, view } = place.pane;
+    if (!lane || !view) return null;
+    if (type === "down") this.grip = this.take(place, lane, x, y);
+    const [px, py] = view.toPlane(x, y);
+    return this.grip?.(px, py, false) ?? null;
+  }
+
+  /** Takes hold of the robot; a disc comes to the pointer. @param {Place} place @param {Lane} lane @param {number} x @param {number} y @returns {Grip | null}  null: the pointer is not on the robot */
+  take({ pane, kind }, lane, x, y) {
+    const { shown } = lane;
+    const pose = poseOf(lane);
+    if (kind === "cspace") return gripOf(shown, pose, null, /** @type {CSpace} */ (pane), pose);
+    if (shown.scenario.robot === "disc") return gripOf(shown, pose, null, null, pose);
+    const hit = lane.pose ?? shown.start ? partAt(pane, shown, pose, x, y, REACH) : null;
+    return hit && gripOf(shown, pose, hit.part, null, /** @type {View} */ (pane.view).toPlane(x, y));
   }
 
   /** @param {Lane[]} lanes @param {Hover | null} before @returns {Hover | null} */
@@ -63,12 +81,14 @@ export class Pointing {
   }
 
   /** The configuration at a point: of two coordinates, or with the other ones of the slice. @param {Lane} lane @param {{ place: Place, x: number, y: number }} at */
-  pose({ scenario, shown }, { place, x, y }) {
+  pose(lane, { place, x, y }) {
+    const { scenario, shown } = lane;
     const { view } = place.pane;
     if (!view || (scenario.dimension > 2 && !shown.view.slice)) return null;
     const { min, max } = view.box;
-    const inside = view.toPlane(x, y).every((value, i) => value >= min[i] && value <= max[i]);
-    return inside ? this.grip.square(/** @type {CSpace} */ (place.pane), x, y) : null;
+    const at = view.toPlane(x, y);
+    const isInside = at.every((value, i) => value >= min[i] && value <= max[i]);
+    return isInside ? gripOf(shown, poseOf(lane), null, /** @type {CSpace} */ (place.pane), at)(at[0], at[1], false) : null;
   }
 
   /** The element under the pointer, in words. @param {Hover} hover */
@@ -96,6 +116,9 @@ export class Pointing {
     return `${name}. Parent ${parent}, ${lengthText(length, robot)} away; ${lengthText(adjacency.costs[vertex], robot)} from the root.${control}`;
   }
 }
+
+/** The robot's configuration, or the middle of the ranges. @param {Lane} lane */
+function poseOf({ pose, shown }) { return pose ?? shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2); }
 
 /** The distance of a free configuration from the nearest obstacle, in words. @param {Scenario} scenario @param {Hover["pose"]} pose */
 function freeText(scenario, pose) {

@@ -37,8 +37,7 @@ export class PoseByHand {
     session.driving?.stop();
     if (!shown.hand) {
       this.game = { touches: 0, arrived: false };
-      for (const { playback } of session.lanes) {
-        if (!playback) continue;
+      for (const playback of session.playbacks) {
         playback.drawn = 1;
         session.clock.halt();
       }
@@ -55,12 +54,8 @@ export class PoseByHand {
   /** Poses the robot at a start or goal in collision. */
   showTouching() {
     const { shown } = this.session;
-    if (!shown) return;
-    for (const end of [shown.start, ...shown.goals]) {
-      if (!end || end.length !== shown.scenario.dimension || shown.scenario.check(end).free) continue;
-      this.hold(Float64Array.from(end));
-      return;
-    }
+    const end = shown && [shown.start, ...shown.goals].find((one) => one && !shown.scenario.check(one).free);
+    if (end) this.hold(Float64Array.from(end));
   }
 
   /** Ends posing and driving. */
@@ -76,8 +71,7 @@ export class PoseByHand {
   point({ pane: id, type, x, y }) {
     const { session, pointing } = this;
     const place = session.stage.at(id);
-    const { shown } = session;
-    if (!place || !shown || !pointing || shown.driven) return;
+    if (!place || !pointing || session.driving?.on) return;
     pointing.at = type === "hover" ? { place, x, y } : null;
     if (type !== "down" && type !== "move") return;
     const pose = pointing.hold(place, type, x, y);

@@ -37,7 +37,6 @@ export class Race {
     this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);
-    this.number();
     page.race = this;
     page.onState((state) => this.show(state));
   }
@@ -51,24 +50,21 @@ export class Race {
       choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
   }
 
-  get infos() { return this.page.panel.infos.filter(({ id }) => this.page.panel.serves(id)); }
-
   /** Offers the planners for the robot, and removes other rivals. @returns {{ lane: number, algorithm: string }[]} those removed */
   offer() {
-    const { choice, infos, page: { panel } } = this;
+    const { choice, page: { panel, panel: { served } } } = this;
     const before = choice.value;
-    choice.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
     // By default a planner with two trees.
-    choice.value = infos.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? infos[0].id;
-    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value)).map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
-    this.rivals = this.rivals.filter((rival) => {
-      const isServed = panel.serves(rival.planner.value);
-      if (isServed) rival.offer(infos);
-      else rival.element.remove();
-      return isServed;
-    });
+    choice.value = served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
+    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value));
+    this.rivals = this.rivals.filter((rival) => !dropped.includes(rival));
+    for (const { form } of this.rivals) {
+      form.offer(served);
+      form.build();
+    }
     this.number();
-    return dropped;
+    return dropped.map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
   }
 
   /** The rivals' plans, or null while a field holds an invalid value. @param {Plan} plan @returns {Plan[] | null} */
@@ -89,17 +85,13 @@ export class Race {
 
   /** @param {Plan} plan */
   enter(plan) {
-    const { panel } = this.page;
-    const fits = (/** @type {object} */ info) => panel.fits(info);
-    const rival = new Rival(this.infos, fits, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
+    const rival = new Rival(this.page.panel, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
     this.rivals.push(rival);
-    this.list.append(rival.element);
   }
 
   /** @param {Rival} rival */
   drop(rival) {
     this.rivals.splice(this.rivals.indexOf(rival), 1);
-    rival.element.remove();
     this.number();
     this.button.focus();
     this.page.plan();
@@ -107,14 +99,16 @@ export class Race {
 
   /** Replaces the rivals by those of a link. @param {Plan[]} plans */
   adopt([first, ...others]) {
-    for (const { element } of this.rivals.splice(0)) element.remove();
+    this.rivals = [];
     for (const { algorithm, settings: { seed, ...settings } } of others) {
       this.enter({ algorithm, settings: seed === first.settings.seed ? settings : { seed, ...settings } });
     }
     this.number();
   }
 
+  /** Shows the rivals with their letters. */
   number() {
+    this.list.replaceChildren(...this.rivals.map(({ element }) => element));
     this.rivals.forEach((rival, i) => rival.place(i + 1));
     const { length } = this.rivals;
     this.button.disabled = this.choice.disabled = length === MOST;

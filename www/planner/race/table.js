@@ -12,7 +12,7 @@ export class Table {
   /** @param {HTMLElement} host */
   constructor(host) {
     this.host = host;
-    /** @type {{ row: HTMLTableRowElement, cells: HTMLElement[] }[]} */
+    /** @type {HTMLTableRowElement[]} */
     this.rows = [];
     this.remark = make("p", { className: "hint" });
     this.caution = make("p", { className: "hint" }, "Standings at equal cost (one seed): over many seeds the winner may differ.");
@@ -20,22 +20,19 @@ export class Table {
 
   /** Makes a row for each planner. @param {string[]} names */
   build(names) {
-    this.rows = names.map((name) => {
-      const cells = COLUMNS.slice(1).map(() => make("td", {}));
-      return { row: make("tr", {}, make("th", { scope: "row" }, name), ...cells), cells };
-    });
+    this.rows = names.map((name) => make("tr", {}, make("th", { scope: "row" }, name), ...COLUMNS.slice(1).map(() => make("td", {}))));
     this.host.replaceChildren();
     if (names.length === 0) return;
     const table = make("table", { className: "standings" },
       make("caption", {}, "Standings at equal cost (one seed)"),
       make("thead", {}, make("tr", {}, ...COLUMNS.map((title) => make("th", { scope: "col" }, title)))),
-      make("tbody", {}, ...this.rows.map(({ row }) => row)));
+      make("tbody", {}, ...this.rows));
     this.host.append(labelled("region", "Standings", make("div", { className: "scroll", tabIndex: 0 }, table)), this.remark, this.caution);
   }
 
   /** @param {State} state @param {Sheets} sheets */
   show({ lanes }, sheets) {
-    lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].row.dataset, { status, fingerprint }));
+    lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].dataset, { status, fingerprint }));
     const { first, shortest, isOver, isAlike } = leaders(lanes.map(({ standing }) => standing));
     lanes.forEach((lane, i) => {
       const { found } = lane.standing;
@@ -45,7 +42,7 @@ export class Table {
         found === null ? "\u2013" : noted(`${lane.cost.toFixed(2)} ${lane.unit}`.trim(), !lane.isProven && "not proven", shortest.includes(i) && `shortest${isOver ? "" : " so far"}`),
       ];
       sheets.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
-      texts.forEach((text, k) => write(this.rows[i].cells[k], text));
+      texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
     });
     write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");
   }

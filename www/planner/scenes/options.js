@@ -15,11 +15,12 @@ export function showSceneOptions(page, generators) {
   fold.append(makeForm(generators, (kind, options) => request({ generate: { kind, options } })));
   /** @type {SceneEntry | null} */
   let shown = null;
+  /** @type {ReturnType<typeof makeRow>[]} */
+  let rows = [];
   /** @type {Settings} */
   let options = {};
   /** The latest request that has not begun. @type {{ source: Source, entry: SceneEntry | undefined } | null} */
   let next = null;
-  let isBusy = false;
 
   page.onOpen((_, entry) => adopt(entry));
 
@@ -27,55 +28,50 @@ export function showSceneOptions(page, generators) {
   function adopt(entry) {
     const { source } = page;
     const generate = source && "generate" in source ? source.generate : null;
-    const offers = entry?.generate && generate ? entry.sliders ?? [] : [];
     // A slider that is being moved is ahead of the scene that was opened for it.
     if (!next) options = { ...generate?.options };
-    if (entry !== shown) sliders.replaceChildren(...offers.map(row));
+    if (entry !== shown) {
+      rows = entry?.generate && generate ? (entry.sliders ?? []).map(makeRow) : [];
+      sliders.replaceChildren(...rows.map(({ element }) => element));
+    }
     shown = entry;
-    for (const slider of offers) show(slider);
+    for (const { show } of rows) show();
   }
 
   /** @param {Slider} slider */
-  function row(slider) {
-    const { option, title, min, max, step } = slider;
+  function makeRow({ option, title, min, max, step, unit, words }) {
     const id = `option-${option}`;
+    const output = make("output", { id: `${id}-value` });
     const input = make("input", { type: "range", id, min: String(min), max: String(max), step: String(step) });
     input.addEventListener("input", () => {
       if (!shown?.generate) return;
       options = { ...options, ...optionsAt({ ...shown, generate: undefined }, { [option]: Number(input.value) }) };
-      show(slider);
+      show();
       request({ generate: { kind: shown.generate.kind, options } }, shown);
     });
-    return make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, make("output", { id: `${id}-value` }));
-  }
-
-  /** @param {Slider} slider */
-  function show({ option, unit, words }) {
-    const input = byId(`option-${option}`, HTMLInputElement);
-    input.value = String(words ? words.indexOf(String(options[option])) : options[option]);
-    const text = `${options[option]}${unit && ` ${unit}`}`;
-    byId(`option-${option}-value`, HTMLOutputElement).value = text;
-    input.setAttribute("aria-valuetext", text);
+    const show = () => {
+      input.value = String(words ? words.indexOf(String(options[option])) : options[option]);
+      output.value = `${options[option]}${unit && ` ${unit}`}`;
+      input.setAttribute("aria-valuetext", output.value);
+    };
+    return { show, element: make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, output) };
   }
 
   /** @param {Source} source @param {SceneEntry} [entry] */
   function request(source, entry) {
+    if (!next) requestAnimationFrame(openNext);
     next = { source, entry };
     // The state shown is out of date from now on, not only from the next frame.
     page.session.markDirty();
-    if (!isBusy) requestAnimationFrame(() => void openNext());
-    isBusy = true;
   }
 
-  /** Opens the latest request, and any that comes meanwhile, with the current settings of the planner. */
-  async function openNext() {
-    while (next) {
-      const { source, entry } = next;
-      next = null;
-      const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
-      await page.app.track(opening, "This scene cannot be generated.");
-    }
-    isBusy = false;
+  /** Opens the latest request with the current settings of the planner. */
+  function openNext() {
+    if (!next) return;
+    const { source, entry } = next;
+    next = null;
+    const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
+    void page.app.track(opening, "This scene cannot be generated.");
   }
 }
 

@@ -4,7 +4,7 @@ import { namesOfDocuments } from "../../domain/option-names.js";
 import { Field, withSeed } from "../../widgets/field.js";
 import { Fields } from "../../widgets/options.js";
 
-/** @import { ParameterInfo, PlannerInfo, Settings } from "../../domain/types.js" */
+/** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
 /** The main parameters. */
 export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
@@ -23,50 +23,69 @@ const REST = "Limits";
 
 export class SettingsForm extends Fields {
   /**
+   * @param {HTMLSelectElement} planner
    * @param {HTMLElement} first   for the main parameters
    * @param {HTMLElement} rest    for the others
    * @param {(info: ParameterInfo) => boolean} fits   whether a parameter is for the robot
    * @param {() => void} onChange
+   * @param {(info: PlannerInfo) => void} [onBuild]   the fields of a planner were made
    */
-  constructor(first, rest, fits, onChange) {
+  constructor(planner, first, rest, fits, onChange, onBuild = () => {}) {
     super([]);
+    this.planner = planner;
     this.first = first;
     this.rest = rest;
     this.fits = fits;
     this.onChange = onChange;
+    this.onBuild = onBuild;
+    /** The planners for the robot. @type {PlannerInfo[]} */
+    this.infos = [];
     /** Settings by hand, of a preset or of a scene, stored when the planner changes. @type {Settings} */
     this.given = {};
-    /** @type {PlannerInfo | undefined} */
-    this.info = undefined;
-    this.family = "";
+    /** Begins the ids of the fields. */
+    this.family = "parameter";
     /** Changes to the parameter of the seed. @type {Partial<ParameterInfo>} */
     this.seed = {};
     /** Parameters that the scene sets; they count as main parameters. @type {Set<string>} */
     this.lead = new Set();
     /** @type {PlannerInfo["presets"]} */
     this.presets = [];
-    this.preset = make("select", { onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}) });
-    this.presetRow = make("label", { className: "row" }, make("span", { className: "name" }, "Settings"), this.preset);
+    this.preset = make("select", { id: "preset", onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}) });
+    this.presetRow = make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
+    planner.addEventListener("change", () => {
+      this.build();
+      onChange();
+    });
   }
 
-  /** Gives the select of presets an id and a label. @param {string} id @param {string} [label]  in place of "Settings" */
-  identify(id, label) {
-    this.preset.id = this.presetRow.htmlFor = id;
-    if (label) this.preset.ariaLabel = label;
+  /** Offers planners; the one selected stays so, or else the first one is. @param {PlannerInfo[]} infos */
+  offer(infos) {
+    const { planner, planner: { value } } = this;
+    this.infos = infos;
+    planner.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    planner.value = value;
+    if (planner.selectedIndex < 0) planner.selectedIndex = 0;
+  }
+
+  get info() { return this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0]; }
+
+  /** The plan, or null while a field holds an invalid value. @returns {Plan | null} */
+  get plan() {
+    const { settings, planner } = this;
+    return settings && { algorithm: planner.value, settings };
   }
 
   /** Applies a preset. @param {Settings} settings */
   apply(settings) {
     const { seed } = this.given;
     this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
-    if (this.info) this.build(this.info, this.family);
+    this.build();
     this.onChange();
   }
 
-  /** Makes the fields of a planner. @param {PlannerInfo} info @param {string} family  begins the ids of the fields */
-  build(info, family) {
-    this.info = info;
-    this.family = family;
+  /** Makes the fields of the planner. */
+  build() {
+    const { family, info } = this;
     const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
     this.presets = info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
     this.presetRow.hidden = this.presets.length === 0;
@@ -83,6 +102,7 @@ export class SettingsForm extends Fields {
     const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.lead.has(name);
     this.first.replaceChildren(this.presetRow, ...this.fields.filter(isFirst).map(({ element }) => element));
     this.rest.replaceChildren(...groupsOf(this.fields.filter((field) => !isFirst(field))));
+    this.onBuild(info);
   }
 
   /** Stores the value of a field. @param {Field} field */
@@ -95,7 +115,7 @@ export class SettingsForm extends Fields {
   /** Selects the preset that equals the settings. */
   selectPreset() {
     const { given, info } = this;
-    const defaults = new Map(info?.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
+    const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
     const isEqual = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
       .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
     this.preset.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");

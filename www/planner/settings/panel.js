@@ -18,18 +18,16 @@ export class Panel {
     this.onChange = onChange;
     this.infos = planners;
     this.planner = byId("planner", HTMLSelectElement);
-    this.summary = byId("planner-summary", HTMLElement);
-    this.more = byId("more", HTMLDetailsElement);
     this.queryRow = byId("query-row", HTMLElement);
     this.query = byId("query", HTMLSelectElement);
     /** The robot: planners and parameters for others are not offered. */
     this.robot = "arm";
-    this.form = new SettingsForm(byId("parameters", HTMLElement), byId("more-parameters", HTMLElement), (info) => this.fits(info), onChange);
-    this.form.identify("preset");
-    this.newSeed = button("new-seed", "New seed", () => this.reseed());
-    this.planner.addEventListener("change", () => {
-      this.build();
-      onChange();
+    const newSeed = button("new-seed", "New seed", () => this.reseed());
+    const rest = byId("more-parameters", HTMLElement);
+    this.form = new SettingsForm(this.planner, byId("parameters", HTMLElement), rest, (info) => this.fits(info), onChange, ({ summary }) => {
+      byId("planner-summary", HTMLElement).textContent = summary;
+      this.form.field("seed")?.element.append(newSeed);
+      byId("more", HTMLDetailsElement).hidden = rest.childElementCount === 0;
     });
     this.query.addEventListener("change", onQuery);
     this.planner.disabled = false;
@@ -41,13 +39,16 @@ export class Panel {
     return !robots?.length || robots.includes(this.robot);
   }
 
+  /** The planners for the robot. */
+  get served() { return this.infos.filter((info) => this.fits(info)); }
+
   /** Whether a planner is for the robot. @param {string} algorithm */
-  serves(algorithm) { return this.infos.some((info) => info.id === algorithm && this.fits(info)); }
+  serves(algorithm) { return this.served.some(({ id }) => id === algorithm); }
 
   /** Offers the planners for a robot. @param {string} robot */
   offer(robot) {
     this.robot = robot;
-    offerPlanners(this.planner, this.infos.filter((info) => this.fits(info)));
+    this.form.offer(this.served);
   }
 
   /** Selects a planner and some of its parameters. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  those of the scene itself */
@@ -55,7 +56,7 @@ export class Panel {
     this.planner.value = algorithm;
     this.form.given = { ...settings };
     this.form.lead = new Set(Object.keys(scene));
-    this.build();
+    this.form.build();
   }
 
   /** @param {string} algorithm */
@@ -83,11 +84,7 @@ export class Panel {
     return { algorithm, settings: { ...all, ...settings } };
   }
 
-  /** The plan, or null while a field holds an invalid value. @returns {Plan | null} */
-  get plan() {
-    const { settings } = this.form;
-    return settings && { algorithm: this.algorithm, settings };
-  }
+  get plan() { return this.form.plan; }
 
   reseed() {
     const field = this.form.field("seed");
@@ -96,20 +93,4 @@ export class Panel {
     this.form.store(field);
     this.onChange();
   }
-
-  build() {
-    const info = this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
-    this.summary.textContent = info.summary;
-    this.form.build(info, "parameter");
-    this.form.field("seed")?.element.append(this.newSeed);
-    this.more.hidden = this.form.rest.childElementCount === 0;
-  }
-}
-
-/** Offers planners in a select; the one selected stays so, or else the first one is. @param {HTMLSelectElement} select @param {PlannerInfo[]} infos */
-export function offerPlanners(select, infos) {
-  const { value } = select;
-  select.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
-  select.value = value;
-  if (select.selectedIndex < 0) select.selectedIndex = 0;
 }

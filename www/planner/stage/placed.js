@@ -1,17 +1,13 @@
 /**
- * Bodies and cars: orientation marks, wheels, goal regions, dragging and turning by hand, and motions that are arcs. Loaded with
- * the first of them.
+ * Bodies and cars: orientation marks, wheels, goal regions, the handle that turns them, and motions that are arcs. Loaded with the first
+ * of them.
  */
 import { obstaclePath, wrap } from "planarium/draw";
-import { distanceToSegment } from "../../draw/trace.js";
-import { contained, coordinatesOf } from "../../domain/coordinates.js";
-import { contains } from "../../draw/shapes.js";
 
 /** @import { Hover, Shown } from "../lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Pane } from "./pane.js" */
 /** @import { View } from "planarium/draw" */
 /** @import { Workspace } from "./workspace-pane.js" */
 /** @typedef {number[] | Float64Array} Motion   speed, steering angle, seconds */
@@ -19,10 +15,8 @@ import { contains } from "../../draw/shapes.js";
 
 /** Size of a wheel, in parts of the wheelbase. */
 const WHEEL = { length: 0.3, width: 0.1 };
-/** Distance of the handle from the body, and the reach of a pointer to it, CSS pixels. */
-const HANDLE = { beyond: 14, reach: 16 };
-/** Reach of a pointer to a body, CSS pixels. */
-const REACH = 18;
+/** Distance of the handle from the body, CSS pixels. */
+const HANDLE = 14;
 /** Most outlines of a swept area. */
 const OUTLINES = 160;
 
@@ -41,8 +35,6 @@ export class Placed {
     this.front = Math.max(this.front, this.axle * (1 + WHEEL.length / 2));
     this.half = Math.max(...vertices.map(([, y]) => Math.abs(y)));
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
-    /** Offset of the pointer when it took hold; a rotation if it is one number. @type {number | [number, number] | null} */
-    this.held = null;
     /** The last swept area. @type {{ edge: number, run: RunLog, parts: Part[][] } | null} */
     this.swept = null;
   }
@@ -184,8 +176,6 @@ export class Placed {
     context.restore();
   }
 
-  // The hand.
-
   /** Is a pose in the region of the goal, or as near to it as a hand can put it? @param {ArrayLike<number>} pose @param {ArrayLike<number>} goal @param {Shown} shown */
   isNear(pose, goal, { document, query, scenario }) {
     const { min, max } = scenario.extent();
@@ -197,7 +187,7 @@ export class Placed {
 
   /** Where its handle for turning is, pixels. @param {ArrayLike<number>} pose @param {View} view @returns {[number, number]} */
   handle(pose, view) {
-    const far = this.front * view.scaleX + HANDLE.beyond;
+    const far = this.front * view.scaleX + HANDLE;
     return [view.x(pose[0]) + far * Math.cos(pose[2]), view.y(pose[1]) - far * Math.sin(pose[2])];
   }
 
@@ -209,7 +199,7 @@ export class Placed {
     context.fillStyle = ground;
     context.lineWidth = 1.6;
     context.beginPath();
-    context.moveTo(x - HANDLE.beyond * Math.cos(pose[2]), y + HANDLE.beyond * Math.sin(pose[2]));
+    context.moveTo(x - HANDLE * Math.cos(pose[2]), y + HANDLE * Math.sin(pose[2]));
     context.lineTo(x, y);
     context.stroke();
     context.beginPath();
@@ -217,40 +207,6 @@ export class Placed {
     context.fill();
     context.stroke();
     context.restore();
-  }
-
-  /** Takes hold of the robot: by its handle to turn it, else to move it. @param {Pane} pane @param {number} px @param {number} py @returns {Float64Array | null} */
-  take(pane, px, py) {
-    const { lane, view } = pane;
-    this.held = null;
-    const pose = lane && (lane.pose ?? lane.shown.start);
-    if (!lane || !view || !pose) return null;
-    const [hx, hy] = this.handle(pose, view);
-    const [x, y] = view.toPlane(px, py);
-    if (Math.hypot(hx - px, hy - py) <= HANDLE.reach) {
-      this.held = wrap(Math.atan2(y - pose[1], x - pose[0]) - pose[2]);
-      return Float64Array.from(pose);
-    }
-    const [part] = lane.scenario.footprint(pose);
-    if (part.type !== "polygon") return null;
-    const { vertices } = part;
-    const apart = contains(vertices, x, y) ? 0 : Math.min(...vertices.map((vertex, i) => distanceToSegment(x, y, vertex, vertices[(i + 1) % vertices.length])));
-    if (apart * view.scaleX > REACH) return null;
-    this.held = [x - pose[0], y - pose[1]];
-    return Float64Array.from(pose);
-  }
-
-  /** @param {Pane} pane @param {number} px @param {number} py @returns {Float64Array | null} */
-  drag(pane, px, py) {
-    const { lane, view } = pane;
-    const { held } = this;
-    const pose = lane?.shown.hand;
-    if (!view || !pose || held === null) return null;
-    const [x, y] = view.toPlane(px, py);
-    const next = typeof held === "number"
-      ? Float64Array.of(pose[0], pose[1], Math.atan2(y - pose[1], x - pose[0]) - held)
-      : Float64Array.of(x - held[0], y - held[1], pose[2]);
-    return contained(next, coordinatesOf(lane.shown));
   }
 
   // Motions.

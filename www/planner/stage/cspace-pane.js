@@ -5,6 +5,7 @@
 import { View } from "planarium/draw";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { MARGIN, drawAxes } from "../../draw/angles.js";
+import { addLine, cross, drawDot, setStroke } from "../../draw/marks.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
@@ -173,24 +174,16 @@ export class CSpace extends Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
   drawGround(context, lane) {
-    const { palette, cells } = this;
-    if (!palette) return;
+    const { palette, view, cells } = this;
+    if (!palette || !view) return;
     const { x, y, width, height } = this.frame();
     if (cells?.image) context.drawImage(cells.image, x, y, width, height);
     context.strokeStyle = palette.obstacleEdge;
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
-    this.drawTicks(context);
-    drawMarked(this, context, lane);
-  }
-
-  /** @param {CanvasRenderingContext2D} context */
-  drawTicks(context) {
-    const { palette, view } = this;
-    if (!palette || !view) return;
     context.fillStyle = palette.quiet;
-    context.strokeStyle = palette.obstacleEdge;
-    drawAxes(context, view, this.frame(), this.named, this.bold);
+    drawAxes(context, view, { x, y, width, height }, this.named, this.bold);
+    drawMarked(this, context, lane);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @override */
@@ -199,38 +192,20 @@ export class CSpace extends Pane {
     const { pose } = lane;
     if (!palette || !view || !pose) return;
     const { hand, check } = lane.shown;
-    const hit = hand !== null && check !== null && !check.free;
+    const isHit = hand !== null && check !== null && !check.free;
+    const colour = isHit ? palette.collision : palette.robot;
     const [px, py] = this.pixels(pose);
     const { x, y, width, height } = this.frame();
     context.save();
-    context.strokeStyle = hit ? palette.collision : palette.robot;
+    setStroke(context, colour, 1, [2, 4]);
     context.globalAlpha = 0.35;
-    context.lineWidth = 1;
-    context.setLineDash([2, 4]);
     context.beginPath();
-    context.moveTo(px, y);
-    context.lineTo(px, y + height);
-    context.moveTo(x, py);
-    context.lineTo(x + width, py);
+    addLine(context, px, y, px, y + height);
+    addLine(context, x, py, x + width, py);
     context.stroke();
-    context.setLineDash([]);
     context.globalAlpha = 1;
-    context.beginPath();
-    context.arc(px, py, 6.5, 0, 2 * Math.PI);
-    context.fillStyle = hit ? palette.collision : palette.robot;
-    context.fill();
-    context.strokeStyle = palette.stage;
-    context.lineWidth = 2;
-    context.stroke();
-    if (hit) {
-      context.strokeStyle = palette.stage;
-      context.beginPath();
-      context.moveTo(px - 2.6, py - 2.6);
-      context.lineTo(px + 2.6, py + 2.6);
-      context.moveTo(px - 2.6, py + 2.6);
-      context.lineTo(px + 2.6, py - 2.6);
-      context.stroke();
-    }
+    drawDot(context, px, py, colour, palette);
+    if (isHit) cross(context, px, py, 2.6);
     context.restore();
   }
 }

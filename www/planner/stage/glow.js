@@ -3,7 +3,8 @@
  * stored, so the cost of a frame is bounded.
  */
 
-import { cross, disc } from "../../draw/marks.js";
+import { cross, disc, setStroke } from "../../draw/marks.js";
+import { strokeLine } from "../../draw/pen.js";
 
 /** @import { Palette } from "../../app/palette.js" */
 
@@ -49,27 +50,21 @@ export class Glow {
     for (const spark of this.sparks.edge) {
       const left = remaining(spark, now);
       context.globalAlpha = 0.32 * left;
-      context.strokeStyle = palette.halo;
-      context.lineWidth = 1 + 3.5 * left;
-      line(context, spark.points);
+      setStroke(context, palette.halo, 1 + 3.5 * left);
+      strokeLine(context, spark.points, 0, spark.points.length / 2);
       context.globalAlpha = 0.8 * left;
-      context.strokeStyle = palette.newest;
-      context.lineWidth = 1;
-      line(context, spark.points);
+      setStroke(context, palette.newest, 1);
+      strokeLine(context, spark.points, 0, spark.points.length / 2);
     }
-    context.setLineDash([3, 4]);
+    setStroke(context, palette.rejected, 1, [3, 4]);
     for (const spark of this.sparks.refused) {
       context.globalAlpha = 0.6 * remaining(spark, now);
-      context.strokeStyle = palette.rejected;
-      context.lineWidth = 1;
-      line(context, spark.points);
+      strokeLine(context, spark.points, 0, spark.points.length / 2);
     }
-    context.setLineDash([]);
+    setStroke(context, palette.rejected, 1.4);
     for (const spark of [...this.sparks.discarded, ...this.sparks.rejected]) {
       const [x, y] = spark.points;
       context.globalAlpha = (spark.kind === "rejected" ? 0.9 : 0.4) * remaining(spark, now);
-      context.strokeStyle = palette.rejected;
-      context.lineWidth = 1.4;
       cross(context, x, y, 3);
     }
     for (const spark of this.sparks.vertex) {
@@ -92,15 +87,4 @@ export class Glow {
 function remaining(spark, now) {
   const age = Math.min(1, Math.max(0, (now - spark.born) / LIFE));
   return (1 - age) * (1 - age);
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Float64Array} points */
-function line(context, points) {
-  context.beginPath();
-  for (let i = 0; i < points.length; i += 2) {
-    if (Number.isNaN(points[i])) continue;
-    if (i === 0 || Number.isNaN(points[i - 2])) context.moveTo(points[i], points[i + 1]);
-    else context.lineTo(points[i], points[i + 1]);
-  }
-  context.stroke();
 }

@@ -6,7 +6,7 @@
 import { difference } from "planarium/draw";
 import { EVENT, PAST } from "../run-log/run-log.js";
 import { Snapshots } from "./snapshots.js";
-import { cross, disc, ring } from "../../draw/marks.js";
+import { cross, disc, ring, setStroke } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
 
 /** @import { Pane } from "./pane.js" */
@@ -28,10 +28,10 @@ export class Growth {
   /** @param {Pane} pane */
   constructor(pane) {
     this.pane = pane;
-    /** Rows drawn. @type {Counts} */
-    this.drawn = { vertices: 0, edges: 0, events: 0 };
-    /** Rows below these counts do not glow: they are redrawn. @type {Counts} */
-    this.old = { vertices: 0, edges: 0, events: 0 };
+    /** Rows drawn. */
+    this.drawn = countsOf(null);
+    /** Rows below these counts do not glow: they are redrawn. */
+    this.old = countsOf(null);
     /** Removed vertices that are left out. */
     this.removed = 0;
     this.snapshots = {
@@ -40,12 +40,12 @@ export class Growth {
   }
 
   /** Starts from empty layers. @param {Counts} old  rows that do not glow */
-  restart(old = { vertices: 0, edges: 0, events: 0 }) {
+  restart(old = countsOf(null)) {
     for (const kind of KINDS) {
       this.snapshots[kind].clear();
       this.pane.layers[LAYER[kind]].paste(null);
     }
-    this.drawn = { vertices: 0, edges: 0, events: 0 };
+    this.drawn = countsOf(null);
     this.old = old;
     this.removed = 0;
   }
@@ -55,7 +55,7 @@ export class Growth {
 
   get caughtUp() {
     const { drawn, target } = this;
-    return drawn.vertices === target.vertices && drawn.edges === target.edges && drawn.events === target.events;
+    return KINDS.every((kind) => drawn[kind] === target[kind]);
   }
 
   /**
@@ -149,13 +149,11 @@ export class Growth {
       }
       return this.pane.lines(ends, run.circles);
     }
-    const edges = Array.from({ length: end - first }, (_, i) => run.along(first + i));
+    const edges = Array.from({ length: end - first }, (_, i) => motionsAlong(run.along(first + i), n));
     const starts = [0];
-    for (const { length } of edges) starts.push(starts[starts.length - 1] + length / n - 1);
+    for (const { length } of edges) starts.push(starts[starts.length - 1] + length / (2 * n));
     const ends = new Float64Array(starts[edges.length] * 2 * n);
-    edges.forEach((rows, i) => {
-      for (let at = 0; at + n < rows.length; at += n) ends.set(rows.subarray(at, at + 2 * n), starts[i] * 2 * n + 2 * at);
-    });
+    edges.forEach((motions, i) => ends.set(motions, starts[i] * 2 * n));
     const { points, firsts } = this.pane.lines(ends, run.circles);
     return { points, firsts: Uint32Array.from(starts, (at) => firsts[at]) };
   }
@@ -208,15 +206,13 @@ export class Growth {
         context.fillStyle = palette.ink;
         disc(context, x, y, 2.5 * pane.fineness);
       } else if (kind === EVENT.guard) {
-        context.strokeStyle = palette.growth;
-        context.lineWidth = 1.6 * pane.fineness;
+        setStroke(context, palette.growth, 1.6 * pane.fineness);
         ring(context, x, y, 5.5 * pane.fineness);
       } else if (kind === EVENT.rejected || kind === EVENT.discarded) {
         if (glows) pane.glow.add(kind === EVENT.rejected ? "rejected" : "discarded", now, Float64Array.of(x, y));
         if (!keeps) continue;
-        context.strokeStyle = palette.rejected;
+        setStroke(context, palette.rejected, 1.2);
         context.globalAlpha = kind === EVENT.rejected ? 0.75 : 0.35;
-        context.lineWidth = 1.2;
         cross(context, x, y, 2.6 * pane.fineness);
         context.globalAlpha = 1;
       } else if (kind === EVENT.refused) {
@@ -224,12 +220,9 @@ export class Growth {
         if (!line) continue;
         if (glows) pane.glow.add("refused", now, line);
         if (!keeps) continue;
-        context.strokeStyle = palette.rejected;
+        setStroke(context, palette.rejected, 1, [3, 4]);
         context.globalAlpha = 0.6;
-        context.lineWidth = 1;
-        context.setLineDash([3, 4]);
         strokeLine(context, line, 0, line.length / 2);
-        context.setLineDash([]);
         context.globalAlpha = 1;
       }
     }
@@ -248,8 +241,7 @@ export class Growth {
     context.save();
     context.lineCap = "round";
     const { points, firsts } = this.linesOf(run, first.edges, past[PAST.edges]);
-    context.strokeStyle = palette.newest;
-    context.lineWidth = 2.2 * pane.fineness;
+    setStroke(context, palette.newest, 2.2 * pane.fineness);
     for (let i = 0; i + 1 < firsts.length; i++) strokeLine(context, points, firsts[i], firsts[i + 1]);
     const dots = pane.pixels(run.vertices.slice(first.vertices, past[PAST.vertices]));
     context.fillStyle = palette.newest;
@@ -257,17 +249,13 @@ export class Growth {
     const { data, width } = run.events;
     const places = pane.pixels(this.placesOf(run, first.events, past[PAST.events]));
     const refused = this.refusedLines(run, first.events, past[PAST.events], 0);
-    context.strokeStyle = palette.rejected;
+    setStroke(context, palette.rejected, 1.6);
     for (let i = first.events; i < past[PAST.events]; i++) {
       const kind = data[i * width];
-      context.lineWidth = 1.6;
       if (kind === EVENT.rejected || kind === EVENT.discarded) cross(context, places[2 * (i - first.events)], places[2 * (i - first.events) + 1], 3.6 * pane.fineness);
-      const line = refused.get(i);
-      if (!line) continue;
-      context.setLineDash([4, 4]);
-      strokeLine(context, line, 0, line.length / 2);
-      context.setLineDash([]);
     }
+    context.setLineDash([4, 4]);
+    for (const line of refused.values()) strokeLine(context, line, 0, line.length / 2);
     context.restore();
   }
 
@@ -315,6 +303,13 @@ export function countsOf(run) {
   if (!run) return { vertices: 0, edges: 0, events: 0 };
   const { past } = run;
   return { vertices: past[PAST.vertices], edges: past[PAST.edges], events: past[PAST.events] };
+}
+
+/** The motions from each row to the next, as rows of from, to. @param {Float64Array} rows @param {number} n */
+export function motionsAlong(rows, n) {
+  const ends = new Float64Array(Math.max(0, 2 * (rows.length - n)));
+  for (let at = 0; at + n < rows.length; at += n) ends.set(rows.subarray(at, at + 2 * n), 2 * at);
+  return ends;
 }
 
 /** Shortens motions to fractions of themselves, in place. @param {Float64Array} ends @param {number} n @param {Float64Array} parts @param {boolean[]} circles */

@@ -4,11 +4,10 @@
  */
 import { SIDE } from "../run-log/run-log.js";
 import { Glow } from "./glow.js";
-import { Growth, countsOf } from "./growth.js";
+import { Growth, countsOf, motionsAlong } from "./growth.js";
 import { hatch } from "../../draw/hatch.js";
 import { LAYERS, Layer } from "../../draw/layer.js";
-import { ring } from "../../draw/marks.js";
-import { disc } from "../../draw/marks.js";
+import { disc, ring } from "../../draw/marks.js";
 import { tracePen } from "../../draw/pen.js";
 import { VertexIndex } from "./vertex-index.js";
 import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
@@ -213,12 +212,7 @@ export class Pane {
   /** The path before shortcutting, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */
   drawRaw(context, { raw, scenario }) {
     if (!raw) return;
-    if (this.rawLines?.raw !== raw) {
-      const n = scenario.dimension;
-      const ends = new Float64Array(2 * (raw.length - n));
-      for (let i = 0; i + n < raw.length; i += n) ends.set(raw.subarray(i, i + 2 * n), 2 * i);
-      this.rawLines = { raw, lines: this.lines(ends) };
-    }
+    if (this.rawLines?.raw !== raw) this.rawLines = { raw, lines: this.lines(motionsAlong(raw, scenario.dimension)) };
     const { points, firsts } = this.rawLines.lines;
     context.save();
     context.lineWidth = 1.5;
@@ -232,16 +226,10 @@ export class Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette */
   drawPath(context, playback, palette) {
-    if (this.pathLines?.playback !== playback) {
-      const { rows, parts } = playback.samples;
-      const n = playback.scenario.dimension;
-      const ends = new Float64Array(Math.max(0, parts.length - 1) * 2 * n);
-      for (let i = 0; i + 1 < parts.length; i++) ends.set(rows.subarray(i * n, (i + 2) * n), i * 2 * n);
-      this.pathLines = { playback, lines: this.lines(ends) };
-    }
+    const { samples: { rows, parts }, scenario } = playback;
+    if (this.pathLines?.playback !== playback) this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
     if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, playback);
     const { lines } = this.pathLines;
-    const parts = playback.samples.parts;
     let pieces = 0;
     while (pieces + 1 < parts.length && parts[pieces + 1] <= playback.drawn) pieces++;
     context.save();

@@ -75,7 +75,7 @@ export async function load(source) {
   return loading;
 }
 
-/** Loads the core synchronously, from bytes or a compiled module. @param {unknown} source @throws {PlanariumError} `no-simd`, `init-failed` */
+/** Loads the core from bytes or a compiled module. @param {unknown} source @throws {PlanariumError} `no-simd`, `init-failed` */
 export function loadSync(source) {
   if (instance >= 0) return renew();
   requireVectors();
@@ -95,10 +95,8 @@ export function loadSync(source) {
 /** Refuses an engine that cannot run the core. */
 function requireVectors() {
   if (WebAssembly.validate(VECTORS)) return;
-  throw new PlanariumError(
-    "no-simd",
-    "Planarium needs the vector instructions of WebAssembly (simd128), which this engine does not have. Browsers have them since March 2023, Node since version 16.4.",
-  );
+  const have = "Browsers have them since March 2023, Node since version 16.4.";
+  throw new PlanariumError("no-simd", `Planarium needs the vector instructions of WebAssembly (simd128), which this engine lacks. ${have}`);
 }
 
 /** After a trap: a fresh instance. Otherwise nothing. */

@@ -66,7 +66,9 @@ async function compileCrate() {
   await run("cargo", ["build", "--config", joined, "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
   const wasm = join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
   // Its list of features has the length of each name before it.
-  if (!readFileSync(wasm).includes("+\x07simd128")) throw new Problem("The module was compiled without vector instructions: unset the variable RUSTFLAGS.");
+  if (!readFileSync(wasm).includes("+\x07simd128")) {
+    throw new Problem("The module was compiled without vector instructions: unset the variable RUSTFLAGS.");
+  }
   return wasm;
 }
 

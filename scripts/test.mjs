@@ -101,6 +101,7 @@ function types(project) {
 async function nodeTests(folder, concurrency) {
   const place = join(root, "tests", folder);
   const files = readdirSync(place).filter((name) => name.endsWith(".test.mjs")).sort();
+  if (files.length === 0) return undefined;
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
   const { code } = await watch(process.execPath, [

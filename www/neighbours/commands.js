@@ -52,12 +52,18 @@ export const commands = {
   /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes */
   read(document, name, bytes) {
     const opened = Scenario.parse(document);
-    const list = readList(name, bytes, opened.dimension);
     // An index refuses what is not a configuration.
     const index = opened.neighbours({ index: "linear" });
-    index.add(list);
-    index.free();
-    return store(opened, list);
+    try {
+      const list = readList(name, bytes, opened.dimension);
+      index.add(list);
+      return store(opened, list);
+    } catch (error) {
+      opened.free();
+      throw error;
+    } finally {
+      index.free();
+    }
   },
 
   /**

@@ -24,8 +24,11 @@ export async function openState(session, { robot, draw, q, k, index, given }) {
   const entry = ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
   // The core checks the options before anything changes.
   const scenario = Scenario.parse(entry.document);
-  scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
-  scenario.free();
+  try {
+    scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
+  } finally {
+    scenario.free();
+  }
   Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given });
   await session.open(entry, { q, k });
 }

@@ -5,7 +5,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /** @import { Catalogue } from "./run-log/run-log.js" */
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
-/** @import { Overlay } from "./editor/editor.js" */
+/** @import { Editor } from "./editor/editor.js" */
 /** @import { Pane } from "./stage/pane.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
@@ -26,7 +26,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {ViewOptions} view
  * @property {Marked | null} marked         configurations from a file
  * @property {boolean} rough                during a gesture: images may be coarse
- * @property {Overlay | null} overlay       drawn by the editor
+ * @property {Editor | null} overlay        drawn on the panes
  * @property {Placed | null} placed         for a body or a car
  * @property {Driven | null} driven         while the car is driven
  */

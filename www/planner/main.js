@@ -42,7 +42,7 @@ import { Transport } from "./timeline/transport.js";
 
 /** Milliseconds after the first picture at which the other layers get their memory and the thumbnails are drawn. */
 const THUMBNAILS = 250;
-/** Milliseconds after them at which the modules for other scenes are loaded. */
+/** Milliseconds after the thumbnails at which the modules for other scenes are loaded. */
 const MODULES = 3000;
 /** The number of seeds that "New seed" chooses from: six digits can be said aloud. */
 const SEEDS = 1_000_000;

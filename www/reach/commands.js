@@ -7,9 +7,11 @@ export const commands = {
   /** The obstacles in the configuration space of an arm of two joints. @param {ScenarioDocument} document @param {number} side  cells @returns {Uint8Array} */
   cspace(document, side) {
     const scenario = Scenario.parse(document);
-    const cells = scenario.cspace({ width: side, height: side });
-    scenario.free();
-    return cells;
+    try {
+      return scenario.cspace({ width: side, height: side });
+    } finally {
+      scenario.free();
+    }
   },
 };
 

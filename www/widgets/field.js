@@ -12,8 +12,9 @@ export class Field {
    * @param {number | string | boolean | null} value   null: automatic
    * @param {() => void} onChange   called after a valid change
    * @param {string} [family]   begins the ids of its elements
+   * @param {boolean} [isLive]  whether a typed value counts before the field is left
    */
-  constructor(info, value, onChange, family = "parameter") {
+  constructor(info, value, onChange, family = "parameter", isLive = true) {
     this.info = info;
     this.onChange = onChange;
     const id = `${family}-${info.name}`;
@@ -29,7 +30,7 @@ export class Field {
     this.control.addEventListener("change", () => this.commit());
     this.control.addEventListener("input", () => {
       clearTimeout(this.timer);
-      if (this.validate()) this.timer = window.setTimeout(() => this.commit(), TYPING);
+      if (this.validate() && isLive) this.timer = window.setTimeout(() => this.commit(), TYPING);
     });
     const name = make("span", { className: "name" }, info.title || info.name);
     if (info.unit) name.append(make("span", { className: "unit" }, ` ${info.unit}`));

@@ -33,7 +33,7 @@ const KEYS = {
   Delete: COMMANDS.remove, Backspace: COMMANDS.remove, Insert: COMMANDS.insert, d: COMMANDS.duplicate,
   Enter: (editor) => editor.enter(), Escape: (editor) => editor.cancel(),
   ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1),
-  "Control+z": COMMANDS.undo, "Control+Shift+z": COMMANDS.redo, "Control+y": COMMANDS.redo,
+  "Control+z": COMMANDS.undo, "Control+Shift+z": COMMANDS.redo, "Control+y": COMMANDS.redo, "Control+Shift+y": COMMANDS.redo,
 };
 
 export class EditorControls {
@@ -172,7 +172,8 @@ export class EditorControls {
       this.inputs = fields.map(({ name, unit, low, high, value }, i) => new Field({
         name: name.replace(" ", "-"), title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`, unit, kind: "number",
         min: low, max: high, default: value, choices: null, robots: [], meaning: "",
-      }, value, () => this.enter(i), "edit"));
+      }, value, () => this.enter(i), "edit", false));
+      for (const { control } of this.inputs) control.setAttribute("aria-describedby", `${control.getAttribute("aria-describedby")} edit-reason`);
       this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
     }
     const isResolved = this.refused !== "" && reason === "";

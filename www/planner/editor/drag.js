@@ -5,10 +5,10 @@ import { simple } from "./objects.js";
 import { gridOf } from "../../draw/ground.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
-/** @import { Pointer } from "../../domain/types.js" */
+/** @import { Point, Pointer } from "../../domain/types.js" */
 /** @import { Editor } from "./editor.js" */
 /** @import { Gesture } from "./gestures.js" */
-/** @import { Point, EditorObject } from "./objects.js" */
+/** @import { EditorObject } from "./objects.js" */
 
 /**
  * @typedef {object} Drag

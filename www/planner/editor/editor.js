@@ -16,13 +16,11 @@ import {
   withTarget, withVertex,
 } from "./objects.js";
 
-/** @import { Coordinate, EditTool, ErrorInfo, Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Coordinate, EditTool, ErrorInfo, Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
-/** @import { Point, EditorObject } from "./objects.js" */
-
-/** @typedef {Editor} Overlay   drawn on the panes */
+/** @import { EditorObject } from "./objects.js" */
 
 /** How to use each tool. @type {Record<EditTool, string>} */
 const HINTS = {
@@ -308,7 +306,7 @@ export class Editor {
       this.announcement = this.whereabouts;
     }
     this.changes++;
-    session.story = !this.isChanged ? this.story : { algorithm: "", isProven: true, sentence: "" };
+    session.story = this.isChanged ? { algorithm: "", isProven: true, sentence: "" } : this.story;
     this.shown.rough = false;
     session.stage.invalidate();
   }

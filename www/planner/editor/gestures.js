@@ -7,10 +7,9 @@ import { fine, moved, obstacleOf, poseOf, rectangle, rounded, targetOf, withObst
 
 /** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
-/** @import { Obstacle, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/** @import { Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { Hit } from "./handles.js" */
-/** @import { Point } from "./objects.js" */
 /** @typedef {(x: number, y: number, shift: boolean) => ScenarioDocument} Gesture   the pointer in coordinates of the pane's plane */
 
 /**

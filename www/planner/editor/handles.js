@@ -4,9 +4,9 @@ import { middle, objectsOf, obstacleOf, poseOf, same, targetOf } from "./objects
 
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { View } from "planarium/draw" */
-/** @import { Obstacle } from "../../domain/types.js" */
+/** @import { Obstacle, Point } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
-/** @import { Point, EditorObject } from "./objects.js" */
+/** @import { EditorObject } from "./objects.js" */
 /** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one before a middle */
 /** @typedef {{ object: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint, after the last joint the end effector, or the heading of a body */
 

@@ -1,8 +1,7 @@
 /** The editable objects of a scenario document: start and goal of a query, and obstacles. Every change returns a new document. */
 
-/** @import { EditTool, Obstacle, Query, ScenarioDocument, Target } from "../../domain/types.js" */
+/** @import { EditTool, Obstacle, Point, Query, ScenarioDocument, Target } from "../../domain/types.js" */
 /** @typedef {{ kind: "start" | "goal" | "obstacle", index: number }} EditorObject   index of the query or the obstacle */
-/** @typedef {[number, number]} Point */
 
 /** Distances at which a new obstacle is tried, as parts of the world, and directions, as eighths of a turn. */
 const RINGS = [0.09, 0.18, 0.28, 0.38, 0.46];

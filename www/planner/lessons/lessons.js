@@ -96,7 +96,10 @@ export class Lessons {
     this.show("question");
     setAddress(`#lesson=${lesson.id}.${step + 1}`);
     try {
-      if (await this.arrive()) page.act(({ timeline }) => timeline.seek(beginningOf(lesson, step)));
+      const isShown = await this.arrive();
+      // Another step or scene may have been opened meanwhile.
+      if (!isShown || this.lesson !== lesson || this.at !== step || !this.isThere) return;
+      page.act(({ timeline }) => timeline.seek(beginningOf(lesson, step)));
     } catch (error) {
       if (!page.facts) await page.openScene(SCENES[0]);
       page.app.fail(error, "This step could not be shown.");

@@ -19,6 +19,8 @@ import { PAST } from "../run-log/run-log.js";
 
 /** Distance within which a pointer holds the robot, CSS pixels. */
 const REACH = 18;
+/** The same of an arm's end effector, which its link surrounds. */
+const TIP = 12;
 
 export class Pointing {
   constructor() {
@@ -49,7 +51,7 @@ export class Pointing {
     const pose = poseOf(lane);
     if (kind === "cspace") return gripOf(shown, pose, null, /** @type {CSpace} */ (pane), pose);
     if (shown.scenario.robot === "disc") return gripOf(shown, pose, null, null, pose);
-    const hit = lane.pose ?? shown.start ? partAt(pane, shown, pose, x, y, REACH) : null;
+    const hit = lane.pose ?? shown.start ? partAt(pane, shown, pose, x, y, REACH, TIP) : null;
     return hit && gripOf(shown, pose, hit.part, null, /** @type {View} */ (pane.view).toPlane(x, y));
   }
 

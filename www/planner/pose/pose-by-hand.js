@@ -60,7 +60,8 @@ export class PoseByHand {
 
   /** Ends posing and driving. */
   release() {
-    const { shown } = this.session;
+    const { session: { shown }, pointing } = this;
+    if (pointing) pointing.grip = null;
     if (!shown) return;
     this.session.driving?.stop();
     shown.hand = null;

@@ -25,19 +25,21 @@ export function isTip({ robot, dimension }, part) { return robot === "arm" && pa
  * The part of a robot at a point of the workspace: a joint, after the last joint the end effector, 0 for the heading of a body, or null
  * for the whole robot.
  * @param {Pane} pane @param {Shown} shown @param {ArrayLike<number>} pose @param {number} px @param {number} py @param {number} reach  CSS pixels
+ * @param {number} [tip]   the same of the end effector
  * @returns {{ part: number | null, distance: number } | null}  with its distance in CSS pixels; null: none is within reach
  */
-export function partAt(pane, { scenario, placed }, pose, px, py, reach) {
+export function partAt(pane, { scenario, placed }, pose, px, py, reach, tip = Math.max(TIP, reach)) {
   const view = /** @type {View} */ (pane.view);
   const q = Float64Array.from(pose);
   const isNear = (/** @type {ArrayLike<number>} */ at, /** @type {number} */ within) => Math.hypot(at[0] - px, at[1] - py) <= within;
   // The end effector is preferred to its link, and the handle to the body.
-  if (scenario.robot === "arm" && isNear(pane.pixels(q), Math.max(TIP, reach))) return { part: scenario.dimension, distance: 0 };
+  if (scenario.robot === "arm" && isNear(pane.pixels(q), tip)) return { part: scenario.dimension, distance: 0 };
   if (placed && isNear(placed.handle(pose, view), reach)) return { part: 0, distance: 0 };
   const [x, y] = view.toPlane(px, py);
-  const distances = scenario.footprint(q).map((part) => Math.max(0, distanceToShape(part, x, y)) * view.scaleX);
+  // Where parts overlap, that counts in which the point is deepest.
+  const distances = scenario.footprint(q).map((part) => distanceToShape(part, x, y) * view.scaleX);
   const distance = Math.min(...distances);
-  return distance <= reach ? { part: placed ? null : distances.lastIndexOf(distance), distance } : null;
+  return distance <= reach ? { part: placed ? null : distances.indexOf(distance), distance: Math.max(0, distance) } : null;
 }
 
 /**

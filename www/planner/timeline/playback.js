@@ -148,7 +148,7 @@ export class Timeline {
     const isLatest = clock.now === clock.head;
     growths.forEach((growth, i) => lanes[i].run?.take(growth));
     this.pending = -1;
-    if (clock.owes) {
+    if (clock.playing || clock.owes) {
       // The next block is planned while this one is drawn.
       if (isShown) this.plan(Math.floor(clock.wanted));
       return;

@@ -351,7 +351,7 @@ fn the_metric_of_the_gaps_is_the_distance_to_the_bit() {
         let states = samples(space, 17, cases(4000));
         for (a, b) in states.iter().zip(&states[1..]) {
             let (x, y) = (space.coordinates(a), space.coordinates(b));
-            let [distance] = space.norm(|i| [gap(x[i], y[i], space.period(i))]);
+            let distance = space.norm(|i| gap(x[i], y[i], space.period(i)));
             assert_eq!(distance.to_bits(), space.distance(a, b).to_bits(), "{a:?} {b:?}");
         }
     }

@@ -2,9 +2,12 @@
 
 use planarium::random::{Random, Stream};
 use planarium::space::steering::Steering;
-use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, angular_distance, gap, wrap};
+use planarium::space::{
+    Coordinate, Lanes, Metric, MotionSpace, ProductSpace, Space, angular_distance, gap, gap_to_interval, wrap,
+};
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
+use wide::{f64x2, f64x8};
 
 const CASES: usize = 2000;
 
@@ -92,7 +95,7 @@ fn steered_motions_obey_the_laws_of_their_direction() {
                 obey_the_laws(&space, [a, b, c], random.uniform(), slack);
                 let d = |x: &[f64; 4], y: &[f64; 4]| space.distance(x, y);
                 assert!(d(&a, &b) <= space.extent(), "the extent is no less than a distance");
-                let bound = space.norm(|i| [gap(a[i], b[i], torus.period(i))])[0];
+                let bound = space.norm(|i| gap(a[i], b[i], torus.period(i)));
                 assert!(bound <= d(&a, &b) && bound <= d(&b, &a), "the bound is never above, not by a bit");
                 assert_eq!([space.turn(&a, &b), space.sweep(&a, &b)], [0.0; 2]);
                 let curve = space.curve(&a, &b).expect("steered motions follow curves");
@@ -173,4 +176,36 @@ fn streams_of_one_seed_differ_and_each_is_the_same_again() {
     let mut seen = [0usize; 5];
     (0..5000).for_each(|_| seen[random.below(5) as usize] += 1);
     assert!(seen.iter().all(|&count| (800..1200).contains(&count)), "all of five about equally often: {seen:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_lane_of_a_vector_has_the_bits_of_a_single_number() {
+    let numbers = [0.0, f64::MIN_POSITIVE, 1e-9, 1.0, PI.next_down(), PI, 5.0, TAU];
+    let mut random = Random::new(17, Stream::Samples);
+    for case in 0..CASES {
+        let mut drawn = || -> [f64; 8] {
+            std::array::from_fn(|lane| match case % 3 {
+                0 => numbers[(random.uniform() * 8.0) as usize],
+                1 => TAU * random.uniform() - PI,
+                _ => numbers[lane] + 1e-15 * random.uniform(),
+            })
+        };
+        let (a, b, c) = (drawn(), drawn(), drawn());
+        let (low, high): (Vec<f64>, Vec<f64>) = b.iter().zip(&c).map(|(b, c)| (b.min(*c), b.max(*c))).unzip();
+        for period in [TAU, f64::INFINITY] {
+            let [va, vb] = [a, b].map(f64x8::new);
+            let bits = |vector: f64x8| vector.to_array().map(f64::to_bits);
+            let singles = |one: &dyn Fn(usize) -> f64| std::array::from_fn::<u64, 8, _>(|lane| one(lane).to_bits());
+            assert_eq!(bits(gap(va, vb, f64x8::splat(period))), singles(&|lane| gap(a[lane], b[lane], period)));
+            assert_eq!(bits(va.greater(vb)), singles(&|lane| a[lane].greater(b[lane])));
+            for lane in (0..8).step_by(2) {
+                let pair = |x: &[f64]| f64x2::new([x[lane], x[lane + 1]]);
+                let least = gap_to_interval(pair(&a), pair(&low), pair(&high), f64x2::splat(period)).to_array();
+                let one = |lane: usize| gap_to_interval(a[lane], low[lane], high[lane], period).to_bits();
+                assert_eq!(least.map(f64::to_bits), [one(lane), one(lane + 1)]);
+            }
+        }
+    }
+    let filler = gap(f64x8::splat(1.0), f64x8::splat(f64::NAN), f64x8::splat(TAU));
+    assert!(filler.to_array().into_iter().all(f64::is_nan), "empty lanes stay NaN");
 }

@@ -1,8 +1,9 @@
 //! The best candidates of a query so far.
 
 use super::Neighbour;
-use super::packs::{LANES, lane};
+use super::packs::LANES;
 use crate::graph::VertexId;
+use wide::f64x8;
 
 /// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`].
 pub(super) struct Closest<'a> {
@@ -38,16 +39,13 @@ impl<'a> Closest<'a> {
         // First a bit mask of the states within the limit, without unpredictable branches; then those few states.
         let mut wanted = 0u64;
         for (pack, distances) in distances.iter().enumerate() {
-            let mut lanes = 0u32;
-            for (lane, &distance) in distances.iter().enumerate() {
-                lanes |= u32::from(distance <= self.limit) << lane;
-            }
+            let lanes = f64x8::new(*distances).simd_le(f64x8::splat(self.limit)).to_bitmask();
             wanted |= u64::from(lanes) << (pack * LANES);
         }
         while wanted != 0 {
             let at = wanted.trailing_zeros() as usize;
             wanted &= wanted - 1;
-            let (pack, lane) = (at / LANES, lane(at));
+            let (pack, lane) = (at / LANES, at % LANES);
             let neighbour = Neighbour { distance: distances[pack][lane], vertex: vertex(pack, lane) };
             if self.is_sorted {
                 self.sort_in(neighbour);

@@ -289,7 +289,7 @@ impl<S: Space> Nearest<S> for Forest<S> {
 fn embedded<S: Space>(space: &S, state: &S::State) -> Vec<f64> {
     let mut point = Vec::with_capacity(2 * space.dimension());
     for (i, &x) in space.coordinates(state).iter().enumerate() {
-        let [weight] = space.norm(|j| [f64::from(u8::from(i == j))]);
+        let weight = space.norm(|j| f64::from(u8::from(i == j)));
         let period = space.period(i);
         if period.is_finite() {
             // A circle of this radius has the circumference `period`.

@@ -1,12 +1,8 @@
 //! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
-use super::packs::HAS_VECTORS;
 use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
-
-/// Whether the scan is used: without vector instructions it is no faster than the tree.
-const SCANS: bool = HAS_VECTORS;
 
 /// The scan's copy of the states is dropped above this size; only a very large k would still favour it.
 const MOST_SCANNED: usize = 8192;
@@ -50,7 +46,7 @@ impl<S: Space> Index<S> {
     ) -> usize {
         if !space.is_norm_exact() {
             self.rank(space, direction, state, k, found)
-        } else if SCANS && self.len <= Self::crossover(space, k) {
+        } else if self.len <= Self::crossover(space, k) {
             self.scan.k_nearest(space, state, k, found)
         } else {
             self.tree.k_nearest(space, state, k, found)
@@ -66,7 +62,7 @@ impl<S: Space> Index<S> {
         radius: f64,
         found: &mut Vec<Neighbour>,
     ) -> usize {
-        if space.is_norm_exact() && SCANS && self.len <= Self::crossover(space, 1) {
+        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
             return self.scan.within(space, state, radius, found);
         }
         let visited = self.tree.within(space, state, radius, found);
@@ -138,9 +134,9 @@ impl<S: Space> Nearest<S> for Index<S> {
             return self.entries.push((vertex, state));
         }
         self.tree.insert(space, vertex, state);
-        if SCANS && self.len <= MOST_SCANNED {
+        if self.len <= MOST_SCANNED {
             self.scan.insert(space, vertex, state);
-        } else if SCANS && self.len == MOST_SCANNED + 1 {
+        } else if self.len == MOST_SCANNED + 1 {
             self.scan = LinearScan::default();
         }
     }

@@ -2,7 +2,7 @@
 //! fastest for few states.
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs, lane};
+use super::packs::{LANES, Packs};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -73,7 +73,7 @@ impl LinearScan {
 
 impl<S: Space> Nearest<S> for LinearScan {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
-        let (pack, at) = (self.len / LANES, lane(self.len));
+        let (pack, at) = (self.len / LANES, self.len % LANES);
         if at == 0 {
             self.packs.dimension = space.dimension();
             self.packs.add();

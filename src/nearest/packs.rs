@@ -1,19 +1,11 @@
-//! States by columns, in packs, so that the distances to a pack are computed in parallel.
+//! States by columns, in packs, so that the distances to a pack are computed by vector instructions.
 
 use crate::graph::VertexId;
 use crate::space::{Space, gap};
+use wide::f64x8;
 
-/// Whether the target has vector instructions. WebAssembly has them if it is compiled with `simd128`.
-pub(super) const HAS_VECTORS: bool = !cfg!(target_arch = "wasm32") || cfg!(target_feature = "simd128");
-
-/// How many states a pack holds: as many as vector instructions compute in parallel; without them, one.
-pub(super) const LANES: usize = if HAS_VECTORS { 8 } else { 1 };
-
-/// The lane of state number `at`: a remainder, which the linter would reject for packs of one.
-#[inline(always)]
-pub(super) const fn lane(at: usize) -> usize {
-    at - at / LANES * LANES
-}
+/// How many states a pack holds.
+pub(super) const LANES: usize = 8;
 
 /// Packs of states and their vertices. An empty lane holds NaN, whose distance to everything is NaN.
 #[derive(Debug, Clone, Default)]
@@ -68,10 +60,7 @@ impl Packs {
     #[inline(always)]
     pub fn distances<S: Space>(&self, space: &S, from: &[f64], pack: usize) -> [f64; LANES] {
         let rows = self.rows(pack);
-        space.norm(|i| {
-            let (x, period) = (from[i], space.period(i));
-            let row = &rows[i];
-            std::array::from_fn(|lane| gap(x, row[lane], period))
-        })
+        let distances = space.norm(|i| gap(f64x8::splat(from[i]), f64x8::new(rows[i]), f64x8::splat(space.period(i))));
+        distances.to_array()
     }
 }

@@ -1,5 +1,7 @@
 //! The distance between two numbers on a line or on a circle.
 
+use super::Lanes;
+
 /// The distance between two coordinates whose whole turn is `period` (infinite on a line), the short way round. Both within
 /// one turn of each other. O(1).
 ///
@@ -7,24 +9,9 @@
 /// difference exceeds half a turn: beyond half, the rest is exact (Sterbenz) and shorter; up to half, the rest rounds to
 /// half or more.
 #[inline(always)]
-pub fn gap(a: f64, b: f64, period: f64) -> f64 {
+pub fn gap<T: Lanes>(a: T, b: T, period: T) -> T {
     let straight = (a - b).abs();
-    lesser(period - straight, straight)
-}
-
-/// The lesser of two numbers that are not negative; NaN if one is NaN. WebAssembly chooses between two doubles by a jump that
-/// cannot be predicted, so there the bits are compared: those of such numbers have the same order.
-#[inline(always)]
-fn lesser(a: f64, b: f64) -> f64 {
-    if cfg!(target_arch = "wasm32") {
-        let (a, b) = (a.to_bits() as i64, b.to_bits() as i64);
-        let below = a.wrapping_sub(b);
-        f64::from_bits(b.wrapping_add(below & (below >> 63)) as u64)
-    } else if a < b {
-        a
-    } else {
-        b
-    }
+    (period - straight).lesser(straight)
 }
 
 /// The least [`gap`] between `a` and any number from `low` to `high`; 0 if `a` lies between them. O(1).
@@ -33,8 +20,6 @@ fn lesser(a: f64, b: f64) -> f64 {
 /// falls as `b` goes through the interval, and rounding keeps that order; as `|a - b|` grows, the gap first rises, up to half
 /// a turn, and then falls, so on the interval it is least at an end. Both ends are checked, which covers the wrap.
 #[inline(always)]
-pub fn gap_to_interval(a: f64, low: f64, high: f64, period: f64) -> f64 {
-    let least = lesser(gap(a, high, period), gap(a, low, period));
-    let outside = u64::from(!((low <= a) & (a <= high))).wrapping_neg();
-    f64::from_bits(least.to_bits() & outside)
+pub fn gap_to_interval<T: Lanes>(a: T, low: T, high: T, period: T) -> T {
+    gap(a, high, period).lesser(gap(a, low, period)).zero_between(a, low, high)
 }

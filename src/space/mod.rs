@@ -13,12 +13,14 @@
 //! serve every dimension up to `N`: entries past [`Space::dimension`] are 0 and add exactly nothing.
 
 mod gap;
+mod lanes;
 mod motion;
 mod product;
 pub mod steering;
 
 pub use crate::geometry::{angular_distance, unwind, wrap};
 pub use gap::{gap, gap_to_interval};
+pub use lanes::Lanes;
 pub use motion::MotionSpace;
 pub use product::{Coordinate, Metric, ProductSpace};
 
@@ -180,17 +182,17 @@ pub trait Space {
         f64::INFINITY
     }
 
-    /// The metric as a function of the coordinates' gaps, for `L` pairs of states at once: `gap(i)` gives those of coordinate
-    /// `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit, or, if
+    /// The metric as a function of the coordinates' gaps, for as many pairs of states at once as there are lanes: `gap(i)`
+    /// returns those of coordinate `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit, or, if
     /// [`Space::is_norm_exact`] is false, a lower bound on it in either direction. It must not decrease when a gap grows, in
     /// floating point too, which holds for sums, products and roots of numbers that are not negative. So with
-    /// [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(`L` dimension).
+    /// [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(lanes x dimension).
     ///
     /// A gap that is NaN must give NaN: an index fills its last vector with such gaps.
     ///
     /// The default is 0, a lower bound in every space, which an index cannot use.
-    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
-        gap(0).map(|gap| 0.0 * gap)
+    fn norm<T: Lanes>(&self, mut gap: impl FnMut(usize) -> T) -> T {
+        T::splat(0.0) * gap(0)
     }
 
     /// Whether [`Space::norm`] is the distance, and not only a lower bound.

@@ -1,6 +1,6 @@
 //! A product space whose motions are straight, or the curves of a car.
 
-use super::{ProductSpace, Space, gap};
+use super::{Lanes, ProductSpace, Space, gap};
 use crate::space::steering::{Curve, Pose, Steering};
 
 /// A [`ProductSpace`] with its motions. Without steering, motions and distances are those of the product, to the bit. With
@@ -47,9 +47,8 @@ impl<const N: usize> MotionSpace<N> {
 
 /// A lower bound on the length of a curve from the gaps of its ends.
 #[inline(always)]
-fn least(x: f64, y: f64, turn: f64, radius: f64) -> f64 {
-    let (line, arc) = ((x * x + y * y).sqrt(), radius * turn);
-    if arc > line { arc } else { line }
+fn least<T: Lanes>(x: T, y: T, turn: T, radius: f64) -> T {
+    (T::splat(radius) * turn).greater((x * x + y * y).sqrt())
 }
 
 /// A state as a pose.
@@ -128,10 +127,9 @@ impl<const N: usize> Space for MotionSpace<N> {
     }
 
     #[inline(always)]
-    fn norm<const L: usize>(&self, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+    fn norm<T: Lanes>(&self, mut gap: impl FnMut(usize) -> T) -> T {
         let Some((_, radius)) = self.steering else { return self.product.norm(gap) };
-        let [x, y, turn] = [gap(0), gap(1), gap(2)];
-        std::array::from_fn(|lane| least(x[lane], y[lane], turn[lane], radius))
+        least(gap(0), gap(1), gap(2), radius)
     }
 
     #[inline]

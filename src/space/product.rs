@@ -2,7 +2,7 @@
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 
-use super::{Space, gap, unwind, wrap};
+use super::{Lanes, Space, gap, unwind, wrap};
 use std::f64::consts::{PI, TAU};
 
 /// The largest angle below 2 pi.
@@ -133,34 +133,23 @@ impl<const N: usize> ProductSpace<N> {
 
     /// The metric as a function of the gaps of the first `count` coordinates: see [`Space::norm`].
     #[inline(always)]
-    fn combine<const L: usize>(&self, count: usize, mut gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
-        let mut sum = [0.0; L];
+    fn combine<T: Lanes>(&self, count: usize, mut gap: impl FnMut(usize) -> T) -> T {
+        // One call of `gap`, so that it is inlined.
+        let is_sum = self.metric == Metric::Sum;
+        let (mut sum, mut turn) = (T::splat(0.0), T::splat(0.0));
+        for i in 0..count {
+            let gap = gap(i);
+            if i == 2 && matches!(self.metric, Metric::Placement { .. }) {
+                turn = gap;
+                break;
+            }
+            sum = sum + if is_sum { gap } else { gap * gap };
+        }
         match self.metric {
-            Metric::Sum => {
-                for i in 0..count {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane];
-                    }
-                }
-                sum
-            }
-            Metric::Euclidean => {
-                for i in 0..count {
-                    let gaps = gap(i);
-                    for lane in 0..L {
-                        sum[lane] += gaps[lane] * gaps[lane];
-                    }
-                }
-                sum.map(f64::sqrt)
-            }
+            Metric::Sum => sum,
+            Metric::Euclidean => sum.sqrt(),
             Metric::Placement { translation, rotation } => {
-                let [x, y, turn] = [gap(0), gap(1), gap(2)];
-                for lane in 0..L {
-                    let far = (x[lane] * x[lane] + y[lane] * y[lane]).sqrt();
-                    sum[lane] = translation * far + rotation * turn[lane];
-                }
-                sum
+                T::splat(translation) * sum.sqrt() + T::splat(rotation) * turn
             }
         }
     }
@@ -194,8 +183,7 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let [distance] = self.combine(N, |i| [gap(a[i], b[i], self.period(i))]);
-        distance
+        self.combine(N, |i| gap(a[i], b[i], self.period(i)))
     }
 
     #[inline]
@@ -243,8 +231,7 @@ impl<const N: usize> Space for ProductSpace<N> {
 
     fn extent(&self) -> f64 {
         let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
-        let [extent] = self.norm(|i| [longest(i)]);
-        extent
+        self.norm(longest)
     }
 
     fn turn(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
@@ -267,7 +254,7 @@ impl<const N: usize> Space for ProductSpace<N> {
     }
 
     #[inline(always)]
-    fn norm<const L: usize>(&self, gap: impl FnMut(usize) -> [f64; L]) -> [f64; L] {
+    fn norm<T: Lanes>(&self, gap: impl FnMut(usize) -> T) -> T {
         self.combine(self.dimension, gap)
     }
 }

@@ -1,6 +1,6 @@
 //! Growing the kd-tree: insertion, splitting of leaves, rebuilding of unbalanced subtrees.
 
-use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides, lane};
+use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides};
 use crate::graph::VertexId;
 
 /// States of a subtree that is rebuilt.
@@ -90,7 +90,7 @@ impl KdTree {
             };
         }
         let pack = self.leaves[leaf].packs[at / LANES] as usize;
-        self.packs.set(pack, lane(at), vertex, coordinates.iter().copied());
+        self.packs.set(pack, at % LANES, vertex, coordinates.iter().copied());
         self.leaves[leaf].len += 1;
     }
 
@@ -119,8 +119,8 @@ impl KdTree {
         self.free_leaves.push(node.index() as u32);
         for at in 0..len as usize {
             let pack = packs[at / LANES] as usize;
-            entries.numbers.extend(self.packs.rows(pack).iter().map(|row| row[lane(at)]));
-            entries.vertices.push(self.packs.vertices(pack)[lane(at)]);
+            entries.numbers.extend(self.packs.rows(pack).iter().map(|row| row[at % LANES]));
+            entries.vertices.push(self.packs.vertices(pack)[at % LANES]);
         }
         for &pack in &packs[..(len as usize).div_ceil(LANES)] {
             self.packs.clear(pack as usize);

@@ -12,10 +12,11 @@
 mod grow;
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs, lane};
+use super::packs::{LANES, Packs};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::{Space, gap_to_interval};
+use wide::f64x2;
 
 /// The packs of a full leaf.
 const LEAF_PACKS: usize = 32 / LANES;
@@ -95,10 +96,12 @@ impl KdTree {
     #[inline(always)]
     fn bounds<S: Space>(&self, space: &S, from: &[f64], branch: usize) -> [f64; 2] {
         let sides = &self.boxes[branch * from.len()..][..from.len()];
-        space.norm(|i| {
-            let (x, period, [low, high]) = (from[i], space.period(i), sides[i]);
-            std::array::from_fn(|child| gap_to_interval(x, low[child], high[child], period))
-        })
+        space
+            .norm(|i| {
+                let [low, high] = sides[i].map(f64x2::new);
+                gap_to_interval(f64x2::splat(from[i]), low, high, f64x2::splat(space.period(i)))
+            })
+            .to_array()
     }
 
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
@@ -148,7 +151,7 @@ impl<S: Space> Nearest<S> for KdTree {
     fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
         let coordinates = space.coordinates(&state);
         if self.len == 0 {
-            let weight = |i| space.norm(|j| [f64::from(u8::from(i == j))])[0];
+            let weight = |i| space.norm(|j| f64::from(u8::from(i == j)));
             self.start((0..space.dimension()).map(weight).collect());
         }
         self.grow(vertex, coordinates);

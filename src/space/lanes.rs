@@ -1,0 +1,100 @@
+//! Numbers in lanes: what a metric computes with, for one pair of states or for several at once.
+
+use std::ops::{Add, Mul, Sub};
+use wide::{f64x2, f64x8};
+
+/// A number, or several in the lanes of a vector. Each lane has the bits that a single number would have.
+pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// The number in every lane.
+    fn splat(number: f64) -> Self;
+
+    /// The absolute values.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The square roots.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// The lesser numbers. Neither is NaN, or both are: then the result is NaN.
+    #[must_use]
+    fn lesser(self, other: Self) -> Self;
+
+    /// The greater numbers. Neither is NaN, or both are: then the result is NaN.
+    #[must_use]
+    fn greater(self, other: Self) -> Self;
+
+    /// The same, and 0 in lanes where `low` <= `x` <= `high`.
+    #[must_use]
+    fn zero_between(self, x: Self, low: Self, high: Self) -> Self;
+}
+
+impl Lanes for f64 {
+    #[inline(always)]
+    fn splat(number: f64) -> Self {
+        number
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
+        if (low <= x) & (x <= high) { 0.0 } else { self }
+    }
+}
+
+macro_rules! vectors {
+    ($($vector:ty),*) => {$(
+        impl Lanes for $vector {
+            #[inline(always)]
+            fn splat(number: f64) -> Self {
+                <$vector>::splat(number)
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                <$vector>::abs(self)
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                <$vector>::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn lesser(self, other: Self) -> Self {
+                self.fast_min(other)
+            }
+
+            #[inline(always)]
+            fn greater(self, other: Self) -> Self {
+                self.fast_max(other)
+            }
+
+            #[inline(always)]
+            fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
+                (low.simd_le(x) & high.simd_ge(x)).bitselect(<$vector>::splat(0.0), self)
+            }
+        }
+    )*};
+}
+
+vectors!(f64x2, f64x8);

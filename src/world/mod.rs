@@ -15,12 +15,11 @@ use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Polygon};
 use crate::robot::{joint_space, placements, plane};
 use crate::scenario::{Robot, Scenario};
-use crate::space::{MAX_DIMENSION, Metric, MetricKind, MotionSpace, ProductSpace};
+use crate::space::{Metric, MetricKind, MotionSpace, ProductSpace};
 use std::sync::{Arc, OnceLock};
 
-/// The smaller size of states: most robots have no more coordinates. Entries past the dimension are 0 and change no bit. In
-/// WebAssembly one size serves all, which costs a tenth of the speed and saves a tenth of the module.
-pub(crate) const SMALL: usize = if cfg!(target_arch = "wasm32") { MAX_DIMENSION } else { 4 };
+/// The smaller size of states: most robots have no more coordinates. Entries past the dimension are 0 and change no bit.
+pub(crate) const SMALL: usize = 4;
 
 /// A scenario and its obstacles prepared for collision queries. Cheap to clone: clones share all of it.
 ///

@@ -1,4 +1,4 @@
-/** The WebAssembly module needs nothing that a plain browser without special headers lacks. */
+/** The WebAssembly module needs nothing that a browser of March 2023 without special headers lacks. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { root } from "../../scripts/run.mjs";
 
 const path = join(root, "dist", "package", "planarium_bg.wasm");
 
-test("its features are those of a plain build: no SIMD, no threads", () => {
+test("it has vector instructions, and no other feature that a plain build lacks: no threads", () => {
   const allowed = new Set([
     "mutable-globals", "nontrapping-float-to-int", "bulk-memory", "bulk-memory-opt", "sign-ext", "reference-types", "multivalue", "call-indirect-overlong",
   ]);
@@ -16,8 +16,7 @@ test("its features are those of a plain build: no SIMD, no threads", () => {
     encoding: "utf8", stdio: ["ignore", "pipe", "ignore"],
   });
   const features = output.trim().split("\n").map((line) => line.replace("--enable-", ""));
-  assert.ok(features.length > 0);
-  assert.deepEqual(features.filter((feature) => !allowed.has(feature)), []);
+  assert.deepEqual(features.filter((feature) => !allowed.has(feature)), ["simd"]);
 });
 
 test("its memory is not shared", () => {

@@ -75,12 +75,7 @@ impl<'a> Closest<'a> {
 
     /// Selects the first `k`, in no order. O(1) amortized per candidate, as it runs at twice `k`.
     fn pick(&mut self) {
-        // In WebAssembly one routine serves both, for size.
-        if cfg!(target_arch = "wasm32") {
-            self.found.sort_unstable_by_key(Neighbour::key);
-        } else {
-            self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
-        }
+        self.found.select_nth_unstable_by_key(self.k - 1, Neighbour::key);
         self.found.truncate(self.k);
         self.limit = self.found[self.k - 1].distance;
     }

@@ -25,7 +25,7 @@ const LEAF_PACKS: usize = 32 / LANES;
 const LEAF: usize = LEAF_PACKS * LANES;
 
 /// Up to this many neighbours stay sorted: more than in a scan, as a tight limit here prunes whole leaves.
-const SORTED: usize = if cfg!(target_arch = "wasm32") { 64 } else { 16 };
+const SORTED: usize = 16;
 
 /// The greatest depth: a tree that would grow deeper is rebuilt.
 const MAX_DEPTH: usize = 64;

@@ -143,8 +143,8 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     /// both give the same verdict.
     fn is_free(&self, q: &[f64; N]) -> bool {
         let prover = &mut *self.prover.borrow_mut();
-        let state = prover.moving.rest(self.space.coordinates(q));
-        prover.is_free_at_rest(&self.scene, &state).unwrap_or_else(|| self.contacts(q).is_empty())
+        prover.moving.rest(q);
+        prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {

@@ -73,7 +73,7 @@ impl BodyCollision {
         }
         let prover = &mut *self.prover.borrow_mut();
         prover.moving.rest(*q);
-        prover.is_free_at_rest(&self.scene, &()).unwrap_or_else(|| self.contacts(q).is_empty())
+        prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
     /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body x all vertices).

@@ -27,6 +27,9 @@ pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = S
     /// The same, and 0 in lanes where `low` <= `x` <= `high`.
     #[must_use]
     fn zero_between(self, x: Self, low: Self, high: Self) -> Self;
+
+    /// A bit for each lane, the lowest for the first: whether its number is greater than that of `other`.
+    fn above(self, other: Self) -> u32;
 }
 
 impl Lanes for f64 {
@@ -58,6 +61,11 @@ impl Lanes for f64 {
     #[inline(always)]
     fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
         if (low <= x) & (x <= high) { 0.0 } else { self }
+    }
+
+    #[inline(always)]
+    fn above(self, other: Self) -> u32 {
+        u32::from(self > other)
     }
 }
 
@@ -92,6 +100,11 @@ macro_rules! vectors {
             #[inline(always)]
             fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
                 (low.simd_le(x) & high.simd_ge(x)).bitselect(<$vector>::splat(0.0), self)
+            }
+
+            #[inline(always)]
+            fn above(self, other: Self) -> u32 {
+                self.simd_gt(other).to_bitmask()
             }
         }
     )*};

@@ -16,12 +16,13 @@
 //! 100, rounded to 5e-13 in all at worst. If limits are wider, up to twice that, the slack is doubled.
 
 use super::driver::{Interval, Moving};
-use super::moving_point::{MovingPoint, dot, left_of};
+use super::moving_point::{Halves, MovingPoint, Plane, around};
 use super::pair::{Direction, Part, nearest_point};
-use super::rotation::{UnitVectors, unit};
+use super::rotation::{SMALL, doubled, series, unit};
 use crate::collision::obstacles::Face;
 use crate::geometry::{Aabb, Point, Vector};
 use crate::robot::{Arm, MAX_LINKS};
+use crate::space::Lanes;
 
 /// Turns over this many halvings are found together, by squaring the smallest.
 const SQUARED: usize = 4;
@@ -33,10 +34,48 @@ const FASTEST_SQUARED: f64 = 12.8;
 /// better ones.
 const FAST: f64 = 1.5;
 
+/// The unit vectors of `N` angles, by columns.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::collision) struct UnitVectors<const N: usize> {
+    x: [f64; N],
+    y: [f64; N],
+}
+
+impl<const N: usize> UnitVectors<N> {
+    /// Of no angle: all point along x.
+    const ZERO: Self = Self { x: [1.0; N], y: [0.0; N] };
+
+    /// Of angles given two at a time; of no more than the first `count`, rounded up.
+    #[inline(always)]
+    fn new(count: usize, of: impl Fn(usize) -> Plane<Halves>) -> Self {
+        let mut units = Self::ZERO;
+        for i in (0..count).step_by(2) {
+            let e = of(i);
+            let end = if N % 2 == 0 { i + 2 } else { N.min(i + 2) };
+            units.x[i..end].copy_from_slice(&e.x.to_array()[..end - i]);
+            units.y[i..end].copy_from_slice(&e.y.to_array()[..end - i]);
+        }
+        units
+    }
+
+    /// Those of angles i and i + 1.
+    #[inline(always)]
+    fn two(&self, i: usize) -> Plane<Halves> {
+        Plane { x: two(&self.x, i), y: two(&self.y, i) }
+    }
+}
+
+/// Numbers i and i + 1; the last twice if there is no other.
+#[inline(always)]
+fn two<const N: usize>(numbers: &[f64; N], i: usize) -> Halves {
+    Halves::new([numbers[i], numbers[if N % 2 == 0 { i + 1 } else { (i + 1).min(N - 1) }]])
+}
+
 /// An arm of up to `N` links, and its motion.
 pub(in crate::collision) struct MovingArm<const N: usize> {
     base: Point,
-    lengths: Vec<f64>,
+    links: usize,
+    lengths: [f64; N],
     eta: f64,
     /// The radius and the slack.
     margin: f64,
@@ -52,16 +91,22 @@ pub(in crate::collision) struct MovingArm<const N: usize> {
     /// The turn of every link over a quarter of the motion, an eighth, and so on.
     turns: [UnitVectors<N>; SQUARED],
     finer_turns: Vec<UnitVectors<N>>,
-    /// The joints in the middle of the interval under test.
+    /// In the middles of both halves of the interval under test: the joints, and the unit vectors along the links. Half the
+    /// length of a half.
     joints: [MovingPoint; MAX_LINKS + 1],
+    along: [Plane<Halves>; N],
+    half: f64,
 }
 
 impl<const N: usize> MovingArm<N> {
     /// The arm, with this slack.
     pub fn new(arm: &Arm, eta: f64) -> Self {
+        let mut lengths = [0.0; N];
+        lengths[..arm.links().len()].copy_from_slice(arm.links());
         Self {
             base: arm.base(),
-            lengths: arm.links().to_vec(),
+            links: arm.links().len(),
+            lengths,
             eta,
             margin: arm.radius() + eta,
             from: [f64::NAN; N],
@@ -73,6 +118,8 @@ impl<const N: usize> MovingArm<N> {
             turns: [UnitVectors::ZERO; SQUARED],
             finer_turns: Vec::new(),
             joints: [MovingPoint::default(); MAX_LINKS + 1],
+            along: [Plane::default(); N],
+            half: 0.0,
         }
     }
 
@@ -83,73 +130,86 @@ impl<const N: usize> MovingArm<N> {
         self.finer_turns.clear();
         if self.from != *from {
             self.from = *from;
-            let mut angle = 0.0;
-            for i in 0..N {
-                angle += self.from[i];
-                self.from_along.set(i, unit(angle));
-            }
+            self.from_along = self.directions(from);
         }
         let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
-        for (i, &length) in self.lengths.iter().enumerate().take(N) {
+        for i in 0..self.links {
             rate += delta[i];
             let spin = f64::abs(rate);
-            let speed = length * spin;
+            let speed = self.lengths[i] * spin;
             travel += speed;
             third += speed * rate * rate;
-            if spin > fastest {
-                fastest = spin;
-            }
+            fastest = spin.greater(fastest);
             (self.rates[i], self.travel[i], self.third[i]) = (rate, travel, third);
         }
         self.fastest = fastest;
-        let mut turns = UnitVectors::new(&self.rates, 1.0 / 32.0, fastest);
-        for level in (0..SQUARED).rev() {
-            self.turns[level] = turns;
-            turns = turns.doubled();
-        }
-        if fastest > FASTEST_SQUARED {
-            turns = UnitVectors::new(&self.rates, 0.5, fastest);
+        let half_turn = if fastest <= FASTEST_SQUARED {
+            let mut turns = self.turned(1.0 / 32.0);
+            for level in (0..SQUARED).rev() {
+                self.turns[level] = turns;
+                turns = UnitVectors::new(self.links, |i| doubled(turns.two(i)));
+            }
+            turns
+        } else {
             let mut part = 0.25;
-            for level in &mut self.turns {
-                *level = UnitVectors::new(&self.rates, part, fastest);
+            for level in 0..SQUARED {
+                self.turns[level] = self.turned(part);
                 part *= 0.5;
             }
-        }
-        self.from_along.rotate_both_ways(&turns)[1]
-    }
-
-    /// Places the arm at rest; returns the unit vectors along its links.
-    #[inline(always)]
-    pub fn rest(&mut self, q: &[f64]) -> UnitVectors<N> {
-        let mut along = UnitVectors::ZERO;
-        let mut angle = 0.0;
-        self.joints[0] = MovingPoint::at_rest(self.base);
-        for (i, &length) in self.lengths.iter().enumerate().take(N) {
-            angle += q[i];
-            along.set(i, unit(angle));
-            self.joints[i + 1] = MovingPoint::at_rest(self.joints[i].place() + along.at(i) * length);
-        }
-        self.fastest = 0.0;
-        along
-    }
-
-    /// A box that holds joint `k` on the whole interval.
-    #[inline(always)]
-    fn joint_box(&self, k: usize, half: f64) -> Aabb {
-        let swept = self.joints[k].swept_box();
-        if k > 0 && self.fastest * half > FAST { self.restricted(swept, k, half) } else { swept }
-    }
-
-    /// The part of a joint's box within its bound of first order, and within its reach from the base.
-    #[cold]
-    fn restricted(&self, swept: Aabb, joint: usize, half: f64) -> Aabb {
-        let travel = self.travel[joint - 1] * half;
-        let reach = self.lengths[..joint].iter().sum::<f64>() + self.eta;
-        let within = |swept: Aabb, center: Point, by: f64| Aabb {
-            min: swept.min.sup(&(center - Vector::new(by, by))),
-            max: swept.max.inf(&(center + Vector::new(by, by))),
+            self.turned(0.5)
         };
-        within(within(swept, self.joints[joint].place(), travel), self.base, reach)
+        UnitVectors::new(self.links, |i| self.from_along.two(i).rotated(half_turn.two(i)))
+    }
+
+    /// The turn of every link over a part of the motion.
+    #[inline(always)]
+    fn turned(&self, part: f64) -> UnitVectors<N> {
+        let factor = Halves::splat(part);
+        if self.fastest * part <= SMALL {
+            UnitVectors::new(self.links, |i| series(two(&self.rates, i) * factor))
+        } else {
+            UnitVectors::new(self.links, |i| unit(two(&self.rates, i) * factor))
+        }
+    }
+
+    /// The unit vectors along the links.
+    #[inline(always)]
+    fn directions(&self, q: &[f64; N]) -> UnitVectors<N> {
+        let (mut angles, mut angle) = ([0.0; N], 0.0);
+        for i in 0..self.links {
+            angle += q[i];
+            angles[i] = angle;
+        }
+        UnitVectors::new(self.links, |i| unit(two(&angles, i)))
+    }
+
+    /// Places the arm at rest.
+    #[inline(always)]
+    pub fn rest(&mut self, q: &[f64; N]) {
+        let along = self.directions(q);
+        (self.half, self.fastest) = (0.0, 0.0);
+        self.joints[0] = MovingPoint::at_rest(self.base);
+        for i in 0..self.links {
+            self.along[i] = Plane { x: Halves::splat(along.x[i]), y: Halves::splat(along.y[i]) };
+            let link = self.along[i] * Halves::splat(self.lengths[i]);
+            self.joints[i + 1] = MovingPoint { position: self.joints[i].position + link, ..MovingPoint::default() };
+        }
+    }
+
+    /// The part of a link's box within reach of where its ends are, and of the base.
+    #[cold]
+    fn restricted(&self, swept: Aabb, part: usize) -> Aabb {
+        let around =
+            |center: Point, by: f64| Aabb { min: center - Vector::new(by, by), max: center + Vector::new(by, by) };
+        let reached = |joint: usize, half: usize| {
+            let Some(link) = joint.checked_sub(1) else { return around(self.base, 0.0) };
+            let travel = around(self.joints[joint].place(half), self.travel[link] * self.half);
+            let reach = around(self.base, self.lengths[..joint].iter().sum::<f64>() + self.eta);
+            Aabb { min: travel.min.sup(&reach.min), max: travel.max.inf(&reach.max) }
+        };
+        let ends = [(part, 0), (part, 1), (part + 1, 0), (part + 1, 1)].map(|(joint, half)| reached(joint, half));
+        let reached = ends[0].union(&ends[1]).union(&ends[2]).union(&ends[3]);
+        Aabb { min: swept.min.sup(&reached.min), max: swept.max.inf(&reached.max) }
     }
 }
 
@@ -160,23 +220,37 @@ impl<const N: usize> Moving for MovingArm<N> {
 
     #[inline(always)]
     fn parts(&self) -> usize {
-        self.lengths.len()
+        self.links
     }
 
     #[inline(always)]
     fn place(&mut self, interval: &Interval<UnitVectors<N>>, parts: usize) {
-        let h = interval.half;
+        let h = 0.5 * interval.half;
+        let turns = match interval.level.checked_sub(SQUARED) {
+            None => &self.turns[interval.level],
+            Some(finer) => {
+                if finer == self.finer_turns.len() {
+                    self.finer_turns.push(self.turned(h));
+                }
+                &self.finer_turns[finer]
+            }
+        };
+        self.half = h;
         let sixth = h * h * h / 6.0;
         let mut joint = MovingPoint::at_rest(self.base);
         self.joints[0] = joint;
-        for (i, &length) in self.lengths[..parts].iter().enumerate() {
-            let along = interval.state.at(i) * length;
-            let turn = h * self.rates[i];
-            let swing = along * turn;
+        for i in 0..parts {
+            // The front half is behind the middle of the interval, the other before it.
+            let turn = Plane { x: Halves::splat(turns.x[i]), y: Halves::new([-turns.y[i], turns.y[i]]) };
+            let middle = Plane { x: Halves::splat(interval.state.x[i]), y: Halves::splat(interval.state.y[i]) };
+            self.along[i] = middle.rotated(turn);
+            let link = self.along[i] * Halves::splat(self.lengths[i]);
+            let rate = h * self.rates[i];
+            let swing = link * Halves::splat(rate);
             joint = MovingPoint {
-                position: joint.position + along,
-                velocity: joint.velocity + left_of(swing),
-                acceleration: joint.acceleration + swing * (0.25 * turn),
+                position: joint.position + link,
+                velocity: joint.velocity + swing.left(),
+                acceleration: joint.acceleration + swing * Halves::splat(0.25 * rate),
                 remainder: sixth * self.third[i],
             };
             self.joints[i + 1] = joint;
@@ -184,36 +258,32 @@ impl<const N: usize> Moving for MovingArm<N> {
     }
 
     #[inline(always)]
-    fn halves(&mut self, interval: &Interval<UnitVectors<N>>) -> [UnitVectors<N>; 2] {
-        let turns = match interval.level.checked_sub(SQUARED) {
-            None => &self.turns[interval.level],
-            Some(finer) => {
-                if finer == self.finer_turns.len() {
-                    self.finer_turns.push(UnitVectors::new(&self.rates, interval.half / 2.0, self.fastest));
-                }
-                &self.finer_turns[finer]
-            }
-        };
-        interval.state.rotate_both_ways(turns)
+    fn state(&self, half: usize) -> UnitVectors<N> {
+        let mut units = UnitVectors::ZERO;
+        for (i, along) in self.along.iter().enumerate().take(self.links) {
+            (units.x[i], units.y[i]) = (along.x.to_array()[half], along.y.to_array()[half]);
+        }
+        units
     }
 
     #[inline(always)]
-    fn part(&self, part: usize, state: &UnitVectors<N>) -> Link<'_> {
+    fn part(&self, part: usize) -> Link<'_> {
         let ends = self.joints[part..part + 2].try_into().expect("a link has two ends");
-        Link { ends, along: state.at(part) }
+        Link { ends, along: self.along[part] }
     }
 
     #[inline(always)]
-    fn swept_box(&self, part: usize, half: f64) -> Aabb {
-        let (a, b) = (self.joint_box(part, half), self.joint_box(part + 1, half));
-        let lesser = |axis: usize| if a.min[axis] < b.min[axis] { a.min[axis] } else { b.min[axis] };
-        let greater = |axis: usize| if a.max[axis] > b.max[axis] { a.max[axis] } else { b.max[axis] };
-        let (min, max) = ([lesser(0), lesser(1)], [greater(0), greater(1)]);
-        Aabb { min: min.into(), max: max.into() }.grown(self.margin)
+    fn swept_box(&self, part: usize) -> Aabb {
+        let [a, b] = [part, part + 1].map(|joint| self.joints[joint].swept_box());
+        let min = Plane { x: a[0].x.lesser(b[0].x), y: a[0].y.lesser(b[0].y) };
+        let max = Plane { x: a[1].x.greater(b[1].x), y: a[1].y.greater(b[1].y) };
+        let swept = around([min, max]);
+        let swept = if self.fastest * self.half > FAST { self.restricted(swept, part) } else { swept };
+        swept.grown(self.margin)
     }
 
-    fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
-        let [a, b] = [part, part + 1].map(|k| bounds.depth(self.joints[k].place()));
+    fn depth(&self, part: usize, half: usize, bounds: &Aabb) -> f64 {
+        let [a, b] = [part, part + 1].map(|joint| bounds.depth(self.joints[joint].place(half)));
         a.min(b) - (self.margin - self.eta)
     }
 
@@ -231,7 +301,7 @@ impl<const N: usize> Moving for MovingArm<N> {
 /// A link: both its ends and the unit vector along it.
 pub(in crate::collision) struct Link<'a> {
     ends: &'a [MovingPoint; 2],
-    along: Vector,
+    along: Plane<Halves>,
 }
 
 impl Part for Link<'_> {
@@ -253,22 +323,22 @@ impl Part for Link<'_> {
     /// The normal of the link, on the side of the polygon: the only one that can separate them.
     #[inline(always)]
     fn direction(&self, _: usize, faces: &[Face]) -> Direction {
-        let left = left_of(self.along);
-        let line = dot(left, self.ends[0].position);
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        let left = self.along.left();
+        let line = left.dot(self.ends[0].position);
+        let (mut low, mut high) = (Halves::splat(f64::INFINITY), Halves::splat(f64::NEG_INFINITY));
         for face in faces {
-            let side = dot(left, face.corner.coords);
-            low = if side < low { side } else { low };
-            high = if side > high { side } else { high };
+            let side = left.dot(Plane::splat(face.corner.coords));
+            (low, high) = (low.lesser(side), high.greater(side));
         }
-        let (n, support, ahead) =
-            if low - line > line - high { (-left, -low, low - line) } else { (left, high, line - high) };
-        Direction { n, support, ahead }
+        let (before, behind) = (low - line, line - high);
+        let is_before = before.simd_gt(behind);
+        let sign = is_before.bitselect(Halves::splat(-1.0), Halves::splat(1.0));
+        Direction { n: left * sign, support: is_before.bitselect(low, high) * sign, ahead: before.greater(behind) }
     }
 
     #[inline(always)]
-    fn offset_from(&self, p: Point) -> Vector {
+    fn offset_from(&self, half: usize, p: Point) -> Vector {
         let [a, b] = self.ends;
-        nearest_point(p, a.place(), b.place()) - p
+        nearest_point(p, a.place(half), b.place(half)) - p
     }
 }

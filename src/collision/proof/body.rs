@@ -13,12 +13,13 @@
 
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};
-use super::moving_point::{MovingPoint, dot, left_of};
+use super::moving_point::{Halves, MovingPoint, Plane};
 use super::pair::{Direction, Part, nearest_point, polygon_support};
-use super::rotation::{rotate, unit};
+use super::rotation::unit;
 use crate::collision::BodyMotion;
 use crate::collision::obstacles::{Face, faces_of};
 use crate::geometry::{Aabb, Point, Polygon, Vector, convex_pieces};
+use crate::space::Lanes;
 use std::ops::Range;
 
 /// A body and its motion.
@@ -33,9 +34,11 @@ pub(in crate::collision) struct MovingBody {
     from: f64,
     heading: Vector,
     bound: MotionBound,
-    /// The body in the middle of the interval under test, and its corners as seen from the origin of its frame.
+    /// The body in the middles of both halves of the interval under test, and its corners as seen from the origin of its
+    /// frame; half the length of a half.
     middle: Middle,
-    corners: Vec<Vector>,
+    corners: Vec<Plane<Halves>>,
+    half: f64,
 }
 
 impl MovingBody {
@@ -57,6 +60,7 @@ impl MovingBody {
             bound: MotionBound::default(),
             middle: Middle::at_rest(Vector::zeros(), Vector::x()),
             corners: Vec::new(),
+            half: 0.0,
         }
     }
 
@@ -65,7 +69,7 @@ impl MovingBody {
     pub fn begin(&mut self, motion: &BodyMotion) {
         let [_, _, theta] = motion.from();
         if self.from != theta {
-            (self.from, self.heading) = (theta, unit(theta));
+            (self.from, self.heading) = (theta, heading(theta));
         }
         self.bound = MotionBound::new(motion, self.reach, self.heading);
     }
@@ -73,7 +77,8 @@ impl MovingBody {
     /// Places the body at rest.
     #[inline(always)]
     pub fn rest(&mut self, [x, y, theta]: [f64; 3]) {
-        self.set(Middle::at_rest(Vector::new(x, y), unit(theta)), self.ranges.len());
+        self.half = 0.0;
+        self.set(Middle::at_rest(Vector::new(x, y), heading(theta)), self.ranges.len());
     }
 
     /// The range of a piece's faces among those of all.
@@ -89,7 +94,7 @@ impl MovingBody {
         self.middle = middle;
         self.corners.clear();
         let faces = &self.faces[..self.ranges[pieces - 1].1 as usize];
-        self.corners.extend(faces.iter().map(|face| rotate(face.corner.coords, middle.heading)));
+        self.corners.extend(faces.iter().map(|face| Plane::splat(face.corner.coords).rotated(middle.heading)));
     }
 }
 
@@ -104,16 +109,16 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn place(&mut self, interval: &Interval<()>, parts: usize) {
-        self.set(self.bound.middle(interval.middle, interval.half), parts);
+        self.half = 0.5 * interval.half;
+        let middles = Halves::new([interval.middle - self.half, interval.middle + self.half]);
+        self.set(self.bound.middle(middles, self.half), parts);
     }
 
     #[inline(always)]
-    fn halves(&mut self, _: &Interval<()>) -> [(); 2] {
-        [(); 2]
-    }
+    fn state(&self, _: usize) {}
 
     #[inline(always)]
-    fn part(&self, part: usize, (): &()) -> Piece<'_> {
+    fn part(&self, part: usize) -> Piece<'_> {
         let range = self.range(part);
         Piece {
             middle: &self.middle,
@@ -124,14 +129,15 @@ impl Moving for MovingBody {
     }
 
     #[inline(always)]
-    fn swept_box(&self, part: usize, half: f64) -> Aabb {
-        self.bound.swept_box(&self.middle, half, &self.corners[self.range(part)]).grown(self.eta)
+    fn swept_box(&self, part: usize) -> Aabb {
+        self.bound.swept_box(&self.middle, self.half, &self.corners[self.range(part)]).grown(self.eta)
     }
 
     #[inline(always)]
-    fn depth(&self, part: usize, bounds: &Aabb) -> f64 {
+    fn depth(&self, part: usize, half: usize, bounds: &Aabb) -> f64 {
         let corners = &self.corners[self.range(part)];
-        corners.iter().map(|r| bounds.depth(Point::from(self.middle.position + r))).fold(f64::INFINITY, f64::min)
+        let depth = |&r: &Plane<Halves>| bounds.depth(Point::from((self.middle.position + r).half(half)));
+        corners.iter().map(depth).fold(f64::INFINITY, f64::min)
     }
 
     #[inline(always)]
@@ -145,13 +151,20 @@ impl Moving for MovingBody {
     }
 }
 
+/// The unit vector in the direction of an angle.
+#[inline(always)]
+fn heading(angle: f64) -> Vector {
+    let Plane { x, y } = unit(angle);
+    Vector::new(x, y)
+}
+
 /// A convex piece of a body: its corners and faces, these in the body's frame.
 pub(in crate::collision) struct Piece<'a> {
     middle: &'a Middle,
     /// The direction of motion, if it moves.
-    direction: Option<Vector>,
+    direction: Option<Plane<Halves>>,
     faces: &'a [Face],
-    corners: &'a [Vector],
+    corners: &'a [Plane<Halves>],
 }
 
 impl Part for Piece<'_> {
@@ -161,17 +174,16 @@ impl Part for Piece<'_> {
     }
 
     #[inline(always)]
-    fn ahead(&self, n: Vector, support: f64) -> f64 {
-        let mut least = f64::INFINITY;
+    fn ahead(&self, n: Plane<Halves>, support: Halves) -> Halves {
+        let mut least = Halves::splat(f64::INFINITY);
         for &r in self.corners {
-            let along = dot(n, r);
-            least = if along < least { along } else { least };
+            least = least.lesser(n.dot(r));
         }
-        (dot(n, self.middle.position) - support) + least
+        (n.dot(self.middle.position) - support) + least
     }
 
     #[inline(always)]
-    fn stays_ahead(&self, n: Vector, support: f64, margin: f64) -> bool {
+    fn stays_ahead(&self, n: Plane<Halves>, support: Halves, margin: f64) -> u32 {
         self.middle.stays_ahead(n, support, margin, self.corners)
     }
 
@@ -189,20 +201,22 @@ impl Part for Piece<'_> {
     #[inline(always)]
     fn direction(&self, i: usize, faces: &[Face]) -> Direction {
         if let Some(face) = self.faces.get(i) {
-            let n = -rotate(face.normal, self.middle.heading);
+            let n = -Plane::splat(face.normal).rotated(self.middle.heading);
             let support = polygon_support(n, faces);
-            return Direction { n, support, ahead: dot(n, self.middle.position) - face.support - support };
+            let ahead = n.dot(self.middle.position) - Halves::splat(face.support) - support;
+            return Direction { n, support, ahead };
         }
-        let n = left_of(self.direction.unwrap_or_default());
+        let n = self.direction.unwrap_or_default().left();
         let n = if i == self.faces.len() { n } else { -n };
         let support = polygon_support(n, faces);
         Direction { n, support, ahead: self.ahead(n, support) }
     }
 
     #[inline]
-    fn offset_from(&self, p: Point) -> Vector {
-        let (x, y) = (self.middle.heading.x, self.middle.heading.y);
-        let from = p.coords - self.middle.position;
+    fn offset_from(&self, half: usize, p: Point) -> Vector {
+        let heading = self.middle.heading.half(half);
+        let (x, y) = (heading.x, heading.y);
+        let from = p.coords - self.middle.position.half(half);
         let center = Vector::new(x * from.x + y * from.y, x * from.y - y * from.x);
         // The nearest point lies on the face that the point is farthest in front of, if it is beside that one.
         let mut before = (f64::NEG_INFINITY, 0);
@@ -217,7 +231,7 @@ impl Part for Piece<'_> {
         }
         let at = |i: usize| self.faces[if i == self.faces.len() { 0 } else { i }].corner.coords;
         let (face, next) = (&self.faces[before.1], at(before.1 + 1));
-        let along = left_of(face.normal);
+        let along = Vector::new(-face.normal.y, face.normal.x);
         let mut to = face.normal * before.0;
         if along.dot(&(center - face.corner.coords)) < 0.0 || along.dot(&(center - next)) > 0.0 {
             // All faces are tried: if two are in one line, or nearly, rounding decides which of them is found.
@@ -230,6 +244,6 @@ impl Part for Piece<'_> {
                 }
             }
         }
-        -rotate(to, self.middle.heading)
+        -Vector::new(to.x * x - to.y * y, to.y * x + to.x * y)
     }
 }

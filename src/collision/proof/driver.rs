@@ -9,7 +9,8 @@
 //! [`Prover::unproven`]. The finest tolerance allows the most halvings, so it also proves every motion that a coarser
 //! one proves within its budget.
 
-use super::pair::{NO_HINT, Part, Separation, find_direction, offset, separate_from_polygon};
+use super::moving_point::BOTH;
+use super::pair::{NO_HINT, Part, Separation, find_direction, offset, separate_from_polygon, swept_box};
 use crate::collision::{Obstacles, Tolerance};
 use crate::geometry::Aabb;
 use std::sync::Arc;
@@ -27,6 +28,9 @@ const SEARCHED: u64 = 1 << 10;
 /// Instead of an obstacle's index: the bounds of the world.
 const BOUNDS: u32 = u32::MAX;
 
+/// Instead of the index of a direction: the pair is apart.
+const APART: u32 = NO_HINT - 1;
+
 /// The surroundings of the robot.
 pub(in crate::collision) struct Scene {
     /// The obstacles, each convex.
@@ -35,8 +39,8 @@ pub(in crate::collision) struct Scene {
     pub tolerance: Tolerance,
 }
 
-/// A robot of convex parts whose motion is proven: an arm or a body. It holds the data of one motion and of the interval
-/// under test.
+/// A robot of convex parts whose motion is proven: an arm or a body. It holds the data of one motion, and of the interval
+/// whose halves are under test: both are tested at once, each in a lane of vectors.
 pub(in crate::collision) trait Moving {
     /// The state in the middle of an interval.
     type State: Copy;
@@ -47,20 +51,20 @@ pub(in crate::collision) trait Moving {
     /// The number of parts.
     fn parts(&self) -> usize;
 
-    /// Makes the first `parts` parts ready for tests on the interval.
+    /// Places the first `parts` parts in the middles of both halves of the interval.
     fn place(&mut self, interval: &Interval<Self::State>, parts: usize);
 
-    /// The states in the middles of the interval's halves, the front one first.
-    fn halves(&mut self, interval: &Interval<Self::State>) -> [Self::State; 2];
+    /// The state in the middle of a half, as far as parts have been placed.
+    fn state(&self, half: usize) -> Self::State;
 
     /// A part that has been placed.
-    fn part(&self, part: usize, state: &Self::State) -> Self::Part<'_>;
+    fn part(&self, part: usize) -> Self::Part<'_>;
 
-    /// A box that holds the part, grown by [`Moving::margin`], on the whole interval of this half-length.
-    fn swept_box(&self, part: usize, half: f64) -> Aabb;
+    /// A box that holds the part, grown by [`Moving::margin`], on both halves.
+    fn swept_box(&self, part: usize) -> Aabb;
 
-    /// The depth of the part within the bounds in the middle; negative if it is not wholly inside.
-    fn depth(&self, part: usize, bounds: &Aabb) -> f64;
+    /// The depth of the part within the bounds in the middle of a half; negative if it is not wholly inside.
+    fn depth(&self, part: usize, half: usize, bounds: &Aabb) -> f64;
 
     /// An upper bound of first order on how far any point of the part can travel along the whole motion. No part has a
     /// greater one than the last.
@@ -70,24 +74,30 @@ pub(in crate::collision) trait Moving {
     fn margin(&self) -> f64;
 }
 
-/// An interval of the motion: its middle and half its length, as fractions of the motion; the number of halvings; and the
-/// range of the pairs that are open on it.
+/// An interval of the motion, whose halves are to be tested.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::collision) struct Interval<S> {
+    /// Its middle and half its length, as fractions of the motion.
     pub middle: f64,
     pub half: f64,
+    /// The number of halvings that led to it.
     pub level: usize,
-    pairs: (usize, usize),
+    /// The state in its middle.
     pub state: S,
+    /// The range of the pairs among which are those open on it, and which half of their interval it is.
+    pairs: (usize, usize),
+    is_half: usize,
+    /// Whether it has been refused.
+    is_refused: bool,
 }
 
-/// A part and an obstacle not yet known to be apart.
+/// A part and an obstacle not yet known to be apart on some half of an interval.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
     part: u32,
     obstacle: u32,
-    /// The direction to try first: see [`separate_from_polygon`].
-    hint: u32,
+    /// On each half the direction to try first, see [`separate_from_polygon`]; or [`APART`].
+    hints: [u32; 2],
 }
 
 /// The order in which intervals are tested.
@@ -123,17 +133,14 @@ impl<M: Moving> Prover<M> {
     pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
         self.pairs.clear();
         self.intervals.clear();
-        let mut proof = Proof { scene, order, searches: false, prover: self };
-        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), state };
-        if proof.test_all(&whole) {
-            return Some(0.0);
+        let mut proof = Proof { scene, order, searches: false, open: 0, refused: 0, prover: self };
+        let whole = Interval { middle: 0.5, half: 0.5, level: 0, state, pairs: (0, 0), is_half: 0, is_refused: false };
+        proof.test_all(&whole);
+        if let Some(hit) = proof.continue_with_halves(&whole, 0) {
+            return Some(hit);
         }
         let open = proof.prover.pairs.len();
-        if open == 0 {
-            return None;
-        }
         let (mut tests, mut budget) = (0, CLOSE_TESTS);
-        proof.halve(&whole, 0);
         let mut next = 0;
         while next < proof.prover.intervals.len() {
             let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
@@ -147,7 +154,10 @@ impl<M: Moving> Prover<M> {
                 next += 1;
                 proof.prover.intervals[next - 1]
             };
-            tests += (interval.pairs.1 - interval.pairs.0) as u64;
+            if interval.is_refused {
+                return Some(interval.middle - interval.half);
+            }
+            tests += 2 * (interval.pairs.1 - interval.pairs.0) as u64;
             proof.searches = tests > SEARCHED + 16 * open as u64;
             if tests > budget {
                 budget = proof.budget(open);
@@ -157,11 +167,9 @@ impl<M: Moving> Prover<M> {
                 }
             }
             let first = proof.prover.pairs.len();
-            if proof.test_open(&interval) {
-                return Some(interval.middle - interval.half);
-            }
-            if proof.prover.pairs.len() > first {
-                proof.halve(&interval, first);
+            proof.test_open(&interval);
+            if let Some(hit) = proof.continue_with_halves(&interval, first) {
+                return Some(hit);
             }
         }
         None
@@ -169,33 +177,34 @@ impl<M: Moving> Prover<M> {
 
     /// Whether the robot, placed at rest, is clear of everything; `None` if the result depends on less than half the slack, so
     /// that exact distances are needed.
-    pub fn is_free_at_rest(&mut self, scene: &Scene, state: &M::State) -> Option<bool> {
+    pub fn is_free_at_rest(&mut self, scene: &Scene) -> Option<bool> {
         let eta = scene.tolerance.eta;
         let mut is_clear = true;
         for part in 0..self.moving.parts() {
-            let around = self.moving.swept_box(part, 0.0);
+            let around = self.moving.swept_box(part);
             if let Some(bounds) = &scene.bounds
                 && !(bounds.contains(around.min) && bounds.contains(around.max))
             {
-                let depth = self.moving.depth(part, bounds);
+                let depth = self.moving.depth(part, 0, bounds);
                 if depth < -1.5 * eta {
                     return Some(false);
                 }
                 is_clear &= depth >= -0.5 * eta;
             }
             let near = around.grown(0.5 * eta);
-            let (part, margin) = (self.moving.part(part, state), self.moving.margin());
+            let (part, margin) = (self.moving.part(part), self.moving.margin());
             let touches = |obstacle: usize| {
                 self.evaluations += 1;
                 let faces = scene.obstacles.faces(obstacle);
                 if !faces.is_empty() {
-                    match separate_from_polygon(&part, faces, NO_HINT, margin + 0.5 * eta, eta).0 {
+                    let needed = margin + 0.5 * eta;
+                    match separate_from_polygon(&part, faces, NO_HINT, needed, eta).on(0, needed, eta).0 {
                         Separation::Apart => return false,
                         Separation::Touching => return true,
                         Separation::Open | Separation::Unknown => {}
                     }
                 }
-                let room = offset(&part, &scene.obstacles, obstacle).1 - margin;
+                let room = offset(&part, 0, &scene.obstacles, obstacle).1 - margin;
                 is_clear &= room.abs() > 0.5 * eta;
                 room < -0.5 * eta
             };
@@ -207,97 +216,137 @@ impl<M: Moving> Prover<M> {
     }
 }
 
+/// The separation of a pair on both halves, with the next hints.
+type Answers = [(Separation, u32); 2];
+
 /// One proof in progress.
 struct Proof<'a, M: Moving> {
     scene: &'a Scene,
     order: Order,
     /// Whether directions are searched for.
     searches: bool,
+    /// The halves of the interval under test on which a pair is open, and those that are refused.
+    open: u32,
+    refused: u32,
     prover: &'a mut Prover<M>,
 }
 
 impl<M: Moving> Proof<'_, M> {
-    /// Tests every part against everything near its swept box; lists what stays open. Returns whether the motion is refused.
+    /// Tests every part against everything near its swept box; lists what stays open.
     #[inline(always)]
-    fn test_all(&mut self, whole: &Interval<M::State>) -> bool {
+    fn test_all(&mut self, whole: &Interval<M::State>) {
         let scene = self.scene;
         let parts = self.prover.moving.parts();
         self.prover.moving.place(whole, parts);
         for part in 0..parts {
-            let swept = self.prover.moving.swept_box(part, whole.half);
-            if scene.obstacles.any_near(&swept, |obstacle| self.test(whole, part, obstacle, NO_HINT)) {
-                return true;
-            }
-            if scene.bounds.is_some() && self.test_bounds(whole, part, &swept) {
-                return true;
+            let swept = self.prover.moving.swept_box(part);
+            if scene.obstacles.any_near(&swept, |obstacle| self.test(whole, part, obstacle, NO_HINT))
+                || (scene.bounds.is_some() && self.test_bounds(whole, part, &swept))
+            {
+                return;
             }
         }
-        false
     }
 
-    /// Tests the pairs still open; lists again what stays so. Returns whether the interval is refused.
+    /// Tests the pairs still open; lists again what stays so.
     #[inline(always)]
-    fn test_open(&mut self, interval: &Interval<M::State>) -> bool {
+    fn test_open(&mut self, interval: &Interval<M::State>) {
+        (self.open, self.refused) = (0, 0);
         let (first, end) = interval.pairs;
         // Pairs are listed by part: the last has the last part.
         let parts = self.prover.pairs[end - 1].part as usize + 1;
         self.prover.moving.place(interval, parts);
-        let mut of = self.prover.pairs[first].part as usize;
-        let mut swept = self.prover.moving.swept_box(of, interval.half);
-        (first..end).any(|at| {
-            let Pair { part, obstacle, hint } = self.prover.pairs[at];
-            let part = part as usize;
-            if part != of {
-                (of, swept) = (part, self.prover.moving.swept_box(part, interval.half));
-            }
-            if obstacle == BOUNDS {
+        for at in first..end {
+            let Pair { part, obstacle, hints } = self.prover.pairs[at];
+            let (part, hint) = (part as usize, hints[interval.is_half]);
+            let ends = if hint == APART {
+                false
+            } else if obstacle == BOUNDS {
+                let swept = self.prover.moving.swept_box(part);
                 self.test_bounds(interval, part, &swept)
             } else {
-                self.scene.obstacles.aabb(obstacle as usize).intersects(&swept)
-                    && self.test(interval, part, obstacle as usize, hint)
-            }
-        })
-    }
-
-    /// Tests a part and an obstacle; lists them if they stay open. Returns whether they refuse the interval.
-    #[inline(always)]
-    fn test(&mut self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> bool {
-        self.prover.evaluations += 1;
-        let (answer, hint) = self.separate(interval, part, obstacle, hint);
-        let pair = Pair { part: part as u32, obstacle: obstacle as u32, hint };
-        answer != Separation::Apart && self.list_or_refuse(interval, pair, answer, self.scene.tolerance.tau)
-    }
-
-    /// Whether part and obstacle are apart on the whole interval: in the directions at hand, else in those of
-    /// [`Proof::separate_closely`].
-    #[inline(always)]
-    fn separate(&self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> (Separation, u32) {
-        let Tolerance { eta, tau, .. } = self.scene.tolerance;
-        let moving = &self.prover.moving;
-        let faces = self.scene.obstacles.faces(obstacle);
-        let bound = moving.travel(part) * interval.half;
-        let part = moving.part(part, &interval.state);
-        let mut next = NO_HINT;
-        if !faces.is_empty() {
-            let answer;
-            (answer, next) = separate_from_polygon(&part, faces, hint, moving.margin(), eta);
-            let is_enough = answer == Separation::Open && bound >= tau && !self.searches;
-            if is_enough || matches!(answer, Separation::Apart | Separation::Touching) {
-                return (answer, next);
+                self.test(interval, part, obstacle as usize, hint)
+            };
+            if ends {
+                return;
             }
         }
-        (self.separate_closely(&part, obstacle, bound), next)
     }
 
-    /// The same by the nearest points: their direction, their distance against the bound of first order, and, if
-    /// directions are searched for, the best.
+    /// After the test of an interval: the start of the first part of it that is refused, if that is known; else adds the halves
+    /// that need to be halved, with the pairs from `first` on.
+    #[inline(always)]
+    fn continue_with_halves(&mut self, interval: &Interval<M::State>, first: usize) -> Option<f64> {
+        let (half, level) = (interval.half / 2.0, interval.level + 1);
+        if self.refused != 0 && (self.order == Order::MiddleFirst || self.refused & 1 != 0) {
+            return Some(if self.refused & 1 != 0 { interval.middle - interval.half } else { interval.middle });
+        }
+        let pairs = (first, self.prover.pairs.len());
+        let mut push = |is_half: usize| {
+            let is_refused = self.refused >> is_half & 1 != 0;
+            if is_refused || self.open >> is_half & 1 != 0 {
+                let middle = if is_half == 0 { interval.middle - half } else { interval.middle + half };
+                let state = self.prover.moving.state(is_half);
+                self.prover.intervals.push(Interval { middle, half, level, state, pairs, is_half, is_refused });
+            }
+        };
+        if self.order == Order::FrontFirst {
+            push(1);
+            push(0);
+        } else {
+            push(0);
+            push(1);
+        }
+        None
+    }
+
+    /// Tests a part and an obstacle; lists them if they stay open. Returns whether no more tests of the interval are needed,
+    /// as it is refused.
+    #[inline(always)]
+    fn test(&mut self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> bool {
+        self.prover.evaluations += 2;
+        let bound = 0.5 * self.prover.moving.travel(part) * interval.half;
+        let is_close = bound < self.scene.tolerance.tau;
+        let Some(answers) = self.separate(part, obstacle, hint, bound, is_close) else { return false };
+        self.list_or_refuse([part, obstacle].map(|i| i as u32), answers, is_close)
+    }
+
+    /// Whether part and obstacle are apart on each half, and the next hints: in the directions at hand, else in those of
+    /// [`Proof::separate_closely`]. `None` if they are apart on both.
+    #[inline(always)]
+    fn separate(&self, part: usize, obstacle: usize, hint: u32, bound: f64, is_close: bool) -> Option<Answers> {
+        let Tolerance { eta, .. } = self.scene.tolerance;
+        let (moving, margin) = (&self.prover.moving, self.prover.moving.margin());
+        let faces = self.scene.obstacles.faces(obstacle);
+        let part = moving.part(part);
+        let mut answers = [(Separation::Unknown, NO_HINT); 2];
+        if !faces.is_empty() {
+            let separated = separate_from_polygon(&part, faces, hint, margin, eta);
+            if separated.apart == BOTH {
+                return None;
+            }
+            answers = [0, 1].map(|half| separated.on(half, margin, eta));
+        }
+        for (half, (answer, _)) in answers.iter_mut().enumerate() {
+            let is_enough = *answer == Separation::Open && !is_close && !self.searches;
+            if !is_enough && !matches!(answer, Separation::Apart | Separation::Touching) {
+                *answer = self.separate_closely(&part, half, obstacle, bound);
+            }
+        }
+        Some(answers)
+    }
+
+    /// Whether they are apart on a half by the nearest points: their direction, their distance against the bound of first
+    /// order, and, if directions are searched for, the best; or by their boxes.
     #[inline(never)]
-    fn separate_closely(&self, part: &M::Part<'_>, obstacle: usize, bound: f64) -> Separation {
+    fn separate_closely(&self, part: &M::Part<'_>, half: usize, obstacle: usize, bound: f64) -> Separation {
         let (obstacles, margin) = (&self.scene.obstacles, self.prover.moving.margin());
-        let (towards, distance) = offset(part, obstacles, obstacle);
+        let (towards, distance) = offset(part, half, obstacles, obstacle);
         if distance <= margin {
             Separation::Touching
-        } else if distance - bound > margin || find_direction(part, obstacles, obstacle, towards, margin, self.searches)
+        } else if distance - bound > margin
+            || !swept_box(part, half).grown(margin).intersects(obstacles.aabb(obstacle))
+            || find_direction(part, half, obstacles, obstacle, towards, margin, self.searches)
         {
             Separation::Apart
         } else {
@@ -305,52 +354,52 @@ impl<M: Moving> Proof<'_, M> {
         }
     }
 
-    /// Whether the part stays within the bounds of the world, contact allowed; lists it if that is open. Returns whether it
-    /// refuses the interval.
+    /// Whether the part stays within the bounds of the world, contact allowed; lists it if that is open. Returns whether no
+    /// more tests of the interval are needed.
     #[inline(always)]
     fn test_bounds(&mut self, interval: &Interval<M::State>, part: usize, swept: &Aabb) -> bool {
         let bounds = self.scene.bounds.as_ref().expect("a pair with the bounds exists only where there are bounds");
         let Tolerance { eta, bounds_tau, .. } = self.scene.tolerance;
-        // The swept box already holds one slack; contact may exceed the bounds by one.
+        // A swept box holds one slack; contact may exceed the bounds by one.
         let roomy = bounds.grown(2.0 * eta);
-        if roomy.contains(swept.min) && roomy.contains(swept.max) {
+        let holds = |swept: &Aabb| roomy.contains(swept.min) && roomy.contains(swept.max);
+        if holds(swept) {
             return false;
         }
-        let depth = self.prover.moving.depth(part, bounds);
-        if depth - self.prover.moving.travel(part) * interval.half >= -eta {
-            return false;
-        }
-        let answer = if depth < -eta { Separation::Touching } else { Separation::Open };
-        self.list_or_refuse(interval, Pair { part: part as u32, obstacle: BOUNDS, hint: NO_HINT }, answer, bounds_tau)
+        let moving = &self.prover.moving;
+        let travel = 0.5 * moving.travel(part) * interval.half;
+        let answers = [0, 1].map(|half| {
+            let depth = moving.depth(part, half, bounds);
+            let answer = match depth {
+                _ if depth - travel >= -eta => Separation::Apart,
+                _ if holds(&swept_box(&moving.part(part), half).grown(moving.margin())) => Separation::Apart,
+                _ if depth < -eta => Separation::Touching,
+                _ => Separation::Open,
+            };
+            (answer, NO_HINT)
+        });
+        self.list_or_refuse([part as u32, BOUNDS], answers, travel < bounds_tau)
     }
 
-    /// Lists a pair that is not apart; returns whether it refuses the interval instead.
+    /// Lists a pair that is not apart on both halves, or refuses those on which it is close or touching. Returns whether no
+    /// more tests of the interval are needed.
     #[inline(always)]
-    fn list_or_refuse(&mut self, interval: &Interval<M::State>, pair: Pair, answer: Separation, tau: f64) -> bool {
-        let is_hit = answer == Separation::Touching && self.order == Order::MiddleFirst;
-        if is_hit || self.prover.moving.travel(pair.part as usize) * interval.half < tau {
-            return true;
+    fn list_or_refuse(&mut self, [part, obstacle]: [u32; 2], answers: Answers, is_close: bool) -> bool {
+        let mut hints = [APART; 2];
+        for (half, &(answer, hint)) in answers.iter().enumerate() {
+            let is_hit = answer == Separation::Touching && self.order == Order::MiddleFirst;
+            if answer == Separation::Apart {
+            } else if is_hit || is_close {
+                self.refused |= 1 << half;
+            } else {
+                self.open |= 1 << half;
+                hints[half] = hint;
+            }
         }
-        self.prover.pairs.push(pair);
-        false
-    }
-
-    /// Adds the two halves of an interval, with the pairs from `first` on open.
-    #[inline(always)]
-    fn halve(&mut self, interval: &Interval<M::State>, first: usize) {
-        let (half, level) = (interval.half / 2.0, interval.level + 1);
-        let pairs = (first, self.prover.pairs.len());
-        let [front, back] = self.prover.moving.halves(interval);
-        let mut push = |middle: f64, state: M::State| {
-            self.prover.intervals.push(Interval { middle, half, level, pairs, state });
-        };
-        if self.order == Order::FrontFirst {
-            push(interval.middle + half, back);
-            push(interval.middle - half, front);
-        } else {
-            push(interval.middle - half, front);
-            push(interval.middle + half, back);
+        if hints != [APART; 2] {
+            self.prover.pairs.push(Pair { part, obstacle, hints });
         }
+        self.refused & 1 != 0 || (self.refused != 0 && self.order == Order::MiddleFirst)
     }
 
     /// The budget of tests after the first interval, which left `open` pairs open.

@@ -1,16 +1,18 @@
-//! The placement of a body in the middle of an interval of its motion, and bounds on how far its points can move from it.
+//! The placement of a body in the middles of both halves of an interval of its motion, and bounds on how far its points can
+//! move from it.
 //!
-//! Let c be the position of the origin of the body's frame in the middle of an interval of half-length h (fractions of
+//! Let c be the position of the origin of the body's frame in the middle of a half of half-length h (fractions of
 //! the motion), r a point of the body as seen from there, w the turn over the whole motion, and J the rotation by a right
 //! angle. The point is at c + r and moves with velocity v = c' + w J r; its acceleration is -a with a = w^2 r - c''. On a
 //! straight motion c' is constant and the third derivative of the point is no longer than |w|^3 |r|; on an arc of length
 //! s in direction e, c' = s e, c'' = s w J e, and it is no longer than w^2 (|s| + |w| |r|). The larger of the two for all
 //! points is the W of `moving_point.rs`.
 
-use super::moving_point::{MovingPoint, dot, left_of};
-use super::rotation::{rotate, unit, unit_and_sinc};
+use super::moving_point::{BOTH, Halves, MovingPoint, Plane, around};
+use super::rotation::unit;
 use crate::collision::BodyMotion;
 use crate::geometry::{Aabb, Point, Vector};
+use crate::space::Lanes;
 
 /// Where a body turns by more radians than this over half an interval, its reach may bound it better.
 const FAST: f64 = 0.7;
@@ -38,22 +40,22 @@ pub(in crate::collision) struct MotionBound {
     reach: f64,
 }
 
-/// The body in the middle of an interval.
+/// The body in the middles of both halves of an interval.
 #[derive(Clone, Copy)]
 pub(in crate::collision) struct Middle {
     /// c.
-    pub position: Vector,
+    pub position: Plane<Halves>,
     /// The direction of the body's x axis.
-    pub heading: Vector,
+    pub heading: Plane<Halves>,
     /// The direction in which c moves, if it does.
-    pub direction: Option<Vector>,
+    pub direction: Option<Plane<Halves>>,
     /// h c'.
-    velocity: Vector,
+    velocity: Plane<Halves>,
     /// h w.
     turn: f64,
     /// h^2/4 times w^2, and times -c''.
     centripetal: f64,
-    drift: Vector,
+    drift: Plane<Halves>,
     /// h^3/6 W.
     remainder: f64,
 }
@@ -79,89 +81,122 @@ impl MotionBound {
         }
     }
 
-    /// The middle of the interval around fraction `t`, of half-length `h`.
+    /// The middles, at fractions `t`, of halves of half-length `h`.
     #[inline(always)]
-    pub fn middle(&self, t: f64, h: f64) -> Middle {
+    pub fn middle(&self, t: Halves, h: f64) -> Middle {
         let turn = h * self.turn;
         let remainder = h * h * h * self.third;
         let centripetal = 0.25 * turn * turn;
+        let (from, start) = (Plane::splat(self.from), Plane::splat(self.heading));
         if self.arc == 0.0 {
-            let heading = rotate(self.heading, unit(self.turn * t));
-            let position = self.from + self.displacement * t;
-            let (velocity, direction, drift) = (self.displacement * h, self.direction, Vector::zeros());
-            return Middle { position, heading, direction, velocity, turn, centripetal, drift, remainder };
+            let heading = start.rotated(unit(Halves::splat(self.turn) * t));
+            let position = from + Plane::splat(self.displacement) * t;
+            let (velocity, direction) = (Plane::splat(self.displacement * h), self.direction.map(Plane::splat));
+            return Middle {
+                position,
+                heading,
+                direction,
+                velocity,
+                turn,
+                centripetal,
+                drift: Plane::default(),
+                remainder,
+            };
         }
         // A chord leads there, in the direction that the body has half way.
-        let (half_turn, sinc) = unit_and_sinc(0.5 * self.turn * t);
-        let along = rotate(self.heading, half_turn);
-        let heading = rotate(along, half_turn);
-        let position = self.from + along * (self.arc * t * sinc);
-        let velocity = heading * (self.arc * h);
-        let drift = left_of(velocity) * (-0.25 * turn);
+        let half_turned = Halves::splat(0.5 * self.turn) * t;
+        let half_turn = unit(half_turned);
+        // A small sine is a product with the angle, off by a rounding or two: so is the quotient.
+        let sinc = half_turned.simd_eq(Halves::splat(0.0)).bitselect(Halves::splat(1.0), half_turn.y / half_turned);
+        let along = start.rotated(half_turn);
+        let heading = along.rotated(half_turn);
+        let position = from + along * (Halves::splat(self.arc) * t * sinc);
+        let velocity = heading * Halves::splat(self.arc * h);
+        let drift = velocity.left() * Halves::splat(-0.25 * turn);
         Middle { position, heading, direction: Some(heading), velocity, turn, centripetal, drift, remainder }
     }
 
-    /// A box that holds the points on the whole interval of half-length `h`.
+    /// A box that holds the points on both halves, of half-length `h`.
     #[inline(always)]
-    pub fn swept_box(&self, middle: &Middle, h: f64, points: &[Vector]) -> Aabb {
-        let mut swept = middle.point(points[0]).swept_box();
+    pub fn swept_box(&self, middle: &Middle, h: f64, points: &[Plane<Halves>]) -> Aabb {
+        let [mut min, mut max] = middle.point(points[0]).swept_box();
         for &point in &points[1..] {
-            let b = middle.point(point).swept_box();
-            swept.min.x = if b.min.x < swept.min.x { b.min.x } else { swept.min.x };
-            swept.min.y = if b.min.y < swept.min.y { b.min.y } else { swept.min.y };
-            swept.max.x = if b.max.x > swept.max.x { b.max.x } else { swept.max.x };
-            swept.max.y = if b.max.y > swept.max.y { b.max.y } else { swept.max.y };
+            let [low, high] = middle.point(point).swept_box();
+            min = Plane { x: min.x.lesser(low.x), y: min.y.lesser(low.y) };
+            max = Plane { x: max.x.greater(high.x), y: max.y.greater(high.y) };
         }
+        let swept = around([min, max]);
         if middle.turn.abs() > FAST { self.restricted(swept, middle, h) } else { swept }
     }
 
     /// The part of the box within reach of where the frame's origin can be.
     #[cold]
     fn restricted(&self, swept: Aabb, middle: &Middle, h: f64) -> Aabb {
-        let within = |swept: Aabb, center: Vector, x: f64, y: f64| {
+        let [a, b] = [0, 1].map(|half| self.reached(middle, half, h));
+        let reached = a.union(&b);
+        Aabb { min: swept.min.sup(&reached.min), max: swept.max.inf(&reached.max) }
+    }
+
+    /// A box around all that the body can reach on a half.
+    fn reached(&self, middle: &Middle, half: usize, h: f64) -> Aabb {
+        let within = |center: Vector, x: f64, y: f64| {
             let by = Vector::new(x + self.reach, y + self.reach);
-            Aabb { min: swept.min.sup(&Point::from(center - by)), max: swept.max.inf(&Point::from(center + by)) }
+            Aabb { min: Point::from(center - by), max: Point::from(center + by) }
         };
+        let position = middle.position.half(half);
         if self.arc == 0.0 {
-            return within(swept, middle.position, middle.velocity.x.abs(), middle.velocity.y.abs());
+            let velocity = middle.velocity.half(half);
+            return within(position, velocity.x.abs(), velocity.y.abs());
         }
         let path = self.arc.abs() * h;
-        let swept = within(swept, middle.position, path, path);
+        let along = within(position, path, path);
         let radius = self.arc / self.turn;
-        within(swept, middle.position + left_of(middle.heading) * radius, radius.abs(), radius.abs())
+        let circle = within(position + middle.heading.left().half(half) * radius, radius.abs(), radius.abs());
+        Aabb { min: along.min.sup(&circle.min), max: along.max.inf(&circle.max) }
     }
 }
 
 impl Middle {
     /// A body at rest.
     pub fn at_rest(position: Vector, heading: Vector) -> Self {
-        let (direction, zero) = (None, Vector::zeros());
-        Self { position, heading, direction, velocity: zero, turn: 0.0, centripetal: 0.0, drift: zero, remainder: 0.0 }
+        let (position, heading, zero) = (Plane::splat(position), Plane::splat(heading), Plane::default());
+        Self {
+            position,
+            heading,
+            direction: None,
+            velocity: zero,
+            turn: 0.0,
+            centripetal: 0.0,
+            drift: zero,
+            remainder: 0.0,
+        }
     }
 
     /// A point of the body, given as seen from c.
     #[inline(always)]
-    pub fn point(&self, r: Vector) -> MovingPoint {
+    pub fn point(&self, r: Plane<Halves>) -> MovingPoint {
         MovingPoint {
             position: self.position + r,
-            velocity: self.velocity + left_of(r) * self.turn,
-            acceleration: r * self.centripetal + self.drift,
+            velocity: self.velocity + r.left() * Halves::splat(self.turn),
+            acceleration: r * Halves::splat(self.centripetal) + self.drift,
             remainder: self.remainder,
         }
     }
 
-    /// Whether these points, as seen from c, stay ahead of the line n.x = `support` by more than `margin` on the whole
-    /// interval: [`MovingPoint::retreat`] of each, with the terms that they share computed once.
+    /// The halves on which these points, as seen from c, stay ahead of the line n.x = `support` by more than `margin`:
+    /// [`MovingPoint::retreat`] of each, with the terms that they share computed once.
     #[inline(always)]
-    pub fn stays_ahead(&self, n: Vector, support: f64, margin: f64, points: &[Vector]) -> bool {
-        let (ahead, needed) = (dot(n, self.position) - support, margin + self.remainder);
-        let (velocity, drift) = (dot(n, self.velocity), dot(n, self.drift));
-        let mut stays = true;
+    pub fn stays_ahead(&self, n: Plane<Halves>, support: Halves, margin: f64, points: &[Plane<Halves>]) -> u32 {
+        let (ahead, needed) = (n.dot(self.position) - support, Halves::splat(margin + self.remainder));
+        let (velocity, drift) = (n.dot(self.velocity), n.dot(self.drift));
+        let (turn, centripetal) = (Halves::splat(self.turn), Halves::splat(self.centripetal));
+        let mut stays = BOTH;
         for &r in points {
-            let along = dot(n, r);
-            let swing = self.turn * dot(n, left_of(r));
-            let acceleration = self.centripetal * along + drift;
-            stays &= (ahead + along) - (velocity + swing).abs() - (acceleration + acceleration.abs()) > needed;
+            let along = n.dot(r);
+            let swing = turn * n.dot(r.left());
+            let acceleration = centripetal * along + drift;
+            let retreat = (velocity + swing).abs() + (acceleration + acceleration.abs());
+            stays &= ((ahead + along) - retreat).above(needed);
         }
         stays
     }

@@ -1,9 +1,10 @@
 //! A convex part of the robot and a convex obstacle: are they apart on a whole interval, do they touch in its middle?
 
-use super::moving_point::{MovingPoint, dot};
+use super::moving_point::{BOTH, Halves, MovingPoint, Plane};
 use crate::collision::Obstacles;
 use crate::collision::obstacles::Face;
-use crate::geometry::{Disc, Point, Vector};
+use crate::geometry::{Aabb, Disc, Point, Vector};
+use crate::space::Lanes;
 
 /// Instead of the index of a direction: no direction to try first.
 pub(in crate::collision) const NO_HINT: u32 = u32::MAX;
@@ -24,8 +25,8 @@ pub(in crate::collision) enum Separation {
     Unknown,
 }
 
-/// A convex part of the robot in the middle of an interval: a polygon, or a segment. A link's radius is left to the
-/// margins of the tests.
+/// A convex part of the robot in the middles of both halves of an interval: a polygon, or a segment. A link's radius is
+/// left to the margins of the tests.
 pub(in crate::collision) trait Part {
     /// The corners, counter-clockwise.
     fn corners(&self) -> impl Iterator<Item = MovingPoint> + Clone;
@@ -40,26 +41,22 @@ pub(in crate::collision) trait Part {
     /// One of them, with the polygon's support and the distance of the part ahead of it.
     fn direction(&self, i: usize, faces: &[Face]) -> Direction;
 
-    /// The vector from `p` to the nearest point of the part; zero where `p` is inside.
-    fn offset_from(&self, p: Point) -> Vector;
+    /// The vector from `p` to the nearest point of the part in the middle of a half; zero where `p` is inside.
+    fn offset_from(&self, half: usize, p: Point) -> Vector;
 
     /// How far the part is ahead of the line n.x = `support` in the middle.
     #[inline(always)]
-    fn ahead(&self, n: Vector, support: f64) -> f64 {
-        let mut least = f64::INFINITY;
-        for corner in self.corners() {
-            let ahead = dot(n, corner.position) - support;
-            least = if ahead < least { ahead } else { least };
-        }
-        least
+    fn ahead(&self, n: Plane<Halves>, support: Halves) -> Halves {
+        let ahead = self.corners().map(|corner| n.dot(corner.position) - support);
+        ahead.reduce(Lanes::lesser).expect("a part has corners")
     }
 
-    /// Whether the part stays ahead of the line n.x = `support` by more than `margin` on the whole interval.
+    /// The halves on which the part stays ahead of the line n.x = `support` by more than `margin`.
     #[inline(always)]
-    fn stays_ahead(&self, n: Vector, support: f64, margin: f64) -> bool {
-        let mut stays = true;
+    fn stays_ahead(&self, n: Plane<Halves>, support: Halves, margin: f64) -> u32 {
+        let mut stays = BOTH;
         for corner in self.corners() {
-            stays &= (dot(n, corner.position) - support) - corner.retreat(n) > margin;
+            stays &= ((n.dot(corner.position) - support) - corner.retreat(n)).above(Halves::splat(margin));
         }
         stays
     }
@@ -67,14 +64,53 @@ pub(in crate::collision) trait Part {
 
 /// A unit vector from an obstacle towards a part, the obstacle's support in it, and how far the part is ahead of that.
 pub(in crate::collision) struct Direction {
-    pub n: Vector,
-    pub support: f64,
-    pub ahead: f64,
+    pub n: Plane<Halves>,
+    pub support: Halves,
+    pub ahead: Halves,
 }
 
-/// Tries the normals of the polygon's faces and the part's own directions, `hint` first if there is one. `Unknown` if none
-/// separates the two by `margin` in the middle; `Touching` only if none would separate them even if they overlapped by
-/// `slack`. The second result is the next hint: the direction that separates them best in the middle.
+/// The result of [`separate_from_polygon`].
+pub(in crate::collision) struct Separated {
+    /// The halves on which the two are apart.
+    pub apart: u32,
+    /// How far apart they are in the middles, along the best direction; and the indices of these directions.
+    ahead: Halves,
+    hints: Halves,
+}
+
+impl Separated {
+    /// Tries direction `i`. Returns whether the two are apart on both halves.
+    #[inline(always)]
+    fn offer(&mut self, part: &impl Part, i: usize, direction: Direction, margin: f64) -> bool {
+        let Direction { n, support, ahead } = direction;
+        self.hints = ahead.simd_gt(self.ahead).bitselect(Halves::splat(i as f64), self.hints);
+        self.ahead = self.ahead.greater(ahead);
+        if ahead.above(Halves::splat(margin)) & !self.apart != 0 {
+            self.apart |= part.stays_ahead(n, support, margin);
+        }
+        self.apart == BOTH
+    }
+
+    /// The separation on a half, and the next hint: the direction that separates the two best in its middle. `Unknown` if
+    /// none separates them by `margin` there; `Touching` only if none would separate them even if they overlapped by `slack`.
+    #[inline(always)]
+    pub fn on(&self, half: usize, margin: f64, slack: f64) -> (Separation, u32) {
+        let ahead = self.ahead.to_array()[half];
+        let answer = if self.apart >> half & 1 != 0 {
+            Separation::Apart
+        } else if ahead > margin {
+            Separation::Open
+        } else if ahead > -slack {
+            Separation::Unknown
+        } else {
+            Separation::Touching
+        };
+        (answer, self.hints.to_array()[half] as u32)
+    }
+}
+
+/// Tries the normals of the polygon's faces and the part's own directions, `hint` first if there is one, until the two are
+/// apart on both halves.
 #[inline(always)]
 pub(in crate::collision) fn separate_from_polygon(
     part: &impl Part,
@@ -82,58 +118,50 @@ pub(in crate::collision) fn separate_from_polygon(
     hint: u32,
     margin: f64,
     slack: f64,
-) -> (Separation, u32) {
+) -> Separated {
+    let mut all = Separated { apart: 0, ahead: Halves::splat(f64::NEG_INFINITY), hints: Halves::splat(0.0) };
     if hint != NO_HINT {
         let (n, support) = match faces.get(hint as usize) {
-            Some(face) => (face.normal, face.support),
+            Some(face) => (Plane::splat(face.normal), Halves::splat(face.support)),
             None => {
                 let own = part.direction(hint as usize - faces.len(), faces);
                 (own.n, own.support)
             }
         };
-        if part.stays_ahead(n, support, margin) {
-            return (Separation::Apart, hint);
+        all.apart = part.stays_ahead(n, support, margin);
+        if all.apart == BOTH {
+            return all;
         }
     }
-    let mut best = (f64::NEG_INFINITY, NO_HINT);
     for (i, face) in faces.iter().enumerate() {
-        let ahead = part.ahead(face.normal, face.support);
-        if ahead > best.0 {
-            best = (ahead, i as u32);
-        }
-        if ahead > margin && part.stays_ahead(face.normal, face.support, margin) {
-            return (Separation::Apart, hint);
+        let (n, support) = (Plane::splat(face.normal), Halves::splat(face.support));
+        if all.offer(part, i, Direction { n, support, ahead: part.ahead(n, support) }, margin) {
+            return all;
         }
     }
     for i in 0..part.directions() {
         // Where no side of either separates the two, nothing does.
-        if i == part.sides() && best.0 <= -slack {
+        if i == part.sides() && all.ahead.above(Halves::splat(-slack)) == 0 {
             break;
         }
-        let Direction { n, support, ahead } = part.direction(i, faces);
-        if ahead > best.0 {
-            best = (ahead, (faces.len() + i) as u32);
-        }
-        if ahead > margin && part.stays_ahead(n, support, margin) {
-            return (Separation::Apart, hint);
+        if all.offer(part, faces.len() + i, part.direction(i, faces), margin) {
+            break;
         }
     }
-    let answer = if best.0 > margin {
-        Separation::Open
-    } else if best.0 > -slack {
-        Separation::Unknown
-    } else {
-        Separation::Touching
-    };
-    (answer, best.1)
+    all
 }
 
-/// The vector from the obstacle to the part between their nearest points, and their distance; for a polygon and a part
+/// The vector from the obstacle to the part in the middle of a half, between their nearest points, and their distance; for a polygon and a part
 /// that do not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if a disc's
 /// centre is inside the part.
-pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obstacle: usize) -> (Vector, f64) {
+pub(in crate::collision) fn offset(
+    part: &impl Part,
+    half: usize,
+    obstacles: &Obstacles,
+    obstacle: usize,
+) -> (Vector, f64) {
     if let Some(disc) = obstacles.disc(obstacle) {
-        let to = part.offset_from(disc.center);
+        let to = part.offset_from(half, disc.center);
         return (to, to.norm() - disc.radius);
     }
     let faces = obstacles.faces(obstacle);
@@ -145,7 +173,7 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
         }
     };
     for (a, b) in part.corners().zip(part.corners().cycle().skip(1)) {
-        let (a, b) = (a.place(), b.place());
+        let (a, b) = (a.place(half), b.place(half));
         for (k, face) in faces.iter().enumerate() {
             let next = faces[if k + 1 == faces.len() { 0 } else { k + 1 }].corner;
             offer(nearest_point(face.corner, a, b) - face.corner);
@@ -155,14 +183,24 @@ pub(in crate::collision) fn offset(part: &impl Part, obstacles: &Obstacles, obst
     (nearest.1, nearest.0.sqrt())
 }
 
-/// Whether some direction separates the two by more than `margin` on the whole interval: that of the vector `towards`
-/// from the obstacle to the part; with `all`, the best there is.
+/// A box that holds the part on a half.
+pub(in crate::collision) fn swept_box(part: &impl Part, half: usize) -> Aabb {
+    let boxes = part.corners().map(|corner| {
+        let [min, max] = corner.swept_box().map(|bound| Point::from(bound.half(half)));
+        Aabb { min, max }
+    });
+    boxes.reduce(|a, b| a.union(&b)).expect("a part has corners")
+}
+
+/// Whether some direction separates the two by more than `margin` on the whole half: that of the vector `towards` from the
+/// obstacle to the part; with `all`, the best there is.
 ///
 /// The region that the bound on motion allows a part to reach is convex, and so is its difference from the obstacle: the
 /// direction sought leads from the origin to the nearest point of that difference. It is found as by Gilbert, Johnson and
 /// Keerthi 1988, "A fast procedure for computing the distance between complex objects in three-dimensional space".
 pub(in crate::collision) fn find_direction(
     part: &impl Part,
+    half: usize,
     obstacles: &Obstacles,
     obstacle: usize,
     mut towards: Vector,
@@ -179,14 +217,14 @@ pub(in crate::collision) fn find_direction(
         }
         let n = towards / length;
         let (support, foremost) = support(n, faces, disc);
-        if part.stays_ahead(n, support, margin) {
-            return true;
-        }
         let mut rearmost = (f64::INFINITY, Vector::zeros());
         for corner in part.corners() {
-            let point = corner.rearmost(n);
-            let along = dot(n, point);
+            let point = corner.rearmost(half, n);
+            let along = n.dot(&point);
             rearmost = if along < rearmost.0 { (along, point) } else { rearmost };
+        }
+        if rearmost.0 - support > margin {
+            return true;
         }
         let new = rearmost.1 - foremost;
         let (a, b) = segment.unwrap_or((new, new));
@@ -201,11 +239,11 @@ pub(in crate::collision) fn find_direction(
 /// How far the obstacle reaches in the unit direction `n`, and the point where it does.
 fn support(n: Vector, faces: &[Face], disc: Option<&Disc>) -> (f64, Vector) {
     if let Some(disc) = disc {
-        return (dot(n, disc.center.coords) + disc.radius, disc.center.coords + n * disc.radius);
+        return (n.dot(&disc.center.coords) + disc.radius, disc.center.coords + n * disc.radius);
     }
     let mut most = (f64::NEG_INFINITY, Vector::zeros());
     for face in faces {
-        let along = dot(n, face.corner.coords);
+        let along = n.dot(&face.corner.coords);
         most = if along > most.0 { (along, face.corner.coords) } else { most };
     }
     most
@@ -213,11 +251,10 @@ fn support(n: Vector, faces: &[Face], disc: Option<&Disc>) -> (f64, Vector) {
 
 /// How far the polygon reaches in the unit direction `n`.
 #[inline(always)]
-pub(in crate::collision) fn polygon_support(n: Vector, faces: &[Face]) -> f64 {
-    let mut most = f64::NEG_INFINITY;
+pub(in crate::collision) fn polygon_support(n: Plane<Halves>, faces: &[Face]) -> Halves {
+    let mut most = Halves::splat(f64::NEG_INFINITY);
     for face in faces {
-        let along = dot(n, face.corner.coords);
-        most = if along > most { along } else { most };
+        most = most.greater(n.dot(Plane::splat(face.corner.coords)));
     }
     most
 }

@@ -51,7 +51,7 @@ impl<const N: usize> UnitVectors<N> {
         let mut units = Self::ZERO;
         for i in (0..count).step_by(2) {
             let e = of(i);
-            let end = if N % 2 == 0 { i + 2 } else { N.min(i + 2) };
+            let end = if N.is_multiple_of(2) { i + 2 } else { N.min(i + 2) };
             units.x[i..end].copy_from_slice(&e.x.to_array()[..end - i]);
             units.y[i..end].copy_from_slice(&e.y.to_array()[..end - i]);
         }
@@ -68,7 +68,7 @@ impl<const N: usize> UnitVectors<N> {
 /// Numbers i and i + 1; the last twice if there is no other.
 #[inline(always)]
 fn two<const N: usize>(numbers: &[f64; N], i: usize) -> Halves {
-    Halves::new([numbers[i], numbers[if N % 2 == 0 { i + 1 } else { (i + 1).min(N - 1) }]])
+    Halves::new([numbers[i], numbers[if N.is_multiple_of(2) { i + 1 } else { (i + 1).min(N - 1) }]])
 }
 
 /// An arm of up to `N` links, and its motion.
@@ -117,8 +117,8 @@ impl<const N: usize> MovingArm<N> {
             fastest: 0.0,
             turns: [UnitVectors::ZERO; SQUARED],
             finer_turns: Vec::new(),
-            joints: [MovingPoint::default(); MAX_LINKS + 1],
-            along: [Plane::default(); N],
+            joints: [MovingPoint::at_rest(Plane::ZERO); MAX_LINKS + 1],
+            along: [Plane::ZERO; N],
             half: 0.0,
         }
     }
@@ -133,8 +133,8 @@ impl<const N: usize> MovingArm<N> {
             self.from_along = self.directions(from);
         }
         let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
-        for i in 0..self.links {
-            rate += delta[i];
+        for (i, &turn) in delta.iter().enumerate().take(self.links) {
+            rate += turn;
             let spin = f64::abs(rate);
             let speed = self.lengths[i] * spin;
             travel += speed;
@@ -188,11 +188,11 @@ impl<const N: usize> MovingArm<N> {
     pub fn rest(&mut self, q: &[f64; N]) {
         let along = self.directions(q);
         (self.half, self.fastest) = (0.0, 0.0);
-        self.joints[0] = MovingPoint::at_rest(self.base);
+        self.joints[0] = MovingPoint::at_rest(Plane::splat(self.base.coords));
         for i in 0..self.links {
             self.along[i] = Plane { x: Halves::splat(along.x[i]), y: Halves::splat(along.y[i]) };
             let link = self.along[i] * Halves::splat(self.lengths[i]);
-            self.joints[i + 1] = MovingPoint { position: self.joints[i].position + link, ..MovingPoint::default() };
+            self.joints[i + 1] = MovingPoint::at_rest(self.joints[i].position + link);
         }
     }
 
@@ -237,7 +237,7 @@ impl<const N: usize> Moving for MovingArm<N> {
         };
         self.half = h;
         let sixth = h * h * h / 6.0;
-        let mut joint = MovingPoint::at_rest(self.base);
+        let mut joint = MovingPoint::at_rest(Plane::splat(self.base.coords));
         self.joints[0] = joint;
         for i in 0..parts {
             // The front half is behind the middle of the interval, the other before it.
@@ -274,7 +274,7 @@ impl<const N: usize> Moving for MovingArm<N> {
 
     #[inline(always)]
     fn swept_box(&self, part: usize) -> Aabb {
-        let [a, b] = [part, part + 1].map(|joint| self.joints[joint].swept_box());
+        let (a, b) = (self.joints[part].swept_box(), self.joints[part + 1].swept_box());
         let min = Plane { x: a[0].x.lesser(b[0].x), y: a[0].y.lesser(b[0].y) };
         let max = Plane { x: a[1].x.greater(b[1].x), y: a[1].y.greater(b[1].y) };
         let swept = around([min, max]);

@@ -206,7 +206,7 @@ impl Part for Piece<'_> {
             let ahead = n.dot(self.middle.position) - Halves::splat(face.support) - support;
             return Direction { n, support, ahead };
         }
-        let n = self.direction.unwrap_or_default().left();
+        let n = self.direction.unwrap_or(Plane::ZERO).left();
         let n = if i == self.faces.len() { n } else { -n };
         let support = polygon_support(n, faces);
         Direction { n, support, ahead: self.ahead(n, support) }

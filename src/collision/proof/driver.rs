@@ -308,7 +308,7 @@ impl<M: Moving> Proof<'_, M> {
         let bound = 0.5 * self.prover.moving.travel(part) * interval.half;
         let is_close = bound < self.scene.tolerance.tau;
         let Some(answers) = self.separate(part, obstacle, hint, bound, is_close) else { return false };
-        self.list_or_refuse([part, obstacle].map(|i| i as u32), answers, is_close)
+        self.list_or_refuse([part as u32, obstacle as u32], answers, is_close)
     }
 
     /// Whether part and obstacle are apart on each half, and the next hints: in the directions at hand, else in those of
@@ -325,7 +325,7 @@ impl<M: Moving> Proof<'_, M> {
             if separated.apart == BOTH {
                 return None;
             }
-            answers = [0, 1].map(|half| separated.on(half, margin, eta));
+            answers = [separated.on(0, margin, eta), separated.on(1, margin, eta)];
         }
         for (half, (answer, _)) in answers.iter_mut().enumerate() {
             let is_enough = *answer == Separation::Open && !is_close && !self.searches;
@@ -368,16 +368,15 @@ impl<M: Moving> Proof<'_, M> {
         }
         let moving = &self.prover.moving;
         let travel = 0.5 * moving.travel(part) * interval.half;
-        let answers = [0, 1].map(|half| {
+        let mut answers = [(Separation::Apart, NO_HINT); 2];
+        for (half, (answer, _)) in answers.iter_mut().enumerate() {
             let depth = moving.depth(part, half, bounds);
-            let answer = match depth {
-                _ if depth - travel >= -eta => Separation::Apart,
-                _ if holds(&swept_box(&moving.part(part), half).grown(moving.margin())) => Separation::Apart,
-                _ if depth < -eta => Separation::Touching,
-                _ => Separation::Open,
-            };
-            (answer, NO_HINT)
-        });
+            let is_inside =
+                depth - travel >= -eta || holds(&swept_box(&moving.part(part), half).grown(moving.margin()));
+            if !is_inside {
+                *answer = if depth < -eta { Separation::Touching } else { Separation::Open };
+            }
+        }
         self.list_or_refuse([part as u32, BOUNDS], answers, travel < bounds_tau)
     }
 

@@ -92,16 +92,7 @@ impl MotionBound {
             let heading = start.rotated(unit(Halves::splat(self.turn) * t));
             let position = from + Plane::splat(self.displacement) * t;
             let (velocity, direction) = (Plane::splat(self.displacement * h), self.direction.map(Plane::splat));
-            return Middle {
-                position,
-                heading,
-                direction,
-                velocity,
-                turn,
-                centripetal,
-                drift: Plane::default(),
-                remainder,
-            };
+            return Middle { position, heading, direction, velocity, turn, centripetal, drift: Plane::ZERO, remainder };
         }
         // A chord leads there, in the direction that the body has half way.
         let half_turned = Halves::splat(0.5 * self.turn) * t;
@@ -159,7 +150,7 @@ impl MotionBound {
 impl Middle {
     /// A body at rest.
     pub fn at_rest(position: Vector, heading: Vector) -> Self {
-        let (position, heading, zero) = (Plane::splat(position), Plane::splat(heading), Plane::default());
+        let (position, heading, zero) = (Plane::splat(position), Plane::splat(heading), Plane::ZERO);
         Self {
             position,
             heading,

@@ -22,7 +22,7 @@ pub(in crate::collision) type Halves = f64x2;
 pub(in crate::collision) const BOTH: u32 = 0b11;
 
 /// A vector of the plane, or one in each lane.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(in crate::collision) struct Plane<T> {
     pub x: T,
     pub y: T,
@@ -55,6 +55,8 @@ impl<T: Lanes> Plane<T> {
 }
 
 impl Plane<Halves> {
+    pub const ZERO: Self = Self { x: Halves::ZERO, y: Halves::ZERO };
+
     /// The vector of one half.
     #[inline(always)]
     pub fn half(&self, half: usize) -> Vector {
@@ -99,7 +101,7 @@ impl<T: Lanes> Neg for Plane<T> {
 }
 
 /// A point in the middle of each half of an interval; h is half the length of such a half.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(in crate::collision) struct MovingPoint {
     /// p.
     pub position: Plane<Halves>,
@@ -113,8 +115,9 @@ pub(in crate::collision) struct MovingPoint {
 
 impl MovingPoint {
     /// A point that does not move.
-    pub fn at_rest(at: Point) -> Self {
-        Self { position: Plane::splat(at.coords), ..Self::default() }
+    #[inline(always)]
+    pub fn at_rest(position: Plane<Halves>) -> Self {
+        Self { position, velocity: Plane::ZERO, acceleration: Plane::ZERO, remainder: 0.0 }
     }
 
     /// Where it is in the middle of a half.
@@ -132,15 +135,18 @@ impl MovingPoint {
     /// Boxes that hold the point on each half: the least x and y, then the largest.
     #[inline(always)]
     pub fn swept_box(&self) -> [Plane<Halves>; 2] {
-        let range = |p: Halves, velocity: Halves, acceleration: Halves| {
-            let shift = velocity.abs() + Halves::splat(self.remainder);
-            let bend = acceleration.abs();
-            // Retreat takes the part of a that points forward, advance the part that points back.
-            [p - (shift + (bend + acceleration)), p + (shift + (bend - acceleration))]
-        };
-        let [min_x, max_x] = range(self.position.x, self.velocity.x, self.acceleration.x);
-        let [min_y, max_y] = range(self.position.y, self.velocity.y, self.acceleration.y);
+        let [min_x, max_x] = self.range(self.position.x, self.velocity.x, self.acceleration.x);
+        let [min_y, max_y] = self.range(self.position.y, self.velocity.y, self.acceleration.y);
         [Plane { x: min_x, y: min_y }, Plane { x: max_x, y: max_y }]
+    }
+
+    /// The least and the largest coordinate on one axis.
+    #[inline(always)]
+    fn range(&self, p: Halves, velocity: Halves, acceleration: Halves) -> [Halves; 2] {
+        let shift = velocity.abs() + Halves::splat(self.remainder);
+        let bend = acceleration.abs();
+        // Retreat takes the part of a that points forward, advance the part that points back.
+        [p - (shift + (bend + acceleration)), p + (shift + (bend - acceleration))]
     }
 
     /// Of all positions that the bound allows on a half, the least in the direction `n`, as a unit vector.

@@ -47,8 +47,11 @@ pub(in crate::collision) trait Part {
     /// How far the part is ahead of the line n.x = `support` in the middle.
     #[inline(always)]
     fn ahead(&self, n: Plane<Halves>, support: Halves) -> Halves {
-        let ahead = self.corners().map(|corner| n.dot(corner.position) - support);
-        ahead.reduce(Lanes::lesser).expect("a part has corners")
+        let mut least = Halves::splat(f64::INFINITY);
+        for corner in self.corners() {
+            least = least.lesser(n.dot(corner.position) - support);
+        }
+        least
     }
 
     /// The halves on which the part stays ahead of the line n.x = `support` by more than `margin`.

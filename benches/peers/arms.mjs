@@ -12,13 +12,13 @@ const LIMIT = 0.1;
 /** Radians in the sum metric between two configurations that a peer checks on an edge of its trees. */
 const RESOLUTION = 0.05;
 
-/** The same for a body, in its metric, and the step of a peer's tree. */
+/** The same for a body, in its metric, and a step of a tree that is shorter than the default of either side. */
 const BODY = { resolution: 0.01, range: 0.3 };
 
-/** Seconds after which a car is given up. */
-const CAR_LIMIT = 5;
+/** Seconds after which a body or a car is given up. */
+const PLACED_LIMIT = 5;
 
-/** Durations of a control in steps of 0.01 s: constant as in the reports, and random up to a bound. */
+/** Durations of a control in steps of 0.01 s: constant as in the reports, and random up to Planarium's default or less. */
 const HELD = { fixed: [250, 250], drawn: [1, 250], short: [1, 50] };
 
 /** The neighbours of the reports' roadmaps. */
@@ -56,6 +56,7 @@ function roadmaps({ links }) {
     ours("native", "native, batch, sampled", " edge_check=sampled"),
     ours("node", "Node, equal motions", " insertion=one-by-one"),
     ours("node", "Node, batch"),
+    ours("node", "Node, batch, sampled", " edge_check=sampled"),
     peer("ompl", "OMPL"),
     peer("ompl", "OMPL, plain", "plain"),
     peer("ompl", "OMPL, compound", "compound"),
@@ -91,21 +92,25 @@ function trees({ links }) {
   ];
 }
 
-/** Planarium with its default step, and with the peer's. @returns {Arm[]} */
+/** All with a fifth of the extent, their default, and with steps of 0.3. @returns {Arm[]} */
 function bodies() {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
     name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${CAR_LIMIT}${more}`,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${PLACED_LIMIT}${more}`,
+  });
+  const peer = (/** @type {string} */ name, range = 0, checker = "boxes") => ({
+    name, side: /** @type {const} */ ("ompl"),
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.text} body ${seed} ${runs} ${range} ${BODY.resolution} ${PLACED_LIMIT} ${checker}`,
   });
   return [
     ours("native", "native"),
-    ours("native", "native, equal steps", ` step=${BODY.range}`),
+    ours("native", "native, short steps", ` step=${BODY.range}`),
     ours("node", "Node"),
-    ours("node", "Node, equal steps", ` step=${BODY.range}`),
-    {
-      name: "OMPL", side: "ompl",
-      job: (world, seed, runs) => `${world.text} body ${seed} ${runs} ${BODY.range} ${BODY.resolution} ${CAR_LIMIT}`,
-    },
+    ours("node", "Node, short steps", ` step=${BODY.range}`),
+    peer("OMPL"),
+    peer("OMPL, plain", 0, "plain"),
+    peer("OMPL, short steps", BODY.range),
   ];
 }
 
@@ -117,64 +122,66 @@ function bodies() {
 function cars(planner) {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
     name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} ${planner} ${seed} ${runs} ${CAR_LIMIT}${more}`,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} ${planner} ${seed} ${runs} ${PLACED_LIMIT}${more}`,
   });
-  const peer = (/** @type {string} */ name, /** @type {number[]} */ [least, most]) => ({
+  const peer = (/** @type {string} */ name, /** @type {number[]} */ [least, most], checker = "boxes") => ({
     name, side: /** @type {const} */ ("ompl"),
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
-      `${world.text} ${planner === "sst" ? "sst" : "control"} ${seed} ${runs} ${least} ${most} ${CAR_LIMIT}`,
+      `${world.text} ${planner === "sst" ? "sst" : "control"} ${seed} ${runs} ${least} ${most} ${PLACED_LIMIT} ${checker}`,
   });
   const both = [ours("native", "native"), ours("node", "Node")];
-  if (planner === "sst") return [...both, peer("OMPL", HELD.short), peer("OMPL, longer", HELD.drawn)];
+  if (planner === "sst") return [...both, peer("OMPL", HELD.drawn), peer("OMPL, plain", HELD.drawn, "plain"), peer("OMPL, short controls", HELD.short)];
   const preset = " duration_steps=250 shortest_steps=250 blossom=1 goal_test=ends";
-  return [...both, ours("native", "native, the reports'", preset), ours("node", "Node, the reports'", preset), peer("OMPL", HELD.fixed), peer("OMPL, drawn", HELD.drawn)];
+  return [
+    ...both,
+    ours("native", "native, the reports'", preset),
+    ours("node", "Node, the reports'", preset),
+    peer("OMPL", HELD.fixed),
+    peer("OMPL, plain", HELD.fixed, "plain"),
+    peer("OMPL, drawn", HELD.drawn),
+  ];
 }
 
 /**
- * A ratio of the times of two arms, and its aim.
- * @typedef {{ name: string, over: string, under: string, least?: number, most?: number }} Comparison
+ * The lines of a row in docs/benchmarks.md: what to call each, and what the names of our arms and of OMPL's end with.
+ * @param {Row} row
+ * @returns {{ title: string, ours: string, peer: string }[]}
  */
+export function lines({ planner, links }) {
+  const line = (title = "", ours = "", peer = "") => ({ title, ours, peer });
+  if (planner === "prm") return [line(", equal motions", ", equal motions"), line(", batch", ", batch")];
+  if (planner === "sst") return [line(), line(", OMPL's controls held for up to 0.5 s", "", ", short controls")];
+  if (planner === "rrt-control") return [line(), line(", the reports' controls", ", the reports'")];
+  return links > 0 ? [line()] : [line(), line(", steps of 0.3", ", short steps", ", short steps")];
+}
 
-/** @type {Record<Row["planner"], Comparison[]>} */
-export const comparisons = {
+/** The ratios besides those of the lines: the times of one arm over those of another. @type {Record<Row["planner"], [string, string][]>} */
+const further = {
   prm: [
-    // The aims were set against OMPL with the checker of the course reports, which has no broad phase.
-    { name: "OMPL, plain / native, equal motions", over: "OMPL, plain", under: "native, equal motions", least: 7 },
-    { name: "OMPL, plain / Node, equal motions", over: "OMPL, plain", under: "Node, equal motions", least: 4 },
-    { name: "OMPL, plain / native, batch", over: "OMPL, plain", under: "native, batch", least: 12 },
-    { name: "OMPL, plain / Node, batch", over: "OMPL, plain", under: "Node, batch", least: 8 },
-    { name: "OMPL / native, equal motions", over: "OMPL", under: "native, equal motions" },
-    { name: "OMPL / Node, equal motions", over: "OMPL", under: "Node, equal motions" },
-    { name: "OMPL / native, batch", over: "OMPL", under: "native, batch" },
-    { name: "OMPL / Node, batch", over: "OMPL", under: "Node, batch" },
-    { name: "OMPL, compound / native, equal motions", over: "OMPL, compound", under: "native, equal motions" },
-    { name: "OxMPL / native, equal motions", over: "OxMPL", under: "native, equal motions" },
-    { name: "sampled / proven, both native, batch", over: "native, batch, sampled", under: "native, batch", least: 4 },
-    { name: "Node / native, batch", over: "Node, batch", under: "native, batch", most: 2 },
+    ["OMPL, compound", "native, equal motions"],
+    ["OxMPL", "native, equal motions"],
+    ["native, batch, sampled", "native, batch"],
+    ["Node, batch, sampled", "Node, batch"],
+    ["Node, batch", "native, batch"],
   ],
   "rrt-connect": [
-    { name: "OMPL, plain / native", over: "OMPL, plain", under: "native", least: 6 },
-    { name: "OMPL, plain / Node", over: "OMPL, plain", under: "Node", least: 4 },
-    { name: "OMPL / native", over: "OMPL", under: "native" },
-    { name: "OMPL / Node", over: "OMPL", under: "Node" },
-    { name: "OMPL, compound / native", over: "OMPL, compound", under: "native" },
-    { name: "OMPL, range 0.5 / native", over: "OMPL, range 0.5", under: "native" },
-    { name: "OMPL, coarse / native", over: "OMPL, coarse", under: "native" },
-    { name: "OxMPL / native", over: "OxMPL", under: "native" },
-    { name: "OMPL / native, equal steps", over: "OMPL", under: "native, equal steps", least: 1 },
-    { name: "Node, equal steps / OMPL", over: "Node, equal steps", under: "OMPL", most: 1.5 },
-    { name: "Node / native", over: "Node", under: "native", most: 2 },
+    ["OMPL, compound", "native"],
+    ["OMPL, range 0.5", "native"],
+    ["OMPL, coarse", "native"],
+    ["OxMPL", "native"],
+    ["Node", "native"],
   ],
-  "rrt-control": [
-    { name: "OMPL / native", over: "OMPL", under: "native", least: 1 },
-    { name: "OMPL / native, the reports'", over: "OMPL", under: "native, the reports'", least: 1 },
-    { name: "OMPL, drawn / native", over: "OMPL, drawn", under: "native" },
-    { name: "Node / OMPL", over: "Node", under: "OMPL", most: 1.5 },
-    { name: "Node, the reports' / OMPL", over: "Node, the reports'", under: "OMPL", most: 1.5 },
-  ],
-  sst: [
-    { name: "OMPL / native", over: "OMPL", under: "native", least: 1 },
-    { name: "OMPL, longer / native", over: "OMPL, longer", under: "native" },
-    { name: "Node / OMPL", over: "Node", under: "OMPL", most: 1.5 },
-  ],
+  "rrt-control": [["OMPL, drawn", "native"], ["Node", "native"]],
+  sst: [["Node", "native"]],
 };
+
+/**
+ * The ratios of a row; those whose arms do not take part have no value.
+ * @param {Row} row
+ * @returns {[over: string, under: string][]}
+ */
+export function comparisons(row) {
+  const ofLines = lines(row).flatMap(({ ours, peer }) => (peer === "" ? ["OMPL, plain", "OMPL"] : [`OMPL${peer}`])
+    .flatMap((over) => ["native", "Node"].map((side) => /** @type {[string, string]} */ ([over, `${side}${ours}`]))));
+  return [...ofLines, ...further[row.planner]];
+}

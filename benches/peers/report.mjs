@@ -1,12 +1,12 @@
 /** Figures from runs: medians over the runs in each world, then medians and quartiles over worlds. */
-import { comparisons } from "./arms.mjs";
+import { comparisons, lines } from "./arms.mjs";
 
 /** @typedef {import("./worlds.mjs").Row} Row */
 /** @typedef {import("./sides.mjs").Run} Run */
 /** @typedef {{ median: number, low: number, high: number, count: number }} Spread  the median and quartiles of `count` values */
 /** @typedef {{ arm: string, milliseconds: Spread, setup: number, solved: number, motions: number, vertices: number, edges: number, length: number }} ArmFigures */
-/** @typedef {{ name: string, ratio: Spread, aim: string, reached: boolean | undefined }} RatioFigures */
-/** @typedef {{ row: string, arms: ArmFigures[], ratios: RatioFigures[] }} RowFigures */
+/** @typedef {{ name: string, value: Spread }} Figure  mostly a ratio of the times of two arms */
+/** @typedef {{ row: string, arms: ArmFigures[], figures: Figure[] }} RowFigures */
 
 /**
  * The quantile of some values by the nearest rank; NaN if there are none.
@@ -40,7 +40,8 @@ export function seconds(planner, runs) {
  * @param {Map<string, Run[][]>} results  of each arm, for each world, its runs
  * @returns {RowFigures}
  */
-export function figures({ name, planner }, results) {
+export function figures(row, results) {
+  const { name, planner } = row;
   const times = new Map([...results].map(([arm, worlds]) => [arm, worlds.map((runs) => seconds(planner, runs))]));
   const lengths = new Map([...results].map(([arm, worlds]) => [arm, worlds.map(medianLength)]));
   const count = [...lengths.values()][0].length;
@@ -58,18 +59,14 @@ export function figures({ name, planner }, results) {
       length: quantile(shared.map((world) => lengths.get(arm)?.[world] ?? NaN), 0.5),
     };
   });
-  const ratios = comparisons[planner].flatMap(({ name, over, under, least, most }) => {
+  const ratios = comparisons(row).flatMap(([over, under]) => {
     const [a, b] = [times.get(over), times.get(under)];
     if (a === undefined || b === undefined) return [];
     // A world that only one side solved has no ratio.
-    const ratio = spread(a.flatMap((time, world) => (Number.isFinite(time) && Number.isFinite(b[world]) ? [time / b[world]] : [])));
-    const aim = least !== undefined ? `>= ${least}` : most !== undefined ? `<= ${most}` : "";
-    // Without a world that both solved the aim is not judged.
-    const isJudged = ratio.count > 0 && aim !== "";
-    const reached = isJudged ? ratio.median >= (least ?? 0) && ratio.median <= (most ?? Infinity) : undefined;
-    return [{ name, ratio, aim, reached }];
+    const value = spread(a.flatMap((time, world) => (Number.isFinite(time) && Number.isFinite(b[world]) ? [time / b[world]] : [])));
+    return [{ name: `${over} / ${under}`, value }];
   });
-  return { row: name, arms, ratios };
+  return { row: name, arms, figures: ratios };
 }
 
 /** @param {Run[]} runs */
@@ -96,12 +93,10 @@ export function table(head, body) {
   return [head, head.map(() => "---"), ...body].map((cells) => `| ${cells.join(" | ")} |\n`).join("");
 }
 
-/** All ratios, with their aims. @param {RowFigures[]} rows */
-export function ratioTable(rows) {
-  const body = rows.flatMap(({ row, ratios }) => ratios.map(({ name, ratio, aim, reached }) => [
-    row, name, digits(ratio.median), range(ratio), String(ratio.count), aim, reached === undefined ? "" : reached ? "reached" : "MISSED",
-  ]));
-  return table(["job", "time / time", "median", "quartiles", "worlds", "aim", ""], body);
+/** All figures of some rows. @param {RowFigures[]} rows */
+export function figureTable(rows) {
+  const body = rows.flatMap(({ row, figures }) => figures.map(({ name, value }) => [row, name, digits(value.median), value.count > 1 ? range(value) : "", String(value.count)]));
+  return table(["job", "figure, time / time if not named otherwise", "median", "quartiles", "of"], body);
 }
 
 /** All arms. @param {RowFigures[]} rows */
@@ -113,39 +108,23 @@ export function armTable(rows) {
   return table(["job", "who", "ms, median", "quartiles", "set-up, ms", "solved", "motions tried", "vertices", "edges", "path length"], body);
 }
 
-/** The columns of docs/benchmarks.md. @param {RowFigures[]} rows */
-export function summaryTable(rows) {
-  const body = rows.flatMap(({ row, arms, ratios }) => {
+/** The columns of docs/benchmarks.md. @param {Row[]} rows @param {RowFigures[]} measured  in the same order */
+export function summaryTable(rows, measured) {
+  const body = measured.flatMap(({ row, arms, figures }, i) => {
     const arm = (/** @type {string} */ name) => arms.find((each) => each.arm === name);
     const time = (/** @type {string} */ name) => digits(arm(name)?.milliseconds.median ?? NaN);
     const solved = (/** @type {string} */ name) => digits(Math.round(100 * (arm(name)?.solved ?? NaN)));
     const ratio = (/** @type {string} */ name) => {
-      const found = ratios.find((each) => each.name === name);
-      return found === undefined ? "-" : `**${digits(found.ratio.median)}** (${range(found.ratio)})`;
+      const found = figures.find((each) => each.name === name);
+      return found === undefined ? "-" : `**${digits(found.value.median)}** (${range(found.value)})`;
     };
-    const kinds = arms.some(({ arm }) => arm.endsWith(", batch")) ? [", equal motions", ", batch"] : [""];
-    return kinds.map((kind) => [
-      row + kind, time(`native${kind}`), time(`Node${kind}`), time("OMPL, plain"), time("OMPL"), time("OxMPL"), ratio(`OMPL, plain / native${kind}`),
-      ratio(`OMPL, plain / Node${kind}`), ratio(`OMPL / native${kind}`), ratio(`OMPL / Node${kind}`),
-      `${solved(arm(`native${kind}`) === undefined ? `Node${kind}` : `native${kind}`)}, ${solved("OMPL")}, ${solved("OxMPL")}`,
+    return lines(rows[i]).map(({ title, ours, peer }) => [
+      row + title, time(`native${ours}`), time(`Node${ours}`), peer === "" ? time("OMPL, plain") : "-", time(`OMPL${peer}`), time("OxMPL"),
+      ...(peer === "" ? [ratio(`OMPL, plain / native${ours}`), ratio(`OMPL, plain / Node${ours}`)] : ["-", "-"]),
+      ratio(`OMPL${peer} / native${ours}`), ratio(`OMPL${peer} / Node${ours}`),
+      `${solved(arm(`native${ours}`) === undefined ? `Node${ours}` : `native${ours}`)}, ${solved(`OMPL${peer}`)}, ${solved("OxMPL")}`,
     ]);
   });
   const ratios = ["plain / native", "plain / Node", "OMPL / native", "OMPL / Node"];
   return table(["", "native", "Node", "OMPL, plain", "OMPL", "OxMPL", ...ratios, "solved, %: ours, OMPL, OxMPL"], body);
-}
-
-/** Every aim, with the medians of its rows in order. @param {RowFigures[]} rows */
-export function aimTable(rows) {
-  /** @type {Map<string, RatioFigures[]>} */
-  const aims = new Map();
-  for (const { row, ratios } of rows) {
-    for (const ratio of ratios.filter(({ aim }) => aim !== "")) {
-      const name = `${row.split(",")[0]}: ${ratio.name}`;
-      aims.set(name, [...(aims.get(name) ?? []), ratio]);
-    }
-  }
-  const body = [...aims].map(([name, ratios]) => [
-    name, ratios[0].aim, ratios.map(({ ratio }) => digits(ratio.median)).join(", "), `${ratios.filter(({ reached }) => reached).length} of ${ratios.length}`,
-  ]);
-  return table(["ratio", "aim", "medians of the rows", "rows that reach it"], body);
 }

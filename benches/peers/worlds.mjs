@@ -46,17 +46,19 @@ function row(planner, generator, options, place, links) {
 }
 
 /**
- * Writes the first worlds of a row. A world that a peer cannot read is an error, not a gap.
+ * Writes worlds of a row. A world that a peer cannot read is an error, not a gap.
  * @param {typeof import("planarium").Scenario} Scenario
  * @param {Row} row
+ * @param {number} first  the seed of the first
  * @param {number} count
  * @param {string} folder
  * @returns {World[]}
  */
-export function writeWorlds(Scenario, { name, generator, options }, count, folder) {
+export function writeWorlds(Scenario, { name, generator, options }, first, count, folder) {
   const place = join(folder, name.replace(/\W+/g, "-"));
   mkdirSync(place, { recursive: true });
-  return Array.from({ length: count }, (_, seed) => {
+  return Array.from({ length: count }, (_, i) => {
+    const seed = first + i;
     const scenario = Scenario.generate(generator, { ...options, seed });
     const document = scenario.document();
     scenario.free();

@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { join } from "node:path";
 import { test } from "node:test";
+import { judge } from "../../benches/peers/aims.mjs";
 import { figures } from "../../benches/peers/report.mjs";
 import { flat, rows } from "../../benches/peers/worlds.mjs";
 import { countsOfHarness, countsOfTap } from "../../scripts/counts.mjs";
@@ -67,36 +68,44 @@ test("counts are summed over test programs, and missing when there is none", () 
 
 test("the benchmark works without peers, and prints and writes what it measured", () => {
   const file = join(emptyFolder(), "figures.json");
-  const args = [join(root, "benches", "bench.mjs"), "--quick", "--no-build", "--sides", "node", "--rows", "RRT-Connect, clutter", "--json", file];
+  const chosen = ["RRT-Connect, clutter 4R", "First roadmap of a new process (4R, n = 1000)"];
+  const args = [join(root, "benches", "bench.mjs"), "--quick", "--no-build", "--sides", "node", ...chosen.flatMap((row) => ["--rows", row]), "--json", file];
   const { status, stdout, stderr } = spawnSync(process.execPath, args, { encoding: "utf8", timeout: 120_000 });
   assert.equal(status, 0, stderr);
   assert.match(stdout, /\| RRT-Connect, clutter 4R \| Node \| \d/);
-  const { worlds, rows: measured, cold, memory } = JSON.parse(readFileSync(file, "utf8"));
+  assert.match(stdout, /\| first roadmap of a new process, ms \| <= 50 \| \d/);
+  const { worlds, rows: measured, aims } = JSON.parse(readFileSync(file, "utf8"));
   assert.equal(worlds, 3);
-  assert.deepEqual(measured.map((/** @type {{ row: string }} */ { row }) => row), ["RRT-Connect, clutter 4R"]);
+  assert.deepEqual(measured.map((/** @type {{ row: string }} */ { row }) => row), chosen);
   const [{ arm, solved, milliseconds }] = measured[0].arms;
   assert.ok(arm === "Node" && solved > 0 && milliseconds.median > 0);
-  assert.ok(cold.roadmap.median > 0 && memory.peak >= memory.before);
+  const judged = aims.flatMap((/** @type {{ results: { row: string, value: number }[] }} */ { results }) => results);
+  assert.equal(judged.length, 1, "no other figure with an aim was measured");
+  assert.ok(judged[0].row === chosen[1] && judged[0].value > 0);
 });
 
 test("the benchmark refuses sides, rows and numbers of worlds that are none", () => {
-  for (const args of [["--sides", "native,magic"], ["--rows", "magic"], ["--worlds", "0"], ["--worlds", "many"]]) {
+  for (const args of [["--sides", "native,magic"], ["--rows", "magic"], ["--worlds", "0"], ["--worlds", "many"], ["--first=-1"]]) {
     const { status, stderr } = spawnSync(process.execPath, [join(root, "benches", "bench.mjs"), "--no-build", ...args], { encoding: "utf8", timeout: 30_000 });
     assert.equal(status, 1, args.join(" "));
     assert.match(stderr, /magic|integer/);
   }
 });
 
-test("ratios are taken world by world, and only where both sides solved most of their runs", () => {
+test("ratios are taken world by world, where both sides solved most of their runs, and are held against their aims", () => {
   const run = (/** @type {number} */ build, solved = true) => ({ setup: 0, build, search: 0, solved, length: 1, motions: 1, vertices: 1, edges: 1 });
   const results = new Map([
     ["native", [[run(1), run(1), run(9)], [run(2), run(2), run(2)], [run(1, false), run(1, false), run(1)]]],
     ["OMPL, plain", [[run(6), run(6), run(6)], [run(20), run(20), run(20)], [run(1), run(1), run(1)]]],
   ]);
-  const { ratios, arms } = figures(rows.find(({ planner }) => planner === "rrt-connect") ?? rows[0], results);
-  const [{ name, ratio, reached }] = ratios;
-  assert.deepEqual([name, ratio.count, ratio.low, ratio.high, reached], ["OMPL, plain / native", 2, 6, 10, true]);
+  const measured = figures(rows.find(({ planner }) => planner === "rrt-connect") ?? rows[0], results);
+  const { figures: ratios, arms } = measured;
+  const [{ name, value }] = ratios;
+  assert.deepEqual([name, value.count, value.low, value.high], ["OMPL, plain / native", 2, 6, 10]);
   assert.equal(ratios.length, 1, "sides that are absent have no ratio");
+  const verdict = (/** @type {number} */ median) => judge([{ ...measured, figures: [{ name, value: { ...value, median } }] }])
+    .flatMap(({ aim, results }) => results.map((result) => [aim, result.verdict]));
+  assert.deepEqual([5.9, 6, 9].flatMap(verdict), ["MISSED", "reached", "stretch"].map((each) => ["RRT-Connect, arms, native", each]));
   assert.deepEqual(arms.map(({ solved }) => Math.round(100 * solved)), [78, 100]);
 });
 

@@ -3,12 +3,13 @@
 //   FILE prm SEED RUNS samples k space                        build and one query
 //   FILE rrt-connect SEED RUNS range resolution limit space   up to the first path; lengths in radians, the limit in seconds
 //
-//   FILE body SEED RUNS range resolution limit                RRT-Connect for a rigid body; distances in the metric
-//   FILE control SEED RUNS least most limit                   RRT for a car by controls, held for so many steps of 0.01 s
-//   FILE sst SEED RUNS least most limit                       SST, likewise
+//   FILE body SEED RUNS range resolution limit checker        RRT-Connect for a rigid body; distances in the metric, range 0 for OMPL's default
+//   FILE control SEED RUNS least most limit checker           RRT for a car by controls, held for so many steps of 0.01 s
+//   FILE sst SEED RUNS least most limit checker               SST, likewise
 //
-// The space is "flat" or "compound", see below, or "plain": flat, with a checker that compares no boxes. Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them is its
-// set-up.
+// The space is "flat" or "compound", see below, or "plain": flat, with a checker that compares no boxes. The checker of a body or a
+// car is "boxes" or "plain". Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them
+// is its set-up.
 #include "outcome.h"
 #include "placed.h"
 #include "world.h"
@@ -188,7 +189,7 @@ static Outcome rrt_connect(const World &world, bool is_flat, double range, doubl
     planner.setup();
     Outcome outcome;
     const double began = seconds();
-    const ob::PlannerStatus status = planner.solve(ob::timedPlannerTerminationCondition(limit));
+    const ob::PlannerStatus status = planner.solve(within(limit));
     outcome.build = seconds() - began;
     outcome.setup = began - asked;
     outcome.is_solved = status == ob::PlannerStatus::EXACT_SOLUTION;
@@ -213,7 +214,7 @@ static std::string answer(const std::string &job) {
     if (planner != "prm") words >> c;
     words >> space;
     const bool is_placed = planner == "body" || planner == "control" || planner == "sst";
-    if (!is_placed && space != "flat" && space != "plain" && space != "compound") throw std::runtime_error("not a job: " + job);
+    if (space != "plain" && (is_placed ? space != "boxes" : space != "flat" && space != "compound")) throw std::runtime_error("not a job: " + job);
     const bool is_flat = space != "compound";
     World world(file);
     world.compares_boxes = space != "plain";

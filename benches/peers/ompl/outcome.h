@@ -1,5 +1,6 @@
-// What one run came to, and a clock.
+// What one run came to, a clock, and a limit in time.
 #pragma once
+#include <ompl/base/PlannerTerminationCondition.h>
 #include <chrono>
 #include <cstddef>
 
@@ -12,4 +13,13 @@ struct Outcome {
 inline double seconds() {
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+// Reads the clock once in 32 iterations, as Planarium's side does; OMPL's own condition reads it in each.
+inline ompl::base::PlannerTerminationCondition within(double limit) {
+    const double end = seconds() + limit;
+    return ompl::base::PlannerTerminationCondition([end, calls = 0u, is_over = false]() mutable {
+        if (++calls % 32 == 0) is_over = seconds() > end;
+        return is_over;
+    });
 }

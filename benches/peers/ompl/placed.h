@@ -88,7 +88,7 @@ inline Outcome body(const World &world, double range, double resolution, double 
     planner.setup();
     Outcome outcome;
     const double began = seconds();
-    const ob::PlannerStatus status = planner.solve(ob::timedPlannerTerminationCondition(limit));
+    const ob::PlannerStatus status = planner.solve(within(limit));
     outcome.build = seconds() - began;
     outcome.setup = began - asked;
     outcome.is_solved = status == ob::PlannerStatus::EXACT_SOLUTION;
@@ -147,7 +147,7 @@ inline Outcome car(const World &world, bool is_sst, unsigned least, unsigned mos
     planner->setup();
     Outcome outcome;
     const double began = seconds();
-    const ob::PlannerStatus status = planner->solve(ob::timedPlannerTerminationCondition(limit));
+    const ob::PlannerStatus status = planner->solve(within(limit));
     outcome.build = seconds() - began;
     outcome.setup = began - asked;
     outcome.is_solved = status == ob::PlannerStatus::EXACT_SOLUTION;

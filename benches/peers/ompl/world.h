@@ -44,7 +44,7 @@ struct World {
     // Of a car.
     double wheelbase = 0;
     std::vector<double> speed, steering, tolerance;
-    // Off for the plain checker, which asks every link about every obstacle.
+    // Off for the plain checker, which tests every link, or the shape, against every obstacle.
     bool compares_boxes = true;
 
     explicit World(const std::string &file);
@@ -91,7 +91,7 @@ inline bool World::is_link_free(double x0, double y0, double x1, double y1) cons
     }
     for (const Disc &disc : discs) {
         const double reach = disc.radius + radius;
-        if (right < disc.x - reach || left > disc.x + reach || top < disc.y - reach || bottom > disc.y + reach) continue;
+        if (compares_boxes && (right < disc.x - reach || left > disc.x + reach || top < disc.y - reach || bottom > disc.y + reach)) continue;
         if (squared_distance(disc.x, disc.y, x0, y0, x1, y1) <= reach * reach) return false;
     }
     return true;
@@ -150,7 +150,7 @@ inline bool World::is_placed_free(double x, double y, double turn) const {
     const size_t count = shape.size() / 2;
     for (const Convex &polygon : polygons) {
         const Box &other = polygon.box;
-        if (box.right < other.left || box.left > other.right || box.top < other.bottom || box.bottom > other.top) continue;
+        if (compares_boxes && (box.right < other.left || box.left > other.right || box.top < other.bottom || box.bottom > other.top)) continue;
         if (!separates(polygon, corners, count) && !separates(corners, count, polygon)) return false;
     }
     return true;

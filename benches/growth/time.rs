@@ -1,12 +1,20 @@
-//! Time of a k-PRM, from the scenario to the path, against one quantity at a time.
+//! Time against one quantity at a time, and how fast it grows.
 
 use planarium::geometry::Point;
+use planarium::graph::VertexId;
+use planarium::nearest::{Index, LinearScan, Nearest};
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
-use planarium::run::{Options, Run, Status, Value, start};
+use planarium::run::{Options, Phase, Run, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
+use planarium::space::{Coordinate, Metric, ProductSpace, Space};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
+use std::hint::black_box;
 use std::time::Instant;
+
+/// The seed of all runs.
+const SEED: u64 = 1;
 
 /// Samples if another quantity grows.
 const SAMPLES: u64 = 2000;
@@ -14,94 +22,235 @@ const SAMPLES: u64 = 2000;
 /// Neighbours if another quantity grows.
 const K: u64 = 15;
 
-/// A case of a table: the quantity that grows, a world with it, samples and neighbours.
-struct Case {
-    x: u64,
-    world: Scenario,
-    samples: u64,
-    k: u64,
+/// The most repetitions of a measurement, of which the fastest counts: the least disturbed one.
+const REPETITIONS: usize = 7;
+
+/// Seconds after which a measurement is not repeated.
+const ENOUGH: f64 = 2.0;
+
+/// Queries to an index that are timed together.
+const QUERIES: usize = 1000;
+
+/// Iterations between two readings of the clock.
+const SLICE: u64 = 32;
+
+/// Sizes of roadmaps, trees and indexes.
+const SIZES: [u64; 7] = [1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
+
+/// Time against a quantity.
+#[derive(Serialize, Deserialize)]
+pub struct Curve {
+    /// What grows, as the label of an axis.
+    pub quantity: String,
+    pub name: String,
+    pub points: Vec<Measured>,
 }
 
-/// Prints the four tables.
-pub fn print(is_quick: bool) {
-    let case = |x| Case { x, world: forest(3), samples: SAMPLES, k: K };
-    let most = if is_quick { 3000 } else { 100_000 };
-    let samples = [1000, 3000, 10_000, 30_000, 100_000].into_iter().filter(|&n| n <= most);
-    table(
-        "samples",
-        "3R forest, k = 15. A sample queries the kd-tree once, O(log n + k), and tries about 8.5 motions however many samples \
-         there are; these get shorter, like n^(-1/3), and so cheaper to prove, which the deeper tree offsets.",
-        samples.map(|n| Case { samples: n, ..case(n) }),
-    );
-    table(
-        "k",
-        "3R forest, n = 2000. Motions are linear in k, and farther neighbours are more expensive to prove, or refused early; \
-         the fixed cost of sampling, the search and queries to the index keeps the exponent below 1.",
-        [5, 10, 20, 40, 80].map(|k| Case { k, ..case(k) }).into_iter(),
-    );
-    table(
-        "links",
-        "Forests with four triangles per link, n = 2000, k = 15. A motion moves l links among 4 l triangles, which would be l^2 \
-         without the boxes; and in more dimensions neighbours lie farther apart. Arrays have 2, 4 or 8 entries.",
-        (1..=8).map(|links| Case { world: forest(links), ..case(links) }),
-    );
-    let most = if is_quick { 256 } else { 4096 };
-    let counts = [4, 16, 64, 256, 1024, 4096].into_iter().filter(|&count| count <= most);
-    table(
-        "obstacles",
-        "3R arm among equal triangles whose total width does not depend on their number, so that about as many samples are \
-         free but more and more motions are not; n = 2000, k = 15. The steps from 256 on show the limit: linear, were every \
-         obstacle examined for every motion.",
-        counts.map(|count| Case { world: gravel(count), ..case(count) }),
-    );
+/// A point of a curve.
+#[derive(Serialize, Deserialize)]
+pub struct Measured {
+    pub x: u64,
+    pub seconds: f64,
+    /// Motions tested, of a planner.
+    pub motions: Option<u64>,
 }
 
-fn table(what: &str, sentence: &str, cases: impl Iterator<Item = Case>) {
-    println!("\nk-PRM against {what}. {sentence}\n");
-    println!(
-        "| {what} | ms | us per motion | samples tried | motions | edges | status |\n|---|---|---|---|---|---|---|"
-    );
-    let mut points = Vec::new();
-    for Case { x, world, samples, k } in cases {
-        let mut times = Vec::new();
-        let mut last = None;
-        // Long runs are disturbed less, and repeating them is expensive.
-        for seed in 0..if samples > 10_000 { 1 } else { 5 } {
-            let began = Instant::now();
-            let run = roadmap(&world, seed, samples, k);
-            times.push(began.elapsed().as_secs_f64());
-            last = Some((run.stats(), run.status()));
-        }
-        times.sort_by(f64::total_cmp);
-        let (seconds, (stats, status)) = (times[times.len() / 2], last.expect("there was a run"));
-        let each = seconds * 1e6 / stats.motion_checks as f64;
-        let (milliseconds, tried) = (seconds * 1e3, stats.configuration_checks);
-        println!(
-            "| {x} | {milliseconds:.2} | {each:.2} | {tried} | {} | {} | {status:?} |",
-            stats.motion_checks, stats.edges
-        );
-        points.push((x as f64, seconds));
+impl Curve {
+    fn new(quantity: &str, name: &str, points: Vec<Measured>) -> Self {
+        Self { quantity: quantity.to_owned(), name: name.to_owned(), points }
     }
-    println!("\nExponent: {:.2}.", exponent(&points));
+
+    /// The slope of the line that fits best through the logarithms: e if the time grows like x^e.
+    pub fn exponent(&self) -> f64 {
+        let logs: Vec<(f64, f64)> = self.points.iter().map(|p| ((p.x as f64).ln(), p.seconds.ln())).collect();
+        let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
+        let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+        let products = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>();
+        products / logs.iter().map(|p| (p.0 - x) * (p.0 - x)).sum::<f64>()
+    }
 }
 
-/// A k-PRM at its end.
-pub fn roadmap(world: &Scenario, seed: u64, samples: u64, k: u64) -> Box<dyn Run> {
-    let parameters = [("samples", samples), ("k", k), ("max_iterations", 4_000_000_000)];
-    let parameters = parameters.map(|(name, value)| (name.to_owned(), Value::Number(value as f64))).to_vec();
-    let options = Options { planner: Some("prm".to_owned()), query: None, seed, parameters };
-    let mut run = start(world, &options).expect("start and goal are free");
+/// Measures all curves; those of a quantity follow one another.
+pub fn curves(is_quick: bool) -> Vec<Curve> {
+    let most = if is_quick { 3000 } else { 1_000_000 };
+    let sizes: Vec<u64> = SIZES.into_iter().filter(|&n| n <= most).collect();
+    let counts: Vec<u64> = [10, 30, 100, 300, 1000, 3000, 10_000].into_iter().filter(|&n| n <= most / 10).collect();
+    [roadmaps(&sizes), trees(&sizes), queries(&sizes), obstacles(&counts), neighbours(), links()]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// A k-PRM and the search in it, and PRM*.
+fn roadmaps(sizes: &[u64]) -> Vec<Curve> {
+    let quantity = "samples of a roadmap (3 links)";
+    let world = forest(3);
+    let (mut built, mut searched) = (Vec::new(), Vec::new());
+    for &x in sizes {
+        let [mut build, mut search] = [f64::INFINITY; 2];
+        let run = fastest(|| {
+            let began = Instant::now();
+            let mut run = prm(&world, x, K);
+            while run.phase() != Phase::Searching && run.step(SLICE) == Status::Running {}
+            let half = began.elapsed().as_secs_f64();
+            while run.step(u64::MAX) == Status::Running {}
+            build = build.min(half);
+            search = search.min(began.elapsed().as_secs_f64() - half);
+            run
+        });
+        let motions = Some(run.1.stats().motion_checks);
+        built.push(Measured { x, seconds: build, motions });
+        searched.push(Measured { x, seconds: search, motions: None });
+    }
+    // A tenth of the samples: its neighbours grow with their number.
+    let star = sizes
+        .iter()
+        .filter(|&&n| n <= 100_000)
+        .map(|&x| whole(x, || begin(&world, "prm-star", SEED, &[("samples", x)])));
+    vec![
+        Curve::new(quantity, "k-PRM, k = 15", built),
+        Curve::new(quantity, "PRM*", star.collect()),
+        Curve::new(quantity, "search in the k-PRM (A*)", searched),
+    ]
+}
+
+/// Trees that never reach their goal: the time until they have so many vertices.
+fn trees(sizes: &[u64]) -> Vec<Curve> {
+    let quantity = "vertices of a tree (3 links, a car)";
+    let (arm, car) = (divided(), parted());
+    let tree = |name, planner, world: &Scenario| {
+        let mut points: Vec<Measured> =
+            sizes.iter().map(|&x| Measured { x, seconds: f64::INFINITY, motions: None }).collect();
+        fastest(|| {
+            let began = Instant::now();
+            let mut run = begin(world, planner, SEED, &[]);
+            for point in &mut points {
+                while (run.vertex_count() as u64) < point.x {
+                    assert_eq!(run.step(SLICE), Status::Running, "the goal cannot be reached");
+                }
+                point.seconds = point.seconds.min(began.elapsed().as_secs_f64());
+                point.motions = Some(run.stats().motion_checks);
+            }
+        });
+        Curve::new(quantity, name, points)
+    };
+    vec![
+        tree("RRT", "rrt", &arm),
+        tree("RRT-Connect", "rrt-connect", &arm),
+        tree("RRT by controls", "rrt-control", &car),
+    ]
+}
+
+/// One query to an index of states on the 3-torus.
+fn queries(sizes: &[u64]) -> Vec<Curve> {
+    let quantity = "states in an index (3-torus)";
+    let space = ProductSpace::<4>::new(&[Coordinate::Circle; 3], Metric::Sum);
+    let mut random = Random::new(1, Stream::Samples);
+    let mut states = |count: u64| -> Vec<_> { (0..count).map(|_| space.sample(&mut random)).collect() };
+    let asked = states(QUERIES as u64);
+    let mut curves =
+        ["nearest", "15 nearest", "15 nearest by a scan"].map(|name| Curve::new(quantity, name, Vec::new()));
+    for &x in sizes {
+        let (mut index, mut scan) = (Index::default(), LinearScan::default());
+        for (i, state) in states(x).into_iter().enumerate() {
+            index.insert(&space, VertexId(i as u32), state);
+            scan.insert(&space, VertexId(i as u32), state);
+        }
+        let few = &asked[..(10_000_000 / x as usize).min(QUERIES)];
+        let times = [
+            each(&index, &space, &asked, 1),
+            each(&index, &space, &asked, K as usize),
+            each(&scan, &space, few, K as usize),
+        ];
+        for (curve, seconds) in curves.iter_mut().zip(times) {
+            curve.points.push(Measured { x, seconds, motions: None });
+        }
+    }
+    curves.into()
+}
+
+/// Seconds per query.
+fn each<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
+    let mut found = Vec::new();
+    let (seconds, ()) = fastest(|| {
+        for state in asked {
+            index.k_nearest(space, state, k, &mut found);
+            black_box(&found);
+        }
+    });
+    seconds / asked.len() as f64
+}
+
+/// A k-PRM, and what comes before it, among more and more obstacles.
+fn obstacles(counts: &[u64]) -> Vec<Curve> {
+    let quantity = "obstacles (3 links, 2000 samples)";
+    let roadmap = counts.iter().map(|&x| {
+        let world = gravel(x);
+        whole(x, || prm(&world, SAMPLES, K))
+    });
+    let set_up = counts.iter().map(|&x| {
+        let world = gravel(x);
+        let (seconds, _) = fastest(|| prm(&world, SAMPLES, K));
+        Measured { x, seconds, motions: None }
+    });
+    vec![Curve::new(quantity, "k-PRM, k = 15", roadmap.collect()), Curve::new(quantity, "its set-up", set_up.collect())]
+}
+
+fn neighbours() -> Vec<Curve> {
+    let world = forest(3);
+    let points = [2, 4, 8, 16, 32, 64, 128].map(|k| whole(k, || prm(&world, SAMPLES, k)));
+    vec![Curve::new("neighbours k (3 links, 2000 samples)", "k-PRM", points.into())]
+}
+
+fn links() -> Vec<Curve> {
+    let points = (2..=8).map(|links| {
+        let world = forest(links);
+        whole(links, || prm(&world, SAMPLES, K))
+    });
+    vec![Curve::new("links (2000 samples)", "k-PRM, k = 15", points.collect())]
+}
+
+/// The point of a run from its set-up to its end.
+fn whole(x: u64, begin: impl Fn() -> Box<dyn Run>) -> Measured {
+    let (seconds, run) = fastest(|| to_end(begin()));
+    Measured { x, seconds, motions: Some(run.stats().motion_checks) }
+}
+
+/// The seconds of the fastest of several repetitions, and the last result.
+fn fastest<T>(mut work: impl FnMut() -> T) -> (f64, T) {
+    let (mut least, mut total) = (f64::INFINITY, 0.0);
+    for repetition in 1.. {
+        let began = Instant::now();
+        let made = work();
+        let seconds = began.elapsed().as_secs_f64();
+        (least, total) = (seconds.min(least), total + seconds);
+        if repetition == REPETITIONS || total > ENOUGH {
+            return (least, made);
+        }
+    }
+    unreachable!("the last repetition returns")
+}
+
+/// A run at its beginning.
+fn begin(world: &Scenario, planner: &str, seed: u64, parameters: &[(&str, u64)]) -> Box<dyn Run> {
+    let parameters = parameters.iter().chain(&[("max_iterations", 1_000_000_000)]);
+    let parameters = parameters.map(|&(name, value)| (name.to_owned(), Value::Number(value as f64))).collect();
+    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
+    start(world, &options).expect("start and goal are free")
+}
+
+fn prm(world: &Scenario, samples: u64, k: u64) -> Box<dyn Run> {
+    begin(world, "prm", SEED, &[("samples", samples), ("k", k)])
+}
+
+fn to_end(mut run: Box<dyn Run>) -> Box<dyn Run> {
     while run.step(u64::MAX) == Status::Running {}
     run
 }
 
-/// The slope of the line that fits best through the logarithms.
-fn exponent(points: &[(f64, f64)]) -> f64 {
-    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
-    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let products = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>();
-    products / logs.iter().map(|p| (p.0 - x) * (p.0 - x)).sum::<f64>()
+/// A k-PRM at its end.
+pub fn roadmap(world: &Scenario, seed: u64, samples: u64, k: u64) -> Box<dyn Run> {
+    to_end(begin(world, "prm", seed, &[("samples", samples), ("k", k)]))
 }
 
 pub fn forest(links: u64) -> Scenario {
@@ -126,14 +275,56 @@ fn gravel(count: u64) -> Scenario {
     while obstacles.len() < count as usize {
         let [x, y] = std::array::from_fn(|_| reach * (2.0 * random.uniform() - 1.0));
         if clear.iter().all(|p| (p.x - x).hypot(p.y - y) > size + 0.1) {
-            let corners = [[x - size / 2.0, y - size / 2.0], [x + size / 2.0, y - size / 2.0], [x, y + size / 2.0]];
-            obstacles.push(json!({ "type": "polygon", "vertices": corners }));
+            obstacles.push(polygon(&[
+                [x - size / 2.0, y - size / 2.0],
+                [x + size / 2.0, y - size / 2.0],
+                [x, y + size / 2.0],
+            ]));
         }
     }
+    arm_of_three(obstacles, &start, &goal)
+}
+
+/// An arm between two walls: its first link cannot pass them, so the goal below is out of reach.
+fn divided() -> Scenario {
+    let wall = |from: f64, to: f64| rectangle([from, -0.02], [to, 0.02]);
+    let stones = [[-1.5, 1.2], [-0.7, 1.6], [1.4, 1.0]].map(|[x, y]| rectangle([x, y], [x + 0.3, y + 0.3]));
+    let obstacles = [wall(-3.5, -0.2), wall(0.2, 3.5)].into_iter().chain(stones).collect();
+    arm_of_three(obstacles, &[1.0, 0.5, 0.5], &[-1.0, -0.5, -0.5])
+}
+
+/// A car and its goal on two sides of a wall.
+fn parted() -> Scenario {
+    let stones = [[0.3, 1.0], [0.8, 0.3], [0.9, 1.4]].map(|[x, y]| rectangle([x, y], [x + 0.2, y + 0.2]));
+    let obstacles: Vec<Json> = [rectangle([1.4, 0.0], [1.45, 2.0])].into_iter().chain(stones).collect();
     let document = json!({
-        "format": "planarium-scenario-1", "name": "gravel", "world": { "obstacles": obstacles },
+        "format": "planarium-scenario-1", "name": "parted",
+        "world": { "bounds": { "min": [0, 0], "max": [2, 2] }, "obstacles": obstacles },
+        "robot": {
+            "type": "car", "shape": rectangle([-0.1, -0.05], [0.1, 0.05]), "wheelbase": 0.2, "speed": [-0.5, 0.5],
+            "steering": [-0.7, 0.7], "integration_step": 0.01,
+        },
+        "queries": [{
+            "name": "across", "start": [0.25, 0.25, 0], "goal": [1.75, 1.75, 0],
+            "goal_tolerance": { "translation": 0.1, "rotation": 0.5 },
+        }],
+    });
+    Scenario::parse(&document.to_string()).expect("a scenario")
+}
+
+fn arm_of_three(obstacles: Vec<Json>, start: &[f64], goal: &[f64]) -> Scenario {
+    let document = json!({
+        "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": obstacles },
         "robot": { "type": "arm", "base": [0, 0], "links": [1, 1, 1] },
         "queries": [{ "name": "across", "start": start, "goal": goal }],
     });
-    Scenario::parse(&document.to_string()).expect("gravel is a scenario")
+    Scenario::parse(&document.to_string()).expect("a scenario")
+}
+
+fn rectangle([left, bottom]: [f64; 2], [right, top]: [f64; 2]) -> Json {
+    polygon(&[[left, bottom], [right, bottom], [right, top], [left, top]])
+}
+
+fn polygon(vertices: &[[f64; 2]]) -> Json {
+    json!({ "type": "polygon", "vertices": vertices })
 }

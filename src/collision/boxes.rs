@@ -1,29 +1,27 @@
-//! The boxes that meet a given one: four are compared at a time, in a tree if there are many.
+//! The boxes that meet a given one: eight are compared at a time, in a tree if there are many.
 //!
-//! Coordinates are stored as integers of 15 bits, four in a word with a free bit above each: so one subtraction compares
-//! four, on any machine. Scaling, rounding and clamping never exchange two numbers, so boxes that meet still meet
-//! afterwards. All boxes that meet are listed, and rarely one that is only nearly touched.
+//! Coordinates are stored as whole numbers of 15 bits in the lanes of vectors. Scaling, rounding and clamping never exchange two
+//! numbers, so boxes that meet still meet afterwards. All boxes that meet are listed, and rarely one that is only nearly
+//! touched.
 //!
-//! The tree is implicit, with four branches: boxes are ordered by splitting them again and again along the longer side of
-//! their common box; then every four neighbours make a group, the boxes around every four groups the next level's groups,
-//! and so on.
+//! The tree is implicit, with eight branches: boxes are ordered by splitting them again and again along the longer side of
+//! their common box; then every eight neighbours make a group, the boxes around every eight groups the next level's
+//! groups, and so on.
 
 use crate::geometry::Aabb;
+use wide::i16x8;
+
+/// How many boxes a group holds.
+const LANES: usize = 8;
 
 /// Levels are added until the last has this many groups or fewer, which are all examined.
-const TOP: usize = 16;
+const TOP: usize = 8;
 
-/// An upper bound on the groups that wait in a traversal of the tree: three a level, and up to 2^32 boxes.
-const STACK: usize = 48;
-
-/// The free bit of every lane.
-const FREE: u64 = 0x8000_8000_8000_8000;
-
-/// One in every lane.
-const ONES: u64 = 0x0001_0001_0001_0001;
+/// An upper bound on the groups that wait in a traversal of the tree: seven a level, and up to 2^32 boxes.
+const STACK: usize = 80;
 
 /// Coordinates lie strictly between 0 and this.
-const END: u16 = 0x7fff;
+const END: i16 = i16::MAX;
 
 /// The last of them.
 const LAST: f64 = (END - 1) as f64;
@@ -51,7 +49,7 @@ struct Grid {
 }
 
 /// A box on the grid: its least x and y, its largest x and y.
-type Cells = [u16; 4];
+type Cells = [i16; 4];
 
 impl Grid {
     /// The grid over all boxes.
@@ -66,12 +64,12 @@ impl Grid {
     }
 
     #[inline(always)]
-    fn cell(&self, x: f64, axis: usize) -> u16 {
+    fn cell(&self, x: f64, axis: usize) -> i16 {
         let cell = (x - self.origin[axis]) * self.scale + 2.0;
         let cell = if cell > 1.0 { cell } else { 1.0 };
         let cell = if cell < LAST { cell } else { LAST };
         // The lowest bits of the sum are the number rounded to a whole one: no conversion is as cheap.
-        (cell + ROUNDING).to_bits() as u16
+        (cell + ROUNDING).to_bits() as i16
     }
 
     #[inline(always)]
@@ -81,41 +79,40 @@ impl Grid {
     }
 }
 
-/// Four boxes, side by side: least x and y, largest x and y with the free bits set.
+/// Eight boxes, side by side: least x and y, largest x and y.
 #[derive(Debug, Clone, Copy)]
-struct Group([u64; 4]);
+struct Group([i16x8; 4]);
 
 impl Group {
-    /// A group of up to four boxes; the other lanes meet nothing.
+    /// A group of up to eight boxes; the other lanes meet nothing.
     fn new(boxes: &[Cells]) -> Self {
-        let mut words = [0; 4];
-        for lane in 0..4 {
-            let cells = boxes.get(lane).unwrap_or(&[END, END, 0, 0]);
-            for (word, &cell) in words.iter_mut().zip(cells) {
-                *word |= u64::from(cell) << (16 * lane);
+        let mut rows = [[END; LANES], [END; LANES], [0; LANES], [0; LANES]];
+        for (lane, cells) in boxes.iter().enumerate() {
+            for (row, &cell) in rows.iter_mut().zip(cells) {
+                row[lane] = cell;
             }
         }
-        let [min_x, min_y, max_x, max_y] = words;
-        Self([min_x, min_y, max_x | FREE, max_y | FREE])
+        Self(rows.map(i16x8::new))
     }
 
-    /// Which of the four meet the box: the free bits of their lanes.
+    /// Which of the eight meet the box, the first in the lowest bit.
     #[inline(always)]
     fn meeting(&self, near: &Near) -> u64 {
         let [min_x, min_y, max_x, max_y] = self.0;
-        // A free bit stays set if nothing was borrowed from it.
-        (near.0[2] - min_x) & (near.0[3] - min_y) & (max_x - near.0[0]) & (max_y - near.0[1]) & FREE
+        let [near_min_x, near_min_y, near_max_x, near_max_y] = near.0;
+        let beside = min_x.simd_gt(near_max_x) | near_min_x.simd_gt(max_x);
+        let above = min_y.simd_gt(near_max_y) | near_min_y.simd_gt(max_y);
+        u64::from((!(beside | above)).to_bitmask())
     }
 }
 
-/// The box of a query, once in every lane: least x and y, largest x and y with the free bits set.
-struct Near([u64; 4]);
+/// The box of a query, once in every lane: least x and y, largest x and y.
+struct Near([i16x8; 4]);
 
 impl Near {
     #[inline(always)]
     fn new([min_x, min_y, max_x, max_y]: Cells) -> Self {
-        let lanes = |cell: u16| u64::from(cell) * ONES;
-        Self([lanes(min_x), lanes(min_y), lanes(max_x) | FREE, lanes(max_y) | FREE])
+        Self([i16x8::splat(min_x), i16x8::splat(min_y), i16x8::splat(max_x), i16x8::splat(max_y)])
     }
 }
 
@@ -123,19 +120,19 @@ impl Boxes {
     /// Prepares the boxes. O(n log n).
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
-        if boxes.len() > 4 * TOP {
+        if boxes.len() > LANES * TOP {
             arrange(&mut order, boxes);
         }
         let grid = Grid::new(boxes);
         let mut around: Vec<Cells> = order.iter().map(|&i| grid.cells(&boxes[i as usize])).collect();
-        let mut groups: Vec<Group> = around.chunks(4).map(Group::new).collect();
+        let mut groups: Vec<Group> = around.chunks(LANES).map(Group::new).collect();
         let mut levels = vec![0];
         let mut first = 0;
         while groups.len() - first > TOP {
-            around = around.chunks(4).map(union).collect();
+            around = around.chunks(LANES).map(union).collect();
             first = groups.len();
             levels.push(first);
-            groups.extend(around.chunks(4).map(Group::new));
+            groups.extend(around.chunks(LANES).map(Group::new));
         }
         Self { grid, groups, levels, order }
     }
@@ -148,14 +145,13 @@ impl Boxes {
         if self.levels.len() > 1 {
             return self.any_below(&near, &mut visit);
         }
-        // At most 16 groups: their bits fit side by side, and the end of only one loop is hard to predict.
+        // The bits of all groups fit side by side, and the end of only one loop is hard to predict.
         let mut bits = 0;
         for (i, group) in self.groups.iter().enumerate() {
-            bits |= group.meeting(&near) >> (15 - i);
+            bits |= group.meeting(&near) << (LANES * i);
         }
         while bits != 0 {
-            let at = bits.trailing_zeros() as usize;
-            if visit(4 * (at % 16) + at / 16) {
+            if visit(bits.trailing_zeros() as usize) {
                 return true;
             }
             bits &= bits - 1;
@@ -176,7 +172,7 @@ impl Boxes {
                 let (level, at) = stack[waiting];
                 let mut bits = self.groups[at].meeting(near);
                 while bits != 0 {
-                    let below = 4 * (at - self.levels[level]) + (bits.trailing_zeros() / 16) as usize;
+                    let below = LANES * (at - self.levels[level]) + bits.trailing_zeros() as usize;
                     bits &= bits - 1;
                     if level > 0 {
                         stack[waiting] = (level - 1, self.levels[level - 1] + below);
@@ -191,17 +187,17 @@ impl Boxes {
     }
 }
 
-/// The box around up to four.
+/// The box around up to eight.
 fn union(boxes: &[Cells]) -> Cells {
-    let least = |k: usize| boxes.iter().map(|cells| cells[k]).fold(END, u16::min);
-    let most = |k: usize| boxes.iter().map(|cells| cells[k]).fold(0, u16::max);
+    let least = |k: usize| boxes.iter().map(|cells| cells[k]).fold(END, i16::min);
+    let most = |k: usize| boxes.iter().map(|cells| cells[k]).fold(0, i16::max);
     [least(0), least(1), most(2), most(3)]
 }
 
 /// Orders the boxes so that neighbours are adjacent: the halves along the longer side of the box around all middles, each
-/// ordered likewise. The first half is four times a power of two, so that groups of groups are compact too.
+/// ordered likewise. The first half is eight times a power of two, so that groups of groups are compact too.
 fn arrange(order: &mut [u32], boxes: &[Aabb]) {
-    if order.len() <= 4 {
+    if order.len() <= LANES {
         order.sort_unstable();
         return;
     }

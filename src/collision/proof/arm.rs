@@ -49,11 +49,13 @@ impl<const N: usize> UnitVectors<N> {
     #[inline(always)]
     fn new(count: usize, of: impl Fn(usize) -> Plane<Halves>) -> Self {
         let mut units = Self::ZERO;
-        for i in (0..count).step_by(2) {
+        let mut i = 0;
+        while i < count {
             let e = of(i);
             let end = if N.is_multiple_of(2) { i + 2 } else { N.min(i + 2) };
             units.x[i..end].copy_from_slice(&e.x.to_array()[..end - i]);
             units.y[i..end].copy_from_slice(&e.y.to_array()[..end - i]);
+            i += 2;
         }
         units
     }

@@ -238,7 +238,8 @@ impl<M: Moving> Proof<'_, M> {
         let scene = self.scene;
         let parts = self.prover.moving.parts();
         self.prover.moving.place(whole, parts);
-        for part in 0..parts {
+        // The last first: it moves farthest.
+        for part in (0..parts).rev() {
             let swept = self.prover.moving.swept_box(part);
             if scene.obstacles.any_near(&swept, |obstacle| self.test(whole, part, obstacle, NO_HINT))
                 || (scene.bounds.is_some() && self.test_bounds(whole, part, &swept))
@@ -253,8 +254,8 @@ impl<M: Moving> Proof<'_, M> {
     fn test_open(&mut self, interval: &Interval<M::State>) {
         (self.open, self.refused) = (0, 0);
         let (first, end) = interval.pairs;
-        // Pairs are listed by part: the last has the last part.
-        let parts = self.prover.pairs[end - 1].part as usize + 1;
+        // Pairs are listed by part, the last first.
+        let parts = self.prover.pairs[first].part as usize + 1;
         self.prover.moving.place(interval, parts);
         for at in first..end {
             let Pair { part, obstacle, hints } = self.prover.pairs[at];

@@ -119,7 +119,7 @@ impl<const N: usize> MovingArm<N> {
             fastest: 0.0,
             turns: [UnitVectors::ZERO; SQUARED],
             finer_turns: Vec::new(),
-            joints: [MovingPoint::at_rest(Plane::ZERO); MAX_LINKS + 1],
+            joints: [MovingPoint::at_rest(Plane::splat(arm.base().coords)); MAX_LINKS + 1],
             along: [Plane::ZERO; N],
             half: 0.0,
         }
@@ -190,7 +190,6 @@ impl<const N: usize> MovingArm<N> {
     pub fn rest(&mut self, q: &[f64; N]) {
         let along = self.directions(q);
         (self.half, self.fastest) = (0.0, 0.0);
-        self.joints[0] = MovingPoint::at_rest(Plane::splat(self.base.coords));
         for i in 0..self.links {
             self.along[i] = Plane { x: Halves::splat(along.x[i]), y: Halves::splat(along.y[i]) };
             let link = self.along[i] * Halves::splat(self.lengths[i]);
@@ -226,7 +225,7 @@ impl<const N: usize> Moving for MovingArm<N> {
     }
 
     #[inline(always)]
-    fn place(&mut self, interval: &Interval<UnitVectors<N>>, parts: usize) {
+    fn place(&mut self, interval: &Interval, state: &UnitVectors<N>, parts: usize) {
         let h = 0.5 * interval.half;
         let turns = match interval.level.checked_sub(SQUARED) {
             None => &self.turns[interval.level],
@@ -239,23 +238,21 @@ impl<const N: usize> Moving for MovingArm<N> {
         };
         self.half = h;
         let sixth = h * h * h / 6.0;
-        let mut joint = MovingPoint::at_rest(Plane::splat(self.base.coords));
-        self.joints[0] = joint;
+        // The base does not move.
+        let (mut position, mut velocity, mut acceleration) = (self.joints[0].position, Plane::ZERO, Plane::ZERO);
         for i in 0..parts {
             // The front half is behind the middle of the interval, the other before it.
             let turn = Plane { x: Halves::splat(turns.x[i]), y: Halves::new([-turns.y[i], turns.y[i]]) };
-            let middle = Plane { x: Halves::splat(interval.state.x[i]), y: Halves::splat(interval.state.y[i]) };
+            let middle = Plane { x: Halves::splat(state.x[i]), y: Halves::splat(state.y[i]) };
             self.along[i] = middle.rotated(turn);
             let link = self.along[i] * Halves::splat(self.lengths[i]);
             let rate = h * self.rates[i];
             let swing = link * Halves::splat(rate);
-            joint = MovingPoint {
-                position: joint.position + link,
-                velocity: joint.velocity + swing.left(),
-                acceleration: joint.acceleration + swing * Halves::splat(0.25 * rate),
-                remainder: sixth * self.third[i],
-            };
-            self.joints[i + 1] = joint;
+            position = position + link;
+            velocity = velocity + swing.left();
+            acceleration = acceleration + swing * Halves::splat(0.25 * rate);
+            let remainder = sixth * self.third[i];
+            self.joints[i + 1] = MovingPoint { position, velocity, acceleration, remainder };
         }
     }
 

@@ -108,7 +108,7 @@ impl Moving for MovingBody {
     }
 
     #[inline(always)]
-    fn place(&mut self, interval: &Interval<()>, parts: usize) {
+    fn place(&mut self, interval: &Interval, (): &(), parts: usize) {
         self.half = 0.5 * interval.half;
         let middles = Halves::new([interval.middle - self.half, interval.middle + self.half]);
         self.set(self.bound.middle(middles, self.half), parts);

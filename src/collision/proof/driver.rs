@@ -51,8 +51,8 @@ pub(in crate::collision) trait Moving {
     /// The number of parts.
     fn parts(&self) -> usize;
 
-    /// Places the first `parts` parts in the middles of both halves of the interval.
-    fn place(&mut self, interval: &Interval<Self::State>, parts: usize);
+    /// Places the first `parts` parts in the middles of both halves of the interval; `state` is that in its middle.
+    fn place(&mut self, interval: &Interval, state: &Self::State, parts: usize);
 
     /// The state in the middle of a half, as far as parts have been placed.
     fn state(&self, half: usize) -> Self::State;
@@ -76,14 +76,12 @@ pub(in crate::collision) trait Moving {
 
 /// An interval of the motion, whose halves are to be tested.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::collision) struct Interval<S> {
+pub(in crate::collision) struct Interval {
     /// Its middle and half its length, as fractions of the motion.
     pub middle: f64,
     pub half: f64,
     /// The number of halvings that led to it.
     pub level: usize,
-    /// The state in its middle.
-    pub state: S,
     /// The range of the pairs among which are those open on it, and which half of their interval it is.
     pairs: (usize, usize),
     is_half: usize,
@@ -113,7 +111,9 @@ pub(in crate::collision) enum Order {
 pub(in crate::collision) struct Prover<M: Moving> {
     pub moving: M,
     pairs: Vec<Pair>,
-    intervals: Vec<Interval<M::State>>,
+    /// Intervals that were added, and the states in their middles.
+    intervals: Vec<Interval>,
+    states: Vec<M::State>,
     /// Pairs of a part and an obstacle evaluated so far.
     pub evaluations: u64,
     /// Motions refused because their budget was spent.
@@ -122,7 +122,7 @@ pub(in crate::collision) struct Prover<M: Moving> {
 
 impl<M: Moving> Prover<M> {
     pub fn new(moving: M) -> Self {
-        Self { moving, pairs: Vec::new(), intervals: Vec::new(), evaluations: 0, unproven: 0 }
+        Self { moving, pairs: Vec::new(), intervals: Vec::new(), states: Vec::new(), evaluations: 0, unproven: 0 }
     }
 
     /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
@@ -133,9 +133,10 @@ impl<M: Moving> Prover<M> {
     pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
         self.pairs.clear();
         self.intervals.clear();
+        self.states.clear();
         let mut proof = Proof { scene, order, searches: false, open: 0, refused: 0, prover: self };
-        let whole = Interval { middle: 0.5, half: 0.5, level: 0, state, pairs: (0, 0), is_half: 0, is_refused: false };
-        proof.test_all(&whole);
+        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), is_half: 0, is_refused: false };
+        proof.test_all(&whole, &state);
         if let Some(hit) = proof.continue_with_halves(&whole, 0) {
             return Some(hit);
         }
@@ -143,17 +144,10 @@ impl<M: Moving> Prover<M> {
         let (mut tests, mut budget) = (0, CLOSE_TESTS);
         let mut next = 0;
         while next < proof.prover.intervals.len() {
+            // The front is last; and if there are too many open intervals, the last one is taken first.
             let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
-            let interval = if is_last {
-                // The front is last; and if there are too many open intervals, the last one is taken first. Pairs listed
-                // after its own belong to intervals already done.
-                let last = proof.prover.intervals.pop().expect("some are left");
-                proof.prover.pairs.truncate(last.pairs.1);
-                last
-            } else {
-                next += 1;
-                proof.prover.intervals[next - 1]
-            };
+            let at = if is_last { proof.prover.intervals.len() - 1 } else { next };
+            let interval = proof.prover.intervals[at];
             if interval.is_refused {
                 return Some(interval.middle - interval.half);
             }
@@ -165,6 +159,15 @@ impl<M: Moving> Prover<M> {
                     proof.prover.unproven += 1;
                     return Some(interval.middle - interval.half);
                 }
+            }
+            proof.place(&interval, at);
+            if is_last {
+                // Pairs listed after its own belong to intervals already done.
+                proof.prover.intervals.truncate(at);
+                proof.prover.states.truncate(at);
+                proof.prover.pairs.truncate(interval.pairs.1);
+            } else {
+                next += 1;
             }
             let first = proof.prover.pairs.len();
             proof.test_open(&interval);
@@ -234,10 +237,10 @@ struct Proof<'a, M: Moving> {
 impl<M: Moving> Proof<'_, M> {
     /// Tests every part against everything near its swept box; lists what stays open.
     #[inline(always)]
-    fn test_all(&mut self, whole: &Interval<M::State>) {
+    fn test_all(&mut self, whole: &Interval, state: &M::State) {
         let scene = self.scene;
         let parts = self.prover.moving.parts();
-        self.prover.moving.place(whole, parts);
+        self.prover.moving.place(whole, state, parts);
         // The last first: it moves farthest.
         for part in (0..parts).rev() {
             let swept = self.prover.moving.swept_box(part);
@@ -249,14 +252,19 @@ impl<M: Moving> Proof<'_, M> {
         }
     }
 
-    /// Tests the pairs still open; lists again what stays so.
+    /// Places the parts of the pairs open on an interval, which is that with the given index.
     #[inline(always)]
-    fn test_open(&mut self, interval: &Interval<M::State>) {
+    fn place(&mut self, interval: &Interval, at: usize) {
+        let Prover { moving, states, pairs, .. } = &mut *self.prover;
+        // Pairs are listed by part, the last first.
+        moving.place(interval, &states[at], pairs[interval.pairs.0].part as usize + 1);
+    }
+
+    /// Tests the pairs still open on an interval that has been placed; lists again what stays so.
+    #[inline(always)]
+    fn test_open(&mut self, interval: &Interval) {
         (self.open, self.refused) = (0, 0);
         let (first, end) = interval.pairs;
-        // Pairs are listed by part, the last first.
-        let parts = self.prover.pairs[first].part as usize + 1;
-        self.prover.moving.place(interval, parts);
         for at in first..end {
             let Pair { part, obstacle, hints } = self.prover.pairs[at];
             let (part, hint) = (part as usize, hints[interval.is_half]);
@@ -277,7 +285,7 @@ impl<M: Moving> Proof<'_, M> {
     /// After the test of an interval: the start of the first part of it that is refused, if that is known; else adds the halves
     /// that need to be halved, with the pairs from `first` on.
     #[inline(always)]
-    fn continue_with_halves(&mut self, interval: &Interval<M::State>, first: usize) -> Option<f64> {
+    fn continue_with_halves(&mut self, interval: &Interval, first: usize) -> Option<f64> {
         let (half, level) = (interval.half / 2.0, interval.level + 1);
         if self.refused != 0 && (self.order == Order::MiddleFirst || self.refused & 1 != 0) {
             return Some(if self.refused & 1 != 0 { interval.middle - interval.half } else { interval.middle });
@@ -287,8 +295,8 @@ impl<M: Moving> Proof<'_, M> {
             let is_refused = self.refused >> is_half & 1 != 0;
             if is_refused || self.open >> is_half & 1 != 0 {
                 let middle = if is_half == 0 { interval.middle - half } else { interval.middle + half };
-                let state = self.prover.moving.state(is_half);
-                self.prover.intervals.push(Interval { middle, half, level, state, pairs, is_half, is_refused });
+                self.prover.intervals.push(Interval { middle, half, level, pairs, is_half, is_refused });
+                self.prover.states.push(self.prover.moving.state(is_half));
             }
         };
         if self.order == Order::FrontFirst {
@@ -304,7 +312,7 @@ impl<M: Moving> Proof<'_, M> {
     /// Tests a part and an obstacle; lists them if they stay open. Returns whether no more tests of the interval are needed,
     /// as it is refused.
     #[inline(always)]
-    fn test(&mut self, interval: &Interval<M::State>, part: usize, obstacle: usize, hint: u32) -> bool {
+    fn test(&mut self, interval: &Interval, part: usize, obstacle: usize, hint: u32) -> bool {
         self.prover.evaluations += 2;
         let bound = 0.5 * self.prover.moving.travel(part) * interval.half;
         let is_close = bound < self.scene.tolerance.tau;
@@ -358,7 +366,7 @@ impl<M: Moving> Proof<'_, M> {
     /// Whether the part stays within the bounds of the world, contact allowed; lists it if that is open. Returns whether no
     /// more tests of the interval are needed.
     #[inline(always)]
-    fn test_bounds(&mut self, interval: &Interval<M::State>, part: usize, swept: &Aabb) -> bool {
+    fn test_bounds(&mut self, interval: &Interval, part: usize, swept: &Aabb) -> bool {
         let bounds = self.scene.bounds.as_ref().expect("a pair with the bounds exists only where there are bounds");
         let Tolerance { eta, bounds_tau, .. } = self.scene.tolerance;
         // A swept box holds one slack; contact may exceed the bounds by one.

@@ -58,7 +58,7 @@ fn crossovers<const N: usize>() {
             let states: Vec<_> = (0..n).map(|_| space.sample(&mut random)).collect();
             let (linear, _) = build(LinearScan::default(), &space, &states);
             let (tree, _) = build(KdTree::default(), &space, &states);
-            let is_faster = time(&tree, &space, &asked, k) < time(&linear, &space, &asked, k);
+            let is_faster = time(&tree, &space, &states, &asked, k) < time(&linear, &space, &states, &asked, k);
             wins = if is_faster { wins + 1 } else { 0 };
             from = if wins == 1 { n } else { from };
             n += n / 4;
@@ -80,14 +80,14 @@ fn rows<const N: usize>() {
         let (index, _) = build(Index::default(), &space, &states);
         let (forest, planted) = build(Forest::new(ForestParameters::default(), key), &space, &states);
         for k in [1, 10, 30] {
-            let scan = time(&linear, &space, &asked[..(10_000_000 / n).min(1000)], k);
-            let search = time(&tree, &space, &asked, k);
-            let either = time(&index, &space, &asked, k);
-            let guess = time(&forest, &space, &asked[..200], k);
+            let scan = time(&linear, &space, &states, &asked[..(10_000_000 / n).min(1000)], k);
+            let search = time(&tree, &space, &states, &asked, k);
+            let either = time(&index, &space, &states, &asked, k);
+            let guess = time(&forest, &space, &states, &asked[..200], k);
             let (mut found, mut exact, mut part) = (Vec::new(), Vec::new(), 0.0);
             for from in &asked[..200] {
-                forest.k_nearest(&space, from, k, &mut found);
-                tree.k_nearest(&space, from, k, &mut exact);
+                forest.k_nearest(&space, &states, from, k, &mut found);
+                tree.k_nearest(&space, &states, from, k, &mut exact);
                 part += recall(&found, &exact) / 200.0;
             }
             print!("| {N} | {n} | {k} | {scan:.2} | {search:.2} | {either:.2} ");
@@ -98,21 +98,21 @@ fn rows<const N: usize>() {
 
 fn build<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) -> (I, f64) {
     let began = Instant::now();
-    for (i, &state) in states.iter().enumerate() {
+    for (i, state) in states.iter().enumerate() {
         index.insert(space, VertexId(i as u32), state);
     }
     (index, began.elapsed().as_secs_f64() * 1e3)
 }
 
 /// Microseconds per query: the median over short runs, of which another process disturbs only some.
-fn time<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
+fn time<S: Space>(index: &impl Nearest<S>, space: &S, states: &[S::State], asked: &[S::State], k: usize) -> f64 {
     let mut found: Vec<Neighbour> = Vec::new();
     let mut times = Vec::new();
     for _ in 0..5 {
         for some in asked.chunks(40) {
             let began = Instant::now();
             for state in some {
-                index.k_nearest(space, state, k, &mut found);
+                index.k_nearest(space, states, state, k, &mut found);
                 black_box(&found);
             }
             times.push(began.elapsed().as_secs_f64() * 1e6 / some.len() as f64);

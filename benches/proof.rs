@@ -101,11 +101,11 @@ fn edges(space: &ProductSpace<4>, validity: &ArmValidity<4>, samples: usize, see
     let draws = (0..1_000_000).map(|_| space.sample(&mut random));
     let states: Vec<_> = draws.filter(|state| validity.is_free(state)).take(samples).collect();
     let mut index = LinearScan::default();
-    states.iter().enumerate().for_each(|(i, &state)| index.insert(space, VertexId(i as u32), state));
+    states.iter().enumerate().for_each(|(i, state)| index.insert(space, VertexId(i as u32), state));
     let (mut near, mut tried, mut edges) = (Vec::new(), BTreeSet::new(), Vec::new());
     for (i, a) in states.iter().enumerate() {
         // The nearest is the vertex itself.
-        index.k_nearest(space, a, K + 1, &mut near);
+        index.k_nearest(space, &states, a, K + 1, &mut near);
         for j in near.iter().map(|neighbour| neighbour.vertex.0 as usize).filter(|&j| j != i) {
             if tried.insert((i.min(j), i.max(j))) {
                 edges.push((*a, states[j]));

@@ -16,6 +16,13 @@ fn number(i: usize) -> VertexId {
     VertexId(3 * i as u32 + 1)
 }
 
+/// The states by their numbers, as queries take them; those that are no one's number are the first state.
+fn numbered<T: Copy>(states: &[T]) -> Vec<T> {
+    let mut all = vec![states[0]; 3 * states.len()];
+    states.iter().enumerate().for_each(|(i, &state)| all[number(i).index()] = state);
+    all
+}
+
 /// The definition: the distances of motions between a state and all states, sorted, ties by number.
 fn truth<S: Space>(space: &S, direction: Direction, states: &[S::State], from: &S::State) -> Vec<Neighbour> {
     let distance = |state: &S::State| match direction {
@@ -34,11 +41,18 @@ fn same(found: &[Neighbour], expected: &[Neighbour], what: &dyn Fn() -> String) 
 }
 
 /// Checks all queries of an index against the sorted distances to all states.
-fn check<S: Space>(name: &str, index: &impl Nearest<S>, space: &S, from: &S::State, truth: &[Neighbour]) {
+fn check<S: Space>(
+    name: &str,
+    index: &impl Nearest<S>,
+    space: &S,
+    states: &[S::State],
+    from: &S::State,
+    truth: &[Neighbour],
+) {
     assert_eq!((index.len(), index.is_empty()), (truth.len(), false), "{name}");
-    let k_nearest = |k, found: &mut _| index.k_nearest(space, from, k, found);
-    let within = |radius, found: &mut _| index.within(space, from, radius, found);
-    check_queries(name, index.nearest(space, from), k_nearest, within, truth);
+    let k_nearest = |k, found: &mut _| index.k_nearest(space, states, from, k, found);
+    let within = |radius, found: &mut _| index.within(space, states, from, radius, found);
+    check_queries(name, index.nearest(space, states, from), k_nearest, within, truth);
 }
 
 /// Checks the nearest, and the queries for the `k` nearest and for those within a radius.
@@ -67,7 +81,7 @@ fn check_queries(
 
 /// An index of the states.
 fn grown<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) -> I {
-    states.iter().enumerate().for_each(|(i, &state)| index.insert(space, number(i), state));
+    states.iter().enumerate().for_each(|(i, state)| index.insert(space, number(i), state));
     index
 }
 
@@ -75,20 +89,21 @@ fn grown<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) 
 fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::State]) {
     let (mut linear, mut tree, mut index) = (LinearScan::default(), KdTree::default(), Index::default());
     let (mut one, mut other) = (Vec::new(), Vec::new());
-    for (i, &state) in states.iter().enumerate() {
+    let numbered = numbered(states);
+    for (i, state) in states.iter().enumerate() {
         linear.insert(space, number(i), state);
         tree.insert(space, number(i), state);
         index.insert(space, number(i), state);
         let (n, from) = (i + 1, &asked[i % asked.len()]);
-        linear.k_nearest(space, from, 1 + i % 12, &mut one);
-        tree.k_nearest(space, from, 1 + i % 12, &mut other);
+        linear.k_nearest(space, &numbered, from, 1 + i % 12, &mut one);
+        tree.k_nearest(space, &numbered, from, 1 + i % 12, &mut other);
         same(&other, &one, &|| format!("{name} after {n}"));
         let is_last = n == states.len();
         for from in asked.iter().take(if is_last { asked.len() } else { usize::from(n.is_power_of_two()) }) {
             let expected = truth(space, Direction::In, &states[..n], from);
-            check(&format!("scan, {name}"), &linear, space, from, &expected);
-            check(&format!("kd-tree, {name}"), &tree, space, from, &expected);
-            check(&format!("index, {name}"), &index, space, from, &expected);
+            check(&format!("scan, {name}"), &linear, space, &numbered, from, &expected);
+            check(&format!("kd-tree, {name}"), &tree, space, &numbered, from, &expected);
+            check(&format!("index, {name}"), &index, space, &numbered, from, &expected);
         }
     }
 }
@@ -98,7 +113,7 @@ fn samples<S: Space>(space: &S, seed: u64, n: usize) -> Vec<S::State> {
     (0..n).map(|_| space.sample(&mut random)).collect()
 }
 
-/// Sets of n states: anywhere, about a few centres, on a coarse grid where most distances are ties, one of a few, all equal,
+/// Sets of n states: anywhere, about a few centres, too close to each other for single precision, on a coarse grid where most distances are ties, one of a few, all equal,
 /// at the seam and the limits or a few steps of rounding from them, in increasing and decreasing order, and on a spiral that
 /// closes in, so that every new state lies in the smallest box.
 fn sets(space: &Wide, random: &mut Random, n: usize) -> Vec<(&'static str, Vec<[f64; 8]>)> {
@@ -120,6 +135,7 @@ fn sets(space: &Wide, random: &mut Random, n: usize) -> Vec<(&'static str, Vec<[
     vec![
         ("uniform", uniform),
         ("clusters", set(&|random, x, [low, high]| (x + 0.02 * (high - low) * random.normal()).clamp(low, high))),
+        ("dense", set(&|random, x, [low, high]| (x + 1e-9 * random.normal()).clamp(low, high))),
         ("grid", set(&|random, _, [low, high]| low + (high - low) * random.below(5) as f64 / 4.0)),
         ("few", set(&|_, x, _| x)),
         (
@@ -165,6 +181,13 @@ fn planes_and_placements() -> Vec<(String, Wide)> {
     let mut random = Random::new(1, Stream::Scenario);
     let mut power = |most: f64| libm::pow(10.0, most * (2.0 * random.uniform() - 1.0));
     let mut spaces = vec![("slab".to_owned(), Wide::of_box(&[0.0, 0.0, -1e6], &[1.0, 1e-3, 1e6]))];
+    // Far from the origin, and beyond the range of single precision.
+    spaces.push(("far".to_owned(), Wide::of_box(&[1e6, -1e6], &[1e6 + 1.0, -1e6 + 1e-3])));
+    spaces.push(("huge".to_owned(), Wide::of_box(&[-1e60, 0.0], &[1e60, 1e30])));
+    for [translation, rotation] in [[1e-50, 1e-48], [1e45, 1e44]] {
+        let space = Wide::of_placements([0.0, -1.0], [2.0, 3.0], translation, rotation);
+        spaces.push((format!("placements, {translation} and {rotation}"), space));
+    }
     for _ in 0..5 {
         let [width, height] = [power(3.0), power(3.0)];
         spaces.push((format!("plane {width} by {height}"), Wide::of_box(&[-width, 0.0], &[width, height])));
@@ -207,17 +230,19 @@ fn a_hundred_thousand_states_of_any_kind() {
     let mut spaces = planes_and_placements().split_off(20);
     spaces.extend([2, 4, 8].into_iter().flat_map(|joints| arms_of(joints).into_iter().step_by(4)));
     for (seed, (name, space)) in (4000..).zip(&spaces) {
-        for (kind, states) in sets(space, &mut Random::new(seed, Stream::Samples), cases(100_000)).drain(..4) {
+        for (kind, states) in sets(space, &mut Random::new(seed, Stream::Samples), cases(100_000)).drain(..5) {
             let scan = grown(LinearScan::default(), space, &states);
             let tree = grown(KdTree::default(), space, &states);
             let index = grown(Index::default(), space, &states);
-            let (mut one, mut other) = (Vec::new(), Vec::new());
+            let (numbered, mut found) = (numbered(&states), Vec::new());
             for (from, k) in samples(space, seed, 3).iter().zip([1, 10, 100]) {
-                scan.k_nearest(space, from, k, &mut one);
-                tree.k_nearest(space, from, k, &mut other);
-                same(&other, &one, &|| format!("tree, {name}, {kind}: {k}"));
-                index.k_nearest(space, from, k, &mut other);
-                same(&other, &one, &|| format!("index, {name}, {kind}: {k}"));
+                let expected = &truth(space, Direction::In, &states, from)[..k];
+                scan.k_nearest(space, &numbered, from, k, &mut found);
+                same(&found, expected, &|| format!("scan, {name}, {kind}: {k}"));
+                tree.k_nearest(space, &numbered, from, k, &mut found);
+                same(&found, expected, &|| format!("tree, {name}, {kind}: {k}"));
+                index.k_nearest(space, &numbered, from, k, &mut found);
+                same(&found, expected, &|| format!("index, {name}, {kind}: {k}"));
             }
         }
     }
@@ -229,11 +254,11 @@ fn an_empty_index_has_no_neighbours() {
         let from = space.state(&[1.0; 8]);
         let mut found = vec![Neighbour { distance: 1.0, vertex: VertexId(1) }];
         assert!(index.is_empty());
-        assert_eq!(index.nearest(space, &from), None);
-        index.k_nearest(space, &from, 3, &mut found);
+        assert_eq!(index.nearest(space, &[], &from), None);
+        index.k_nearest(space, &[], &from, 3, &mut found);
         assert!(found.is_empty(), "what the list held before is gone");
-        index.k_nearest(space, &from, 0, &mut found);
-        index.within(space, &from, 10.0, &mut found);
+        index.k_nearest(space, &[], &from, 0, &mut found);
+        index.within(space, &[], &from, 10.0, &mut found);
         assert!(found.is_empty());
     }
     for (_, space) in arms_of(3).into_iter().chain(planes_and_placements()) {
@@ -248,22 +273,23 @@ fn an_empty_index_has_no_neighbours() {
 fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters: ForestParameters) -> f64 {
     let states = samples(space, seed, n);
     let forest = grown(Forest::new(parameters, Random::new(seed, Stream::Projections).bits()), space, &states);
-    assert_eq!(forest.len(), n);
+    assert_eq!(Nearest::<S>::len(&forest), n);
+    let numbered = numbered(&states);
     let asked = samples(space, seed + 1, cases(40));
     let parts = asked.iter().map(|from| {
         let exact = truth(space, Direction::In, &states, from);
         let mut found = Vec::new();
-        forest.k_nearest(space, from, k, &mut found);
+        forest.k_nearest(space, &numbered, from, k, &mut found);
         assert_eq!(found.len(), k.min(n), "as many as asked for, if not all the nearest");
         for (i, neighbour) in found.iter().enumerate() {
             let distance = space.distance(from, &states[neighbour.vertex.index() / 3]);
             assert_eq!(neighbour.distance.to_bits(), distance.to_bits(), "its distance is true");
             assert!(i == 0 || found[i - 1].is_before(neighbour), "nearest first, none twice");
         }
-        assert_eq!(forest.nearest(space, from).is_some(), n > 0);
+        assert_eq!(forest.nearest(space, &numbered, from).is_some(), n > 0);
         let radius = found[k / 2].distance;
         let (first, mut inside) = (found[..=k / 2].to_vec(), Vec::new());
-        forest.within(space, from, radius, &mut inside);
+        forest.within(space, &numbered, from, radius, &mut inside);
         same(&inside, &first, &|| "within a radius are those of the k nearest that are".to_owned());
         recall(&found, &exact[..k.min(n)])
     });
@@ -306,7 +332,7 @@ fn a_forest_stays_flat_whatever_order_states_come_in() {
         assert!(forest.depth() as f64 <= most, "{what}: {} of {most}", forest.depth());
         // All of them are still there.
         let (from, mut found) = (space.state(&[0.3, 0.4]), Vec::new());
-        assert_eq!(forest.k_nearest(&space, &from, n, &mut found), n, "{what}");
+        assert_eq!(forest.k_nearest(&space, &numbered(&states), &from, n, &mut found), n, "{what}");
         same(&found, &truth(&space, Direction::In, &states, &from), &|| what.to_owned());
     }
 }
@@ -318,7 +344,7 @@ fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
     let state = space.state(&[1.0, 2.0, 3.0, -3.0]);
     let equal = grown(Forest::new(parameters, 5), &space, &[state; 200]);
     let mut found = Vec::new();
-    equal.k_nearest(&space, &state, 70, &mut found);
+    equal.k_nearest(&space, &[state; 600], &state, 70, &mut found);
     assert!(found.len() == 70 && found.iter().all(|neighbour| neighbour.distance == 0.0));
 
     let states = samples(&space, 24, 2000);
@@ -327,7 +353,7 @@ fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
         let mut all = Vec::new();
         for from in samples(&space, 25, 20) {
             let mut found = Vec::new();
-            forest.k_nearest(&space, &from, 30, &mut found);
+            forest.k_nearest(&space, &numbered(&states), &from, 30, &mut found);
             all.extend(found);
         }
         all
@@ -376,7 +402,7 @@ fn no_gap_is_less_than_the_gap_to_an_interval_around_it() {
         in_order.sort_by(f64::total_cmp);
         let [low, x, high] = in_order;
         for period in [TAU, f64::INFINITY] {
-            let bound = gap_to_interval(a, low, high, period);
+            let bound = gap_to_interval(low - a, a - high, period);
             assert!(bound <= gap(a, x, period), "{a} from [{low}, {high}] and {x}");
             let is_inside = low <= a && a <= high;
             assert_eq!(bound == 0.0, is_inside || gap(a, low, period) * gap(a, high, period) == 0.0);
@@ -397,21 +423,29 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
         let sets = [samples(&space, 21, 1500), lattice, (0..300).map(|i| few[i * i % 4]).collect(), few.clone()];
         for states in &sets {
             let index = grown(Index::default(), &space, states);
+            let numbered = numbered(states);
             let mut asked = samples(&space, 22, cases(20));
             asked.extend(states.iter().step_by(states.len().div_ceil(4)));
             for from in &asked {
                 for direction in [Direction::In, Direction::Out] {
                     let truth = truth(&space, direction, states, from);
                     let name = format!("{steering:?} {direction:?}");
-                    let k_nearest = |k, found: &mut _| index.k_nearest_by(&space, direction, from, k, found);
-                    let within = |radius, found: &mut _| index.within_by(&space, direction, from, radius, found);
-                    check_queries(&name, index.nearest_by(&space, direction, from), k_nearest, within, &truth);
+                    let k_nearest = |k, found: &mut _| index.k_nearest_by(&space, &numbered, direction, from, k, found);
+                    let within =
+                        |radius, found: &mut _| index.within_by(&space, &numbered, direction, from, radius, found);
+                    check_queries(
+                        &name,
+                        index.nearest_by(&space, &numbered, direction, from),
+                        k_nearest,
+                        within,
+                        &truth,
+                    );
                     if direction == Direction::In {
-                        check("plain queries are about motions to the state", &index, &space, from, &truth);
+                        check("plain queries are about motions to the state", &index, &space, &numbered, from, &truth);
                     }
                 }
             }
         }
-        assert_eq!(Index::default().nearest_by(&space, Direction::Out, &few[0]), None);
+        assert_eq!(Index::default().nearest_by(&space, &[], Direction::Out, &few[0]), None);
     }
 }

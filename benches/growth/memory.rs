@@ -75,10 +75,10 @@ pub fn print(is_quick: bool) {
         states.iter().enumerate().for_each(|(i, &state)| _ = graph.add_vertex(i as u32, state));
         graph
     });
-    let what = "vertex in the index: a second copy of the state 32, number 4, spare capacity in leaves, boxes";
+    let what = "vertex in the index: the state in single precision 16, number 4, spare capacity in leaves, boxes";
     let (index, in_index) = row(what, n, || {
-        let mut index = Index::<Arm>::default();
-        states.iter().enumerate().for_each(|(i, &state)| index.insert(&space, VertexId(i as u32), state));
+        let mut index = Index::default();
+        states.iter().enumerate().for_each(|(i, state)| index.insert(&space, VertexId(i as u32), state));
         index
     });
     // A clone allocates no more than it needs: no spare capacity of lists that double.
@@ -110,9 +110,7 @@ pub fn print(is_quick: bool) {
     );
     println!("Graph: {an_edge:.1} bytes per edge; aim: 16: {}.", verdict(an_edge, 16.0));
     println!(
-        "Lists double when they are full, so up to half of the memory may be spare; {n} vertices fill theirs to {:.0} %.",
-        // Percent of a capacity that doubled until it was enough.
-        100.0 * n as f64 / n.next_power_of_two() as f64
+        "Long lists grow by a sixteenth when they are full: so much of the memory may be spare, and half as much is on average."
     );
     whole_run(n);
 }

@@ -68,6 +68,15 @@ pub struct Event<S> {
 /// 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
 pub const MAX_RECORDS: usize = 15_000_000;
 
+/// Makes room for `more` items in a list that may become long: a full one doubles while it is short, and then grows by a
+/// sixteenth, so that little of a large one is spare.
+pub(crate) fn make_room<T>(list: &mut Vec<T>, more: usize) {
+    if list.capacity() - list.len() < more {
+        let part = if list.len() < 1 << 16 { list.len() } else { list.len() / 16 };
+        list.reserve_exact(part.max(more).max(4));
+    }
+}
+
 /// Vertices, edges and events in the order of their creation.
 #[derive(Debug, Clone)]
 pub struct Graph<S: Space> {
@@ -97,6 +106,8 @@ impl<S: Space> Graph<S> {
     #[inline]
     pub fn add_vertex(&mut self, iteration: u32, state: S::State) -> VertexId {
         let id = VertexId(u32::try_from(self.states.len()).expect("fewer than 2^32 vertices"));
+        make_room(&mut self.states, 1);
+        make_room(&mut self.vertex_births, 1);
         self.states.push(state);
         self.vertex_births.push(iteration);
         id
@@ -105,6 +116,8 @@ impl<S: Space> Graph<S> {
     /// Adds an edge created in the given iteration; in a tree from parent to child.
     #[inline]
     pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
+        make_room(&mut self.edges, 1);
+        make_room(&mut self.edge_births, 1);
         self.edges.push([from, to]);
         self.edge_births.push(iteration);
     }
@@ -120,6 +133,7 @@ impl<S: Space> Graph<S> {
 
     /// Adds an event.
     pub fn add_event(&mut self, event: Event<S::State>) {
+        make_room(&mut self.events, 1);
         self.events.push(event);
     }
 

@@ -7,8 +7,6 @@
 //! leaves from all trees, those nearest beyond the planes first, until it has collected enough candidates; the metric itself ranks
 //! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
 
-use super::closest::Closest;
-use super::packs::LANES;
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::random::below;
@@ -57,15 +55,14 @@ enum Node {
 
 /// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or repeatedly the same,
 /// would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
-/// "Scapegoat trees"), which costs O(trees log^2 n) per insertion on average. A forest stores the states, and for each its
+/// "Scapegoat trees"), which costs O(trees log^2 n) per insertion on average. For each state it stores its
 /// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
-pub struct Forest<S: Space> {
+pub struct Forest {
     parameters: ForestParameters,
     /// Draws the directions of the planes.
     generator: SplitMix64,
     vertices: Vec<VertexId>,
-    states: Vec<S::State>,
     /// The embedded states, one after the other, so that each is embedded once.
     points: Vec<f64>,
     /// The first node of each is its root.
@@ -74,7 +71,7 @@ pub struct Forest<S: Space> {
     spare: Vec<Vec<u32>>,
 }
 
-impl<S: Space> Forest<S> {
+impl Forest {
     /// An empty forest. Its planes follow from the key alone: draw it from the stream
     /// [`Projections`](crate::random::Stream::Projections).
     ///
@@ -85,12 +82,12 @@ impl<S: Space> Forest<S> {
         let generator = SplitMix64::seed_from_u64(key);
         let trees = vec![vec![Node::Leaf(Vec::new())]; parameters.trees];
         let spare = vec![Vec::new(); parameters.trees];
-        Self { parameters, generator, vertices: Vec::new(), states: Vec::new(), points: Vec::new(), trees, spare }
+        Self { parameters, generator, vertices: Vec::new(), points: Vec::new(), trees, spare }
     }
 
     /// The embedded state of an index.
     fn point(&self, member: u32) -> &[f64] {
-        let width = self.points.len() / self.states.len();
+        let width = self.points.len() / self.vertices.len();
         &self.points[member as usize * width..][..width]
     }
 
@@ -187,12 +184,18 @@ impl<S: Space> Forest<S> {
         deepest
     }
 
-    /// Offers the states of leaves, nearest planes first, until there are `enough`. Returns how many there are.
-    fn search(&self, space: &S, from: &S::State, enough: usize, closest: &mut Closest) -> usize {
+    /// Collects the states of leaves, nearest planes first, until there are `enough`.
+    fn search<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        enough: usize,
+        found: &mut Vec<Neighbour>,
+    ) {
+        found.clear();
         let point = embedded(space, from);
-        let mut seen = vec![0u64; self.states.len().div_ceil(64)];
-        let mut visited = 0;
-        let mut pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
+        let mut seen = vec![0u64; self.vertices.len().div_ceil(64)];
         // Margins are not negative, so their bits order as they do; ties by tree and node.
         let mut waiting: BinaryHeap<Reverse<(u64, u32, u32)>> = BinaryHeap::new();
         waiting.extend((0..self.trees.len() as u32).map(|tree| Reverse((0, tree, 0))));
@@ -215,31 +218,21 @@ impl<S: Space> Forest<S> {
                     continue;
                 }
                 seen[word] |= bit;
-                visited += 1;
-                let (distances, vertices, filled) = &mut pack;
-                distances[*filled] = space.distance(from, &self.states[member as usize]);
-                vertices[*filled] = self.vertices[member as usize];
-                *filled += 1;
-                if *filled == LANES {
-                    closest.offer(&[*distances], |_, lane| vertices[lane]);
-                    pack = ([f64::NAN; LANES], [VertexId(u32::MAX); LANES], 0);
-                }
+                let vertex = self.vertices[member as usize];
+                found.push(Neighbour { distance: space.distance(from, &states[vertex.index()]), vertex });
             }
-            if visited >= enough {
+            if found.len() >= enough {
                 break;
             }
         }
-        closest.offer(&[pack.0], |_, lane| pack.1[lane]);
-        visited
     }
 }
 
-impl<S: Space> Nearest<S> for Forest<S> {
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
-        let member = self.states.len() as u32;
+impl<S: Space> Nearest<S> for Forest {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
+        let member = self.vertices.len() as u32;
         self.vertices.push(vertex);
-        self.states.push(state);
-        let point = embedded(space, &state);
+        let point = embedded(space, state);
         self.points.extend_from_slice(&point);
         let mut path = Vec::new();
         for tree in 0..self.trees.len() {
@@ -259,28 +252,45 @@ impl<S: Space> Nearest<S> for Forest<S> {
                     self.split(tree, node, members);
                 }
             }
-            if path.len() > self.deepest(self.states.len()) {
+            if path.len() > self.deepest(self.vertices.len()) {
                 self.even_out(tree, &path);
             }
         }
     }
 
     fn len(&self) -> usize {
-        self.states.len()
+        self.vertices.len()
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
-        let mut closest = Closest::new(found, k, f64::INFINITY, k <= 16);
-        let enough = self.parameters.candidates.max(k);
-        let visited = if k > 0 { self.search(space, state, enough, &mut closest) } else { 0 };
-        closest.finish();
+    fn k_nearest(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        found.clear();
+        if k > 0 {
+            self.search(space, states, from, self.parameters.candidates.max(k), found);
+        }
+        let visited = found.len();
+        Neighbour::first(found, k);
         visited
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let mut closest = Closest::within(found, radius);
-        let visited = self.search(space, state, self.parameters.candidates, &mut closest);
-        closest.finish();
+    fn within(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        self.search(space, states, from, self.parameters.candidates, found);
+        let visited = found.len();
+        found.retain(|neighbour| neighbour.distance <= radius);
+        Neighbour::first(found, usize::MAX);
         visited
     }
 }

@@ -11,92 +11,99 @@ const MOST_SCANNED: usize = 8192;
 /// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, candidates are
 /// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
 /// the methods ending in `_by` take the direction.
-#[derive(Debug, Clone)]
-pub struct Index<S: Space> {
+#[derive(Debug, Clone, Default)]
+pub struct Index {
+    /// Empty if the norm is only a lower bound.
     scan: LinearScan,
     tree: KdTree,
-    /// Vertices and states, if the norm is only a lower bound; the tree then holds them by their positions here, the scan nothing.
-    entries: Vec<(VertexId, S::State)>,
     len: usize,
 }
 
-/// An empty index.
-impl<S: Space> Default for Index<S> {
-    fn default() -> Self {
-        Self { scan: LinearScan::default(), tree: KdTree::default(), entries: Vec::new(), len: 0 }
+impl Index {
+    /// How many vertices the index holds.
+    pub fn len(&self) -> usize {
+        self.len
     }
-}
 
-impl<S: Space> Index<S> {
     /// The vertex nearest to `state` by motions in the given direction; `None` if the index is empty.
-    pub fn nearest_by(&self, space: &S, direction: Direction, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::with_capacity(1);
-        self.k_nearest_by(space, direction, state, 1, &mut found);
+    pub fn nearest_by<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        direction: Direction,
+        state: &S::State,
+    ) -> Option<Neighbour> {
+        let mut found = Vec::with_capacity(2);
+        self.k_nearest_by(space, states, direction, state, 1, &mut found);
         found.pop()
     }
 
     /// The `k` vertices nearest to `state` by motions in the given direction (all, if there are fewer), nearest first, into `found`.
-    pub fn k_nearest_by(
+    pub fn k_nearest_by<S: Space>(
         &self,
         space: &S,
+        states: &[S::State],
         direction: Direction,
         state: &S::State,
         k: usize,
         found: &mut Vec<Neighbour>,
     ) -> usize {
         if !space.is_norm_exact() {
-            self.rank(space, direction, state, k, found)
+            self.rank(space, states, direction, state, k, found)
         } else if self.len <= Self::crossover(space, k) {
-            self.scan.k_nearest(space, state, k, found)
+            self.scan.k_nearest(space, states, state, k, found)
         } else {
-            self.tree.k_nearest(space, state, k, found)
+            self.tree.k_nearest(space, states, state, k, found)
         }
     }
 
     /// Every vertex no farther from `state` than `radius` by motions in the given direction, nearest first, into `found`.
-    pub fn within_by(
+    pub fn within_by<S: Space>(
         &self,
         space: &S,
+        states: &[S::State],
         direction: Direction,
         state: &S::State,
         radius: f64,
         found: &mut Vec<Neighbour>,
     ) -> usize {
         if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
-            return self.scan.within(space, state, radius, found);
+            return self.scan.within(space, states, state, radius, found);
         }
-        let visited = self.tree.within(space, state, radius, found);
+        let visited = self.tree.within(space, states, state, radius, found);
         if !space.is_norm_exact() {
-            found.iter_mut().for_each(|candidate| *candidate = self.neighbour(space, direction, state, candidate));
+            found.iter_mut().for_each(|candidate| *candidate = measured(space, states, direction, state, candidate));
             found.retain(|neighbour| neighbour.distance <= radius);
             found.sort_unstable_by_key(Neighbour::key);
         }
         visited
     }
 
-    /// The neighbour of a candidate of the tree.
-    fn neighbour(&self, space: &S, direction: Direction, state: &S::State, candidate: &Neighbour) -> Neighbour {
-        let (vertex, other) = &self.entries[candidate.vertex.index()];
-        Neighbour { distance: direction.distance(space, state, other), vertex: *vertex }
-    }
-
     /// The `k` nearest if the norm is a lower bound: takes candidates by their bounds, in batches that grow, and ranks them
     /// by their distances until every bound left exceeds the worst distance found. The result is that of a plain scan, ties by
     /// vertex number; how many distances are computed depends on how tight the bound is.
-    fn rank(&self, space: &S, direction: Direction, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+    fn rank<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        direction: Direction,
+        state: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         found.clear();
         if k == 0 {
             return 0;
         }
         let (mut candidates, mut visited) = (Vec::new(), 0);
         let (mut wanted, mut ranked) = (k.saturating_mul(2).saturating_add(6), 0);
-        while ranked < self.entries.len() {
-            visited = self.tree.k_nearest(space, state, wanted, &mut candidates);
+        while ranked < self.len {
+            visited = self.tree.k_nearest(space, states, state, wanted, &mut candidates);
             for candidate in &candidates[ranked..] {
                 if found.len() == k && candidate.distance > found[k - 1].distance {
                     return visited;
                 }
-                let neighbour = self.neighbour(space, direction, state, candidate);
+                let neighbour = measured(space, states, direction, state, candidate);
                 if found.len() == k {
                     if !neighbour.is_before(&found[k - 1]) {
                         continue;
@@ -114,7 +121,7 @@ impl<S: Space> Index<S> {
 
     /// The number of states up to which a scan finds `k` neighbours faster than the tree: linear fits to the figures of the
     /// benchmark `nearest`.
-    fn crossover(space: &S, k: usize) -> usize {
+    fn crossover<S: Space>(space: &S, k: usize) -> usize {
         let (few, each) = match space.dimension() {
             0..=2 => (60, 3),
             3 => (100, 17),
@@ -126,18 +133,26 @@ impl<S: Space> Index<S> {
     }
 }
 
-impl<S: Space> Nearest<S> for Index<S> {
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+/// The neighbour of a candidate found by the norm.
+fn measured<S: Space>(
+    space: &S,
+    states: &[S::State],
+    direction: Direction,
+    state: &S::State,
+    candidate: &Neighbour,
+) -> Neighbour {
+    let distance = direction.distance(space, state, &states[candidate.vertex.index()]);
+    Neighbour { distance, vertex: candidate.vertex }
+}
+
+impl<S: Space> Nearest<S> for Index {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         self.len += 1;
-        if !space.is_norm_exact() {
-            self.tree.insert(space, VertexId(self.entries.len() as u32), state);
-            return self.entries.push((vertex, state));
-        }
         self.tree.insert(space, vertex, state);
-        if self.len <= MOST_SCANNED {
-            self.scan.insert(space, vertex, state);
-        } else if self.len == MOST_SCANNED + 1 {
+        if self.len > MOST_SCANNED {
             self.scan = LinearScan::default();
+        } else if space.is_norm_exact() {
+            self.scan.insert(space, vertex, state);
         }
     }
 
@@ -145,11 +160,25 @@ impl<S: Space> Nearest<S> for Index<S> {
         self.len
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
-        self.k_nearest_by(space, Direction::In, state, k, found)
+    fn k_nearest(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        self.k_nearest_by(space, states, Direction::In, from, k, found)
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        self.within_by(space, Direction::In, state, radius, found)
+    fn within(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        self.within_by(space, states, Direction::In, from, radius, found)
     }
 }

@@ -1,8 +1,7 @@
-//! The linear scan: computes the distance to every state. Simple and exact; the test oracle of every other index, and the
-//! fastest for few states.
+//! The linear scan: computes the distance to every state. Exact, and the fastest for few states.
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs};
+use super::packs::{LANES, Packs, Query, norm};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -24,28 +23,29 @@ pub struct LinearScan {
 }
 
 impl LinearScan {
-    fn scan<S: Space>(&self, space: &S, from: &[f64], closest: &mut Closest) {
+    fn scan<S: Space>(&self, space: &S, query: &Query, mut closest: Closest<impl Fn(VertexId) -> f64>) {
         // First the distances to a block of packs, without branches, then the selection: two loops are faster than one.
         let mut distances = [[0.0; LANES]; BLOCK];
         let packs = self.packs.len();
         for first in (0..packs).step_by(BLOCK) {
             let block = first..packs.min(first + BLOCK);
             for (distances, pack) in distances.iter_mut().zip(block.clone()) {
-                *distances = self.packs.distances(space, from, pack);
+                *distances = self.packs.distances(space, query, pack);
             }
             closest.offer(&distances[..block.len()], |pack, lane| self.packs.vertices(first + pack)[lane]);
         }
+        closest.finish();
     }
 
     /// A distance within which probably at least `k` states lie, and not many more: a quantile of the distances to the first
     /// states. Infinite if there are too few states for a guess to pay.
-    fn guess<S: Space>(&self, space: &S, from: &[f64], k: usize) -> f64 {
+    fn guess<S: Space>(&self, space: &S, query: &Query, k: usize) -> f64 {
         if k <= SORTED || self.len < 4 * SAMPLE || self.len / 8 < k {
             return f64::INFINITY;
         }
-        let mut bits = [0; SAMPLE];
-        for (pack, bits) in bits.chunks_exact_mut(LANES).enumerate() {
-            bits.copy_from_slice(&self.packs.distances(space, from, pack).map(f64::to_bits));
+        let mut sample = [0.0; SAMPLE];
+        for (pack, sample) in sample.chunks_exact_mut(LANES).enumerate() {
+            sample.copy_from_slice(&self.packs.distances(space, query, pack));
         }
         // The expected number of the k nearest among the sample, plus two and a half standard deviations.
         let mean = (k * SAMPLE) as f64 / self.len as f64;
@@ -53,32 +53,35 @@ impl LinearScan {
         let rank = rank.min(SAMPLE - 1);
         // Insertion sort of the `rank + 1` smallest.
         for at in 1..SAMPLE {
-            let value = bits[at];
+            let value = sample[at];
             let mut to = at;
             if at > rank {
-                if value >= bits[rank] {
+                if value >= sample[rank] {
                     continue;
                 }
                 to = rank;
             }
-            while to > 0 && bits[to - 1] > value {
-                bits[to] = bits[to - 1];
+            while to > 0 && sample[to - 1] > value {
+                sample[to] = sample[to - 1];
                 to -= 1;
             }
-            bits[to] = value;
+            sample[to] = value;
         }
-        f64::from_bits(bits[rank])
+        f64::from(sample[rank])
     }
 }
 
 impl<S: Space> Nearest<S> for LinearScan {
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         let (pack, at) = (self.len / LANES, self.len % LANES);
+        if self.len == 0 {
+            self.packs.start(space, state);
+        }
         if at == 0 {
-            self.packs.dimension = space.dimension();
             self.packs.add();
         }
-        self.packs.set(pack, at, vertex, space.coordinates(&state).iter().copied());
+        let single = self.packs.admit(space, state);
+        self.packs.set(pack, at, vertex, &single);
         self.len += 1;
     }
 
@@ -86,28 +89,39 @@ impl<S: Space> Nearest<S> for LinearScan {
         self.len
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+    fn k_nearest(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         found.clear();
         if k == 0 {
             return 0;
         }
-        let from = space.coordinates(state);
-        let guess = self.guess(space, from, k);
-        let mut closest = Closest::new(found, k, guess, k <= SORTED);
-        self.scan(space, from, &mut closest);
-        closest.finish();
+        let query = self.packs.query(space, from);
+        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        let guess = self.guess(space, &query, k);
+        self.scan(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
         if found.len() < k.min(self.len) {
-            let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
-            self.scan(space, from, &mut closest);
-            closest.finish();
+            self.scan(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure));
         }
         self.len
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let mut closest = Closest::within(found, radius);
-        self.scan(space, space.coordinates(state), &mut closest);
-        closest.finish();
+    fn within(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        let query = self.packs.query(space, from);
+        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        self.scan(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure));
         self.len
     }
 }

@@ -40,6 +40,16 @@ impl Neighbour {
     fn key(&self) -> u128 {
         (u128::from(self.distance.to_bits()) << 32) | u128::from(self.vertex.0)
     }
+
+    /// Sorts neighbours and keeps the first `k`.
+    fn first(neighbours: &mut Vec<Self>, k: usize) {
+        if neighbours.len() / 2 > k {
+            neighbours.select_nth_unstable_by_key(k, Self::key);
+            neighbours.truncate(k);
+        }
+        neighbours.sort_unstable_by_key(Self::key);
+        neighbours.truncate(k);
+    }
 }
 
 /// The direction of the motions between a state and its neighbours.
@@ -74,10 +84,10 @@ impl Direction {
     }
 }
 
-/// An index of states that grows.
+/// An index of states that grows. It stores no states: a query gets the state of every vertex, by its number, in `states`.
 pub trait Nearest<S: Space> {
     /// Adds a vertex; numbers must increase.
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State);
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State);
 
     /// How many vertices the index holds.
     fn len(&self) -> usize;
@@ -87,17 +97,19 @@ pub trait Nearest<S: Space> {
         self.len() == 0
     }
 
-    /// The vertex nearest to `state`; `None` if the index is empty.
-    fn nearest(&self, space: &S, state: &S::State) -> Option<Neighbour> {
-        let mut found = Vec::with_capacity(1);
-        self.k_nearest(space, state, 1, &mut found);
+    /// The vertex nearest to `from`; `None` if the index is empty.
+    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
+        let mut found = Vec::with_capacity(2);
+        self.k_nearest(space, states, from, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `state` (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
+    /// The `k` vertices nearest to `from` (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
     /// visited: those whose distance, or a lower bound on it if distances are expensive, was computed.
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize;
+    fn k_nearest(&self, space: &S, states: &[S::State], from: &S::State, k: usize, found: &mut Vec<Neighbour>)
+    -> usize;
 
-    /// Every vertex no farther from `state` than `radius`, nearest first, into `found`. Returns how many vertices were visited.
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize;
+    /// Every vertex no farther from `from` than `radius`, nearest first, into `found`. Returns how many vertices were visited.
+    fn within(&self, space: &S, states: &[S::State], from: &S::State, radius: f64, found: &mut Vec<Neighbour>)
+    -> usize;
 }

@@ -1,13 +1,14 @@
 //! An index of vertices from which vertices can be removed.
 
-use crate::graph::{Graph, VertexId};
+use crate::graph::VertexId;
 use crate::nearest::{Index, Nearest, Neighbour};
 use crate::space::Space;
 
 /// Vertices of a graph. Removed ones stay in the underlying index, where queries skip them, until they are half of it;
 /// then it is rebuilt. So a removal costs O(log n) amortized.
-pub(super) struct RemovableIndex<S: Space> {
-    index: Index<S>,
+#[derive(Default)]
+pub(super) struct RemovableIndex {
+    index: Index,
     /// The vertices of the index, in the order of insertion.
     members: Vec<VertexId>,
     /// Whether the vertex of this number is in the index.
@@ -15,22 +16,21 @@ pub(super) struct RemovableIndex<S: Space> {
     len: usize,
 }
 
-impl<S: Space> Default for RemovableIndex<S> {
-    fn default() -> Self {
-        Self { index: Index::default(), members: Vec::new(), is_in: Vec::new(), len: 0 }
+impl RemovableIndex {
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        self.len
     }
-}
 
-impl<S: Space> RemovableIndex<S> {
     /// Removes a vertex of the index.
-    pub fn remove(&mut self, space: &S, graph: &Graph<S>, vertex: VertexId) {
+    pub fn remove<S: Space>(&mut self, space: &S, states: &[S::State], vertex: VertexId) {
         self.is_in[vertex.index()] = false;
         self.len -= 1;
         if 2 * self.len < self.members.len() {
             self.members.retain(|vertex| self.is_in[vertex.index()]);
             self.index = Index::default();
             for &vertex in &self.members {
-                self.index.insert(space, vertex, *graph.state(vertex));
+                self.index.insert(space, vertex, &states[vertex.index()]);
             }
         }
     }
@@ -41,8 +41,8 @@ impl<S: Space> RemovableIndex<S> {
     }
 }
 
-impl<S: Space> Nearest<S> for RemovableIndex<S> {
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
+impl<S: Space> Nearest<S> for RemovableIndex {
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         self.index.insert(space, vertex, state);
         self.members.push(vertex);
         self.is_in.resize(self.is_in.len().max(vertex.index() + 1), false);
@@ -54,10 +54,17 @@ impl<S: Space> Nearest<S> for RemovableIndex<S> {
         self.len
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
+    fn k_nearest(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
         let mut asked = k;
         loop {
-            let visited = self.index.k_nearest(space, state, asked, found);
+            let visited = self.index.k_nearest(space, states, from, asked, found);
             let all = found.len();
             found.retain(|neighbour| self.contains(neighbour.vertex));
             found.truncate(k);
@@ -68,8 +75,15 @@ impl<S: Space> Nearest<S> for RemovableIndex<S> {
         }
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let visited = self.index.within(space, state, radius, found);
+    fn within(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        let visited = self.index.within(space, states, from, radius, found);
         found.retain(|neighbour| self.contains(neighbour.vertex));
         visited
     }

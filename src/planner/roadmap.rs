@@ -32,7 +32,7 @@ pub struct Roadmap<S: Space> {
     pub(super) growth: Growth<S>,
     /// The vertices of the goals.
     pub(super) goals: Goals,
-    nearest: Index<S>,
+    nearest: Index,
     /// The neighbours that vertices are connected to.
     pub connection: Connection,
     rules: Searching,
@@ -61,7 +61,7 @@ impl<S: Space> Roadmap<S> {
 
     pub(super) fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
         let vertex = self.growth.graph.add_vertex(iteration, state);
-        self.nearest.insert(space, vertex, state);
+        self.nearest.insert(space, vertex, &state);
         vertex
     }
 
@@ -77,10 +77,11 @@ impl<S: Space> Roadmap<S> {
         self.growth.counters.nearest_queries += 1;
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
-        if k >= self.nearest.len() && radius < f64::INFINITY {
-            self.nearest.within_by(space, direction, state, radius, found);
+        let states = self.growth.graph.states();
+        if k >= states.len() && radius < f64::INFINITY {
+            self.nearest.within_by(space, states, direction, state, radius, found);
         } else {
-            self.nearest.k_nearest_by(space, direction, state, k, found);
+            self.nearest.k_nearest_by(space, states, direction, state, k, found);
             found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
         }
     }

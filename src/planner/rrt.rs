@@ -88,7 +88,7 @@ impl PlannerKind for RrtOptions {
             growth.graph.add_vertex(0, *goal);
         }
         tree.add_root(start);
-        nearest.insert(space, start, *problem.start());
+        nearest.insert(space, start, problem.start());
         Ok(Box::new(Rrt {
             step: step_in(self.step, space.extent())?,
             extend: self.extend,
@@ -109,7 +109,7 @@ struct Rrt<S: Space> {
     aim: Aim<S>,
     growth: Growth<S>,
     tree: Tree,
-    nearest: Index<S>,
+    nearest: Index,
     /// The vertex of the tree nearest to a goal, and its distance.
     closest: (VertexId, f64),
     /// The goal that was reached.
@@ -169,7 +169,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
         let space = problem.space();
         let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
         self.growth.counters.nearest_queries += 1;
-        let near = self.nearest.nearest(space, &target).expect("a tree has a root").vertex;
+        let near = self.nearest.nearest(space, self.growth.graph.states(), &target).expect("a tree has a root").vertex;
         let origin = self.growth.state(near);
         let reached = match self.steer(problem, &origin, &target) {
             Ok(reached) => reached,
@@ -184,7 +184,7 @@ impl<S: Space> Planner<S> for Rrt<S> {
         }
         let vertex = self.growth.graph.add_vertex(iteration, reached);
         self.add_edge(iteration, near, vertex);
-        self.nearest.insert(space, vertex, reached);
+        self.nearest.insert(space, vertex, &reached);
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }

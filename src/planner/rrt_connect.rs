@@ -77,7 +77,7 @@ struct RrtConnect<S: Space> {
     /// Both trees, as one forest.
     forest: Tree,
     /// The start's tree, then the goal's.
-    indices: [Index<S>; 2],
+    indices: [Index; 2],
     /// The vertices at which the trees met: one of the start's tree, one of the goal's.
     bridge: Option<[VertexId; 2]>,
 }
@@ -107,7 +107,7 @@ impl<S: Space> RrtConnect<S> {
         state: S::State,
     ) -> VertexId {
         let vertex = self.growth.graph.add_vertex(iteration, state);
-        self.indices[tree].insert(space, vertex, state);
+        self.indices[tree].insert(space, vertex, &state);
         self.forest.add(vertex, parent.unwrap_or(vertex));
         if let Some(parent) = parent {
             let [from, to] = Self::direction(space, tree).ends(vertex, parent);
@@ -119,7 +119,8 @@ impl<S: Space> RrtConnect<S> {
     /// The vertex of a tree that is nearest to the state.
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State) -> VertexId {
         self.growth.counters.nearest_queries += 1;
-        self.indices[tree].nearest_by(space, Self::direction(space, tree), state).expect("a tree has a root").vertex
+        let (index, states) = (&self.indices[tree], self.growth.graph.states());
+        index.nearest_by(space, states, Self::direction(space, tree), state).expect("a tree has a root").vertex
     }
 
     /// Grows a tree from one of its vertices by one step towards the target.

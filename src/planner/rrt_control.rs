@@ -128,7 +128,7 @@ impl PlannerKind for RrtControlOptions {
     /// If the problem has no dynamics.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let (tree, mut open) = (DrivenTree::new(problem), RemovableIndex::default());
-        open.insert(problem.space(), ROOT, *problem.start());
+        open.insert(problem.space(), ROOT, problem.start());
         let early = Durations::new(problem, self.duration_steps, self.shortest_steps)?;
         Ok(Box::new(RrtControl {
             options: *self,
@@ -156,7 +156,7 @@ struct RrtControl<S: Space> {
     late: Option<(u32, Durations, GoalBias)>,
     tree: DrivenTree<S>,
     /// The vertices that may be extended.
-    open: RemovableIndex<S>,
+    open: RemovableIndex,
     /// The vertex in the goal region, once there is one.
     arrived: Option<VertexId>,
 }
@@ -171,12 +171,12 @@ impl<S: Space> RrtControl<S> {
     /// The vertex to extend; `None` if none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
-        let space = problem.space();
+        let (space, states) = (problem.space(), self.tree.growth.graph.states());
         if self.options.nearest == Origin::Nearest {
-            return Some(self.open.nearest(space, target)?.vertex);
+            return Some(self.open.nearest(space, states, target)?.vertex);
         }
         let mut near = Vec::new();
-        self.open.k_nearest(space, target, MOST_VISIBLE, &mut near);
+        self.open.k_nearest(space, states, target, MOST_VISIBLE, &mut near);
         near.into_iter().map(|neighbour| neighbour.vertex).find(|&vertex| {
             let state = self.tree.growth.state(vertex);
             self.tree.growth.is_motion_free(problem, &state, target)
@@ -259,7 +259,7 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         if problem.is_goal(problem.start()) {
             return self.arrive(iteration, ROOT, *problem.start());
         }
-        if self.open.is_empty() {
+        if self.open.len() == 0 {
             return Status::Exhausted;
         }
         if let Some((from, _, reaching)) = self.late
@@ -273,7 +273,7 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             return Status::Running;
         };
         if self.options.once {
-            self.open.remove(problem.space(), &self.tree.growth.graph, origin);
+            self.open.remove(problem.space(), self.tree.growth.graph.states(), origin);
         }
         let from = self.tree.growth.state(origin);
         let drives = self.blossom(problem, &from, &target, iteration);
@@ -286,7 +286,7 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             if is_there {
                 return self.arrive(iteration, vertex, drive.end);
             }
-            self.open.insert(problem.space(), vertex, drive.end);
+            self.open.insert(problem.space(), vertex, &drive.end);
         }
         Status::Running
     }

@@ -89,13 +89,13 @@ impl PlannerKind for SstOptions {
             is_removed: vec![false],
             active: RemovableIndex::default(),
             witnesses: Index::default(),
-            representatives: vec![ROOT],
+            representatives: vec![Some(ROOT)],
             best: None,
             is_done: false,
             found: Vec::new(),
         };
-        sst.active.insert(space, ROOT, *problem.start());
-        sst.witnesses.insert(space, VertexId(0), *problem.start());
+        sst.active.insert(space, ROOT, problem.start());
+        sst.witnesses.insert(space, ROOT, problem.start());
         Ok(Box::new(sst))
     }
 }
@@ -126,11 +126,11 @@ struct Sst<S: Space> {
     children: Vec<u32>,
     is_removed: Vec<bool>,
     /// The vertices that may grow: the representatives of the witnesses.
-    active: RemovableIndex<S>,
-    /// States, numbered as if they were vertices.
-    witnesses: Index<S>,
-    /// The representative of each witness.
-    representatives: Vec<VertexId>,
+    active: RemovableIndex,
+    /// States of vertices that no witness was near.
+    witnesses: Index,
+    /// The representative of each vertex that is a witness.
+    representatives: Vec<Option<VertexId>>,
     best: Option<Best>,
     is_done: bool,
     found: Vec<Neighbour>,
@@ -144,24 +144,21 @@ impl<S: Space> Sst<S> {
     /// The vertex to extend: the cheapest that is near, ties by number.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
         self.tree.growth.counters.nearest_queries += 1;
-        let space = problem.space();
-        self.active.within(space, target, self.selection_radius, &mut self.found);
+        let (space, states) = (problem.space(), self.tree.growth.graph.states());
+        self.active.within(space, states, target, self.selection_radius, &mut self.found);
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
-        cheapest
-            .unwrap_or_else(|| self.active.nearest(space, target).expect("every witness has a representative").vertex)
+        cheapest.unwrap_or_else(|| {
+            self.active.nearest(space, states, target).expect("every witness has a representative").vertex
+        })
     }
 
-    /// The witness of a state: the nearest, or a new one if that is too far; and whether it is new.
-    fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> (usize, bool) {
+    /// The witness of a state: the nearest; `None` if that is too far.
+    fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
-        let nearest = self.witnesses.nearest(problem.space(), state).expect("the start is a witness");
-        if nearest.distance <= self.pruning_radius {
-            return (nearest.vertex.index(), false);
-        }
-        let witness = VertexId(self.witnesses.len() as u32);
-        self.witnesses.insert(problem.space(), witness, *state);
-        (witness.index(), true)
+        let states = self.tree.growth.graph.states();
+        let nearest = self.witnesses.nearest(problem.space(), states, state).expect("the start is a witness");
+        (nearest.distance <= self.pruning_radius).then_some(nearest.vertex)
     }
 
     /// Adds the end of a motion to the tree.
@@ -177,21 +174,22 @@ impl<S: Space> Sst<S> {
         self.costs.push(cost);
         self.children.push(0);
         self.is_removed.push(false);
+        self.representatives.push(None);
         self.children[origin.index()] += 1;
         vertex
     }
 
-    /// Makes the vertex the representative of the witness; the former one becomes inactive.
-    fn replace(&mut self, problem: &Problem<S>, iteration: u32, (witness, is_new): (usize, bool), vertex: VertexId) {
-        let (space, graph) = (problem.space(), &self.tree.growth.graph);
-        self.active.insert(space, vertex, *graph.state(vertex));
-        if is_new {
-            self.representatives.push(vertex);
-            return;
+    /// Makes the vertex the representative of the witness, or of itself as a new one; the former one becomes inactive.
+    fn replace(&mut self, problem: &Problem<S>, iteration: u32, witness: Option<VertexId>, vertex: VertexId) {
+        let (space, states) = (problem.space(), self.tree.growth.graph.states());
+        self.active.insert(space, vertex, &states[vertex.index()]);
+        if witness.is_none() {
+            self.witnesses.insert(space, vertex, &states[vertex.index()]);
         }
-        let beaten = std::mem::replace(&mut self.representatives[witness], vertex);
-        self.active.remove(space, graph, beaten);
-        self.prune(iteration, beaten);
+        if let Some(beaten) = self.representatives[witness.unwrap_or(vertex).index()].replace(vertex) {
+            self.active.remove(space, states, beaten);
+            self.prune(iteration, beaten);
+        }
     }
 
     /// Removes the vertex from the tree if it is a leaf that is inactive, then its parent likewise, and so on. The end
@@ -237,13 +235,14 @@ impl<S: Space> Sst<S> {
         // A path that already costs as much as the best one cannot become better.
         let is_cheap = self.best.is_none_or(|best| cost < self.cost(best.vertex));
         if is_cheap {
-            let (witness, is_new) = self.witness(problem, &drive.end);
-            if is_new || cost < self.cost(self.representatives[witness]) {
+            let witness = self.witness(problem, &drive.end);
+            let representative = witness.and_then(|witness| self.representatives[witness.index()]);
+            if representative.is_none_or(|vertex| cost < self.cost(vertex)) {
                 let vertex = self.grow(problem, iteration, origin, drive, cost);
                 if is_there {
                     self.arrive(iteration, vertex, drive.end);
                 }
-                return self.replace(problem, iteration, (witness, is_new), vertex);
+                return self.replace(problem, iteration, witness, vertex);
             }
             if is_there {
                 // The end of a path, though something else near it costs less.

@@ -14,12 +14,13 @@ pub fn gap<T: Lanes>(a: T, b: T, period: T) -> T {
     (period - straight).lesser(straight)
 }
 
-/// The least [`gap`] between `a` and any number from `low` to `high`; 0 if `a` lies between them. O(1).
+/// The least [`gap`] between a number and any in an interval, given by how far the number lies below the interval and how far above
+/// it, each less than 0 if it does not; 0 if it lies inside. O(1).
 ///
-/// Exact in floating point, so that it never exceeds a gap that it bounds: seen from outside, `|a - b|` only grows or only
-/// falls as `b` goes through the interval, and rounding keeps that order; as `|a - b|` grows, the gap first rises, up to half
-/// a turn, and then falls, so on the interval it is least at an end. Both ends are checked, which covers the wrap.
+/// Exact in floating point, so that it never exceeds a gap that it bounds: the number is at least as far from all others as from the
+/// nearer end, and the other way round at least as far as from the farther end; rounding keeps that order.
 #[inline(always)]
-pub fn gap_to_interval<T: Lanes>(a: T, low: T, high: T, period: T) -> T {
-    gap(a, high, period).lesser(gap(a, low, period)).zero_between(a, low, high)
+pub fn gap_to_interval<T: Lanes>(below: T, above: T, period: T) -> T {
+    let around = period + below.lesser(above);
+    below.greater(above).lesser(around).greater(T::splat(0.0))
 }

@@ -1,9 +1,10 @@
 //! Numbers in lanes: what a metric computes with, for one pair of states or for several at once.
 
 use std::ops::{Add, Mul, Sub};
-use wide::{f64x2, f64x8};
+use wide::{f32x4, f32x8, f64x2};
 
-/// A number, or several in the lanes of a vector. Each lane has the bits that a single number would have.
+/// A number, or several in the lanes of a vector, in double or in single precision. Each lane has the bits that a single number of
+/// its precision would have.
 pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// The number in every lane.
     fn splat(number: f64) -> Self;
@@ -23,10 +24,6 @@ pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = S
     /// The greater numbers. Neither is NaN, or both are: then the result is NaN.
     #[must_use]
     fn greater(self, other: Self) -> Self;
-
-    /// The same, and 0 in lanes where `low` <= `x` <= `high`.
-    #[must_use]
-    fn zero_between(self, x: Self, low: Self, high: Self) -> Self;
 
     /// A bit for each lane, the lowest for the first: whether its number is greater than that of `other`.
     fn above(self, other: Self) -> u32;
@@ -59,22 +56,17 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
-        if (low <= x) & (x <= high) { 0.0 } else { self }
-    }
-
-    #[inline(always)]
     fn above(self, other: Self) -> u32 {
         u32::from(self > other)
     }
 }
 
 macro_rules! vectors {
-    ($($vector:ty),*) => {$(
+    ($($vector:ty: $number:ty),*) => {$(
         impl Lanes for $vector {
             #[inline(always)]
             fn splat(number: f64) -> Self {
-                <$vector>::splat(number)
+                <$vector>::splat(number as $number)
             }
 
             #[inline(always)]
@@ -98,11 +90,6 @@ macro_rules! vectors {
             }
 
             #[inline(always)]
-            fn zero_between(self, x: Self, low: Self, high: Self) -> Self {
-                (low.simd_le(x) & high.simd_ge(x)).bitselect(<$vector>::splat(0.0), self)
-            }
-
-            #[inline(always)]
             fn above(self, other: Self) -> u32 {
                 self.simd_gt(other).to_bitmask()
             }
@@ -110,4 +97,4 @@ macro_rules! vectors {
     )*};
 }
 
-vectors!(f64x2, f64x8);
+vectors!(f32x4: f32, f32x8: f32, f64x2: f64);

@@ -1,38 +1,30 @@
 //! Growing the kd-tree: insertion, splitting of leaves, rebuilding of unbalanced subtrees.
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides};
-use crate::graph::VertexId;
+use crate::graph::{VertexId, make_room};
 
 /// States of a subtree that is rebuilt.
 struct Entries {
     dimension: usize,
-    numbers: Vec<f64>,
+    numbers: Vec<f32>,
     vertices: Vec<VertexId>,
 }
 
 impl Entries {
-    fn coordinates(&self, entry: u32) -> &[f64] {
+    fn coordinates(&self, entry: u32) -> &[f32] {
         &self.numbers[entry as usize * self.dimension..][..self.dimension]
     }
 
     /// The lowest and the highest number on an axis.
-    fn range(&self, entries: &[u32], axis: usize) -> [f64; 2] {
+    fn range(&self, entries: &[u32], axis: usize) -> [f32; 2] {
         let numbers = entries.iter().map(|&entry| self.numbers[entry as usize * self.dimension + axis]);
-        numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+        numbers.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
     }
 }
 
 impl KdTree {
-    /// Sets up the empty tree for the given weights, one per coordinate.
-    pub(super) fn start(&mut self, weights: Vec<f64>) {
-        self.packs.dimension = weights.len();
-        self.weights = weights;
-        self.leaves.push(Leaf { packs: [0; LEAF_PACKS], len: 0 });
-        self.root = Node::leaf(0);
-    }
-
     /// Adds a state. O(log n) but for rebuilding, which costs O(log^2 n) per state over time.
-    pub(super) fn grow(&mut self, vertex: VertexId, coordinates: &[f64]) {
+    pub(super) fn grow(&mut self, vertex: VertexId, coordinates: &[f32]) {
         let mut node = self.root;
         let mut parent = None;
         let mut lopsided = None;
@@ -48,12 +40,8 @@ impl KdTree {
             }
             let next = branch.children[side];
             for (sides, &x) in self.boxes[node.index() * dimension..][..dimension].iter_mut().zip(coordinates) {
-                if x < sides[0][side] {
-                    sides[0][side] = x;
-                }
-                if x > sides[1][side] {
-                    sides[1][side] = x;
-                }
+                sides[side] = sides[side].min(x);
+                sides[2 + side] = sides[2 + side].min(-x);
             }
             parent = Some((node, side));
             node = next;
@@ -81,7 +69,7 @@ impl KdTree {
     }
 
     /// Adds a state to a leaf that is not full.
-    fn fill(&mut self, leaf: usize, vertex: VertexId, coordinates: &[f64]) {
+    fn fill(&mut self, leaf: usize, vertex: VertexId, coordinates: &[f32]) {
         let at = self.leaves[leaf].len as usize;
         if at.is_multiple_of(LANES) {
             self.leaves[leaf].packs[at / LANES] = match self.free_packs.pop() {
@@ -90,12 +78,12 @@ impl KdTree {
             };
         }
         let pack = self.leaves[leaf].packs[at / LANES] as usize;
-        self.packs.set(pack, at % LANES, vertex, coordinates.iter().copied());
+        self.packs.set(pack, at % LANES, vertex, coordinates);
         self.leaves[leaf].len += 1;
     }
 
     /// Rebuilds the subtree under a node, balanced, with one more state if one is given. O(m log m) for m states.
-    fn rebuild(&mut self, node: Node, extra: Option<(VertexId, &[f64])>) -> Node {
+    fn rebuild(&mut self, node: Node, extra: Option<(VertexId, &[f32])>) -> Node {
         let mut entries = Entries { dimension: self.packs.dimension, numbers: Vec::new(), vertices: Vec::new() };
         self.take(node, &mut entries);
         if let Some((vertex, coordinates)) = extra {
@@ -137,7 +125,7 @@ impl KdTree {
         let mut widest = (0, f64::NEG_INFINITY);
         for axis in 0..dimension {
             let [low, high] = entries.range(order, axis);
-            let width = (high - low) * self.weights[axis];
+            let width = f64::from(high - low) * self.packs.weights[axis];
             if width > widest.1 {
                 widest = (axis, width);
             }
@@ -155,6 +143,8 @@ impl KdTree {
         let index = match self.free_branches.pop() {
             Some(index) => index as usize,
             None => {
+                make_room(&mut self.branches, 1);
+                make_room(&mut self.boxes, dimension);
                 self.branches.push(Branch { split: 0.0, axis: 0, children: [Node(0); 2], counts });
                 self.boxes.resize(self.branches.len() * dimension, Sides::default());
                 self.branches.len() - 1
@@ -162,7 +152,7 @@ impl KdTree {
         };
         for axis in 0..dimension {
             let (a, b) = (entries.range(first, axis), entries.range(second, axis));
-            self.boxes[index * dimension + axis] = [[a[0], b[0]], [a[1], b[1]]];
+            self.boxes[index * dimension + axis] = [a[0], b[0], -a[1], -b[1]];
         }
         let children = [self.build(entries, first), self.build(entries, second)];
         self.branches[index] = Branch { split: number(at), axis: axis as u32, children, counts };
@@ -177,6 +167,7 @@ impl KdTree {
                 index as usize
             }
             None => {
+                make_room(&mut self.leaves, 1);
                 self.leaves.push(leaf);
                 self.leaves.len() - 1
             }

@@ -2,26 +2,26 @@
 //!
 //! Bentley 1975, "Multidimensional binary search trees used for associative searching"; with buckets as leaves;
 //! unbalanced subtrees are rebuilt (Galperin and Rivest 1993, "Scapegoat trees"). Circles need no copies of the states and
-//! no second query: boxes are intervals of plain numbers, and [`gap_to_interval`] takes the shorter direction round.
+//! no second query: boxes are intervals of plain numbers, and [`gap_to_interval`](crate::space::gap_to_interval) takes the shorter direction round.
 //!
-//! Results equal the linear scan's bit for bit. The bound of a box is the metric's own expression on gaps that are, in
-//! floating point, no wider than those to any state inside; rounded sums, products and roots keep that order, so the bound
-//! never exceeds a distance. Boxes are pruned only if the bound is *greater* than the worst distance found, so every tie
-//! is seen and decided by the vertex number. The shape of the tree changes the time but never the result.
+//! Results equal the linear scan's bit for bit. States, splits and boxes are in single precision. The bound of a box is the
+//! metric's own expression on gaps that are, in floating point, no wider than those to any state inside; rounded sums, products and
+//! roots keep that order, so the bound never exceeds an approximate distance. Boxes are pruned only if the bound is
+//! *greater* than that of any candidate (see `packs.rs`), so every tie is seen and decided by the exact distance and the vertex
+//! number. The shape of the tree changes the time but never the result.
 
 mod grow;
 
 use super::closest::Closest;
-use super::packs::{LANES, Packs};
+use super::packs::{LANES, Packs, Query, norm};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
-use crate::space::{Space, gap_to_interval};
-use wide::f64x2;
+use crate::space::Space;
 
 /// The packs of a full leaf.
-const LEAF_PACKS: usize = 32 / LANES;
+const LEAF_PACKS: usize = 48 / LANES;
 
-/// How many states fill a leaf.
+/// How many states fill a leaf: with fewer the nearest is found faster, with more the thirty nearest, in less memory.
 const LEAF: usize = LEAF_PACKS * LANES;
 
 /// Up to this many neighbours stay sorted: more than in a scan, as a tight limit here prunes whole leaves.
@@ -55,7 +55,7 @@ impl Node {
 /// An inner node. A new state goes to the second child if its coordinate on the axis is at least the split value.
 #[derive(Debug, Clone, Copy)]
 struct Branch {
-    split: f64,
+    split: f32,
     axis: u32,
     children: [Node; 2],
     /// How many states each child holds.
@@ -68,12 +68,12 @@ struct Leaf {
     len: u32,
 }
 
-/// On one axis, the lowest numbers in the two children of a branch, then the highest.
-type Sides = [[f64; 2]; 2];
+/// On one axis, the lowest numbers in the two children of a branch, then the highest, negated.
+type Sides = [f32; 4];
 
 /// A kd-tree that grows. A query costs about O(log n + k) in low dimensions; n insertions cost O(n log n) in random
-/// order, O(n log^2 n) in any order. In addition to its coordinates a state takes about 12 bytes if leaves are full, and up
-/// to 30 just after they were split.
+/// order, O(n log^2 n) in any order. In addition to its coordinates, 4 bytes each, a state takes
+/// about 10 bytes in four dimensions: its number, and its share of the boxes and of what is spare in leaves.
 #[derive(Debug, Clone, Default)]
 pub struct KdTree {
     packs: Packs,
@@ -83,8 +83,6 @@ pub struct KdTree {
     boxes: Vec<Sides>,
     root: Node,
     len: usize,
-    /// The weight of each coordinate in the metric.
-    weights: Vec<f64>,
     /// Freed slots, to be reused.
     free_packs: Vec<u32>,
     free_leaves: Vec<u32>,
@@ -92,34 +90,23 @@ pub struct KdTree {
 }
 
 impl KdTree {
-    /// Lower bounds on the distances from a state, given by its numbers, to the states of a branch's two children.
-    #[inline(always)]
-    fn bounds<S: Space>(&self, space: &S, from: &[f64], branch: usize) -> [f64; 2] {
-        let sides = &self.boxes[branch * from.len()..][..from.len()];
-        space
-            .norm(|i| {
-                let [low, high] = sides[i].map(f64x2::new);
-                gap_to_interval(f64x2::splat(from[i]), low, high, f64x2::splat(space.period(i)))
-            })
-            .to_array()
-    }
-
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
-    fn search<S: Space>(&self, space: &S, from: &[f64], closest: &mut Closest) -> usize {
+    fn search<S: Space>(&self, space: &S, query: &Query, mut closest: Closest<impl Fn(VertexId) -> f64>) -> usize {
         let mut visited = 0;
         if self.len == 0 {
             return visited;
         }
+        let dimension = self.packs.dimension;
         let mut waiting = [(0.0, Node(0)); MAX_DEPTH];
         let mut waits = 0;
         let mut distances = [[0.0; LANES]; LEAF_PACKS];
         let mut node = self.root;
         loop {
             while !node.is_leaf() {
-                let bounds = self.bounds(space, from, node.index());
+                let bounds = query.bounds(space, &self.boxes[node.index() * dimension..][..dimension]);
                 let children = self.branches[node.index()].children;
                 let near = usize::from(bounds[1] < bounds[0]);
-                if bounds[1 - near] <= closest.limit() {
+                if bounds[1 - near] <= closest.bar() {
                     waiting[waits] = (bounds[1 - near], children[1 - near]);
                     waits += 1;
                 }
@@ -129,17 +116,18 @@ impl KdTree {
             visited += leaf.len as usize;
             let packs = &leaf.packs[..(leaf.len as usize).div_ceil(LANES)];
             for (distances, &pack) in distances.iter_mut().zip(packs) {
-                *distances = self.packs.distances(space, from, pack as usize);
+                *distances = self.packs.distances(space, query, pack as usize);
             }
             let vertex = |pack: usize, lane: usize| self.packs.vertices(packs[pack] as usize)[lane];
             closest.offer(&distances[..packs.len()], vertex);
             node = loop {
                 if waits == 0 {
+                    closest.finish();
                     return visited;
                 }
                 waits -= 1;
                 let (bound, node) = waiting[waits];
-                if bound <= closest.limit() {
+                if bound <= closest.bar() {
                     break node;
                 }
             };
@@ -148,30 +136,47 @@ impl KdTree {
 }
 
 impl<S: Space> Nearest<S> for KdTree {
-    fn insert(&mut self, space: &S, vertex: VertexId, state: S::State) {
-        let coordinates = space.coordinates(&state);
+    fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         if self.len == 0 {
-            let weight = |i| space.norm(|j| f64::from(u8::from(i == j)));
-            self.start((0..space.dimension()).map(weight).collect());
+            self.packs.start(space, state);
+            self.leaves.push(Leaf { packs: [0; LEAF_PACKS], len: 0 });
+            self.root = Node::leaf(0);
         }
-        self.grow(vertex, coordinates);
+        let single = self.packs.admit(space, state);
+        self.grow(vertex, &single[..space.dimension()]);
     }
 
     fn len(&self) -> usize {
         self.len
     }
 
-    fn k_nearest(&self, space: &S, state: &S::State, k: usize, found: &mut Vec<Neighbour>) -> usize {
-        let mut closest = Closest::new(found, k, f64::INFINITY, k <= SORTED);
-        let visited = if k > 0 { self.search(space, space.coordinates(state), &mut closest) } else { 0 };
-        closest.finish();
-        visited
+    fn k_nearest(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        found.clear();
+        if k == 0 {
+            return 0;
+        }
+        let query = self.packs.query(space, from);
+        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        self.search(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure))
     }
 
-    fn within(&self, space: &S, state: &S::State, radius: f64, found: &mut Vec<Neighbour>) -> usize {
-        let mut closest = Closest::within(found, radius);
-        let visited = self.search(space, space.coordinates(state), &mut closest);
-        closest.finish();
-        visited
+    fn within(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        radius: f64,
+        found: &mut Vec<Neighbour>,
+    ) -> usize {
+        let query = self.packs.query(space, from);
+        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        self.search(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure))
     }
 }

@@ -48,19 +48,25 @@ fn index_of<const N: usize>(
     let configurations = Configurations::of(world);
     let most = MAX_CONFIGURATIONS;
     Ok(match id {
-        IndexId::Linear => Box::new(TypedIndex { space, index: LinearScan::default(), configurations, most }),
-        IndexId::KdTree => Box::new(TypedIndex { space, index: KdTree::default(), configurations, most }),
+        IndexId::Linear => {
+            Box::new(TypedIndex { space, states: Vec::new(), index: LinearScan::default(), configurations, most })
+        }
+        IndexId::KdTree => {
+            Box::new(TypedIndex { space, states: Vec::new(), index: KdTree::default(), configurations, most })
+        }
         IndexId::Forest => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);
-            Box::new(TypedIndex { space, index, configurations, most: most.min(MAX_ENTRIES / trees) })
+            let most = most.min(MAX_ENTRIES / trees);
+            Box::new(TypedIndex { space, states: Vec::new(), index, configurations, most })
         }
     })
 }
 
 /// An index with its space and the configurations that it may hold.
-struct TypedIndex<S, I> {
+struct TypedIndex<S: Space, I> {
     space: S,
+    states: Vec<S::State>,
     index: I,
     configurations: Configurations,
     /// The most configurations that it may hold.
@@ -83,7 +89,7 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
     }
 
     fn len(&self) -> usize {
-        self.index.len()
+        self.states.len()
     }
 
     fn add(&mut self, rows: &[f64]) -> Result<(), Error> {
@@ -103,13 +109,15 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
         }
         for q in rows.chunks_exact(dimension) {
             let vertex = VertexId(self.len() as u32);
-            self.index.insert(&self.space, vertex, self.space.state(q));
+            let state = self.space.state(q);
+            self.index.insert(&self.space, vertex, &state);
+            self.states.push(state);
         }
         Ok(())
     }
 
     fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error> {
-        self.query(q, |state, found| self.index.k_nearest(&self.space, state, k.min(self.len()), found))
+        self.query(q, |state, found| self.index.k_nearest(&self.space, &self.states, state, k.min(self.len()), found))
     }
 
     fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error> {
@@ -119,6 +127,6 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
             let sentence = format!("a radius must be a finite number of at least 0, not {}", Number(radius));
             return Err(Error::new(code, "/radius", sentence));
         }
-        self.query(q, |state, found| self.index.within(&self.space, state, radius, found))
+        self.query(q, |state, found| self.index.within(&self.space, &self.states, state, radius, found))
     }
 }

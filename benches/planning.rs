@@ -196,7 +196,7 @@ fn row(
     for (file, scenario, query) in queries.filter(|(.., query)| only.is_none_or(|only| only == query.name)) {
         for seed in 0..seeds {
             let (planner, query) = (Some(id.clone()), Some(query.name.clone()));
-            let options = Options { planner, query, seed, parameters: parameters.clone() };
+            let options = Options { planner, query, seed, parameters: parameters.clone(), ..Options::default() };
             let began = Instant::now();
             let mut run = start(scenario, &options).unwrap_or_else(|error| panic!("{name}: {error}"));
             run.step(most);

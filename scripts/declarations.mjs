@@ -54,7 +54,7 @@ export function optionTypes({ planners, generators, reach_methods, indexes, traj
   const type = (name, text, first, rows, common = [SEED]) => `${comment(text)}\nexport interface ${name} {\n${first}${[...common, ...rows].map(member).join("")}}\n`;
   /** @param {string} id */
   const nameOf = (id) => `${id.split("-").map((word) => word[0].toUpperCase() + word.slice(1)).join("")}Options`;
-  const query = `    ${comment("The name of the query; the first by default.")}\n    query?: string;\n`;
+  const query = `    ${comment("The name of the query; the first by default.")}\n    query?: string;\n    ${comment("Whether events are recorded, `true` by default. Without them a run takes less memory and `eventsSince` returns nothing; graph, path and counts are the same, but `fingerprint` covers no events.")}\n    events?: boolean;\n`;
   /** @param {string} id @param {string} optional */
   const algorithm = (id, optional = "") => `    ${comment("The id of the planner.")}\n    algorithm${optional}: ${JSON.stringify(id)};\n${query}`;
   const ids = (/** @type {Entry[]} */ entries) => union(entries.map(({ id }) => id));

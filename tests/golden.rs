@@ -32,6 +32,7 @@ fn planned(case: &Json) -> Json {
         query: None,
         seed: case["seed"].as_u64().expect("a seed"),
         parameters: parameters(&case["parameters"]),
+        ..Options::default()
     };
     let run = finish(start(&scenario(case), &options).expect("it starts"));
     assert_eq!(run.stats().unproven_motions, 0, "no ordinary motion spends its budget: {case}");

@@ -34,6 +34,25 @@ fn slicing_never_changes_the_result() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn without_events_the_graph_the_path_and_the_counts_are_the_same() {
+    let cars = std::iter::once((car_and_wall(0.1), DRIVEN));
+    for (world, planners) in worlds().into_iter().map(|world| (world, PLANNERS)).chain(cars) {
+        for &(planner, settings) in planners {
+            let settings = fitting(&world, settings);
+            let options = options(planner, 5, &settings);
+            let one = finish(start(&world, &options).expect("a run"));
+            let other = finish(start(&world, &Options { events: false, ..options }).expect("a run"));
+            let what = format!("{planner} {settings} on {}", world.name());
+            assert_eq!((one.event_count() > 0, other.event_count()), (true, 0), "{what}");
+            assert_eq!(other.vertices_since(0), one.vertices_since(0), "{what}");
+            assert_eq!(other.edges_since(0), one.edges_since(0), "{what}");
+            assert_eq!((other.stats(), other.status()), (one.stats(), one.status()), "{what}");
+            assert_eq!((other.path(), other.length()), (one.path(), one.length()), "{what}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn every_planner_works_with_every_sampler_and_keeps_its_paths_clear() {
     // Thick walls, then walls that a sampled edge would jump.
     let worlds = [arm_and_wall(0.1), disc_and_wall(0.3, 0.5), arm_and_wall(1e-6), disc_and_wall(0.3, 1e-6)];

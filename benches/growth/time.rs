@@ -152,15 +152,16 @@ fn queries(sizes: &[u64]) -> Vec<Curve> {
         ["nearest", "15 nearest", "15 nearest by a scan"].map(|name| Curve::new(quantity, name, Vec::new()));
     for &x in sizes {
         let (mut index, mut scan) = (Index::default(), LinearScan::default());
-        for (i, state) in states(x).into_iter().enumerate() {
+        let states = states(x);
+        for (i, state) in states.iter().enumerate() {
             index.insert(&space, VertexId(i as u32), state);
             scan.insert(&space, VertexId(i as u32), state);
         }
         let few = &asked[..(10_000_000 / x as usize).min(QUERIES)];
         let times = [
-            each(&index, &space, &asked, 1),
-            each(&index, &space, &asked, K as usize),
-            each(&scan, &space, few, K as usize),
+            each(&index, &space, &states, &asked, 1),
+            each(&index, &space, &states, &asked, K as usize),
+            each(&scan, &space, &states, few, K as usize),
         ];
         for (curve, seconds) in curves.iter_mut().zip(times) {
             curve.points.push(Measured { x, seconds, motions: None });
@@ -170,11 +171,11 @@ fn queries(sizes: &[u64]) -> Vec<Curve> {
 }
 
 /// Seconds per query.
-fn each<S: Space>(index: &impl Nearest<S>, space: &S, asked: &[S::State], k: usize) -> f64 {
+fn each<S: Space>(index: &impl Nearest<S>, space: &S, states: &[S::State], asked: &[S::State], k: usize) -> f64 {
     let mut found = Vec::new();
     let (seconds, ()) = fastest(|| {
         for state in asked {
-            index.k_nearest(space, state, k, &mut found);
+            index.k_nearest(space, states, state, k, &mut found);
             black_box(&found);
         }
     });
@@ -235,7 +236,7 @@ fn fastest<T>(mut work: impl FnMut() -> T) -> (f64, T) {
 fn begin(world: &Scenario, planner: &str, seed: u64, parameters: &[(&str, u64)]) -> Box<dyn Run> {
     let parameters = parameters.iter().chain(&[("max_iterations", 1_000_000_000)]);
     let parameters = parameters.map(|&(name, value)| (name.to_owned(), Value::Number(value as f64))).collect();
-    let options = Options { planner: Some(planner.to_owned()), query: None, seed, parameters };
+    let options = Options { planner: Some(planner.to_owned()), seed, parameters, ..Options::default() };
     start(world, &options).expect("start and goal are free")
 }
 

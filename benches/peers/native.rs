@@ -36,7 +36,8 @@ fn reply_to(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> 
     let parameters = words.map(parameter).collect::<Option<Vec<_>>>().ok_or("a parameter is name=value")?;
     let mut done = Vec::new();
     for seed in seed..seed + runs {
-        let options = Options { planner: Some(planner.clone()), query: None, seed, parameters: parameters.clone() };
+        let options =
+            Options { planner: Some(planner.clone()), seed, parameters: parameters.clone(), ..Options::default() };
         done.push(outcome(&scenario, &options, limit)?);
     }
     Ok(serde_json::json!({ "runs": done }))

@@ -53,6 +53,7 @@ fn options(wanted: Option<impl AsRef<JsValue>>) -> Result<Options, Error> {
         planner: fields.take("algorithm")?,
         query: fields.take("query")?,
         seed: fields.take("seed")?.unwrap_or(0),
+        events: fields.take("events")?.unwrap_or(true),
         parameters: fields.parameters(),
     })
 }

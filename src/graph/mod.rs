@@ -64,7 +64,7 @@ pub struct Event<S> {
     pub state: S,
 }
 
-/// How many vertices, edges and events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
+/// How many vertices, edges and recorded events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
 /// 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
 pub const MAX_RECORDS: usize = 15_000_000;
 
@@ -137,7 +137,7 @@ impl<S: Space> Graph<S> {
         self.events.push(event);
     }
 
-    /// Whether there are [`MAX_RECORDS`] vertices, edges and events, or more. O(1).
+    /// Whether there are [`MAX_RECORDS`] vertices, edges and recorded events, or more. O(1).
     pub fn is_full(&self) -> bool {
         self.states.len() + self.edges.len() + self.events.len() >= MAX_RECORDS
     }

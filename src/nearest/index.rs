@@ -20,11 +20,6 @@ pub struct Index {
 }
 
 impl Index {
-    /// How many vertices the index holds.
-    pub fn len(&self) -> usize {
-        self.len
-    }
-
     /// The vertex nearest to `state` by motions in the given direction; `None` if the index is empty.
     pub fn nearest_by<S: Space>(
         &self,

@@ -129,7 +129,7 @@ pub(super) struct DrivenTree<S: Space> {
 impl<S: Space> DrivenTree<S> {
     /// The tree that consists of the start.
     pub fn new(problem: &Problem<S>) -> Self {
-        let (mut growth, mut tree) = (Growth::default(), Tree::default());
+        let (mut growth, mut tree) = (Growth::new(problem), Tree::default());
         tree.add_root(growth.graph.add_vertex(0, *problem.start()));
         let left = vec![problem.space().distance(problem.start(), problem.goal())];
         Self { growth, tree, left }

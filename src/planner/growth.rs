@@ -12,21 +12,21 @@ pub struct Growth<S: Space> {
     pub graph: Graph<S>,
     /// The checks, queries and expansions so far; the run fills in the rest.
     pub counters: Stats,
-}
-
-impl<S: Space> Default for Growth<S> {
-    fn default() -> Self {
-        Self { graph: Graph::default(), counters: Stats::default() }
-    }
+    records_events: bool,
 }
 
 impl<S: Space> Growth<S> {
+    /// An empty graph, whose events are recorded if the problem says so.
+    pub fn new(problem: &Problem<S>) -> Self {
+        Self { graph: Graph::default(), counters: Stats::default(), records_events: problem.records_events }
+    }
+
     /// The state of a vertex.
     pub fn state(&self, vertex: VertexId) -> S::State {
         *self.graph.state(vertex)
     }
 
-    /// Adds an event about a vertex, an edge or a sample.
+    /// Adds an event about a vertex, an edge or a sample, if events are recorded.
     pub fn add_event(
         &mut self,
         kind: EventKind,
@@ -35,7 +35,9 @@ impl<S: Space> Growth<S> {
         other: Option<VertexId>,
         state: S::State,
     ) {
-        self.graph.add_event(Event { kind, iteration, vertex, other, state });
+        if self.records_events {
+            self.graph.add_event(Event { kind, iteration, vertex, other, state });
+        }
     }
 
     /// Adds an event about a sample that becomes no vertex.

@@ -42,7 +42,7 @@ impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
         let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
-        let mut roadmap = Self { growth: Growth::default(), goals, nearest: Index::default(), connection, rules };
+        let mut roadmap = Self { growth: Growth::new(problem), goals, nearest: Index::default(), connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }

@@ -82,7 +82,7 @@ impl PlannerKind for RrtOptions {
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let space = problem.space();
-        let (mut growth, mut tree, mut nearest) = (Growth::default(), Tree::default(), Index::default());
+        let (mut growth, mut tree, mut nearest) = (Growth::new(problem), Tree::default(), Index::default());
         let start = growth.graph.add_vertex(0, *problem.start());
         for goal in problem.goals() {
             growth.graph.add_vertex(0, *goal);

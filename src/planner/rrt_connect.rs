@@ -56,7 +56,7 @@ impl PlannerKind for RrtConnectOptions {
         let mut planner = RrtConnect {
             step: step_in(self.step, problem.space().extent())?,
             sampler: self.sampling.sampler(problem.space(), seed),
-            growth: Growth::default(),
+            growth: Growth::new(problem),
             forest: Tree::default(),
             indices: [Index::default(), Index::default()],
             bridge: None,
@@ -174,7 +174,8 @@ impl<S: Space> RrtConnect<S> {
 impl<S: Space> Planner<S> for RrtConnect<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         let space = problem.space();
-        let tree = usize::from(self.indices[1].len() < self.indices[0].len());
+        let [start_side, goal_side] = self.indices.each_ref().map(Nearest::<S>::len);
+        let tree = usize::from(goal_side < start_side);
         let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
         let sample = sample.state;
         let near = self.nearest(space, tree, &sample);

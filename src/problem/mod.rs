@@ -36,6 +36,8 @@ pub struct Problem<S: Space> {
     pub goal_region: Option<GoalRegion<S::State>>,
     /// The dynamics; `None` if the system is not moved by controls.
     pub dynamics: Option<Box<dyn Dynamics<S::State>>>,
+    /// Whether planners record events, for viewers; the rest of a run is the same without. `true` at first.
+    pub records_events: bool,
 }
 
 impl<S: Space> Problem<S> {
@@ -50,7 +52,16 @@ impl<S: Space> Problem<S> {
         goal: S::State,
     ) -> Result<Self, Error> {
         let goals = vec![goal];
-        let problem = Self { space, validity, start, goals, end_effector: None, goal_region: None, dynamics: None };
+        let problem = Self {
+            space,
+            validity,
+            start,
+            goals,
+            end_effector: None,
+            goal_region: None,
+            dynamics: None,
+            records_events: true,
+        };
         problem.check_ends(&start, &goal)?;
         Ok(problem)
     }

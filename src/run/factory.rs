@@ -96,7 +96,9 @@ pub(super) fn launch(
     }
     let metric = edges.and_then(|edges| edges.measuring.metric);
     let goals = goals(world, query, index, options.seed)?;
-    let launch = Launch { world, planner, edges, tolerance: limits.tolerance, metric, info, saved, query, goals };
+    let events = options.events;
+    let launch =
+        Launch { world, planner, edges, tolerance: limits.tolerance, metric, info, events, saved, query, goals };
     let run = if scenario.robot().dimension() <= SMALL { launch.run::<SMALL>() } else { launch.run::<MAX_DIMENSION>() };
     let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
     run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
@@ -112,6 +114,8 @@ struct Launch<'a> {
     /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
+    /// Whether events are recorded.
+    events: bool,
     /// The roadmap to continue with.
     saved: Option<&'a RoadmapDocument>,
     query: &'a Query,
@@ -156,6 +160,7 @@ impl Launch<'_> {
             .zip(robot.placed_shape())
             .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
         problem.dynamics = dynamics;
+        problem.records_events = self.events;
 
         let seed = self.info.seed;
         let mut planner = match self.saved.zip(self.planner.group::<Searching>()) {

@@ -101,7 +101,7 @@ pub trait Run {
     /// How many edges there are.
     fn edge_count(&self) -> usize;
 
-    /// How many events there are.
+    /// How many events are recorded.
     fn event_count(&self) -> usize;
 
     /// The vertices from row `row` on: `dimension` numbers each.
@@ -147,7 +147,7 @@ pub trait Run {
     /// The counters; seconds are 0, as the core reads no clock.
     fn stats(&self) -> Stats;
 
-    /// 64 bits over every vertex, edge and event so far. O(size).
+    /// 64 bits over every vertex, edge and recorded event so far. O(size).
     fn fingerprint(&self) -> u64;
 
     /// The result document; seconds are 0.

@@ -6,7 +6,7 @@ use crate::planner::default_planner;
 use crate::scenario::{Query, Scenario};
 
 /// Planner, query, seed and parameters of a run.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The id of the planner; by default that of [`default_planner`] for the robot, or the one that built the roadmap
     /// to continue with.
@@ -17,6 +17,16 @@ pub struct Options {
     pub seed: u64,
     /// Parameters by name; the rest take their defaults.
     pub parameters: Vec<(String, Value)>,
+    /// Whether events are recorded, as by default. Without them a run takes less memory, viewers see no events, and the
+    /// fingerprint covers none; graph, path and counts are the same.
+    pub events: bool,
+}
+
+/// The default planner and query, seed 0, default parameters, with events.
+impl Default for Options {
+    fn default() -> Self {
+        Self { planner: None, query: None, seed: 0, parameters: Vec::new(), events: true }
+    }
 }
 
 impl Options {

@@ -188,6 +188,8 @@ pub trait Space {
     /// floating point too, which holds for sums, products and roots of numbers that are not negative. So with
     /// [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(lanes x dimension).
     ///
+    /// It must be a norm, subadditive and proportional to the gaps: an index computes it in single precision, bounds the error
+    /// by the norm of the errors of the gaps, and measures only the states that may be among the nearest in double precision.
     /// A gap that is NaN must give NaN: an index fills its last vector with such gaps.
     ///
     /// The default is 0, a lower bound in every space, which an index cannot use.

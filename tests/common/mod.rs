@@ -120,7 +120,7 @@ pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str)
 
 /// Options with settings as a line of `name=value`.
 pub fn options(planner: &str, seed: u64, settings: &str) -> Options {
-    Options { planner: Some(planner.to_owned()), query: None, seed, parameters: given(settings) }
+    Options { planner: Some(planner.to_owned()), seed, parameters: given(settings), ..Options::default() }
 }
 
 /// Settings given as a line of `name=value`.

@@ -142,6 +142,19 @@ test("firstHits tells where each refused edge is refused, by the run's own test,
   assert.ok(hits.slice(0, -1).every((hit) => hit === 1) && Math.abs(hits[19_999] - 2.5 / 6) < 1e-9);
 });
 
+const noSeconds = { build_seconds: 0, search_seconds: 0 };
+
+test("without events a run has the same graph, path and counts", () => {
+  for (const algorithm of /** @type {const} */ (["prm", "rrt"])) {
+    const [one, other] = [{}, { events: false }].map((options) => finish(Scenario.parse(arm).planner({ algorithm, seed: 3, ...options })));
+    assert.ok(one.eventCount > 0);
+    assert.deepEqual([other.eventCount, other.eventsSince(0).length], [0, 0]);
+    assert.deepEqual([other.verticesSince(0), other.edgesSince(0), other.path()], [one.verticesSince(0), one.edgesSince(0), one.path()]);
+    assert.deepEqual({ ...other.stats(), ...noSeconds }, { ...one.stats(), ...noSeconds });
+  }
+  assert.throws(() => Scenario.parse(arm).planner(asOptions({ events: 1 })), { code: "wrong-type", pointer: "/events" });
+});
+
 test("stepFor(0) makes one iteration, so that a loop always gets on, and leads to the same result", () => {
   const scenario = Scenario.parse(arm);
   const reach = () => scenario.reach({ target: [1, 0.7], seed: 1 });

@@ -123,7 +123,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const lines: PseudocodeLine[] = info[0]?.pseudocode ?? [];
   const marks: PseudocodeMark[] = lines.flatMap((line) => line.lit_by);
   const ids: PlannerId[] = info.map(({ id }) => id);
-  const options: PlannerOptions = { algorithm: "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50, maxIterations: 500 };
+  const options: PlannerOptions = { algorithm: "prm", query: "q", seed: 1, metric: "euclidean", k: 5, samples: 50, maxIterations: 500, events: false };
   const going: ResumeOptions = { query: "q", shortcut: 10 };
   const looked: QueryCheck = scenario.checkQuery("q");
   const kinds: GeneratorInfo[] = generators();

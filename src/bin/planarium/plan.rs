@@ -31,6 +31,8 @@ pub fn plan(arguments: &Plan) -> Answer {
         query: arguments.query.clone(),
         seed: arguments.given.seed,
         parameters: arguments.given.parameters("max_iterations", most),
+        // The fingerprint of a result covers them.
+        events: true,
     };
     let mut run = match saved {
         Some(name) => run::resume(&scenario, &options, &RoadmapDocument::read(&files::read_bytes(name)?)?)?,

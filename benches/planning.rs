@@ -6,7 +6,9 @@
 //! - `control`: planning by controls for the cars of generated worlds, by default options and presets;
 //! - `seeds`: every query of bodies and cars, every planner that applies, default options.
 //!
-//! The last reads a folder of scenarios, given as an argument or by `PLANARIUM_SCENARIOS`; `control` takes its cars from one that
+//! `cargo bench --bench planning --features parallel -- threads` compares several threads with one on large roadmaps.
+//!
+//! `seeds` reads a folder of scenarios, given as an argument or by `PLANARIUM_SCENARIOS`; `control` takes its cars from one that
 //! is given as an argument. Arguments such as `"rrt-control blossom=3"` replace the planners of `control`. `--seeds N` sets the
 //! number of seeds, `--only TEXT` selects those rows of `seeds` whose scenario, query or planner contains the text, and `--out DIR`
 //! writes one result in ten under the name of its scenario, for other verifiers.
@@ -49,7 +51,7 @@ impl Arguments {
                 "--seeds" => read.seeds = Some(value().parse().expect("a number")),
                 "--only" => read.only = value(),
                 "--out" => read.out = Some(value().into()),
-                "reports" | "control" | "seeds" => read.table = Some(word),
+                "reports" | "control" | "seeds" | "threads" => read.table = Some(word),
                 _ if PathBuf::from(&word).is_dir() => read.worlds = stored(&word),
                 _ => read.planners.push(planner(&word)),
             }
@@ -85,6 +87,9 @@ fn planner(line: &str) -> Planner {
 
 fn main() {
     let arguments = Arguments::read();
+    if arguments.table.as_deref() == Some("threads") {
+        return threads();
+    }
     println!(
         "| world | planner | solved | ms: median | quartiles | 95 % | slowest | mean | iterations | motions | 95 % | vertices | \
          edges | length |"
@@ -99,6 +104,43 @@ fn main() {
     }
     if is_wanted("seeds") {
         seeds(&arguments);
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+fn threads() {
+    panic!("threads need the feature \"parallel\"");
+}
+
+/// Prints a line of JSON for two threads, and for one per core if there are more: the mean milliseconds of roadmaps of 10,000
+/// samples, k = 30, in forests of four links, each the least of several runs in turns with one thread, and the ratio.
+#[cfg(feature = "parallel")]
+fn threads() {
+    use std::num::NonZeroUsize;
+    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let counts: Vec<usize> = [1, 2].into_iter().chain((cores > 2).then_some(cores)).collect();
+    let (_, id, parameters) = planner("prm samples=10000 k=30 max_iterations=1000000");
+    let mut means = vec![0.0; counts.len()];
+    let forests = worlds("forest", 3, |seed| json!({ "links": 4, "seed": seed }));
+    for (_, scenario) in &forests {
+        let options = Options { planner: Some(id.clone()), query: None, seed: 0, parameters: parameters.clone() };
+        let mut least = vec![f64::INFINITY; counts.len()];
+        let mut result = None;
+        for _ in 0..7 {
+            for (&threads, least) in counts.iter().zip(&mut least) {
+                let mut run = start(scenario, &options).expect("start and goal are free");
+                run.set_threads(NonZeroUsize::new(threads).expect("at least one"));
+                let began = Instant::now();
+                run.step(u64::MAX);
+                *least = least.min(began.elapsed().as_secs_f64() * 1e3);
+                let ended = (run.fingerprint(), run.stats());
+                assert_eq!(*result.get_or_insert(ended), ended, "threads change no result");
+            }
+        }
+        means.iter_mut().zip(least).for_each(|(mean, least)| *mean += least / forests.len() as f64);
+    }
+    for (threads, mean) in counts.iter().zip(&means).skip(1) {
+        println!("{}", json!({ "threads": threads, "one": means[0], "several": mean, "ratio": means[0] / mean }));
     }
 }
 

@@ -36,6 +36,8 @@ mod sst;
 mod steering;
 mod storage;
 mod targets;
+#[cfg(all(not(target_arch = "wasm32"), feature = "parallel"))]
+mod threads;
 mod trajectories;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod truth;

@@ -130,6 +130,9 @@ fn a_seed_determines_all_but_the_seconds() {
         result
     };
     assert_eq!(run("5"), run("5"));
+    for threads in 1..=3 {
+        assert_eq!(run("5"), run(&format!("5 --threads {threads}")));
+    }
     assert_ne!(run("5")["fingerprint"], run("6")["fingerprint"]);
     let drawn = run("random");
     assert_eq!(run(&drawn["seed"].to_string()), drawn, "the result contains the seed that was drawn");
@@ -364,6 +367,7 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         ("plan room.json --max-seconds -1", "usage", ""),
         ("plan room.json --max-seconds nan", "usage", ""),
         ("plan room.json --max-iterations -1", "usage", ""),
+        ("plan room.json --threads 0", "usage", ""),
         ("plan room.json --speed 9", "usage", ""),
         ("plan", "usage", ""),
         ("verify room.json", "usage", ""),
@@ -418,7 +422,8 @@ fn every_command_has_a_help() {
         assert!(help.stdout.contains("Examples:") && help.stdout.contains("Usage: planarium"), "{}", help.stdout);
     }
     let plan = planarium("plan --help").stdout;
-    let options = "--query --planner --seed --set --max-iterations --max-seconds --roadmap --save-roadmap --out";
+    let options =
+        "--query --planner --seed --set --max-iterations --max-seconds --threads --roadmap --save-roadmap --out";
     options.split(' ').for_each(|option| assert!(plan.contains(option), "{option}"));
 }
 

@@ -10,7 +10,8 @@ use crate::space::Space;
 pub struct Growth<S: Space> {
     /// Vertices, edges and events.
     pub graph: Graph<S>,
-    /// The checks, queries and expansions so far; the run fills in the rest.
+    /// The checks, queries and expansions so far, and the work of collision checkers other than the problem's; the run fills in the
+    /// rest.
     pub counters: Stats,
     records_events: bool,
 }

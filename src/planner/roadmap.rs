@@ -75,6 +75,18 @@ impl<S: Space> Roadmap<S> {
         found: &mut Vec<Neighbour>,
     ) {
         self.growth.counters.nearest_queries += 1;
+        self.find_neighbours(space, direction, state, spare, found);
+    }
+
+    /// The same, not counted.
+    pub(super) fn find_neighbours(
+        &self,
+        space: &S,
+        direction: Direction,
+        state: &S::State,
+        spare: bool,
+        found: &mut Vec<Neighbour>,
+    ) {
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
         let states = self.growth.graph.states();
@@ -90,12 +102,18 @@ impl<S: Space> Roadmap<S> {
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
         let (origin, target) = (self.growth.state(from), self.growth.state(to));
         let is_free = self.growth.is_motion_free(problem, &origin, &target);
+        self.add_tried(iteration, from, to, is_free);
+        is_free
+    }
+
+    /// Adds the edge from the one vertex to the other if that motion is free, else the event that it is not.
+    pub(super) fn add_tried(&mut self, iteration: u32, from: VertexId, to: VertexId, is_free: bool) {
         if is_free {
             self.growth.graph.add_edge(iteration, from, to);
         } else {
+            let target = self.growth.state(to);
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
         }
-        is_free
     }
 
     /// The search from the start to a goal on the roadmap as it is.

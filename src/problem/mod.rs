@@ -11,9 +11,15 @@ pub use validity::{Contact, Touched, Validity};
 
 use crate::error::{Code, Error};
 use crate::space::Space;
+#[cfg(feature = "parallel")]
+use std::num::NonZeroUsize;
 
 /// A lower bound on the distance between two states in the metric of the space.
 pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64>;
+
+/// Makes a collision checker, each time another one of the same world, for other threads.
+#[cfg(feature = "parallel")]
+pub type Checkers<S> = Box<dyn Fn() -> Box<dyn Validity<S>> + Send + Sync>;
 
 /// The states that are as good as the goal.
 pub struct GoalRegion<S> {
@@ -38,6 +44,13 @@ pub struct Problem<S: Space> {
     pub dynamics: Option<Box<dyn Dynamics<S::State>>>,
     /// Whether planners record events, for viewers; the rest of a run is the same without. `true` at first.
     pub records_events: bool,
+    /// Collision checkers for other threads, which give the same results with the same counts of work as [`Problem::validity`]; `None`
+    /// if planners are to use one thread.
+    #[cfg(feature = "parallel")]
+    pub checkers: Option<Checkers<S::State>>,
+    /// How many threads planners may use; 1 at first.
+    #[cfg(feature = "parallel")]
+    pub threads: NonZeroUsize,
 }
 
 impl<S: Space> Problem<S> {
@@ -61,6 +74,10 @@ impl<S: Space> Problem<S> {
             goal_region: None,
             dynamics: None,
             records_events: true,
+            #[cfg(feature = "parallel")]
+            checkers: None,
+            #[cfg(feature = "parallel")]
+            threads: NonZeroUsize::MIN,
         };
         problem.check_ends(&start, &goal)?;
         Ok(problem)

@@ -134,16 +134,25 @@ impl Launch<'_> {
         };
         let start = space.state(&self.query.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
-        let checker = || self.world.checker(&space, self.tolerance);
-        let fitted = goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal));
+        let checker = {
+            let (world, space, tolerance) = (self.world.clone(), space.clone(), self.tolerance);
+            move || world.checker(&space, tolerance)
+        };
+        let fitted = {
+            let (checker, goals) = (checker.clone(), goals.clone());
+            move || goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal))
+        };
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
-        let (validity, dynamics) = fitted.with_dynamics(robot, integration);
+        let (validity, dynamics) = fitted().with_dynamics(robot, integration);
 
         let edge_samples = self.edges.filter(|_| self.info.is_sampled).map(|edges| edges.edge_samples);
-        let checked = |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
-            match edge_samples {
-                Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
-                None => proven,
+        let checked = {
+            let space = space.clone();
+            move |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
+                match edge_samples {
+                    Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
+                    None => proven,
+                }
             }
         };
         let measure = space.clone();
@@ -173,6 +182,10 @@ impl Launch<'_> {
         };
         let connection = planner.roadmap().map(|roadmap| roadmap.connection);
         let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
+        #[cfg(feature = "parallel")]
+        {
+            problem.checkers = Some(Box::new(move || checked(fitted().validity())));
+        }
         Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
     }
 

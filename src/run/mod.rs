@@ -62,6 +62,11 @@ pub trait Run {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
+    /// Lets the planner use so many threads from now on; 1 at first. The result and all counts are the same with any number. Roadmaps
+    /// built in a batch (PRM with `insertion=batch`, PRM*) use them.
+    #[cfg(feature = "parallel")]
+    fn set_threads(&mut self, threads: std::num::NonZeroUsize);
+
     /// Ends the run with the present path if that is being improved; else does nothing. This is not an iteration.
     fn finish(&mut self) -> Status;
 

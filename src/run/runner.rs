@@ -179,6 +179,11 @@ impl<S: Space> Run for Runner<S> {
         self.status
     }
 
+    #[cfg(feature = "parallel")]
+    fn set_threads(&mut self, threads: std::num::NonZeroUsize) {
+        self.problem.threads = threads;
+    }
+
     fn finish(&mut self) -> Status {
         if self.improvement.is_none() && self.planner.phase() == Phase::Improving {
             self.accept();
@@ -314,13 +319,15 @@ impl<S: Space> Run for Runner<S> {
     fn stats(&self) -> Stats {
         let counters = self.planner.growth().counters;
         let improvement_checks = self.improvement.as_ref().map_or(0, |improvement| improvement.motion_checks);
+        let validity = self.problem.validity();
+        let [evaluations, unproven] = self.viewer_work;
         Stats {
             iterations: self.iterations(),
             vertices: self.vertex_count() as u64,
             edges: self.edge_count() as u64,
             motion_checks: counters.motion_checks + improvement_checks,
-            clearance_evaluations: self.problem.validity().clearance_evaluations() - self.viewer_work[0],
-            unproven_motions: self.problem.validity().unproven_motions() - self.viewer_work[1],
+            clearance_evaluations: counters.clearance_evaluations + validity.clearance_evaluations() - evaluations,
+            unproven_motions: counters.unproven_motions + validity.unproven_motions() - unproven,
             ..counters
         }
     }

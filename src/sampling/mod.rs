@@ -36,6 +36,11 @@ pub struct Sample<S> {
 pub trait Sampler<S: Space> {
     /// The next sample. `checks` grows by the configurations that were checked.
     fn draw(&mut self, problem: &Problem<S>, checks: &mut u64) -> Sample<S::State>;
+
+    /// Whether draws check nothing, so that samples can be drawn long before they are used. The default is false.
+    fn is_blind(&self) -> bool {
+        false
+    }
 }
 
 /// Whether the state is free, counted.
@@ -63,6 +68,10 @@ pub struct Uniform(pub Random);
 impl<S: Space> Sampler<S> for Uniform {
     fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
         Sample { state: problem.space().sample(&mut self.0), known: Known::Nothing }
+    }
+
+    fn is_blind(&self) -> bool {
+        true
     }
 }
 
@@ -98,5 +107,9 @@ impl<S: Space> Sampler<S> for GoalBiased {
         };
         let state = nearby.unwrap_or_else(|| space.sample(&mut self.random));
         Sample { state, known: Known::Nothing }
+    }
+
+    fn is_blind(&self) -> bool {
+        true
     }
 }

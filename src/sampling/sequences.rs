@@ -30,6 +30,10 @@ impl<S: Space, F: Fn(usize, u64) -> f64> Sampler<S> for Sequence<F> {
         });
         Sample { state: problem.space().at(&point), known: Known::Nothing }
     }
+
+    fn is_blind(&self) -> bool {
+        true
+    }
 }
 
 /// The base of every coordinate: the first primes.

@@ -120,9 +120,9 @@ pub const MAX_DIMENSION: usize = 8;
 /// assert_eq!(status, Some(Status::Solved));
 /// # Ok::<(), planarium::Error>(())
 /// ```
-pub trait Space {
+pub trait Space: Sync {
     /// A configuration in canonical form: equal configurations are equal values.
-    type State: Copy + std::fmt::Debug + PartialEq;
+    type State: Copy + Send + Sync + std::fmt::Debug + PartialEq;
 
     /// The number of coordinates of a configuration, 1 to [`MAX_DIMENSION`].
     fn dimension(&self) -> usize;

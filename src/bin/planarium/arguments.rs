@@ -3,6 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use planarium::random::{MAX_SEED, random_seed};
 use planarium::run::Value;
+use std::num::NonZeroUsize;
 
 /// Motion planning that a person can watch: stepping planners with proven edges.
 #[derive(Parser)]
@@ -80,6 +81,10 @@ pub struct Plan {
     /// Stop after this many seconds with status "running"; the result contains the iterations made
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = seconds)]
     pub max_seconds: Option<f64>,
+
+    /// The threads to use; the result is the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub threads: Option<NonZeroUsize>,
 
     /// Continue with a roadmap saved for the same world and robot, which is proven again, instead of building one; - reads it
     /// from standard input

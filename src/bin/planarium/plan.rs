@@ -9,7 +9,9 @@ use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Options, Phase, Run, Status, Value};
 use std::io::{IsTerminal, stderr};
+use std::num::NonZeroUsize;
 use std::path::Path;
+use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
 /// The target duration of a slice of iterations: short compared with the time limit.
@@ -42,6 +44,7 @@ pub fn plan(arguments: &Plan) -> Answer {
         let sentence = format!("{} builds no roadmap that could be saved", options.planner_for(&scenario));
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
+    run.set_threads(arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN));
     let result = drive(run.as_mut(), arguments.max_seconds);
     // Before the result: standard output contains either a result or an error.
     if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {

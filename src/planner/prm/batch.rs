@@ -1,5 +1,7 @@
 //! First all samples, then all edges, each pair of vertices once.
 
+#[cfg(feature = "parallel")]
+use super::ahead::Ahead;
 use crate::graph::VertexId;
 use crate::nearest::{Direction, Neighbour};
 use crate::planner::groups::Searching;
@@ -10,13 +12,15 @@ use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// Draws samples until the roadmap has enough vertices, then connects one vertex after another to its neighbours. An iteration
-/// tries one sample or connects one vertex.
+/// tries one sample or connects one vertex. `ahead.rs` does the same on several threads.
 pub(super) struct Batch<S: Space> {
     /// The number of vertices to have before any is connected, and the sampler; `None` for a roadmap that has them.
     samples: Option<(usize, Box<dyn Sampler<S>>)>,
     /// The vertices to connect.
     left: Box<dyn ExactSizeIterator<Item = VertexId>>,
     connect: Connect,
+    #[cfg(feature = "parallel")]
+    ahead: Ahead<S>,
 }
 
 impl<S: Space> Batch<S> {
@@ -29,8 +33,17 @@ impl<S: Space> Batch<S> {
     ) -> RoadmapPlanner<S, Self> {
         let vertices = samples + roadmap.len();
         let left = Box::new((0..vertices as u32).map(VertexId));
-        let builder = Self { samples: Some((vertices, sampler)), left, connect: Connect::default() };
-        RoadmapPlanner::new(problem, roadmap, builder, false)
+        RoadmapPlanner::new(problem, roadmap, Self::new(Some((vertices, sampler)), left), false)
+    }
+
+    fn new(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
+        Self {
+            samples,
+            left,
+            connect: Connect::default(),
+            #[cfg(feature = "parallel")]
+            ahead: Ahead::default(),
+        }
     }
 }
 
@@ -39,10 +52,18 @@ impl<S: Space> Build<S> for Batch<S> {
         if let Some((vertices, sampler)) = &mut self.samples
             && roadmap.len() < *vertices
         {
+            #[cfg(feature = "parallel")]
+            if self.ahead.sample(roadmap, problem, iteration, &mut **sampler, *vertices - roadmap.len()) {
+                return false;
+            }
             if let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut **sampler) {
                 roadmap.add_vertex(problem.space(), iteration, state);
             }
             return false;
+        }
+        #[cfg(feature = "parallel")]
+        if self.ahead.connect(roadmap, problem, iteration, &mut *self.left, &mut self.connect) {
+            return self.left.len() == 0 && self.ahead.is_empty();
         }
         if let Some(vertex) = self.left.next() {
             self.connect.connect(roadmap, problem, iteration, vertex);
@@ -58,7 +79,7 @@ impl<S: Space> Build<S> for Batch<S> {
 
 /// Which motions a vertex has tried from its side.
 #[derive(Debug, Clone, Copy)]
-enum Tried {
+pub(super) enum Tried {
     /// None.
     Nothing,
     /// Those to its k nearest, of which this is the farthest.
@@ -80,7 +101,7 @@ impl Tried {
 
 /// The motions that the vertices connected so far have tried.
 #[derive(Debug, Default)]
-struct Connect {
+pub(super) struct Connect {
     /// By the number of the vertex: out of it, and, if motions have a direction, into it.
     tried: [Vec<Tried>; 2],
     neighbours: Vec<Neighbour>,
@@ -91,37 +112,68 @@ impl Connect {
     /// the order of their numbers; some may be omitted.
     fn connect<S: Space>(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
         for &direction in Direction::all(problem.space()) {
-            let Connection { k, .. } = roadmap.connection;
-            let state = roadmap.growth.state(vertex);
-            // One more than k, since the vertex itself is among them.
-            roadmap.neighbours(problem.space(), direction, &state, true, &mut self.neighbours);
-            match self.neighbours.iter().position(|neighbour| neighbour.vertex == vertex) {
-                Some(own) => drop(self.neighbours.remove(own)),
-                None => self.neighbours.truncate(k),
-            }
-            let tried = match self.neighbours.last() {
-                Some(&last) if self.neighbours.len() == k => Tried::UpTo(last),
-                _ => Tried::WithinRadius,
-            };
-            // A motion out of one vertex leads into the other.
-            let (own, others) = match direction {
-                _ if problem.space().is_symmetric() => (0, 0),
-                Direction::Out => (0, 1),
-                Direction::In => (1, 0),
-            };
-            self.tried[own].resize(vertex.index(), Tried::Nothing);
-            self.tried[own].push(tried);
+            roadmap.growth.counters.nearest_queries += 1;
+            let tried = candidates(roadmap, problem.space(), direction, vertex, &mut self.neighbours);
+            self.note(problem.space(), direction, vertex, tried);
             for neighbour in &self.neighbours {
-                let other = neighbour.vertex;
-                let back = Neighbour { distance: neighbour.distance, vertex };
-                let tried = self.tried[others].get(other.index()).copied().unwrap_or(Tried::Nothing);
-                if other < vertex && tried.includes(&back) {
-                    continue;
+                if !self.has_tried(problem.space(), direction, vertex, neighbour) {
+                    let [from, to] = direction.ends(vertex, neighbour.vertex);
+                    roadmap.try_edge(problem, iteration, from, to);
                 }
-                let [from, to] = direction.ends(vertex, other);
-                roadmap.try_edge(problem, iteration, from, to);
             }
         }
+    }
+
+    /// Notes which motions a vertex tries. Vertices come in the order of their numbers; some may be omitted.
+    pub fn note<S: Space>(&mut self, space: &S, direction: Direction, vertex: VertexId, tried: Tried) {
+        let [own, _] = lists(space, direction);
+        self.tried[own].resize(vertex.index(), Tried::Nothing);
+        self.tried[own].push(tried);
+    }
+
+    /// Whether the neighbour of a vertex, being an earlier one, has tried the motion between them.
+    pub fn has_tried<S: Space>(
+        &self,
+        space: &S,
+        direction: Direction,
+        vertex: VertexId,
+        &Neighbour { distance, vertex: other }: &Neighbour,
+    ) -> bool {
+        let [_, others] = lists(space, direction);
+        let tried = self.tried[others].get(other.index()).copied().unwrap_or(Tried::Nothing);
+        other < vertex && tried.includes(&Neighbour { distance, vertex })
+    }
+}
+
+/// The list of a vertex's own motions in a direction, and that of the same motions from the other side: a motion out of one vertex
+/// leads into the other.
+fn lists<S: Space>(space: &S, direction: Direction) -> [usize; 2] {
+    match direction {
+        _ if space.is_symmetric() => [0, 0],
+        Direction::Out => [0, 1],
+        Direction::In => [1, 0],
+    }
+}
+
+/// The neighbours of a vertex, without itself, into `found`, and which motions these are.
+pub(super) fn candidates<S: Space>(
+    roadmap: &Roadmap<S>,
+    space: &S,
+    direction: Direction,
+    vertex: VertexId,
+    found: &mut Vec<Neighbour>,
+) -> Tried {
+    let Connection { k, .. } = roadmap.connection;
+    let state = roadmap.growth.state(vertex);
+    // One more than k, since the vertex itself is among them.
+    roadmap.find_neighbours(space, direction, &state, true, found);
+    match found.iter().position(|neighbour| neighbour.vertex == vertex) {
+        Some(own) => drop(found.remove(own)),
+        None => found.truncate(k),
+    }
+    match found.last() {
+        Some(&last) if found.len() == k => Tried::UpTo(last),
+        _ => Tried::WithinRadius,
     }
 }
 
@@ -153,6 +205,6 @@ pub fn resume<S: Space + 'static>(
         roadmap.growth.graph.add_edge(0, from, to);
     }
     let is_complete = left.is_empty();
-    let builder = Batch { samples: None, left: Box::new(left.into_iter()), connect: Connect::default() };
+    let builder = Batch::new(None, Box::new(left.into_iter()));
     Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
 }

@@ -7,6 +7,8 @@
 //! If motions have a direction, so have edges (Svestka and Overmars 1997, "Motion planning for carlike robots using a
 //! probabilistic learning approach"): a vertex is connected to the nearest that it leads to and to the nearest that lead to it.
 
+#[cfg(feature = "parallel")]
+mod ahead;
 mod batch;
 mod one_by_one;
 mod star;

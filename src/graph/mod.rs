@@ -68,12 +68,15 @@ pub struct Event<S> {
 /// 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
 pub const MAX_RECORDS: usize = 15_000_000;
 
+/// The room of a list with any items.
+const FEW: usize = 16;
+
 /// Makes room for `more` items in a list that may become long: a full one doubles while it is short, and then grows by a
 /// sixteenth, so that little of a large one is spare.
 pub(crate) fn make_room<T>(list: &mut Vec<T>, more: usize) {
     if list.capacity() - list.len() < more {
         let part = if list.len() < 1 << 16 { list.len() } else { list.len() / 16 };
-        list.reserve_exact(part.max(more).max(4));
+        list.reserve_exact(part.max(more).max(FEW));
     }
 }
 

@@ -7,6 +7,9 @@ use crate::space::Space;
 /// The scan's copy of the states is dropped above this size; only a very large k would still favour it.
 const MOST_SCANNED: usize = 8192;
 
+/// A tree is built above this size; the crossover is never below it.
+const FEWEST_IN_TREE: usize = 60;
+
 /// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
 /// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, candidates are
 /// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
@@ -28,6 +31,9 @@ impl Index {
         direction: Direction,
         state: &S::State,
     ) -> Option<Neighbour> {
+        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
+            return self.scan.nearest(space, states, state);
+        }
         let mut found = Vec::with_capacity(2);
         self.k_nearest_by(space, states, direction, state, 1, &mut found);
         found.pop()
@@ -143,16 +149,28 @@ fn measured<S: Space>(
 impl<S: Space> Nearest<S> for Index {
     fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         self.len += 1;
-        self.tree.insert(space, vertex, state);
+        if !space.is_norm_exact() {
+            return self.tree.insert(space, vertex, state);
+        }
+        if self.len > FEWEST_IN_TREE {
+            if Nearest::<S>::is_empty(&self.tree) {
+                self.tree = KdTree::of(self.scan.packs(), FEWEST_IN_TREE);
+            }
+            self.tree.insert(space, vertex, state);
+        }
         if self.len > MOST_SCANNED {
             self.scan = LinearScan::default();
-        } else if space.is_norm_exact() {
+        } else {
             self.scan.insert(space, vertex, state);
         }
     }
 
     fn len(&self) -> usize {
         self.len
+    }
+
+    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
+        self.nearest_by(space, states, Direction::In, from)
     }
 
     fn k_nearest(

@@ -9,6 +9,9 @@ use crate::space::Space;
 /// Up to this many neighbours stay sorted; a guess does not pay for so few.
 const SORTED: usize = 4;
 
+/// Among up to this many states the nearest is found by exact distances alone.
+const FEW: usize = 32;
+
 /// How many packs are scanned at a time.
 const BLOCK: usize = 64 / LANES;
 
@@ -23,6 +26,11 @@ pub struct LinearScan {
 }
 
 impl LinearScan {
+    /// The states, to be copied into another index.
+    pub(super) fn packs(&self) -> &Packs {
+        &self.packs
+    }
+
     fn scan<S: Space>(&self, space: &S, query: &Query, mut closest: Closest<impl Fn(VertexId) -> f64>) {
         // First the distances to a block of packs, without branches, then the selection: two loops are faster than one.
         let mut distances = [[0.0; LANES]; BLOCK];
@@ -87,6 +95,24 @@ impl<S: Space> Nearest<S> for LinearScan {
 
     fn len(&self) -> usize {
         self.len
+    }
+
+    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
+        if self.len > FEW {
+            let mut found = Vec::with_capacity(2);
+            self.k_nearest(space, states, from, 1, &mut found);
+            return found.pop();
+        }
+        let mut nearest: Option<Neighbour> = None;
+        for at in 0..self.len {
+            let vertex = self.packs.vertices(at / LANES)[at % LANES];
+            let distance = norm(space, from, &states[vertex.index()]);
+            // Vertices come in the order of their numbers.
+            if nearest.is_none_or(|nearest| distance < nearest.distance) {
+                nearest = Some(Neighbour { distance, vertex });
+            }
+        }
+        nearest
     }
 
     fn k_nearest(

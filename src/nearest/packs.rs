@@ -143,6 +143,21 @@ impl Packs {
         query
     }
 
+    /// The same without any states.
+    pub fn emptied(&self) -> Self {
+        let Self { dimension, origin, reach, weights, .. } = *self;
+        Self { dimension, origin, reach, weights, rows: Vec::new(), vertices: Vec::new() }
+    }
+
+    /// The vertex and the coordinates in a lane.
+    pub fn entry(&self, pack: usize, lane: usize) -> (VertexId, Single) {
+        let mut single = Single::default();
+        for (x, row) in single.iter_mut().zip(self.rows(pack)) {
+            *x = row[lane];
+        }
+        (self.vertices(pack)[lane], single)
+    }
+
     /// Adds an empty pack.
     pub fn add(&mut self) -> u32 {
         make_room(&mut self.rows, self.dimension);

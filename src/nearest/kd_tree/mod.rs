@@ -135,12 +135,32 @@ impl KdTree {
     }
 }
 
+impl KdTree {
+    /// The tree of states that are in packs already, `len` in all.
+    pub(super) fn of(packs: &Packs, len: usize) -> Self {
+        let mut tree = Self::default();
+        tree.start(packs.emptied());
+        for at in 0..len {
+            let (vertex, single) = packs.entry(at / LANES, at % LANES);
+            tree.grow(vertex, &single[..packs.dimension]);
+        }
+        tree
+    }
+
+    /// Begins with empty packs.
+    fn start(&mut self, packs: Packs) {
+        self.packs = packs;
+        self.leaves.push(Leaf { packs: [0; LEAF_PACKS], len: 0 });
+        self.root = Node::leaf(0);
+    }
+}
+
 impl<S: Space> Nearest<S> for KdTree {
     fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         if self.len == 0 {
-            self.packs.start(space, state);
-            self.leaves.push(Leaf { packs: [0; LEAF_PACKS], len: 0 });
-            self.root = Node::leaf(0);
+            let mut packs = Packs::default();
+            packs.start(space, state);
+            self.start(packs);
         }
         let single = self.packs.admit(space, state);
         self.grow(vertex, &single[..space.dimension()]);

@@ -291,20 +291,14 @@ impl<M: Moving> Proof<'_, M> {
             return Some(if self.refused & 1 != 0 { interval.middle - interval.half } else { interval.middle });
         }
         let pairs = (first, self.prover.pairs.len());
-        let mut push = |is_half: usize| {
+        // Of a list whose last is taken first, the front half comes last.
+        for is_half in if self.order == Order::FrontFirst { [1, 0] } else { [0, 1] } {
             let is_refused = self.refused >> is_half & 1 != 0;
             if is_refused || self.open >> is_half & 1 != 0 {
                 let middle = if is_half == 0 { interval.middle - half } else { interval.middle + half };
                 self.prover.intervals.push(Interval { middle, half, level, pairs, is_half, is_refused });
                 self.prover.states.push(self.prover.moving.state(is_half));
             }
-        };
-        if self.order == Order::FrontFirst {
-            push(1);
-            push(0);
-        } else {
-            push(0);
-            push(1);
         }
         None
     }

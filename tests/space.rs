@@ -97,6 +97,7 @@ fn steered_motions_obey_the_laws_of_their_direction() {
                 assert!(d(&a, &b) <= space.extent(), "the extent is no less than a distance");
                 let bound = space.norm(|i| gap(a[i], b[i], torus.period(i)));
                 assert!(bound <= d(&a, &b) && bound <= d(&b, &a), "the bound is never above, not by a bit");
+                assert_eq!(space.distance_within(&a, &b, d(&a, &b)).to_bits(), d(&a, &b).to_bits());
                 assert_eq!([space.turn(&a, &b), space.sweep(&a, &b)], [0.0; 2]);
                 let curve = space.curve(&a, &b).expect("steered motions follow curves");
                 assert!((curve.length() - d(&a, &b)).abs() <= 1e-12 * (size + radius));

@@ -4,7 +4,7 @@ use crate::common::cases;
 use nalgebra::{Matrix3, Vector3};
 use planarium::graph::Fingerprint;
 use planarium::random::{Random, Stream};
-use planarium::space::steering::{Curve, Pose, Turn, advance, dubins, reeds_shepp, wrap};
+use planarium::space::steering::{Curve, Pose, Steering, Turn, advance, dubins, reeds_shepp, wrap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -360,6 +360,57 @@ fn rounding_costs_neither_a_loop_nor_a_shunt() {
             assert!((curve.length() - length).abs() <= 1e-14 * size.max(100.0), "{name} {length}: {curve:?}");
         }
     }
+}
+
+/// Also poses at the end of words, where several are as long as each other, and equal ones.
+fn tied(random: &mut Random) -> (Pose, Pose, f64) {
+    let (from, to, radius) = case(random);
+    if random.below(2) == 0 {
+        return (from, to, radius);
+    }
+    let mut to = from;
+    for _ in 0..random.below(5) {
+        let turn = curvature([L, S, R][random.below(3) as usize]);
+        let length = [Q, -Q, PI, 1.0, -1.0, uniform(random, -0.5, 0.5)][random.below(6) as usize];
+        to = advance(to, turn / radius, length * radius);
+    }
+    (from, to, radius)
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_length_within_a_limit_is_the_length_to_the_bit_and_beyond_it_is_greater() {
+    let mut random = Random::new(11, Stream::Samples);
+    for _ in 0..cases(400_000) {
+        let (from, to, radius) = tied(&mut random);
+        for steering in [Steering::Dubins, Steering::ReedsShepp] {
+            let length = steering.shortest(from, to, radius).length();
+            let part = 2.0 * random.uniform();
+            for most in [length, length.next_down(), length * (1.0 + 1e-12), length * (1.0 - 1e-12), length * part, 0.0]
+            {
+                let found = steering.length_within(from, to, radius, most);
+                let is_right = if length <= most { found.to_bits() == length.to_bits() } else { found > most };
+                assert!(is_right, "{steering:?} {from:?} {to:?} {radius}: {length}, within {most} {found}");
+            }
+            assert_eq!(steering.length_within(from, to, radius, f64::INFINITY).to_bits(), length.to_bits());
+        }
+    }
+}
+
+/// The expected number is that of a search through all words in their order, without any bounds.
+#[wasm_bindgen_test(unsupported = test)]
+fn bounds_on_words_change_no_bit() {
+    let mut random = Random::new(12, Stream::Samples);
+    let mut hash = Fingerprint::default();
+    for _ in 0..100_000 {
+        let (from, to, radius) = tied(&mut random);
+        for (_, steer) in BOTH {
+            for segment in steer(from, to, radius).segments() {
+                hash.integer(segment.turn as u64);
+                hash.numbers(&[segment.length]);
+            }
+        }
+    }
+    assert_eq!(hash.value(), 0x668c_52d3_5f21_6a69, "{:016x}", hash.value());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -140,6 +140,14 @@ pub trait Space: Sync {
     /// [`Space::is_symmetric`].
     fn distance(&self, a: &Self::State, b: &Self::State) -> f64;
 
+    /// The distance from `a` to `b` if that is at most `most`; else any number greater than `most`. The default is the distance;
+    /// a space may find sooner that it is greater.
+    #[inline]
+    fn distance_within(&self, a: &Self::State, b: &Self::State, most: f64) -> f64 {
+        let _ = most;
+        self.distance(a, b)
+    }
+
     /// The state a fraction `t` in [0, 1] along the motion from `a` to `b`; exactly `a` at 0 and `b` at 1.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
 

@@ -75,10 +75,15 @@ impl<const N: usize> Space for MotionSpace<N> {
     /// With steering O(1), about a microsecond.
     #[inline]
     fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let Some(steered) = self.steering else { return self.product.distance(a, b) };
+        self.distance_within(a, b, f64::INFINITY)
+    }
+
+    #[inline]
+    fn distance_within(&self, a: &[f64; N], b: &[f64; N], most: f64) -> f64 {
+        let Some((steering, radius)) = self.steering else { return self.product.distance(a, b) };
         let [x, y, turn] = [0, 1, 2].map(|i| gap(a[i], b[i], self.product.period(i)));
         // A curve may fall short of its goal by rounding; the distance is never below its bound.
-        self.curve_of(steered, a, b).length().max(least(x, y, turn, steered.1))
+        steering.length_within(pose(a), pose(b), radius, most).max(least(x, y, turn, radius))
     }
 
     #[inline]

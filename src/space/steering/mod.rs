@@ -10,6 +10,10 @@
 //! have to fit that closely only: rounding of a pose on a curve adds neither a loop nor a change of gear. Of curves as long as each
 //! other, to 1e-12, the first in the order of the words is taken. There is always a curve: one turn, a straight line and another
 //! turn lead to every pose.
+//!
+//! Before a word is solved, its length is bounded from below without trigonometric functions, from the cosines of its
+//! angles. A word whose bound exceeds the shortest length so far, or a limit that the caller gives
+//! ([`Steering::length_within`]), is not solved. This changes no bit.
 
 mod curve;
 mod dubins;
@@ -58,6 +62,16 @@ impl Steering {
             Steering::Dubins => dubins(from, to, radius),
             Steering::ReedsShepp => reeds_shepp(from, to, radius),
         }
+    }
+
+    /// The length of the [`shortest`](Self::shortest) curve, to the bit, if it is at most `most` metres; else any number greater than
+    /// `most`, found the faster the less `most` is.
+    pub fn length_within(self, from: Pose, to: Pose, radius: f64, most: f64) -> f64 {
+        let curve = match self {
+            Steering::Dubins => dubins::within(from, to, radius, most),
+            Steering::ReedsShepp => reeds_shepp::within(from, to, radius, most),
+        };
+        curve.map_or(f64::INFINITY, |curve| curve.length())
     }
 
     /// Whether every curve can be driven in reverse.

@@ -18,7 +18,7 @@
 //! - LSRL, the right arc q: (s +- 2 - 2i) e(t); LSLR, the left arc after the line q: (s +- 2) e(t);
 //! - LRSLR, both quarters q, at heading h: (s +- 4 + 2i) e(h).
 
-use super::goal::{Goal, Shortest, short_words, shorter};
+use super::goal::{Goal, Shortest, Unit, short_words, shorter};
 use super::{Curve, Pose, Turn};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -29,30 +29,39 @@ const QUARTER: f64 = 0.5 * PI;
 /// The shortest curve from one pose to another for a car that turns no tighter than `radius` metres, greater than 0, and may
 /// reverse anywhere. The curve back is the same, reversed, to the bit. O(1).
 pub fn reeds_shepp(from: Pose, to: Pose, radius: f64) -> Curve {
-    let order = from.x.total_cmp(&to.x).then(from.y.total_cmp(&to.y)).then(from.heading.total_cmp(&to.heading));
-    if order == Ordering::Greater { find(to, from, radius).reversed() } else { find(from, to, radius) }
+    within(from, to, radius, f64::INFINITY).expect("some word leads to every pose")
 }
 
-fn find(from: Pose, to: Pose, radius: f64) -> Curve {
+/// The same if it is no longer than `most` metres; else `None`, or a curve that is longer than `most` too.
+pub(super) fn within(from: Pose, to: Pose, radius: f64, most: f64) -> Option<Curve> {
+    let order = from.x.total_cmp(&to.x).then(from.y.total_cmp(&to.y)).then(from.heading.total_cmp(&to.heading));
+    if order == Ordering::Greater {
+        Some(find(to, from, radius, most)?.reversed())
+    } else {
+        find(from, to, radius, most)
+    }
+}
+
+fn find(from: Pose, to: Pose, radius: f64, most: f64) -> Option<Curve> {
     let goal = Goal::new(from, to, radius);
-    let sides = [goal, goal.mirrored()];
-    let found = Shortest::find(radius, |shortest| {
-        short_words(&sides, |goal, word| offer(goal, shortest, word));
+    let found = Shortest::find(&goal, radius, most, |sides, shortest| {
+        short_words(sides, |goal, word| offer(goal, shortest, word));
         for family in [straight, arcs, equal_arcs, quarters] {
             sides.iter().for_each(|goal| family(goal, shortest));
         }
     });
+    if found.is_some() || most < f64::INFINITY {
+        return found;
+    }
     // Rounding drops none of the words that always exist unless numbers overflow.
-    found.unwrap_or_else(|| {
-        let left = &goal.left;
-        let word = [left.angle, left.length, shorter(goal.heading - left.angle)];
-        Curve::new(1.0, &[(Turn::Left, word[0]), (Turn::Straight, word[1]), (Turn::Left, word[2])]).scaled(radius)
-    })
+    let (angle, line) = (goal.left.angle(), goal.left.length);
+    let word = [(Turn::Left, angle), (Turn::Straight, line), (Turn::Left, shorter(goal.heading - angle))];
+    Some(Curve::new(1.0, &word).scaled(radius))
 }
 
 /// Offers a word that begins to the left, or to the right in the mirror; angles by the shorter way. Words that do not exist
 /// have lengths that are not numbers.
-fn offer<const K: usize>(goal: &Goal, shortest: &mut Shortest, mut word: [(Turn, f64); K]) {
+fn offer<'a, const K: usize>(goal: &'a Goal, shortest: &mut Shortest<'a>, mut word: [(Turn, f64); K]) {
     for (turn, length) in &mut word {
         if *turn != Turn::Straight {
             *length = shorter(*length);
@@ -62,86 +71,135 @@ fn offer<const K: usize>(goal: &Goal, shortest: &mut Shortest, mut word: [(Turn,
 }
 
 /// CSC.
-fn straight(goal: &Goal, shortest: &mut Shortest) {
+fn straight<'a>(goal: &'a Goal, shortest: &mut Shortest<'a>) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading;
-    let left = &goal.left;
-    for (t, s) in [(left.angle, left.length), (left.angle + PI, -left.length)] {
-        offer(goal, shortest, [(Left, t), (Straight, s), (Left, heading - t)]);
+    let Goal { heading, facing, left, right, .. } = goal;
+    let (t, v) = (left.direction, facing.minus(left.direction));
+    if shortest.wants(left.length + t.least() + v.least()) {
+        let t = left.angle();
+        offer(goal, shortest, [(Left, t), (Straight, left.length), (Left, heading - t)]);
     }
-    let right = &goal.right;
+    if shortest.wants(left.length + t.opposite().least() + v.opposite().least()) {
+        let t = left.angle() + PI;
+        offer(goal, shortest, [(Left, t), (Straight, -left.length), (Left, heading - t)]);
+    }
     let inner = right.inner();
     for s in [inner, -inner] {
-        let t = right.angle + libm::atan2(2.0, s);
-        offer(goal, shortest, [(Left, t), (Straight, s), (Right, t - heading)]);
+        let t = right.direction.plus(Unit { cos: s, sin: 2.0 }.scaled(1.0 / right.length));
+        if inner >= 0.0 && shortest.wants(inner + t.least() + t.minus(*facing).least()) {
+            let t = right.angle() + libm::atan2(2.0, s);
+            offer(goal, shortest, [(Left, t), (Straight, s), (Right, t - heading)]);
+        }
     }
 }
 
 /// C|C|C, C|CC and CC|C.
-fn arcs(goal: &Goal, shortest: &mut Shortest) {
+fn arcs<'a>(goal: &'a Goal, shortest: &mut Shortest<'a>) {
     use Turn::{Left, Right};
-    let left = &goal.left;
+    let Goal { heading, facing, left, .. } = goal;
     if left.length > 4.0 {
         return;
     }
-    let half = libm::asin(0.25 * left.length);
-    for (t, u) in [(left.angle + half, 2.0 * half), (left.angle + PI - half, -2.0 * half)] {
-        offer(goal, shortest, [(Left, t), (Right, u), (Left, goal.heading - t + u)]);
+    let sin = 0.25 * left.length;
+    let half = Unit { cos: (1.0 - sin * sin).sqrt(), sin };
+    let (t, v, u) = (left.direction.plus(half), facing.minus(left.direction).plus(half), 2.0 * half.least());
+    if shortest.wants(u + t.least() + v.least()) {
+        let half = libm::asin(sin);
+        let (t, u) = (left.angle() + half, 2.0 * half);
+        offer(goal, shortest, [(Left, t), (Right, u), (Left, heading - t + u)]);
+    }
+    let (t, v) = (left.direction.minus(half).opposite(), facing.minus(left.direction).minus(half).opposite());
+    if shortest.wants(u + t.least() + v.least()) {
+        let half = libm::asin(sin);
+        let (t, u) = (left.angle() + PI - half, -2.0 * half);
+        offer(goal, shortest, [(Left, t), (Right, u), (Left, heading - t + u)]);
     }
 }
 
 /// CCu|CuC and C|CuCu|C.
-fn equal_arcs(goal: &Goal, shortest: &mut Shortest) {
+fn equal_arcs<'a>(goal: &'a Goal, shortest: &mut Shortest<'a>) {
     use Turn::{Left, Right};
-    let heading = goal.heading;
-    let right = &goal.right;
+    let Goal { heading, facing, right, .. } = goal;
     if right.length > 6.0 {
         return;
     }
-    for (cos, middle) in
-        [(0.25 * (2.0 + right.length), right.angle + QUARTER), (0.25 * (2.0 - right.length), right.angle - QUARTER)]
-    {
-        let u = libm::acos(cos);
-        for u in [u, -u] {
-            let t = middle + u;
-            offer(goal, shortest, [(Left, t), (Right, u), (Left, -u), (Right, t - 2.0 * u - heading)]);
+    let across = right.direction.next_quarter();
+    for (cos, quarter) in [(0.25 * (2.0 + right.length), QUARTER), (0.25 * (2.0 - right.length), -QUARTER)] {
+        let u = Unit { cos, sin: (1.0 - cos * cos).sqrt() };
+        let both = 2.0 * u.least();
+        // No angle has a cosine above 1.
+        if cos <= 1.0 && shortest.wants(both) {
+            let middle = if quarter > 0.0 { across } else { across.opposite() };
+            let (more, less) = (middle.plus(u), middle.minus(u));
+            for (sign, t, rest) in [(1.0, more, less), (-1.0, less, more)] {
+                if shortest.wants(both + t.least() + rest.minus(*facing).least()) {
+                    let u = sign * libm::acos(cos);
+                    let t = right.angle() + quarter + u;
+                    offer(goal, shortest, [(Left, t), (Right, u), (Left, -u), (Right, t - 2.0 * u - heading)]);
+                }
+            }
         }
     }
     let cos = 1.25 - 0.0625 * right.length * right.length;
-    let u = libm::acos(cos);
-    let aside = libm::atan2(libm::sin(u), 2.0 - cos);
-    for (u, aside) in [(u, aside), (-u, -aside)] {
-        let t = right.angle + QUARTER - aside;
-        offer(goal, shortest, [(Left, t), (Right, u), (Left, u), (Right, t - heading)]);
+    let u = Unit { cos, sin: (1.0 - cos * cos).sqrt() };
+    let both = 2.0 * u.least();
+    if cos <= 1.0 && shortest.wants(both) {
+        let aside = Unit { cos: 2.0 - cos, sin: u.sin }.scaled(2.0 / right.length);
+        for (sign, t) in [(1.0, across.minus(aside)), (-1.0, across.plus(aside))] {
+            if shortest.wants(both + t.least() + t.minus(*facing).least()) {
+                let u = libm::acos(cos);
+                let aside = libm::atan2(libm::sin(u), 2.0 - cos);
+                let (u, aside) = (sign * u, sign * aside);
+                let t = right.angle() + QUARTER - aside;
+                offer(goal, shortest, [(Left, t), (Right, u), (Left, u), (Right, t - heading)]);
+            }
+        }
     }
 }
 
 /// C|CqSC, CSCq|C and C|CqSCq|C. A line that goes against the quarter before it is never part of a shortest curve.
-fn quarters(goal: &Goal, shortest: &mut Shortest) {
+fn quarters<'a>(goal: &'a Goal, shortest: &mut Shortest<'a>) {
     use Turn::{Left, Right, Straight};
-    let heading = goal.heading;
-    let (left, right) = (&goal.left, &goal.right);
+    let Goal { heading, facing, left, right, .. } = goal;
     for sign in [1.0, -1.0] {
         let q = sign * QUARTER;
+        // An angle and a quarter of that sign more.
+        let turned = |unit: Unit| unit.next_quarter().scaled(sign);
         let inner = left.inner();
-        if inner >= 2.0 {
-            let (s, aside) = (sign * (inner - 2.0), libm::atan2(2.0, sign * inner));
-            let h = left.angle - aside;
-            offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Left, heading - h)]);
-            let t = left.angle + aside;
-            offer(goal, shortest, [(Left, t), (Straight, s), (Right, q), (Left, heading - t + q)]);
+        if inner >= 2.0 && shortest.wants(inner - 2.0 + QUARTER) {
+            let s = sign * (inner - 2.0);
+            let aside = Unit { cos: sign * inner, sin: 2.0 }.scaled(1.0 / left.length);
+            let (h, t) = (left.direction.minus(aside), left.direction.plus(aside));
+            if shortest.wants(inner - 2.0 + QUARTER + turned(h).least() + facing.minus(h).least()) {
+                let h = left.angle() - libm::atan2(2.0, sign * inner);
+                offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Left, heading - h)]);
+            }
+            if shortest.wants(inner - 2.0 + QUARTER + t.least() + turned(facing.minus(t)).least()) {
+                let t = left.angle() + libm::atan2(2.0, sign * inner);
+                offer(goal, shortest, [(Left, t), (Straight, s), (Right, q), (Left, heading - t + q)]);
+            }
         }
-        if right.length >= 2.0 {
+        if right.length >= 2.0 && shortest.wants(right.length - 2.0 + QUARTER) {
             let s = sign * (right.length - 2.0);
-            let h = if sign > 0.0 { right.angle } else { right.angle + PI };
-            offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Right, h - heading)]);
-            offer(goal, shortest, [(Left, h), (Straight, s), (Left, q), (Right, h + q - heading)]);
+            let unit = right.direction.scaled(sign);
+            let (h, rest) = (if sign > 0.0 { 0.0 } else { PI }, right.length - 2.0 + QUARTER);
+            if shortest.wants(rest + turned(unit).least() + unit.minus(*facing).least()) {
+                let h = right.angle() + h;
+                offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Right, h - heading)]);
+            }
+            if shortest.wants(rest + unit.least() + turned(unit.minus(*facing)).least()) {
+                let h = right.angle() + h;
+                offer(goal, shortest, [(Left, h), (Straight, s), (Left, q), (Right, h + q - heading)]);
+            }
         }
         let inner = right.inner();
-        if inner >= 4.0 {
-            let h = right.angle - libm::atan2(2.0, sign * inner);
-            let s = sign * (inner - 4.0);
-            offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Left, q), (Right, h + q - heading)]);
+        if inner >= 4.0 && shortest.wants(inner - 4.0 + PI) {
+            let h = right.direction.minus(Unit { cos: sign * inner, sin: 2.0 }.scaled(1.0 / right.length));
+            if shortest.wants(inner - 4.0 + PI + turned(h).least() + turned(h.minus(*facing)).least()) {
+                let h = right.angle() - libm::atan2(2.0, sign * inner);
+                let s = sign * (inner - 4.0);
+                offer(goal, shortest, [(Left, h + q), (Right, q), (Straight, s), (Left, q), (Right, h + q - heading)]);
+            }
         }
     }
 }

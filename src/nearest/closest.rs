@@ -8,6 +8,25 @@ use wide::f32x8;
 /// How many candidates that are as near as the k-th may be added to sorted ones before they are measured.
 const TIES: usize = 16;
 
+/// What a search of the tree offers states to.
+pub(super) trait Collector {
+    /// States whose approximate distance is greater are ignored.
+    fn bar(&self) -> f32;
+
+    /// Offers the states of up to eight packs with their approximate distances; NaN distances are ignored.
+    fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId);
+
+    /// Computes what is left to compute, and sorts what was found.
+    fn finish(self);
+}
+
+/// A bit for each state of up to eight packs: whether its distance is at most the bar. Without unpredictable branches.
+#[inline(always)]
+fn up_to(bar: f32, distances: &[[f32; LANES]]) -> u64 {
+    let lanes = |pack: &[f32; LANES]| u64::from(f32x8::new(*pack).simd_le(f32x8::splat(bar)).to_bitmask());
+    distances.iter().enumerate().fold(0, |wanted, (pack, distances)| wanted | lanes(distances) << (pack * LANES))
+}
+
 /// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`]. Until [`finish`](Self::finish),
 /// distances are approximate, and candidates that cannot be told from the k-th are stored as well.
 pub(super) struct Closest<'a, M> {
@@ -36,41 +55,6 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
     ) -> Self {
         found.clear();
         Self { query, found, k, limit, is_sorted, bar: query.bar(limit), measure }
-    }
-
-    /// Vertices whose approximate distance is greater are ignored.
-    #[inline(always)]
-    pub fn bar(&self) -> f32 {
-        self.bar
-    }
-
-    /// Offers the states of up to eight packs with their approximate distances; NaN distances are ignored.
-    #[inline(always)]
-    pub fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId) {
-        // First a bit mask of the states up to the bar, without unpredictable branches; then those few states.
-        let mut wanted = 0u64;
-        for (pack, distances) in distances.iter().enumerate() {
-            let lanes = f32x8::new(*distances).simd_le(f32x8::splat(self.bar)).to_bitmask();
-            wanted |= u64::from(lanes) << (pack * LANES);
-        }
-        while wanted != 0 {
-            let at = wanted.trailing_zeros() as usize;
-            wanted &= wanted - 1;
-            let (pack, lane) = (at / LANES, at % LANES);
-            // The gap of two states a whole turn apart may round to less than 0.
-            let distance = distances[pack][lane].max(0.0);
-            if !self.is_sorted {
-                self.found.push(Neighbour { distance: f64::from(distance), vertex: vertex(pack, lane) });
-            } else if distance <= self.bar {
-                self.sort_in(Neighbour { distance: f64::from(distance), vertex: vertex(pack, lane) });
-            }
-        }
-        if !self.is_sorted && self.found.len() / 2 >= self.k {
-            self.pick();
-            if self.found.len() - self.k > self.k / 2 {
-                self.measure();
-            }
-        }
     }
 
     /// Inserts a candidate among sorted ones.
@@ -115,12 +99,120 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
             self.lower_bar();
         }
     }
+}
 
-    /// Computes the exact distances of the neighbours and sorts them.
-    pub fn finish(mut self) {
+impl<M: Fn(VertexId) -> f64> Collector for Closest<'_, M> {
+    #[inline(always)]
+    fn bar(&self) -> f32 {
+        self.bar
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId) {
+        let mut wanted = up_to(self.bar, distances);
+        while wanted != 0 {
+            let at = wanted.trailing_zeros() as usize;
+            wanted &= wanted - 1;
+            let (pack, lane) = (at / LANES, at % LANES);
+            // The gap of two states a whole turn apart may round to less than 0.
+            let distance = distances[pack][lane].max(0.0);
+            if !self.is_sorted {
+                self.found.push(Neighbour { distance: f64::from(distance), vertex: vertex(pack, lane) });
+            } else if distance <= self.bar {
+                self.sort_in(Neighbour { distance: f64::from(distance), vertex: vertex(pack, lane) });
+            }
+        }
+        if !self.is_sorted && self.found.len() / 2 >= self.k {
+            self.pick();
+            if self.found.len() - self.k > self.k / 2 {
+                self.measure();
+            }
+        }
+    }
+
+    fn finish(mut self) {
         if !self.is_sorted && self.found.len() > self.k {
             self.pick();
         }
         self.measure();
     }
+}
+
+/// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`], if what is offered are lower bounds
+/// on distances: those up to the worst distance found are measured at once.
+pub(super) struct Ranked<'a, M> {
+    query: &'a Query,
+    found: &'a mut Vec<Neighbour>,
+    k: usize,
+    bar: f32,
+    /// The distance of a vertex if it is at most a number; else any number greater than that.
+    distance: M,
+    /// Vertices that are ignored, in order: they have been measured.
+    measured: Vec<VertexId>,
+}
+
+impl<'a, M: Fn(VertexId, f64) -> f64> Ranked<'a, M> {
+    /// The first `k`, at least 1, of candidates with their lower bounds, the lowest first, and of what is offered later.
+    pub fn new(
+        query: &'a Query,
+        candidates: &[Neighbour],
+        found: &'a mut Vec<Neighbour>,
+        k: usize,
+        distance: M,
+    ) -> Self {
+        found.clear();
+        let mut measured: Vec<VertexId> = candidates.iter().map(|candidate| candidate.vertex).collect();
+        measured.sort_unstable();
+        let mut ranked = Self { query, found, k, bar: f32::INFINITY, distance, measured };
+        for candidate in candidates {
+            if candidate.distance > ranked.worst() {
+                // So is every other.
+                ranked.bar = f32::NEG_INFINITY;
+                break;
+            }
+            ranked.rank(candidate.vertex);
+        }
+        ranked
+    }
+
+    /// The distance of the k-th neighbour; infinity if there are fewer.
+    fn worst(&self) -> f64 {
+        self.found.get(self.k - 1).map_or(f64::INFINITY, |worst| worst.distance)
+    }
+
+    /// Measures a vertex and inserts it among the first `k` if it is one of them.
+    fn rank(&mut self, vertex: VertexId) {
+        let neighbour = Neighbour { distance: (self.distance)(vertex, self.worst()), vertex };
+        if self.found.len() == self.k {
+            if !neighbour.is_before(&self.found[self.k - 1]) {
+                return;
+            }
+            self.found.pop();
+        }
+        let at = self.found.iter().rposition(|other| other.is_before(&neighbour)).map_or(0, |i| i + 1);
+        self.found.insert(at, neighbour);
+        self.bar = self.query.bar(self.worst());
+    }
+}
+
+impl<M: Fn(VertexId, f64) -> f64> Collector for Ranked<'_, M> {
+    #[inline(always)]
+    fn bar(&self) -> f32 {
+        self.bar
+    }
+
+    fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId) {
+        let mut wanted = up_to(self.bar, distances);
+        while wanted != 0 {
+            let at = wanted.trailing_zeros() as usize;
+            wanted &= wanted - 1;
+            let (pack, lane) = (at / LANES, at % LANES);
+            let vertex = vertex(pack, lane);
+            if distances[pack][lane] <= self.bar && self.measured.binary_search(&vertex).is_err() {
+                self.rank(vertex);
+            }
+        }
+    }
+
+    fn finish(self) {}
 }

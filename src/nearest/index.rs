@@ -11,8 +11,8 @@ const MOST_SCANNED: usize = 8192;
 const FEWEST_IN_TREE: usize = 60;
 
 /// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
-/// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, candidates are
-/// found by the norm and ranked by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
+/// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, the tree finds
+/// candidates by the norm and ranks them by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
 /// the methods ending in `_by` take the direction.
 #[derive(Debug, Clone, Default)]
 pub struct Index {
@@ -50,7 +50,9 @@ impl Index {
         found: &mut Vec<Neighbour>,
     ) -> usize {
         if !space.is_norm_exact() {
-            self.rank(space, states, direction, state, k, found)
+            let distance =
+                |vertex: VertexId, most| direction.distance_within(space, state, &states[vertex.index()], most);
+            self.tree.k_nearest_ranked(space, states, state, k, found, distance)
         } else if self.len <= Self::crossover(space, k) {
             self.scan.k_nearest(space, states, state, k, found)
         } else {
@@ -73,49 +75,12 @@ impl Index {
         }
         let visited = self.tree.within(space, states, state, radius, found);
         if !space.is_norm_exact() {
-            found.iter_mut().for_each(|candidate| *candidate = measured(space, states, direction, state, candidate));
+            for candidate in &mut *found {
+                let other = &states[candidate.vertex.index()];
+                candidate.distance = direction.distance_within(space, state, other, radius);
+            }
             found.retain(|neighbour| neighbour.distance <= radius);
             found.sort_unstable_by_key(Neighbour::key);
-        }
-        visited
-    }
-
-    /// The `k` nearest if the norm is a lower bound: takes candidates by their bounds, in batches that grow, and ranks them
-    /// by their distances until every bound left exceeds the worst distance found. The result is that of a plain scan, ties by
-    /// vertex number; how many distances are computed depends on how tight the bound is.
-    fn rank<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        found.clear();
-        if k == 0 {
-            return 0;
-        }
-        let (mut candidates, mut visited) = (Vec::new(), 0);
-        let (mut wanted, mut ranked) = (k.saturating_mul(2).saturating_add(6), 0);
-        while ranked < self.len {
-            visited = self.tree.k_nearest(space, states, state, wanted, &mut candidates);
-            for candidate in &candidates[ranked..] {
-                if found.len() == k && candidate.distance > found[k - 1].distance {
-                    return visited;
-                }
-                let neighbour = measured(space, states, direction, state, candidate);
-                if found.len() == k {
-                    if !neighbour.is_before(&found[k - 1]) {
-                        continue;
-                    }
-                    found.pop();
-                }
-                let at = found.iter().rposition(|other| other.is_before(&neighbour)).map_or(0, |i| i + 1);
-                found.insert(at, neighbour);
-            }
-            ranked = candidates.len();
-            wanted = wanted.saturating_mul(2);
         }
         visited
     }
@@ -132,18 +97,6 @@ impl Index {
         };
         (few + each * k.min(MOST_SCANNED)).min(MOST_SCANNED)
     }
-}
-
-/// The neighbour of a candidate found by the norm.
-fn measured<S: Space>(
-    space: &S,
-    states: &[S::State],
-    direction: Direction,
-    state: &S::State,
-    candidate: &Neighbour,
-) -> Neighbour {
-    let distance = direction.distance(space, state, &states[candidate.vertex.index()]);
-    Neighbour { distance, vertex: candidate.vertex }
 }
 
 impl<S: Space> Nearest<S> for Index {

@@ -1,6 +1,6 @@
 //! The linear scan: computes the distance to every state. Exact, and the fastest for few states.
 
-use super::closest::Closest;
+use super::closest::{Closest, Collector};
 use super::packs::{LANES, Packs, Query, norm};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;

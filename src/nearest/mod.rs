@@ -82,6 +82,13 @@ impl Direction {
         let [from, to] = self.ends(state, neighbour);
         space.distance(from, to)
     }
+
+    /// The same if it is at most `most`; else any number greater than `most`.
+    #[inline]
+    pub fn distance_within<S: Space>(self, space: &S, state: &S::State, neighbour: &S::State, most: f64) -> f64 {
+        let [from, to] = self.ends(state, neighbour);
+        space.distance_within(from, to, most)
+    }
 }
 
 /// An index of states that grows. It stores no states: a query gets the state of every vertex, by its number, in `states`.

@@ -12,7 +12,7 @@
 
 mod grow;
 
-use super::closest::Closest;
+use super::closest::{Closest, Collector, Ranked};
 use super::packs::{LANES, Packs, Query, norm};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
@@ -90,8 +90,35 @@ pub struct KdTree {
 }
 
 impl KdTree {
+    /// The `k` nearest states if the norm of the space is a lower bound on their distances, into `found`: `distance` returns that of
+    /// a vertex if it is at most a number, else any greater number. A few candidates are ranked by their bounds first, so that
+    /// the search for all others begins with a low bar. Returns how many vertices were visited.
+    pub(super) fn k_nearest_ranked<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+        k: usize,
+        found: &mut Vec<Neighbour>,
+        distance: impl Fn(VertexId, f64) -> f64,
+    ) -> usize {
+        let mut candidates = Vec::new();
+        let few = k.saturating_mul(2).saturating_add(6);
+        let visited = self.k_nearest(space, states, from, few, &mut candidates);
+        found.clear();
+        if k == 0 {
+            return 0;
+        }
+        let query = self.packs.query(space, from);
+        let ranked = Ranked::new(&query, &candidates, found, k, distance);
+        if ranked.bar() < 0.0 || candidates.len() == self.len {
+            return visited;
+        }
+        self.search(space, &query, ranked)
+    }
+
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
-    fn search<S: Space>(&self, space: &S, query: &Query, mut closest: Closest<impl Fn(VertexId) -> f64>) -> usize {
+    fn search<S: Space>(&self, space: &S, query: &Query, mut closest: impl Collector) -> usize {
         let mut visited = 0;
         if self.len == 0 {
             return visited;

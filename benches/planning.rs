@@ -123,7 +123,8 @@ fn threads() {
     let mut means = vec![0.0; counts.len()];
     let forests = worlds("forest", 3, |seed| json!({ "links": 4, "seed": seed }));
     for (_, scenario) in &forests {
-        let options = Options { planner: Some(id.clone()), query: None, seed: 0, parameters: parameters.clone() };
+        let options =
+            Options { planner: Some(id.clone()), query: None, seed: 0, parameters: parameters.clone(), events: true };
         let mut least = vec![f64::INFINITY; counts.len()];
         let mut result = None;
         for _ in 0..7 {

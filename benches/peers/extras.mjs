@@ -2,7 +2,6 @@
 import { join } from "node:path";
 import { Problem, ask, root } from "../../scripts/run.mjs";
 import { spread } from "./report.mjs";
-import { pinned } from "./sides.mjs";
 
 /** @typedef {import("./report.mjs").Figure} Figure */
 /** @typedef {{ forests: string[], isQuick: boolean }} Setting  scenarios of arms of four links, one for each new process */
@@ -52,13 +51,12 @@ function threads() {
 }
 
 /**
- * Runs a script in a new Node process on the common core and returns what it prints as JSON.
+ * Runs a script in a new Node process on all cores, as engines compile beside the page, and returns what it prints as JSON.
  * @param {string} script
  * @param {string[]} args
  */
 function inNode(script, args) {
-  const [program, ...rest] = [...pinned, process.execPath, join(root, "benches", "peers", script), ...args];
-  const answer = ask(program, rest);
+  const answer = ask(process.execPath, [join(root, "benches", "peers", script), ...args]);
   if (answer === undefined) throw new Problem(`benches/peers/${script} failed.`);
   return JSON.parse(answer);
 }

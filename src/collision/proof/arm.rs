@@ -336,6 +336,16 @@ impl Part for Link<'_> {
     }
 
     #[inline(always)]
+    fn offsets_from(&self, p: Point) -> Plane<Halves> {
+        let [a, b] = self.ends;
+        let (link, to) = (b.position - a.position, Plane::splat(p.coords) - a.position);
+        // How far along the link, from its start.
+        let length = self.along.dot(link);
+        let at = self.along.dot(to).greater(Halves::splat(0.0)).lesser(length);
+        self.along * at - to
+    }
+
+    #[inline(always)]
     fn offset_from(&self, half: usize, p: Point) -> Vector {
         let [a, b] = self.ends;
         nearest_point(p, a.place(half), b.place(half)) - p

@@ -10,7 +10,9 @@
 //! one proves within its budget.
 
 use super::moving_point::BOTH;
-use super::pair::{NO_HINT, Part, Separation, find_direction, offset, separate_from_polygon, swept_box};
+use super::pair::{
+    NO_HINT, Part, Separation, find_direction, offset, separate_from_disc, separate_from_polygon, swept_box,
+};
 use crate::collision::{Obstacles, Tolerance};
 use crate::geometry::Aabb;
 use std::sync::Arc;
@@ -323,12 +325,17 @@ impl<M: Moving> Proof<'_, M> {
         let faces = self.scene.obstacles.faces(obstacle);
         let part = moving.part(part);
         let mut answers = [(Separation::Unknown, NO_HINT); 2];
-        if !faces.is_empty() {
-            let separated = separate_from_polygon(&part, faces, hint, margin, eta);
+        // The distance from a disc is known, but for a slack; of that from a polygon only whether they overlap.
+        let (separated, slack) = match self.scene.obstacles.disc(obstacle) {
+            Some(disc) => (Some(separate_from_disc(&part, disc, margin)), 2.0 * eta - margin),
+            None if faces.is_empty() => (None, eta),
+            None => (Some(separate_from_polygon(&part, faces, hint, margin, eta)), eta),
+        };
+        if let Some(separated) = separated {
             if separated.apart == BOTH {
                 return None;
             }
-            answers = [separated.on(0, margin, eta), separated.on(1, margin, eta)];
+            answers = [separated.on(0, margin, slack), separated.on(1, margin, slack)];
         }
         for (half, (answer, _)) in answers.iter_mut().enumerate() {
             let is_enough = *answer == Separation::Open && !is_close && !self.searches;

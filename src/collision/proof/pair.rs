@@ -44,6 +44,13 @@ pub(in crate::collision) trait Part {
     /// The vector from `p` to the nearest point of the part in the middle of a half; zero where `p` is inside.
     fn offset_from(&self, half: usize, p: Point) -> Vector;
 
+    /// The same in the middles of both halves.
+    #[inline(always)]
+    fn offsets_from(&self, p: Point) -> Plane<Halves> {
+        let (a, b) = (self.offset_from(0, p), self.offset_from(1, p));
+        Plane { x: Halves::new([a.x, b.x]), y: Halves::new([a.y, b.y]) }
+    }
+
     /// How far the part is ahead of the line n.x = `support` in the middle.
     #[inline(always)]
     fn ahead(&self, n: Plane<Halves>, support: Halves) -> Halves {
@@ -72,7 +79,7 @@ pub(in crate::collision) struct Direction {
     pub ahead: Halves,
 }
 
-/// The result of [`separate_from_polygon`].
+/// The result of [`separate_from_polygon`] or [`separate_from_disc`].
 pub(in crate::collision) struct Separated {
     /// The halves on which the two are apart.
     pub apart: u32,
@@ -152,6 +159,17 @@ pub(in crate::collision) fn separate_from_polygon(
         }
     }
     all
+}
+
+/// Tries the directions from the centre of the disc to the nearest points of the part. There are no hints.
+#[inline(always)]
+pub(in crate::collision) fn separate_from_disc(part: &impl Part, disc: &Disc, margin: f64) -> Separated {
+    let (towards, radius) = (part.offsets_from(disc.center), Halves::splat(disc.radius));
+    let length = towards.dot(towards).sqrt();
+    // Not numbers if the centre is in the part: then no line keeps the two apart.
+    let n = towards * (Halves::splat(1.0) / length);
+    let apart = part.stays_ahead(n, n.dot(Plane::splat(disc.center.coords)) + radius, margin);
+    Separated { apart, ahead: length - radius, hints: Halves::splat(f64::from(NO_HINT)) }
 }
 
 /// The vector from the obstacle to the part in the middle of a half, between their nearest points, and their distance; for a polygon and a part

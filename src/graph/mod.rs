@@ -80,6 +80,12 @@ pub(crate) fn make_room<T>(list: &mut Vec<T>, more: usize) {
     }
 }
 
+/// Appends to a list that may become long.
+pub(crate) fn append<T>(list: &mut Vec<T>, item: T) {
+    make_room(list, 1);
+    list.push(item);
+}
+
 /// Vertices, edges and events in the order of their creation.
 #[derive(Debug, Clone)]
 pub struct Graph<S: Space> {
@@ -109,20 +115,16 @@ impl<S: Space> Graph<S> {
     #[inline]
     pub fn add_vertex(&mut self, iteration: u32, state: S::State) -> VertexId {
         let id = VertexId(u32::try_from(self.states.len()).expect("fewer than 2^32 vertices"));
-        make_room(&mut self.states, 1);
-        make_room(&mut self.vertex_births, 1);
-        self.states.push(state);
-        self.vertex_births.push(iteration);
+        append(&mut self.states, state);
+        append(&mut self.vertex_births, iteration);
         id
     }
 
     /// Adds an edge created in the given iteration; in a tree from parent to child.
     #[inline]
     pub fn add_edge(&mut self, iteration: u32, from: VertexId, to: VertexId) {
-        make_room(&mut self.edges, 1);
-        make_room(&mut self.edge_births, 1);
-        self.edges.push([from, to]);
-        self.edge_births.push(iteration);
+        append(&mut self.edges, [from, to]);
+        append(&mut self.edge_births, iteration);
     }
 
     /// Adds an edge of a tree with the controlled motion along it: edge v - 1 leads to vertex v. Either all edges of a graph
@@ -136,8 +138,7 @@ impl<S: Space> Graph<S> {
 
     /// Adds an event.
     pub fn add_event(&mut self, event: Event<S::State>) {
-        make_room(&mut self.events, 1);
-        self.events.push(event);
+        append(&mut self.events, event);
     }
 
     /// Whether there are [`MAX_RECORDS`] vertices, edges and recorded events, or more. O(1).

@@ -7,6 +7,7 @@
 //! leaves from all trees, those nearest beyond the planes first, until it has collected enough candidates; the metric itself ranks
 //! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
 
+use super::packs::weight;
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::random::below;
@@ -299,7 +300,7 @@ impl<S: Space> Nearest<S> for Forest {
 fn embedded<S: Space>(space: &S, state: &S::State) -> Vec<f64> {
     let mut point = Vec::with_capacity(2 * space.dimension());
     for (i, &x) in space.coordinates(state).iter().enumerate() {
-        let weight = space.norm(|j| f64::from(u8::from(i == j)));
+        let weight = weight(space, i);
         let period = space.period(i);
         if period.is_finite() {
             // A circle of this radius has the circumference `period`.

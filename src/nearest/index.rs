@@ -31,8 +31,9 @@ impl Index {
         direction: Direction,
         state: &S::State,
     ) -> Option<Neighbour> {
-        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
-            return self.scan.nearest(space, states, state);
+        // Empty if the norm is only a lower bound.
+        if let Some(nearest) = self.scan.nearest_of_few(space, states, state) {
+            return Some(nearest);
         }
         let mut found = Vec::with_capacity(2);
         self.k_nearest_by(space, states, direction, state, 1, &mut found);

@@ -1,7 +1,7 @@
 //! The linear scan: computes the distance to every state. Exact, and the fastest for few states.
 
 use super::closest::{Closest, Collector};
-use super::packs::{LANES, Packs, Query, norm};
+use super::packs::{LANES, Packs, Query, measure};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -26,6 +26,29 @@ pub struct LinearScan {
 }
 
 impl LinearScan {
+    /// The nearest of a few states; `None` if there are none, or too many for exact distances alone.
+    pub(super) fn nearest_of_few<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        from: &S::State,
+    ) -> Option<Neighbour> {
+        if self.len > FEW {
+            return None;
+        }
+        let measure = measure(space, states, from);
+        let mut nearest: Option<Neighbour> = None;
+        for at in 0..self.len {
+            let vertex = self.packs.vertices(at / LANES)[at % LANES];
+            let distance = measure(vertex);
+            // Vertices come in the order of their numbers.
+            if nearest.is_none_or(|nearest| distance < nearest.distance) {
+                nearest = Some(Neighbour { distance, vertex });
+            }
+        }
+        nearest
+    }
+
     /// The states, to be copied into another index.
     pub(super) fn packs(&self) -> &Packs {
         &self.packs
@@ -97,24 +120,6 @@ impl<S: Space> Nearest<S> for LinearScan {
         self.len
     }
 
-    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
-        if self.len > FEW {
-            let mut found = Vec::with_capacity(2);
-            self.k_nearest(space, states, from, 1, &mut found);
-            return found.pop();
-        }
-        let mut nearest: Option<Neighbour> = None;
-        for at in 0..self.len {
-            let vertex = self.packs.vertices(at / LANES)[at % LANES];
-            let distance = norm(space, from, &states[vertex.index()]);
-            // Vertices come in the order of their numbers.
-            if nearest.is_none_or(|nearest| distance < nearest.distance) {
-                nearest = Some(Neighbour { distance, vertex });
-            }
-        }
-        nearest
-    }
-
     fn k_nearest(
         &self,
         space: &S,
@@ -128,7 +133,7 @@ impl<S: Space> Nearest<S> for LinearScan {
             return 0;
         }
         let query = self.packs.query(space, from);
-        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        let measure = measure(space, states, from);
         let guess = self.guess(space, &query, k);
         self.scan(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
         if found.len() < k.min(self.len) {
@@ -146,7 +151,7 @@ impl<S: Space> Nearest<S> for LinearScan {
         found: &mut Vec<Neighbour>,
     ) -> usize {
         let query = self.packs.query(space, from);
-        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        let measure = measure(space, states, from);
         self.scan(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure));
         self.len
     }

@@ -20,7 +20,7 @@
 //! seen whose numbers, exact or not, are at most s, the k nearest have exact distances of at most (s + E)(1 + 2^-20), and
 //! approximations below s (1 + 2^-18) + 3 E: see [`Query::bar`]. The tests compare all results with exact ones.
 
-use crate::graph::{VertexId, make_room};
+use crate::graph::{VertexId, append, make_room};
 use crate::space::{MAX_DIMENSION, Space, gap, gap_to_interval};
 use wide::{f32x4, f32x8};
 
@@ -96,7 +96,7 @@ impl Packs {
         self.dimension = space.dimension();
         self.origin[..self.dimension].copy_from_slice(space.coordinates(state));
         for i in 0..self.dimension {
-            self.weights[i] = space.norm(|j| f64::from(u8::from(i == j)));
+            self.weights[i] = weight(space, i);
         }
     }
 
@@ -161,9 +161,8 @@ impl Packs {
     /// Adds an empty pack.
     pub fn add(&mut self) -> u32 {
         make_room(&mut self.rows, self.dimension);
-        make_room(&mut self.vertices, 1);
         self.rows.resize(self.rows.len() + self.dimension, [f32::NAN; LANES]);
-        self.vertices.push([VertexId(u32::MAX); LANES]);
+        append(&mut self.vertices, [VertexId(u32::MAX); LANES]);
         (self.vertices.len() - 1) as u32
     }
 
@@ -210,9 +209,18 @@ impl Packs {
     }
 }
 
-/// The number that [`Space::norm`] gives for two states in double precision: their distance, or a lower bound on it.
+/// The weight of a coordinate in the metric.
+pub(super) fn weight<S: Space>(space: &S, i: usize) -> f64 {
+    space.norm(|j| f64::from(u8::from(i == j)))
+}
+
+/// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a lower
+/// bound on it.
 #[inline(always)]
-pub(super) fn norm<S: Space>(space: &S, a: &S::State, b: &S::State) -> f64 {
-    let (a, b) = (space.coordinates(a), space.coordinates(b));
-    space.norm(|i| gap(a[i], b[i], space.period(i)))
+pub(super) fn measure<S: Space>(space: &S, states: &[S::State], from: &S::State) -> impl Fn(VertexId) -> f64 + Copy {
+    let from = space.coordinates(from);
+    move |vertex| {
+        let to = space.coordinates(&states[vertex.index()]);
+        space.norm(|i| gap(from[i], to[i], space.period(i)))
+    }
 }

@@ -60,6 +60,12 @@ impl<const N: usize> UnitVectors<N> {
         units
     }
 
+    /// That of angle i, for both halves.
+    #[inline(always)]
+    fn of_both(&self, i: usize) -> Plane<Halves> {
+        Plane { x: Halves::splat(self.x[i]), y: Halves::splat(self.y[i]) }
+    }
+
     /// Those of angles i and i + 1.
     #[inline(always)]
     fn two(&self, i: usize) -> Plane<Halves> {
@@ -191,7 +197,7 @@ impl<const N: usize> MovingArm<N> {
         let along = self.directions(q);
         (self.half, self.fastest) = (0.0, 0.0);
         for i in 0..self.links {
-            self.along[i] = Plane { x: Halves::splat(along.x[i]), y: Halves::splat(along.y[i]) };
+            self.along[i] = along.of_both(i);
             let link = self.along[i] * Halves::splat(self.lengths[i]);
             self.joints[i + 1] = MovingPoint::at_rest(self.joints[i].position + link);
         }
@@ -243,8 +249,7 @@ impl<const N: usize> Moving for MovingArm<N> {
         for i in 0..parts {
             // The front half is behind the middle of the interval, the other before it.
             let turn = Plane { x: Halves::splat(turns.x[i]), y: Halves::new([-turns.y[i], turns.y[i]]) };
-            let middle = Plane { x: Halves::splat(state.x[i]), y: Halves::splat(state.y[i]) };
-            self.along[i] = middle.rotated(turn);
+            self.along[i] = state.of_both(i).rotated(turn);
             let link = self.along[i] * Halves::splat(self.lengths[i]);
             let rate = h * self.rates[i];
             let swing = link * Halves::splat(rate);
@@ -273,10 +278,7 @@ impl<const N: usize> Moving for MovingArm<N> {
 
     #[inline(always)]
     fn swept_box(&self, part: usize) -> Aabb {
-        let (a, b) = (self.joints[part].swept_box(), self.joints[part + 1].swept_box());
-        let min = Plane { x: a[0].x.lesser(b[0].x), y: a[0].y.lesser(b[0].y) };
-        let max = Plane { x: a[1].x.greater(b[1].x), y: a[1].y.greater(b[1].y) };
-        let swept = around([min, max]);
+        let swept = around(self.part(part).swept_boxes());
         let swept = if self.fastest * self.half > FAST { self.restricted(swept, part) } else { swept };
         swept.grown(self.margin)
     }

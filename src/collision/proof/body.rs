@@ -13,7 +13,7 @@
 
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};
-use super::moving_point::{Halves, MovingPoint, Plane};
+use super::moving_point::{Halves, MovingPoint, Plane, around};
 use super::pair::{Direction, Part, nearest_point, polygon_support};
 use super::rotation::unit;
 use crate::collision::BodyMotion;
@@ -130,7 +130,8 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn swept_box(&self, part: usize) -> Aabb {
-        self.bound.swept_box(&self.middle, self.half, &self.corners[self.range(part)]).grown(self.eta)
+        let swept = around(self.part(part).swept_boxes());
+        self.bound.restricted(swept, &self.middle, self.half).grown(self.eta)
     }
 
     #[inline(always)]

@@ -84,9 +84,9 @@ pub(in crate::collision) struct Interval {
     pub half: f64,
     /// The number of halvings that led to it.
     pub level: usize,
-    /// The range of the pairs among which are those open on it, and which half of their interval it is.
+    /// The range of the pairs among which are those open on it, and which half of their interval it is: its lane.
     pairs: (usize, usize),
-    is_half: usize,
+    lane: usize,
     /// Whether it has been refused.
     is_refused: bool,
 }
@@ -116,7 +116,7 @@ pub(in crate::collision) struct Prover<M: Moving> {
     /// Intervals that were added, and the states in their middles.
     intervals: Vec<Interval>,
     states: Vec<M::State>,
-    /// Pairs of a part and an obstacle evaluated so far.
+    /// Pairs of a part and an obstacle evaluated so far, each half of an interval by itself.
     pub evaluations: u64,
     /// Motions refused because their budget was spent.
     pub unproven: u64,
@@ -137,7 +137,7 @@ impl<M: Moving> Prover<M> {
         self.intervals.clear();
         self.states.clear();
         let mut proof = Proof { scene, order, searches: false, open: 0, refused: 0, prover: self };
-        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), is_half: 0, is_refused: false };
+        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), lane: 0, is_refused: false };
         proof.test_all(&whole, &state);
         if let Some(hit) = proof.continue_with_halves(&whole, 0) {
             return Some(hit);
@@ -269,7 +269,7 @@ impl<M: Moving> Proof<'_, M> {
         let (first, end) = interval.pairs;
         for at in first..end {
             let Pair { part, obstacle, hints } = self.prover.pairs[at];
-            let (part, hint) = (part as usize, hints[interval.is_half]);
+            let (part, hint) = (part as usize, hints[interval.lane]);
             let ends = if hint == APART {
                 false
             } else if obstacle == BOUNDS {
@@ -294,12 +294,12 @@ impl<M: Moving> Proof<'_, M> {
         }
         let pairs = (first, self.prover.pairs.len());
         // Of a list whose last is taken first, the front half comes last.
-        for is_half in if self.order == Order::FrontFirst { [1, 0] } else { [0, 1] } {
-            let is_refused = self.refused >> is_half & 1 != 0;
-            if is_refused || self.open >> is_half & 1 != 0 {
-                let middle = if is_half == 0 { interval.middle - half } else { interval.middle + half };
-                self.prover.intervals.push(Interval { middle, half, level, pairs, is_half, is_refused });
-                self.prover.states.push(self.prover.moving.state(is_half));
+        for lane in if self.order == Order::FrontFirst { [1, 0] } else { [0, 1] } {
+            let is_refused = self.refused >> lane & 1 != 0;
+            if is_refused || self.open >> lane & 1 != 0 {
+                let middle = if lane == 0 { interval.middle - half } else { interval.middle + half };
+                self.prover.intervals.push(Interval { middle, half, level, pairs, lane, is_refused });
+                self.prover.states.push(self.prover.moving.state(lane));
             }
         }
         None

@@ -8,7 +8,7 @@
 //! s in direction e, c' = s e, c'' = s w J e, and it is no longer than w^2 (|s| + |w| |r|). The larger of the two for all
 //! points is the W of `moving_point.rs`.
 
-use super::moving_point::{BOTH, Halves, MovingPoint, Plane, around};
+use super::moving_point::{BOTH, Halves, MovingPoint, Plane};
 use super::rotation::unit;
 use crate::collision::BodyMotion;
 use crate::geometry::{Aabb, Point, Vector};
@@ -107,28 +107,19 @@ impl MotionBound {
         Middle { position, heading, direction: Some(heading), velocity, turn, centripetal, drift, remainder }
     }
 
-    /// A box that holds the points on both halves, of half-length `h`.
+    /// The part of a box that holds points on both halves, of half-length `h`, within reach of where the frame's origin can
+    /// be; the box itself where the body turns little.
     #[inline(always)]
-    pub fn swept_box(&self, middle: &Middle, h: f64, points: &[Plane<Halves>]) -> Aabb {
-        let [mut min, mut max] = middle.point(points[0]).swept_box();
-        for &point in &points[1..] {
-            let [low, high] = middle.point(point).swept_box();
-            min = Plane { x: min.x.lesser(low.x), y: min.y.lesser(low.y) };
-            max = Plane { x: max.x.greater(high.x), y: max.y.greater(high.y) };
+    pub fn restricted(&self, swept: Aabb, middle: &Middle, h: f64) -> Aabb {
+        if middle.turn.abs() <= FAST {
+            return swept;
         }
-        let swept = around([min, max]);
-        if middle.turn.abs() > FAST { self.restricted(swept, middle, h) } else { swept }
-    }
-
-    /// The part of the box within reach of where the frame's origin can be.
-    #[cold]
-    fn restricted(&self, swept: Aabb, middle: &Middle, h: f64) -> Aabb {
-        let [a, b] = [0, 1].map(|half| self.reached(middle, half, h));
-        let reached = a.union(&b);
+        let reached = self.reached(middle, 0, h).union(&self.reached(middle, 1, h));
         Aabb { min: swept.min.sup(&reached.min), max: swept.max.inf(&reached.max) }
     }
 
     /// A box around all that the body can reach on a half.
+    #[cold]
     fn reached(&self, middle: &Middle, half: usize, h: f64) -> Aabb {
         let within = |center: Vector, x: f64, y: f64| {
             let by = Vector::new(x + self.reach, y + self.reach);

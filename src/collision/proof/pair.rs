@@ -51,6 +51,19 @@ pub(in crate::collision) trait Part {
         Plane { x: Halves::new([a.x, b.x]), y: Halves::new([a.y, b.y]) }
     }
 
+    /// Boxes that hold the part on each half: the least x and y, then the largest.
+    #[inline(always)]
+    fn swept_boxes(&self) -> [Plane<Halves>; 2] {
+        let far = Halves::splat(f64::INFINITY);
+        let (mut min, mut max) = (Plane { x: far, y: far }, Plane { x: -far, y: -far });
+        for corner in self.corners() {
+            let [low, high] = corner.swept_box();
+            min = Plane { x: min.x.lesser(low.x), y: min.y.lesser(low.y) };
+            max = Plane { x: max.x.greater(high.x), y: max.y.greater(high.y) };
+        }
+        [min, max]
+    }
+
     /// How far the part is ahead of the line n.x = `support` in the middle.
     #[inline(always)]
     fn ahead(&self, n: Plane<Halves>, support: Halves) -> Halves {
@@ -206,11 +219,8 @@ pub(in crate::collision) fn offset(
 
 /// A box that holds the part on a half.
 pub(in crate::collision) fn swept_box(part: &impl Part, half: usize) -> Aabb {
-    let boxes = part.corners().map(|corner| {
-        let [min, max] = corner.swept_box().map(|bound| Point::from(bound.half(half)));
-        Aabb { min, max }
-    });
-    boxes.reduce(|a, b| a.union(&b)).expect("a part has corners")
+    let [min, max] = part.swept_boxes().map(|bound| Point::from(bound.half(half)));
+    Aabb { min, max }
 }
 
 /// Whether some direction separates the two by more than `margin` on the whole half: that of the vector `towards` from the

@@ -1,7 +1,7 @@
 //! Growing the kd-tree: insertion, splitting of leaves, rebuilding of unbalanced subtrees.
 
 use super::{Branch, KdTree, LANES, LEAF, LEAF_PACKS, Leaf, MAX_DEPTH, Node, Sides};
-use crate::graph::{VertexId, make_room};
+use crate::graph::{VertexId, append, make_room};
 
 /// States of a subtree that is rebuilt.
 struct Entries {
@@ -143,9 +143,8 @@ impl KdTree {
         let index = match self.free_branches.pop() {
             Some(index) => index as usize,
             None => {
-                make_room(&mut self.branches, 1);
                 make_room(&mut self.boxes, dimension);
-                self.branches.push(Branch { split: 0.0, axis: 0, children: [Node(0); 2], counts });
+                append(&mut self.branches, Branch { split: 0.0, axis: 0, children: [Node(0); 2], counts });
                 self.boxes.resize(self.branches.len() * dimension, Sides::default());
                 self.branches.len() - 1
             }
@@ -167,8 +166,7 @@ impl KdTree {
                 index as usize
             }
             None => {
-                make_room(&mut self.leaves, 1);
-                self.leaves.push(leaf);
+                append(&mut self.leaves, leaf);
                 self.leaves.len() - 1
             }
         };

@@ -13,7 +13,7 @@
 mod grow;
 
 use super::closest::{Closest, Collector, Ranked};
-use super::packs::{LANES, Packs, Query, norm};
+use super::packs::{LANES, Packs, Query, measure};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
 use crate::space::Space;
@@ -160,9 +160,7 @@ impl KdTree {
             };
         }
     }
-}
 
-impl KdTree {
     /// The tree of states that are in packs already, `len` in all.
     pub(super) fn of(packs: &Packs, len: usize) -> Self {
         let mut tree = Self::default();
@@ -210,7 +208,7 @@ impl<S: Space> Nearest<S> for KdTree {
             return 0;
         }
         let query = self.packs.query(space, from);
-        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        let measure = measure(space, states, from);
         self.search(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure))
     }
 
@@ -223,7 +221,7 @@ impl<S: Space> Nearest<S> for KdTree {
         found: &mut Vec<Neighbour>,
     ) -> usize {
         let query = self.packs.query(space, from);
-        let measure = |vertex: VertexId| norm(space, from, &states[vertex.index()]);
+        let measure = measure(space, states, from);
         self.search(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure))
     }
 }

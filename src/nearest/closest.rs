@@ -20,6 +20,16 @@ pub(super) trait Collector {
     fn finish(self);
 }
 
+/// A guess of the distance within which the `k` nearest lie, from what another query found: about as far, and a quarter. Infinite
+/// if that query found fewer, or if there are so few to find that a guess does not pay.
+pub(super) fn guess(found: &[Neighbour], k: usize, few: usize) -> f64 {
+    match found.last() {
+        // A roadmap removes the state itself from what it finds.
+        Some(last) if k > few && found.len() + 1 >= k => 1.25 * last.distance,
+        _ => f64::INFINITY,
+    }
+}
+
 /// A bit for each state of up to eight packs: whether its distance is at most the bar. Without unpredictable branches.
 #[inline(always)]
 fn up_to(bar: f32, distances: &[[f32; LANES]]) -> u64 {

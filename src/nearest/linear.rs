@@ -1,6 +1,6 @@
 //! The linear scan: computes the distance to every state. Exact, and the fastest for few states.
 
-use super::closest::{Closest, Collector};
+use super::closest::{Closest, Collector, guess};
 use super::packs::{LANES, Packs, Query, measure};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
@@ -14,9 +14,6 @@ const FEW: usize = 32;
 
 /// How many packs are scanned at a time.
 const BLOCK: usize = 64 / LANES;
-
-/// The number of distances that a guess is based on.
-const SAMPLE: usize = 64;
 
 /// All states in one list, stored by columns. A query costs O(n).
 #[derive(Debug, Clone, Default)]
@@ -67,39 +64,6 @@ impl LinearScan {
         }
         closest.finish();
     }
-
-    /// A distance within which probably at least `k` states lie, and not many more: a quantile of the distances to the first
-    /// states. Infinite if there are too few states for a guess to pay.
-    fn guess<S: Space>(&self, space: &S, query: &Query, k: usize) -> f64 {
-        if k <= SORTED || self.len < 4 * SAMPLE || self.len / 8 < k {
-            return f64::INFINITY;
-        }
-        let mut sample = [0.0; SAMPLE];
-        for (pack, sample) in sample.chunks_exact_mut(LANES).enumerate() {
-            sample.copy_from_slice(&self.packs.distances(space, query, pack));
-        }
-        // The expected number of the k nearest among the sample, plus two and a half standard deviations.
-        let mean = (k * SAMPLE) as f64 / self.len as f64;
-        let rank = (mean + 2.5 * mean.sqrt()) as usize + 1;
-        let rank = rank.min(SAMPLE - 1);
-        // Insertion sort of the `rank + 1` smallest.
-        for at in 1..SAMPLE {
-            let value = sample[at];
-            let mut to = at;
-            if at > rank {
-                if value >= sample[rank] {
-                    continue;
-                }
-                to = rank;
-            }
-            while to > 0 && sample[to - 1] > value {
-                sample[to] = sample[to - 1];
-                to -= 1;
-            }
-            sample[to] = value;
-        }
-        f64::from(sample[rank])
-    }
 }
 
 impl<S: Space> Nearest<S> for LinearScan {
@@ -128,15 +92,15 @@ impl<S: Space> Nearest<S> for LinearScan {
         k: usize,
         found: &mut Vec<Neighbour>,
     ) -> usize {
+        let guess = guess(found, k, SORTED);
         found.clear();
         if k == 0 {
             return 0;
         }
         let query = self.packs.query(space, from);
         let measure = measure(space, states, from);
-        let guess = self.guess(space, &query, k);
         self.scan(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
-        if found.len() < k.min(self.len) {
+        if guess < f64::INFINITY && found.len() < k.min(self.len) {
             self.scan(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure));
         }
         self.len

@@ -12,7 +12,7 @@
 
 mod grow;
 
-use super::closest::{Closest, Collector, Ranked};
+use super::closest::{Closest, Collector, Ranked, guess};
 use super::packs::{LANES, Packs, Query, measure};
 use super::{Nearest, Neighbour};
 use crate::graph::VertexId;
@@ -203,13 +203,18 @@ impl<S: Space> Nearest<S> for KdTree {
         k: usize,
         found: &mut Vec<Neighbour>,
     ) -> usize {
+        let guess = guess(found, k, SORTED);
         found.clear();
         if k == 0 {
             return 0;
         }
         let query = self.packs.query(space, from);
         let measure = measure(space, states, from);
-        self.search(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure))
+        let mut visited = self.search(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
+        if guess < f64::INFINITY && found.len() < k.min(self.len) {
+            visited += self.search(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure));
+        }
+        visited
     }
 
     fn within(

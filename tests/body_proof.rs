@@ -34,6 +34,9 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
             assert!(fast || !slow, "world {number}: refused, though distances prove it free: {motion:?}");
             let hit = collision.first_hit(&motion);
             assert_eq!(fast, hit.is_none(), "world {number}: {motion:?}");
+            let steps = 1 + random.below(400) as u32;
+            let free = hit.map_or(steps, |hit| (hit * f64::from(steps)) as u32);
+            assert_eq!(collision.free_steps(&motion, steps), free, "world {number}: {motion:?}");
             let samples = if fast && !slow { 2000 } else { 40 };
             let mut room = f64::INFINITY;
             for i in 0..=samples {

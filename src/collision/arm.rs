@@ -152,7 +152,7 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     }
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
-        self.first_unproven(a, b, Order::FrontFirst)
+        self.first_unproven(a, b, Order::FrontFirst { steps: None })
     }
 
     /// Ordered by link, then by obstacle, the bounds last.

@@ -95,8 +95,7 @@ impl<const N: usize> Dynamics<[f64; N]> for CarDynamics<N> {
                 let steps = if most < f64::from(steps) { most as u32 } else { steps };
                 let duration = f64::from(steps) * self.step();
                 let motion = BodyMotion::Arc { from: placement(from), speed, turn_rate, duration };
-                // A step that rounding has let past the hit is past it by less than the slack of the proof.
-                self.collision.first_hit(&motion).map_or(steps, |hit| (hit * f64::from(steps)) as u32)
+                self.collision.free_steps(&motion, steps)
             }
             Integration::Euler => {
                 let steps = self.euler(from, control).take(steps as usize);

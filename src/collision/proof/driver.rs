@@ -105,8 +105,9 @@ struct Pair {
 pub(in crate::collision) enum Order {
     /// Any hit refuses the motion: level by level, the longest intervals first.
     MiddleFirst,
-    /// The first hit is wanted: halve towards the front until the bound is below the tolerance.
-    FrontFirst,
+    /// The first hit is wanted: halve towards the front until the bound is below the tolerance, or, if the motion consists of a
+    /// number of equal steps, until it is known in which of them the hit is.
+    FrontFirst { steps: Option<f64> },
 }
 
 /// A robot, lists that proofs reuse, and counts of their work.
@@ -129,7 +130,7 @@ impl<M: Moving> Prover<M> {
 
     /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
     /// if all of the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven
-    /// free. `state` is the state in the middle of the whole motion.
+    /// free, and of a motion of steps only the step of the result is that of the first interval. `state` is the state in the middle of the whole motion.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
@@ -147,7 +148,7 @@ impl<M: Moving> Prover<M> {
         let mut next = 0;
         while next < proof.prover.intervals.len() {
             // The front is last; and if there are too many open intervals, the last one is taken first.
-            let is_last = order == Order::FrontFirst || proof.prover.intervals.len() - next > WIDEST;
+            let is_last = order != Order::MiddleFirst || proof.prover.intervals.len() - next > WIDEST;
             let at = if is_last { proof.prover.intervals.len() - 1 } else { next };
             let interval = proof.prover.intervals[at];
             if interval.is_refused {
@@ -294,7 +295,7 @@ impl<M: Moving> Proof<'_, M> {
         }
         let pairs = (first, self.prover.pairs.len());
         // Of a list whose last is taken first, the front half comes last.
-        for lane in if self.order == Order::FrontFirst { [1, 0] } else { [0, 1] } {
+        for lane in if self.order == Order::MiddleFirst { [0, 1] } else { [1, 0] } {
             let is_refused = self.refused >> lane & 1 != 0;
             if is_refused || self.open >> lane & 1 != 0 {
                 let middle = if lane == 0 { interval.middle - half } else { interval.middle + half };
@@ -313,7 +314,7 @@ impl<M: Moving> Proof<'_, M> {
         let bound = 0.5 * self.prover.moving.travel(part) * interval.half;
         let is_close = bound < self.scene.tolerance.tau;
         let Some(answers) = self.separate(part, obstacle, hint, bound, is_close) else { return false };
-        self.list_or_refuse([part as u32, obstacle as u32], answers, is_close)
+        self.list_or_refuse(interval, [part as u32, obstacle as u32], answers, is_close)
     }
 
     /// Whether part and obstacle are apart on each half, and the next hints: in the directions at hand, else in those of
@@ -387,16 +388,22 @@ impl<M: Moving> Proof<'_, M> {
                 *answer = if depth < -eta { Separation::Touching } else { Separation::Open };
             }
         }
-        self.list_or_refuse([part as u32, BOUNDS], answers, travel < bounds_tau)
+        self.list_or_refuse(interval, [part as u32, BOUNDS], answers, travel < bounds_tau)
     }
 
     /// Lists a pair that is not apart on both halves, or refuses those on which it is close or touching. Returns whether no
     /// more tests of the interval are needed.
     #[inline(always)]
-    fn list_or_refuse(&mut self, [part, obstacle]: [u32; 2], answers: Answers, is_close: bool) -> bool {
+    fn list_or_refuse(
+        &mut self,
+        interval: &Interval,
+        [part, obstacle]: [u32; 2],
+        answers: Answers,
+        is_close: bool,
+    ) -> bool {
         let mut hints = [APART; 2];
         for (half, &(answer, hint)) in answers.iter().enumerate() {
-            let is_hit = answer == Separation::Touching && self.order == Order::MiddleFirst;
+            let is_hit = answer == Separation::Touching && self.is_located(interval, half);
             if answer == Separation::Apart {
             } else if is_hit || is_close {
                 self.refused |= 1 << half;
@@ -409,6 +416,20 @@ impl<M: Moving> Proof<'_, M> {
             self.prover.pairs.push(Pair { part, obstacle, hints });
         }
         self.refused & 1 != 0 || (self.refused != 0 && self.order == Order::MiddleFirst)
+    }
+
+    /// Whether it is known well enough where the hit is if the robot touches something in the middle of a half: in the step in which
+    /// that half begins, if all before it is free.
+    #[inline(always)]
+    fn is_located(&self, interval: &Interval, half: usize) -> bool {
+        match self.order {
+            Order::MiddleFirst => true,
+            Order::FrontFirst { steps: None } => false,
+            Order::FrontFirst { steps: Some(steps) } => {
+                let start = if half == 0 { interval.middle - interval.half } else { interval.middle };
+                (start * steps) as u64 == ((start + interval.half / 2.0) * steps) as u64
+            }
+        }
     }
 
     /// The budget of tests after the first interval, which left `open` pairs open.

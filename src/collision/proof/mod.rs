@@ -9,7 +9,7 @@
 //!         place the robot in the middles of both halves of the interval
 //!         for every pair open on the interval, for both halves at once:
 //!             apart on the whole half?            drop the pair there for good
-//!             touching in its middle?             the motion is refused, unless the first hit is wanted
+//!             touching in its middle?             the motion is refused, unless it is wanted where the first hit is
 //!             bound on travel < tolerance?        the motion is refused
 //!         add the halves on which pairs are left open
 //!     the motion is free

@@ -84,6 +84,20 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
         }
     }
 
+    /// Lowers the bar to that of the nearest state offered, if only one is wanted.
+    #[inline(always)]
+    fn lower_to_nearest(&mut self, distances: &[[f32; LANES]]) {
+        let mut least = f32x8::splat(self.bar);
+        for &pack in distances {
+            let pack = f32x8::new(pack);
+            least = pack.simd_lt(least).select(pack, least);
+        }
+        let least = least.to_array().into_iter().fold(self.bar, f32::min);
+        if least < self.bar {
+            self.bar = self.bar.min(self.query.bar(f64::from(least)));
+        }
+    }
+
     /// Lowers the bar to that of the k-th candidate.
     fn lower_bar(&mut self) {
         let bar = self.query.bar(self.found[self.k - 1].distance);
@@ -119,6 +133,9 @@ impl<M: Fn(VertexId) -> f64> Collector for Closest<'_, M> {
 
     #[inline(always)]
     fn offer(&mut self, distances: &[[f32; LANES]], vertex: impl Fn(usize, usize) -> VertexId) {
+        if self.k == 1 {
+            self.lower_to_nearest(distances);
+        }
         let mut wanted = up_to(self.bar, distances);
         while wanted != 0 {
             let at = wanted.trailing_zeros() as usize;

@@ -91,7 +91,7 @@ impl Index {
     fn crossover<S: Space>(space: &S, k: usize) -> usize {
         let (few, each) = match space.dimension() {
             0..=2 => (60, 3),
-            3 => (100, 17),
+            3 => (60, 17),
             4 => (250, 45),
             5 => (700, 110),
             _ => (1400, 250),

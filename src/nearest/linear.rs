@@ -10,7 +10,7 @@ use crate::space::Space;
 const SORTED: usize = 4;
 
 /// Among up to this many states the nearest is found by exact distances alone.
-const FEW: usize = 32;
+const FEW: usize = 16;
 
 /// How many packs are scanned at a time.
 const BLOCK: usize = 64 / LANES;

@@ -60,9 +60,49 @@ async function give(page, rival, name, value) {
 const A = { algorithm: "prm", settings: { samples: 260, k: 9, seed: 0 } };
 const settings = { seed: 0 };
 
+const four = [A, { algorithm: "rrt", settings }, { algorithm: "rrt-connect", settings }, { algorithm: "prm-star", settings: { samples: 260, seed: 0 } }];
+
+/** Checks that a race of `four` gets the same on any number of workers, at a time and at the end, and that a run after it does. @param {Page} page @param {number} workers   expected */
+async function assertSameOn(page, workers) {
+  const runs = four.map((plan) => alone("stones", plan));
+  await race(page, "rrt", "rrt-connect", "prm-star");
+  assert.equal(page.workers().length, workers);
+  await seek(page, 1234);
+  (await table(page)).forEach(({ counts, name }, i) => {
+    const at = runs[i].rows.findLastIndex((row) => row[PAST.evaluations] <= 1234);
+    assert.deepEqual(counts, [...[PAST.vertices, PAST.edges, PAST.motions, PAST.evaluations].map((column) => runs[i].rows[at][column]), at], name);
+  });
+  await finish(page);
+  assert.deepEqual((await table(page)).map(({ fingerprint }) => fingerprint), runs.map(({ fingerprint }) => fingerprint));
+  for (const rival of ["D", "C", "B"]) await click(page, `fieldset.rival:has(#rival-${rival}-planner) button`);
+  assert.equal((await finish(page)).fingerprint, runs[0].fingerprint);
+}
+
+/** @param {number} count   of processors */
+const processors = (count) => ({ before: async (/** @type {Page} */ page) => void await page.addInitScript((n) => Object.defineProperty(navigator, "hardwareConcurrency", { value: n }), count) });
+
+test("on four processors three workers plan a race of four, on one processor one does: the same", async () => {
+  await onPausedPage((page) => assertSameOn(page, 3), {}, processors(4));
+  await onPausedPage((page) => assertSameOn(page, 1), {}, processors(1));
+});
+
+test("where no further worker can be loaded the first one plans for all", async () => {
+  let loaded = 0;
+  await onPausedPage(async (page) => {
+    await assertSameOn(page, 1);
+    assert.ok(loaded > 1, "it was tried");
+    assert.equal(await page.isHidden("#notice"), true);
+  }, {}, {
+    expectErrors: true,
+    before: async (page) => {
+      await processors(8).before(page);
+      await page.route(/\/worker\.js$/, (route) => (loaded++ === 0 ? route.continue() : route.abort()));
+    },
+  });
+});
+
 test("at rest each planner has made as many iterations as fit into the time that is shown", () => onPausedPage(async (page) => {
-  const plans = [A, { algorithm: "rrt", settings }, { algorithm: "rrt-connect", settings }, { algorithm: "prm-star", settings: { samples: 260, seed: 0 } }];
-  const runs = plans.map((plan) => alone("stones", plan));
+  const runs = four.map((plan) => alone("stones", plan));
   await race(page, "rrt", "rrt-connect", "prm-star");
   assert.equal(await time(page), 0);
   for (const { counts } of await table(page)) assert.deepEqual(counts.slice(3), [0, 0]);

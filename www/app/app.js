@@ -9,7 +9,7 @@ import { byId, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { errorInfo } from "./error-info.js";
-import { loadCore, makeWorker } from "./resources.js";
+import { loadCore, workerMaker } from "./resources.js";
 import { readPalette } from "./palette.js";
 import { paced } from "./paced.js";
 import { isProjected } from "./projector.js";
@@ -36,6 +36,8 @@ export class App {
     this.themeListeners = [];
     /** The compiled WebAssembly. @type {WebAssembly.Module | undefined} */
     this.core = undefined;
+    /** Starts one more worker like that of the page; its commands reject if it could not be loaded. @type {() => unknown} */
+    this.hire = () => null;
     /** Rebuilds the objects of the core after a panic of the core. @type {() => void} */
     this.rebuild = () => {};
     this.frame = 0;
@@ -71,7 +73,9 @@ export class App {
     dataset.settled = "false";
     try {
       const loading = loadCore();
-      const worker = connect(await makeWorker(script), room, loading, (error) => { if (dataset.state !== "failed") this.fail(error); });
+      const make = await workerMaker(script);
+      const worker = connect(make(), room, loading, (error) => { if (dataset.state !== "failed") this.fail(error); });
+      this.hire = () => connect(make(), room, loading, () => {});
       this.core = await loading;
       await library.default(this.core);
       await start(/** @type {Remote<C>} */ (worker));

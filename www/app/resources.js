@@ -6,11 +6,12 @@
 /** @param {string} name */
 function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
 
-/** A worker. @param {string} script  its address, unless it is inline @returns {Promise<Worker>} */
-export async function makeWorker(script) {
+/** What makes workers. @param {string} script  their address, unless it is inline @returns {Promise<() => Worker>} */
+export async function workerMaker(script) {
   const packed = inline("worker");
-  if (packed === null) return new Worker(script, { type: "module" });
-  return new Worker(URL.createObjectURL(new Blob([await unpacked(packed)], { type: "text/javascript" })));
+  if (packed === null) return () => new Worker(script, { type: "module" });
+  const url = URL.createObjectURL(new Blob([await unpacked(packed)], { type: "text/javascript" }));
+  return () => new Worker(url);
 }
 
 /** The WebAssembly, compiled. @returns {Promise<WebAssembly.Module>} */

@@ -13,6 +13,7 @@ import { Lane } from "./lane.js";
 import { axesOf } from "../domain/names.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
+import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
@@ -42,7 +43,7 @@ export class Session {
   constructor(app, library, planners) {
     this.app = app;
     this.library = library;
-    this.planners = planners;
+    this.team = new Team(planners, () => /** @type {PlannerWorker} */ (app.hire()));
     this.catalogue = { phases: library.phases, planners: library.planners() };
     /** Called with the state of each frame. @type {(state: State) => void} */
     this.onState = () => {};

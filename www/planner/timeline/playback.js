@@ -131,7 +131,7 @@ export class Timeline {
     const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.planOf(session.query)) };
     this.sent = this.pending = plannings;
     try {
-      const growths = await session.planners.advance({ fresh, column, wanted, isResult });
+      const growths = await session.team.advance({ fresh, column, wanted, isResult });
       if (session.plannings === plannings) this.take(growths);
     } catch (error) {
       if (this.isAsking) this.pending = -1;

@@ -10,7 +10,7 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 pub enum Code {
     /// The text is not JSON, or a number in it does not fit a 64-bit float.
     InvalidJson,
-    /// The format of the document is not planarium-scenario-1.
+    /// The format of the document is not the one that is read here, such as planarium-scenario-1.
     UnknownFormat,
     /// An unknown field.
     UnknownField,
@@ -30,11 +30,11 @@ pub enum Code {
     WrongDimension,
     /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to 0.
     DegeneratePolygon,
-    /// Two queries share a name.
+    /// Two queries, worlds or planners share a name.
     DuplicateName,
     /// An obstacle lies within the arm's radius of its base, which never moves.
     BaseInCollision,
-    /// More obstacles or vertices than the limits allow.
+    /// More obstacles, vertices or trials than the limits allow.
     TooLarge,
     /// The start of the query touches something.
     StartInCollision,
@@ -60,6 +60,8 @@ pub enum Code {
     InvalidRoadmap,
     /// A saved roadmap belongs to another world or another robot.
     OtherScenario,
+    /// A file of rows cannot be continued: it has rows of another experiment or of another shard (command line only).
+    OtherExperiment,
     /// The arguments do not make sense (command line only).
     Usage,
 }

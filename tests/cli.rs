@@ -45,7 +45,7 @@ impl Finished {
 
     /// Checks the error on standard output, with exit code 2 and a message on standard error.
     #[track_caller]
-    fn refuses(&self, code: &str, pointer: &str) {
+    pub fn refuses(&self, code: &str, pointer: &str) {
         let error = &self.json()["error"];
         assert_eq!((self.code, &error["code"], &error["pointer"]), (2, &json!(code), &json!(pointer)), "{error}");
         let message = error["message"].as_str().expect("a message");
@@ -55,22 +55,22 @@ impl Finished {
 }
 
 /// A file of the folder in which the program runs.
-fn path(name: &str) -> PathBuf {
+pub fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
 /// Writes a file there; returns its name.
-fn file(name: &str, contents: impl AsRef<[u8]>) -> &str {
+pub fn file(name: &str, contents: impl AsRef<[u8]>) -> &str {
     std::fs::write(path(name), contents).expect("the folder for test files can be written");
     name
 }
 
-fn text_of(name: &str) -> String {
+pub fn text_of(name: &str) -> String {
     std::fs::read_to_string(path(name)).expect("it is written")
 }
 
 /// Starts the program with the words of a line, in a folder with room.json, arm.json and firs.json.
-fn spawn(line: &str) -> Child {
+pub fn spawn(line: &str) -> Child {
     static WRITTEN: Once = Once::new();
     WRITTEN.call_once(|| {
         let firs = include_str!("../www/scenes/firs.json");
@@ -342,7 +342,7 @@ fn list_describes_everything_in_the_catalogue() {
     }
     assert_eq!(words(&listed["generators"], "id"), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
     let known: Vec<&str> = planarium::error::Code::ALL.iter().map(|code| code.as_str()).collect();
-    assert_eq!((known.len(), known[0], known[26]), (27, "invalid-json", "usage"));
+    assert_eq!((known.len(), known[0], known[27]), (28, "invalid-json", "usage"));
     assert_eq!(words(&listed["errors"], "code"), known, "every code once, in order");
 }
 
@@ -461,9 +461,15 @@ fn a_result_that_is_lost_is_an_error() {
 
 #[cfg(feature = "schema")]
 #[test]
-fn the_schema_is_printed() {
-    let schema = planarium("schema");
-    assert_eq!((schema.code, schema.json()), (0, planarium::scenario::schema()));
+fn the_schemas_are_printed() {
+    for (line, expected) in [
+        ("schema", planarium::scenario::schema()),
+        ("schema scenario", planarium::scenario::schema()),
+        ("schema experiment", planarium::experiment::schema()),
+    ] {
+        let schema = planarium(line);
+        assert_eq!((schema.code, schema.json()), (0, expected));
+    }
 }
 
 /// An array file of NumPy.

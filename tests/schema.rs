@@ -3,25 +3,30 @@
 use crate::common::documents::{ARM, BODY, CAR, DISC, reaching};
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Whether the value follows the schema: as much of JSON Schema as this schema uses. A keyword that is not known here is a
 /// failure, so that none goes unchecked.
 fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
-    let keywords = schema.as_object().expect("a schema is an object");
+    if let Some(accepts) = schema.as_bool() {
+        return accepts;
+    }
+    let keywords = schema.as_object().expect("a schema is an object, or true or false");
     keywords.iter().all(|(keyword, rule)| match keyword.as_str() {
-        "$schema" | "$defs" | "title" | "description" | "default" => true,
+        "$schema" | "$defs" | "title" | "description" | "default" | "format" => true,
         "$ref" => {
             let pointer = rule.as_str().and_then(|path| path.strip_prefix('#')).expect("a pointer into the schema");
             follows(root, root.pointer(pointer).expect("the definition is there"), value)
         }
         "oneOf" => rule.as_array().unwrap().iter().filter(|one| follows(root, one, value)).count() == 1,
+        "anyOf" => rule.as_array().unwrap().iter().any(|one| follows(root, one, value)),
         "const" => rule == value,
         "type" => match rule.as_str().expect("one type") {
             "object" => value.is_object(),
             "array" => value.is_array(),
             "string" => value.is_string(),
             "number" => value.is_number(),
+            "boolean" => value.is_boolean(),
             other => panic!("no value of this document has the type {other}"),
         },
         "required" => value.as_object().is_none_or(|object| {
@@ -32,8 +37,9 @@ fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
             object.iter().all(known)
         }),
         "additionalProperties" => {
-            assert_eq!(rule, &json!(false));
-            value.as_object().is_none_or(|object| object.keys().all(|name| keywords["properties"].get(name).is_some()))
+            let own = keywords.get("properties").unwrap_or(&Value::Null);
+            let is_allowed = |(name, field): (&String, &Value)| own.get(name).is_some() || follows(root, rule, field);
+            value.as_object().is_none_or(|object| object.iter().all(is_allowed))
         }
         "items" => {
             let first = keywords.get("prefixItems").map_or(0, |prefix| prefix.as_array().unwrap().len());
@@ -57,6 +63,12 @@ fn is_valid(value: &Value) -> bool {
     follows(&schema, &schema, value)
 }
 
+/// The same of an experiment.
+pub fn is_experiment(value: &Value) -> bool {
+    let schema = planarium::experiment::schema();
+    follows(&schema, &schema, value)
+}
+
 /// Checks that the schema accepts the document, or that it refuses it.
 #[track_caller]
 pub fn check(document: &Value, is_accepted: bool) {
@@ -64,7 +76,9 @@ pub fn check(document: &Value, is_accepted: bool) {
 }
 
 #[test]
-fn the_committed_schema_is_that_of_the_types() {
+fn the_committed_schemas_are_those_of_the_types() {
+    let experiment = format!("{:#}\n", planarium::experiment::schema());
+    crate::common::golden::committed("schema/experiment.schema.json", &experiment);
     crate::common::golden::committed("schema/scenario.schema.json", &format!("{:#}\n", schema()));
 }
 

@@ -15,6 +15,8 @@ pub use crate::json::{MAX_DEPTH, MAX_TEXT};
 pub use crate::robot::LARGEST;
 #[cfg(feature = "schema")]
 pub use schema::schema;
+#[cfg(feature = "schema")]
+pub(crate) use schema::schema_of;
 use types::Parts;
 pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 

@@ -4,15 +4,20 @@
 //! only [`Scenario::parse`](super::Scenario::parse) checks.
 
 use super::document::Document;
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
 
 /// The JSON Schema (draft 2020-12) of the documents that `Scenario::parse` accepts.
 pub fn schema() -> Value {
+    schema_of::<Document>()
+}
+
+/// The schema of a type that a document is read into.
+pub(crate) fn schema_of<T: JsonSchema>() -> Value {
     let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(tidy));
-    settings.into_generator().into_root_schema_for::<Document>().to_value()
+    settings.into_generator().into_root_schema_for::<T>().to_value()
 }
 
 /// Removes artefacts of the Rust types: `null` for fields that may be absent, defaults, a choice of one, and the line

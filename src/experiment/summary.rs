@@ -1,0 +1,198 @@
+//! The statistics of all rows of an experiment.
+
+use super::statistics::{Mean, Names, Paired, Quartiles, Share, mean, paired, quartiles, share};
+use super::{Experiment, Measure, Trial};
+use crate::json::hex;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+
+/// Collects what is measured of trials, in any order, and summarises it: 8 bytes for each trial and measure.
+pub struct Summary<'a> {
+    experiment: &'a Experiment,
+    rows: u64,
+    /// By world, variant, query, planner and setting.
+    groups: BTreeMap<[u64; 5], Group>,
+}
+
+/// The trials that differ in seeds alone: one place for each, NaN while it is unknown.
+struct Group {
+    solved: Vec<f64>,
+    valid: Vec<f64>,
+    /// Of each measure, the values of solved trials.
+    measures: Vec<Vec<f64>>,
+}
+
+/// The summary as a document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SummaryDocument {
+    /// The fingerprint of the experiment, as in its rows.
+    #[serde(with = "hex")]
+    pub experiment: u64,
+    /// The title of the experiment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// How many trials the experiment has.
+    pub trials: u64,
+    /// How many of them are summarised.
+    pub rows: u64,
+    /// The trials that differ in seeds alone.
+    pub groups: Vec<GroupSummary>,
+    /// Each setting compared with the first setting of the first planner, on the same worlds and seeds.
+    pub comparisons: Vec<Comparison>,
+}
+
+/// The statistics of one planner with one setting in worlds of one kind.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GroupSummary {
+    /// The name of the worlds.
+    pub world: String,
+    /// The options of the generator that vary.
+    pub world_settings: Map<String, Value>,
+    /// The name of the query; none if it is the first of each world.
+    pub query: Option<String>,
+    /// The name of the planner.
+    pub planner: String,
+    /// Its parameters that vary.
+    pub settings: Map<String, Value>,
+    /// The share of trials that are solved.
+    pub solved: Share,
+    /// The share of paths that the verifier accepts, if it was asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub valid: Option<Share>,
+    /// The statistics of every measure, over the trials that are solved; those that are not are missing.
+    pub measures: BTreeMap<&'static str, MeasureSummary>,
+}
+
+/// The statistics of one measure.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MeasureSummary {
+    /// The quartiles.
+    pub quartiles: Quartiles,
+    /// The mean with its interval.
+    pub mean: Mean,
+}
+
+/// One setting compared with the first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The index of the group in [`SummaryDocument::groups`].
+    pub group: usize,
+    /// The index of the group that it is compared with.
+    pub with: usize,
+    /// Which of the two is solved, pair by pair: 1 or 0.
+    pub solved: Paired,
+    /// Every measure, over the pairs in which both are solved.
+    pub measures: BTreeMap<&'static str, Paired>,
+}
+
+impl<'a> Summary<'a> {
+    /// A summary without rows.
+    pub fn new(experiment: &'a Experiment) -> Self {
+        Self { experiment, rows: 0, groups: BTreeMap::new() }
+    }
+
+    /// Adds a trial: whether it is solved, whether its path is valid if that was asked, and the value of each of
+    /// [`Experiment::measures`], NaN if it is unknown.
+    pub fn add(&mut self, trial: &Trial, is_solved: bool, is_valid: Option<bool>, values: &[f64]) {
+        let experiment = self.experiment;
+        let seeds = experiment.seeds.len();
+        let size = (experiment.worlds[trial.worlds].seed_count() * seeds) as usize;
+        let key = [trial.worlds as u64, trial.variant, trial.query as u64, trial.planner as u64, trial.setting];
+        let unknown = || vec![f64::NAN; size];
+        let group = self.groups.entry(key).or_insert_with(|| Group {
+            solved: unknown(),
+            valid: if experiment.verify { unknown() } else { Vec::new() },
+            measures: experiment.measures.iter().map(|_| unknown()).collect(),
+        });
+        let place = (trial.world_seed * seeds + trial.seed) as usize;
+        group.solved[place] = f64::from(u8::from(is_solved));
+        if let Some(is_valid) = is_valid.filter(|_| experiment.verify) {
+            group.valid[place] = f64::from(u8::from(is_valid));
+        }
+        if is_solved {
+            group.measures.iter_mut().zip(values).for_each(|(all, value)| all[place] = *value);
+        }
+        self.rows += 1;
+    }
+
+    /// The summary of the trials that were added.
+    pub fn document(&self) -> SummaryDocument {
+        let groups: Vec<_> = self.groups.iter().map(|(key, group)| self.group(*key, group)).collect();
+        SummaryDocument {
+            experiment: self.experiment.fingerprint,
+            title: self.experiment.title.clone(),
+            trials: self.experiment.trial_count(),
+            rows: self.rows,
+            comparisons: self.comparisons(&groups),
+            groups,
+        }
+    }
+
+    fn group(&self, [worlds, variant, query, planner, setting]: [u64; 5], group: &Group) -> GroupSummary {
+        let experiment = self.experiment;
+        let (worlds, planner) = (&experiment.worlds[worlds as usize], &experiment.planners[planner as usize]);
+        let varied = |values: Vec<(&str, &Value)>| {
+            values.into_iter().map(|(name, value)| (name.to_owned(), value.clone())).collect::<Map<_, _>>()
+        };
+        GroupSummary {
+            world: worlds.name.clone(),
+            world_settings: varied(worlds.varied(variant)),
+            query: worlds.queries[query as usize].clone(),
+            planner: planner.name.clone(),
+            settings: varied(planner.grid.varied(setting)),
+            solved: share(&group.solved),
+            valid: experiment.verify.then(|| share(&group.valid)),
+            measures: self.by_measure(|i| MeasureSummary {
+                quartiles: quartiles(&group.measures[i]),
+                mean: mean(&group.measures[i]),
+            }),
+        }
+    }
+
+    /// One value for every measure, by its word.
+    fn by_measure<T>(&self, of: impl Fn(usize) -> T) -> BTreeMap<&'static str, T> {
+        self.experiment.measures.iter().enumerate().map(|(i, measure)| (measure.as_str(), of(i))).collect()
+    }
+
+    fn comparisons(&self, summaries: &[GroupSummary]) -> Vec<Comparison> {
+        let groups: Vec<_> = self.groups.iter().collect();
+        // The groups are in order, so the first one of a problem is that of the first planner, if it has run.
+        let first = |key: &[u64; 5]| groups.partition_point(|(other, _)| other[..3] < key[..3]);
+        let pairs: Vec<_> = groups
+            .iter()
+            .enumerate()
+            .map(|(i, (key, _))| (i, first(key)))
+            .filter(|(group, with)| group != with)
+            .collect();
+        let tests = (pairs.len() * (1 + self.experiment.measures.len())) as u64;
+        let compared = |&(group, with): &(usize, usize)| {
+            let [a, b] = [group, with].map(|i| label(&summaries[i]));
+            let [one, other] = [group, with].map(|i| groups[i].1);
+            let compare = |x: &[f64], y: &[f64], measure: &str| paired(x, y, Names { a: &a, b: &b, measure }, tests);
+            Comparison {
+                group,
+                with,
+                solved: compare(&one.solved, &other.solved, "success"),
+                measures: self.by_measure(|i| {
+                    compare(&one.measures[i], &other.measures[i], self.experiment.measures[i].as_str())
+                }),
+            }
+        };
+        pairs.iter().map(compared).collect()
+    }
+}
+
+/// A planner with its setting.
+fn label(group: &GroupSummary) -> String {
+    let settings: Vec<String> =
+        group.settings.iter().map(|(name, value)| format!("{name}={}", super::cell_text(value))).collect();
+    if settings.is_empty() { group.planner.clone() } else { format!("{} ({})", group.planner, settings.join(", ")) }
+}
+
+impl Measure {
+    /// The measure with this word.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|measure| measure.as_str() == word)
+    }
+}

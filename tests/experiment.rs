@@ -1,0 +1,340 @@
+//! Experiments: the document and its refusals, trials by number, rows that are the same however a trial is stepped, and the summary.
+
+use crate::common::documents::{CAR, DISC, refuses, with};
+use crate::common::{begin_with, finish, golden};
+use planarium::experiment::{Experiment, Measure, Summary, Trials, cell_text};
+use planarium::scenario::{Scenario, generate::generate};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// Every field of a document: 2 queries of a scenario, 2 x 3 forests; 2 + 1 settings; 2 seeds.
+fn full() -> Value {
+    let queries = r#"{"name": "across", "start": [0.2, 0.2], "goal": [1.8, 1.8]}, {"name": "down", "start": [0.2, 1.8], "goal": [1.8, 0.2]}"#;
+    let disc: Value =
+        serde_json::from_str(&with(DISC, r#"{"name": "across", "start": [0.2, 0.2], "goal": [1.8, 1.8]}"#, queries))
+            .unwrap();
+    json!({
+        "format": "planarium-experiment-1", "title": "All fields",
+        "worlds": [
+            { "scenario": disc, "name": "round", "queries": ["across", "down"] },
+            { "generate": "discs", "set": { "count": 5 }, "vary": { "radius": [0.05, 0.1] }, "seeds": { "from": 4, "count": 3 } },
+        ],
+        "planners": [
+            { "algorithm": "prm", "name": "roadmap", "set": { "samples": 60 }, "vary": { "k": { "from": 2, "to": 6, "step": 4 } } },
+            { "algorithm": "rrt" },
+        ],
+        "seeds": [7, 3],
+        "budget": { "iterations": 400 },
+        "verify": true,
+        "measures": ["visited", "length", "build_seconds"],
+    })
+}
+
+/// The document with the value at a pointer replaced; an object's field is removed by `null`.
+fn changed(pointer: &str, value: Value) -> Value {
+    let mut document = full();
+    let (parent, name) = pointer.rsplit_once('/').expect("a pointer");
+    match document.pointer_mut(parent).expect("it exists") {
+        Value::Object(fields) if value.is_null() => drop(fields.remove(name).expect("it exists")),
+        Value::Object(fields) => drop(fields.insert(name.to_owned(), value)),
+        Value::Array(items) => items[name.parse::<usize>().expect("an index")] = value,
+        _ => panic!("{parent} has no fields"),
+    }
+    document
+}
+
+fn experiment(document: &Value) -> Experiment {
+    Experiment::read(document).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The row of a trial that is stepped in slices, by column.
+fn row(experiment: &Experiment, trials: &mut Trials, number: u64, slice: u64) -> serde_json::Map<String, Value> {
+    let mut run = trials.start(number).unwrap_or_else(|error| panic!("{error}"));
+    while run.step(slice) {}
+    experiment.columns().into_iter().zip(run.row().unwrap()).collect()
+}
+
+fn rows(document: &Value, slice: u64) -> Vec<serde_json::Map<String, Value>> {
+    let experiment = experiment(document);
+    let mut trials = Trials::new(&experiment);
+    (0..experiment.trial_count()).map(|number| row(&experiment, &mut trials, number, slice)).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn trials_are_all_combinations_worlds_slowest_and_seeds_fastest() {
+    let rows = rows(&full(), u64::MAX);
+    let mut expected = Vec::new();
+    let mut problems = vec![["round", "", "", "across"], ["round", "", "", "down"]];
+    for radius in ["0.05", "0.1"] {
+        problems.extend(["4", "5", "6"].map(|seed| ["discs", radius, seed, "across"]));
+    }
+    for [world, radius, world_seed, query] in problems {
+        for [planner, k] in [["roadmap", "2"], ["roadmap", "6"], ["rrt", ""]] {
+            for seed in ["7", "3"] {
+                expected.push([world, radius, world_seed, query, planner, k, seed].map(str::to_owned));
+            }
+        }
+    }
+    let columns = ["world", "world.radius", "world_seed", "query", "planner", "planner.k", "seed"];
+    let found: Vec<_> = rows.iter().map(|row| columns.map(|column| cell_text(&row[column]))).collect();
+    assert_eq!(found, expected);
+    for (i, row) in rows.iter().enumerate() {
+        assert_eq!(row["trial"], i);
+        assert_eq!(row["experiment"], rows[0]["experiment"]);
+    }
+    let fingerprints: BTreeSet<_> = rows.iter().map(|row| row["fingerprint"].as_str()).collect();
+    assert!(fingerprints.len() > rows.len() * 9 / 10, "trials differ: {}", fingerprints.len());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_row_is_the_result_of_the_run_that_it_names() {
+    let experiment = experiment(&full());
+    let mut trials = Trials::new(&experiment);
+    // Of the first and the last world, in an order that the cache of worlds does not expect.
+    for (number, planner, settings) in [
+        (47, "rrt", "max_iterations=400"),
+        (0, "prm", "samples=60 k=2 max_iterations=400"),
+        (44, "prm", "samples=60 k=6 max_iterations=400"),
+    ] {
+        let row = row(&experiment, &mut trials, number, u64::MAX);
+        let world = match row["world_seed"].as_u64() {
+            Some(seed) => {
+                generate("discs", &json!({ "count": 5, "radius": row["world.radius"], "seed": seed })).unwrap()
+            }
+            None => Scenario::read(&full()["worlds"][0]["scenario"]).unwrap(),
+        };
+        let run = finish(begin_with(&world, planner, row["seed"].as_u64().unwrap(), settings));
+        let (result, stats) = (run.result(), run.stats());
+        assert_eq!((&row["query"], &row["status"]), (&json!(result.query), &json!("solved")));
+        assert_eq!(row["fingerprint"], format!("{:016x}", result.fingerprint));
+        assert_eq!((&row["length"], &row["waypoints"]), (&json!(result.length), &json!(result.path.len())));
+        let stats = serde_json::to_value(stats).unwrap();
+        for (name, count) in stats.as_object().unwrap().iter().filter(|(name, _)| !name.ends_with("_seconds")) {
+            assert_eq!(&row[name], count, "{name}");
+        }
+        assert_eq!(row["valid"], true);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rows_do_not_depend_on_how_a_trial_is_stepped_or_on_the_order_of_trials() {
+    for budget in [json!({ "iterations": 300 }), json!({ "clearance_evaluations": 900 }), Value::Null] {
+        let document = changed("/budget", budget.clone());
+        let whole = rows(&document, u64::MAX);
+        assert_eq!(rows(&document, 1), whole, "{budget}");
+        assert_eq!(rows(&document, 7), whole, "{budget}");
+        let experiment = experiment(&document);
+        let mut trials = Trials::new(&experiment);
+        for number in (0..experiment.trial_count()).rev().step_by(5) {
+            assert_eq!(row(&experiment, &mut trials, number, 64), whole[number as usize]);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_budget_ends_a_trial_with_the_iteration_that_spends_it() {
+    let mut all: Vec<_> = rows(&changed("/budget", Value::Null), u64::MAX)
+        .iter()
+        .map(|row| row["clearance_evaluations"].as_u64().unwrap())
+        .collect();
+    all.sort_unstable();
+    let most = all[all.len() / 2];
+    let limited = rows(&changed("/budget", json!({ "clearance_evaluations": most })), u64::MAX);
+    let mut spent = 0;
+    for row in &limited {
+        let [evaluations, iterations] = ["clearance_evaluations", "iterations"].map(|name| row[name].as_u64().unwrap());
+        if row["status"] == "running" {
+            spent += 1;
+            assert!(evaluations >= most, "{row:?}");
+            assert_eq!((&row["length"], &row["waypoints"], &row["valid"]), (&Value::Null, &Value::Null, &Value::Null));
+            // One iteration less is within the budget.
+            let before = changed("/budget", json!({ "iterations": iterations - 1 }));
+            let experiment = experiment(&before);
+            let shorter = self::row(&experiment, &mut Trials::new(&experiment), row["trial"].as_u64().unwrap(), 1);
+            assert!(shorter["clearance_evaluations"].as_u64().unwrap() < most);
+        }
+    }
+    assert!(spent > 3 && spent < limited.len(), "{spent}");
+    let exhausted = rows(&changed("/budget", json!({ "iterations": 20 })), u64::MAX);
+    assert!(exhausted.iter().any(|row| row["status"] == "exhausted" && row["iterations"] == 20));
+}
+
+/// Experiments whose rows are committed: arms, a body and a car, proven and sampled.
+#[wasm_bindgen_test(unsupported = test)]
+fn rows_are_the_committed_ones_on_every_platform() {
+    golden::check("golden-experiment.json", include_str!("golden-experiment.json"), 2, |case| {
+        let columns = experiment(&case["experiment"]).columns();
+        let rows = rows(&case["experiment"], 16);
+        let texts =
+            rows.iter().map(|row| columns.iter().map(|name| cell_text(&row[name])).collect::<Vec<_>>().join(","));
+        json!(texts.collect::<Vec<_>>())
+    });
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_path_that_is_not_free_is_solved_but_not_valid() {
+    let sampled = json!({ "samples": 100, "k": 5, "edge_check": "sampled", "edge_samples": 6 });
+    let mut document = changed("/planners", json!([{ "algorithm": "prm", "set": sampled }]));
+    document["worlds"] = json!([{ "generate": "forest", "seeds": { "from": 0, "count": 10 } }]);
+    let rows = rows(&document, u64::MAX);
+    let count = |valid: bool| rows.iter().filter(|row| row["status"] == "solved" && row["valid"] == valid).count();
+    assert!(count(false) > 0 && count(true) > 0, "{} and {}", count(false), count(true));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn invalid_documents_are_refused_before_any_trial() {
+    let car: Value = serde_json::from_str(CAR).unwrap();
+    let blocked = with(DISC, "[0.2, 0.2]", "[1, 1.2]");
+    let blocked: Value = serde_json::from_str(&blocked).unwrap();
+    let generated = "/worlds/1";
+    let cases = [
+        ("/format", json!("planarium-scenario-1"), "unknown-format", "/format"),
+        ("/colour", json!(1), "unknown-field", "/colour"),
+        ("/worlds", Value::Null, "missing-field", "/worlds"),
+        ("/worlds", json!([]), "out-of-range", "/worlds"),
+        ("/worlds/0", json!({}), "missing-field", "/worlds/0/scenario"),
+        ("/worlds/0/generate", json!("maze"), "unknown-field", "/worlds/0/generate"),
+        ("/worlds/0/set", json!({ "count": 3 }), "unknown-field", "/worlds/0/set"),
+        ("/worlds/0/seeds", json!([3]), "unknown-field", "/worlds/0/seeds"),
+        ("/worlds/0/scenario", json!("room.json"), "wrong-type", "/worlds/0/scenario"),
+        ("/worlds/0/scenario/robot/radius", json!(-1), "out-of-range", "/worlds/0/scenario/robot/radius"),
+        ("/worlds/0/scenario", blocked, "start-in-collision", "/worlds/0/scenario/queries/0/start"),
+        ("/worlds/0/queries", json!([]), "out-of-range", "/worlds/0/queries"),
+        ("/worlds/0/queries/1", json!("up"), "unknown-query", "/worlds/0/queries/1"),
+        ("/worlds/0/queries/1", json!("across"), "duplicate-name", "/worlds/0/queries/1"),
+        ("/worlds/0/name", json!("discs"), "duplicate-name", "/worlds/1/name"),
+        ("/worlds/0/name", json!(""), "out-of-range", "/worlds/0/name"),
+        ("/worlds/1/generate", json!("desert"), "unknown-generator", "/worlds/1/generate"),
+        ("/worlds/1/set/height", json!(3), "unknown-field", "/worlds/1/set/height"),
+        ("/worlds/1/set/seed", json!(3), "duplicate-field", "/worlds/1/set/seed"),
+        ("/worlds/1/set/radius", json!(0.1), "duplicate-field", "/worlds/1/vary/radius"),
+        ("/worlds/1/vary/radius/1", json!("wide"), "wrong-type", "/worlds/1/vary/radius/1"),
+        ("/worlds/1/vary/radius", json!(0.1), "wrong-type", "/worlds/1/vary/radius"),
+        ("/worlds/1/seeds", json!({ "from": 0, "count": 0 }), "out-of-range", "/worlds/1/seeds"),
+        ("/planners", json!([]), "out-of-range", "/planners"),
+        ("/planners/1/algorithm", json!("bug"), "unknown-planner", "/planners/1/algorithm"),
+        ("/planners/1/algorithm", json!("sst"), "unsupported", "/planners/1/algorithm"),
+        ("/planners/1/name", json!("roadmap"), "duplicate-name", "/planners/1/name"),
+        ("/planners/1/set", json!({ "speed": 1 }), "unknown-parameter", "/planners/1/set/speed"),
+        ("/planners/1/set", json!({ "step": -1 }), "out-of-range", "/planners/1/set/step"),
+        ("/planners/1/set", json!({ "metric": "naive" }), "out-of-range", "/planners/1/set/metric"),
+        ("/planners/1/set", json!({ "max_iterations": 9 }), "duplicate-field", "/planners/1/set/max_iterations"),
+        ("/planners/0/vary", json!({ "a/b": [1] }), "unknown-parameter", "/planners/0/vary/a~1b/0"),
+        ("/planners/0/vary/k", json!([]), "out-of-range", "/planners/0/vary/k"),
+        ("/planners/0/vary/k", json!([3, 4, 0]), "out-of-range", "/planners/0/vary/k/2"),
+        ("/planners/0/vary/k/to", json!(1), "out-of-range", "/planners/0/vary/k/to"),
+        ("/planners/0/vary/k/step", json!(0), "out-of-range", "/planners/0/vary/k/step"),
+        ("/planners/0/vary/k/step", json!(0.5), "out-of-range", "/planners/0/vary/k/1"),
+        ("/planners/0/vary/k/to", json!(1e9), "too-large", "/planners/0/vary/k"),
+        ("/seeds", json!([]), "out-of-range", "/seeds"),
+        ("/seeds", json!(3), "wrong-type", "/seeds"),
+        ("/seeds", json!([1, -1]), "out-of-range", "/seeds/1"),
+        ("/seeds", json!([1, 2, 1]), "out-of-range", "/seeds/2"),
+        ("/seeds", json!([1, 9007199254740992.0]), "out-of-range", "/seeds/1"),
+        ("/seeds", json!({ "from": 9007199254740991u64, "count": 2 }), "out-of-range", "/seeds/count"),
+        ("/seeds", json!({ "from": 0, "count": 1e9 }), "too-large", "/seeds"),
+        ("/budget", json!({}), "missing-field", "/budget/iterations"),
+        ("/budget/clearance_evaluations", json!(5), "unknown-field", "/budget/clearance_evaluations"),
+        ("/budget", json!({ "clearance_evaluations": 0 }), "out-of-range", "/budget/clearance_evaluations"),
+        ("/budget/iterations", json!(0), "out-of-range", "/budget/iterations"),
+        ("/budget/iterations", json!(1e10), "out-of-range", "/budget/iterations"),
+        ("/measures", json!(["beauty"]), "out-of-range", "/measures/0"),
+        ("/verify", json!("yes"), "wrong-type", "/verify"),
+    ];
+    for (pointer, value, code, at) in cases {
+        let document = changed(pointer, value);
+        #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
+        {
+            let is_of_types = ["unknown-format", "missing-field"].contains(&code)
+                || ["/colour", "/worlds", "/planners", "/verify", "/measures/0"].contains(&at);
+            assert!(!is_of_types || !crate::schema::is_experiment(&document), "the schema accepts {document}");
+        }
+        let message = refuses(Experiment::read(&document), code, at);
+        assert!(!message.contains("  "), "{message}");
+    }
+    #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
+    assert!(crate::schema::is_experiment(&full()));
+    // A car by controls needs a goal region; in a world of another robot it is not served at all.
+    let mut document = changed("/planners", json!([{ "algorithm": "rrt-control" }]));
+    document["worlds"] = json!([{ "scenario": car }]);
+    assert_eq!(experiment(&document).trial_count(), 2);
+    refuses(Experiment::parse(&full().to_string().replace("400", "NaN")), "invalid-json", "/budget/iterations");
+    // What varies may fit one world and not another.
+    let document = changed(generated, json!({ "generate": "discs", "vary": { "robot": ["disc", "car"] } }));
+    let document = {
+        let mut d = document;
+        d["planners"] = json!([{ "algorithm": "rrt", "set": { "metric": "euclidean" } }]);
+        d
+    };
+    refuses(Experiment::read(&document), "out-of-range", "/planners/0/set/metric");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn equal_steps_are_the_decimals_that_are_written() {
+    let span = json!([{ "algorithm": "rrt", "vary": { "step": { "from": 0.1, "to": 0.7, "step": 0.1 } } }]);
+    let rows = rows(&changed("/planners", span), u64::MAX);
+    let steps: Vec<_> = rows.iter().step_by(2).take(7).map(|row| cell_text(&row["planner.step"])).collect();
+    assert_eq!(steps, ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7"]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_fingerprint_is_that_of_what_decides_rows() {
+    let of = |document: &Value| experiment(document).fingerprint();
+    for (pointer, value) in
+        [("/title", json!("Another")), ("/measures", json!(["edges"])), ("/budget/iterations", json!(400.0))]
+    {
+        assert_eq!(of(&changed(pointer, value)), of(&full()), "{pointer}");
+    }
+    for (pointer, value) in [("/seeds", json!([3, 7])), ("/budget/iterations", json!(401)), ("/verify", json!(false))] {
+        assert_ne!(of(&changed(pointer, value)), of(&full()), "{pointer}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_summary_counts_what_is_solved_and_compares_settings_on_the_same_worlds_and_seeds() {
+    let experiment = experiment(&changed("/budget", json!({ "iterations": 60 })));
+    assert_eq!(experiment.measures(), [Measure::Visited, Measure::Length, Measure::BuildSeconds]);
+    let (mut trials, mut summary) = (Trials::new(&experiment), Summary::new(&experiment));
+    // All but the last two, backwards: the order does not matter.
+    let rows: Vec<_> = (0..experiment.trial_count() - 2).map(|i| row(&experiment, &mut trials, i, u64::MAX)).collect();
+    for row in rows.iter().rev() {
+        let values = ["visited", "length"].map(|name| row[name].as_f64().unwrap_or(f64::NAN));
+        let trial = experiment.trial(row["trial"].as_u64().unwrap());
+        summary.add(&trial, row["status"] == "solved", row["valid"].as_bool(), &[values[0], values[1], f64::NAN]);
+    }
+    let document = summary.document();
+    assert_eq!((document.rows, document.trials), (46, 48));
+    assert_eq!(document.groups.len(), 4 * 3);
+    for group in &document.groups {
+        let is_of = |row: &&serde_json::Map<String, Value>| {
+            let settings =
+                [("world.radius", group.world_settings.get("radius")), ("planner.k", group.settings.get("k"))];
+            let same = settings.iter().all(|(column, value)| row[*column] == value.cloned().unwrap_or_default());
+            same && row["world"] == group.world.as_str()
+                && group.query.as_ref().is_none_or(|query| row["query"] == query.as_str())
+                && row["planner"] == group.planner.as_str()
+        };
+        let own: Vec<_> = rows.iter().filter(is_of).collect();
+        let lengths: Vec<f64> = own.iter().filter_map(|row| row["length"].as_f64()).collect();
+        assert_eq!((group.solved.n, group.solved.count), (own.len() as u64, lengths.len() as u64));
+        let size = if group.world == "round" { 2 } else { 6 };
+        assert_eq!(group.solved.n + group.solved.missing, size);
+        assert_eq!(group.valid.unwrap().n, group.solved.count);
+        let length = &group.measures["length"];
+        assert_eq!((length.mean.n, length.quartiles.n + length.quartiles.missing), (group.solved.count, size));
+        let total: f64 = lengths.iter().sum();
+        let mean = length.mean.mean.unwrap_or(0.0);
+        assert!((mean * lengths.len() as f64 - total).abs() < 1e-9, "{mean} {total}");
+        assert_eq!(group.measures["build_seconds"].mean.n, 0);
+    }
+    assert_eq!(document.comparisons.len(), 4 * 2);
+    for comparison in &document.comparisons {
+        let [one, other] = [comparison.group, comparison.with].map(|i| &document.groups[i]);
+        assert_eq!((&one.world, &one.query, &one.world_settings), (&other.world, &other.query, &other.world_settings));
+        assert_eq!((other.planner.as_str(), cell_text(&other.settings["k"]).as_str()), ("roadmap", "2"));
+        assert_eq!(comparison.solved.n, one.solved.n.min(other.solved.n));
+        assert!(comparison.measures["length"].n <= one.solved.count.min(other.solved.count));
+        assert!(comparison.solved.words.contains("roadmap (k=2)"), "{}", comparison.solved.words);
+    }
+}

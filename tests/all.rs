@@ -37,6 +37,8 @@ mod sst;
 mod statistics;
 mod steering;
 mod storage;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod sweep;
 mod targets;
 #[cfg(all(not(target_arch = "wasm32"), feature = "parallel"))]
 mod threads;

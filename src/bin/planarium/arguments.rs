@@ -1,9 +1,11 @@
 //! The arguments, with their help.
 
+use crate::sweep::rows::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use planarium::random::{MAX_SEED, random_seed};
 use planarium::run::Value;
 use std::num::NonZeroUsize;
+use std::ops::Range;
 
 /// Motion planning that a person can watch: stepping planners with proven edges.
 #[derive(Parser)]
@@ -36,6 +38,8 @@ pub enum Command {
     Reach(Reach),
     /// Verify a result against its scenario, independently of the planners
     Verify(Verify),
+    /// Run the trials of an experiment, a row each, and print their statistics
+    Sweep(Sweep),
     /// Find the configurations nearest to a target, in a list or among random ones
     Nearest(Nearest),
     /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
@@ -44,9 +48,24 @@ pub enum Command {
     Generate(Generate),
     /// Add random trajectories of particles one by one, none of which crosses another, and print counts
     Trajectories(Trajectories),
-    /// Print the JSON Schema of scenarios
+    /// Print the JSON Schema of scenarios, or of experiments
     #[cfg(feature = "schema")]
-    Schema,
+    Schema(Schema),
+}
+
+#[cfg(feature = "schema")]
+#[derive(Args)]
+pub struct Schema {
+    /// The kind of document
+    #[arg(value_enum, default_value_t = Document::Scenario)]
+    pub document: Document,
+}
+
+#[cfg(feature = "schema")]
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Document {
+    Scenario,
+    Experiment,
 }
 
 #[derive(Args)]
@@ -196,6 +215,68 @@ pub struct Verify {
 
 #[derive(Args)]
 #[command(after_help = "\
+Every trial has a row, in the order of trials; the times of runs.csv are in runs.times.csv. Rows are the same with any number of
+threads, and the files of shards 1/N to N/N, one after another, are the file of one run. A sweep that was stopped, by whatever
+means, goes on after its last complete row when it is started again. Prints the statistics of all rows as JSON.
+Exit codes: 0 all trials have rows, solved or not; 2 the input is wrong, or the file has rows of another experiment.
+
+Examples:
+  planarium sweep experiment.json --out runs.csv
+  planarium sweep experiment.json --out part2.csv --shard 2/8 --threads 4
+  planarium sweep experiment.json --out runs.csv --ompl-log runs.log")]
+pub struct Sweep {
+    /// The experiment, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The file of rows; it is continued if it exists
+    #[arg(long, value_name = "FILE")]
+    pub out: String,
+
+    /// The format of rows
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Csv)]
+    pub format: Format,
+
+    /// Run only part I of N equal parts, from 1
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub shard: Option<Shard>,
+
+    /// The threads to use; the rows are the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub threads: Option<NonZeroUsize>,
+
+    /// Write all rows to this file as a log of OMPL's benchmarks
+    #[arg(long, value_name = "FILE")]
+    pub ompl_log: Option<String>,
+}
+
+/// Part `index`, from 1, of `count` equal parts; all of it by default.
+#[derive(Clone, Copy)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl Default for Shard {
+    fn default() -> Self {
+        Self { index: 1, count: 1 }
+    }
+}
+
+impl Shard {
+    /// Whether it is the first part.
+    pub fn is_first(self) -> bool {
+        self.index == 1
+    }
+
+    /// The trials of this part.
+    pub fn trials(self, all: u64) -> Range<u64> {
+        let until = |index: u64| (u128::from(all) * u128::from(index) / u128::from(self.count)) as u64;
+        until(self.index - 1)..until(self.index)
+    }
+}
+
+#[derive(Args)]
+#[command(after_help = "\
 Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; for a
 forest also \"recall\", the fraction of the true nearest that it found. query_seconds is the median of many repetitions.
 
@@ -305,6 +386,13 @@ fn seed(text: &str) -> Result<u64, String> {
     }
     let seed = text.parse().ok().filter(|seed| *seed <= MAX_SEED);
     seed.ok_or_else(|| "a seed is an integer from 0 to 2^53 - 1, or \"random\"".to_owned())
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let parts = text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
+    let shard =
+        parts.map(|(index, count)| Shard { index, count }).filter(|shard| (1..=shard.count).contains(&shard.index));
+    shard.ok_or_else(|| "a shard reads I/N, with I from 1 to N".to_owned())
 }
 
 fn angles(text: &str) -> Result<Angles, String> {

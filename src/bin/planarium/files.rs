@@ -81,7 +81,7 @@ pub fn say(message: &str) {
     let _ = writeln!(io::stderr().lock(), "{message}");
 }
 
-fn failed(what: &str, name: &str, why: &dyn Display) -> Error {
+pub fn failed(what: &str, name: &str, why: &dyn Display) -> Error {
     let quoted = if name == "-" { "standard input".to_owned() } else { format!("{name:?}") };
     Error::new(Code::File, "", format!("cannot {what} {quoted}: {why}"))
 }

@@ -1,4 +1,4 @@
-//! The command line: plan, verify, nearest, list, generate, reach, trajectories.
+//! The command line: plan, verify, sweep, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -12,6 +12,7 @@ mod nearest;
 mod npy;
 mod plan;
 mod reach;
+mod sweep;
 mod trajectories;
 mod verify;
 
@@ -52,14 +53,18 @@ fn run(command: &Command) -> Answer {
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),
         Command::Trajectories(arguments) => trajectories::trajectories(arguments),
         #[cfg(feature = "schema")]
-        Command::Schema => {
-            let schema = serde_json::to_string_pretty(&planarium::scenario::schema()).expect("a schema is JSON");
-            files::print(&schema).map(|()| true)
+        Command::Schema(arguments) => {
+            let schema = match arguments.document {
+                arguments::Document::Scenario => planarium::scenario::schema(),
+                arguments::Document::Experiment => planarium::experiment::schema(),
+            };
+            files::print(&format!("{schema:#}")).map(|()| true)
         }
     }
 }

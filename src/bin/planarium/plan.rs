@@ -21,7 +21,7 @@ const SLICE: Duration = Duration::from_micros(500);
 const MOST: u64 = 16;
 
 /// The time between two updates of the progress bar.
-const REDRAW: Duration = Duration::from_millis(100);
+pub const REDRAW: Duration = Duration::from_millis(100);
 
 /// Plans and prints the result; true if it is solved.
 pub fn plan(arguments: &Plan) -> Answer {
@@ -85,7 +85,7 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
 }
 
 /// The iterations of the next slice, after this many took this long.
-fn next_slice(iterations: u64, took: Duration) -> u64 {
+pub fn next_slice(iterations: u64, took: Duration) -> u64 {
     let longer = if took * 2 <= SLICE { iterations * 2 } else { iterations };
     let fitting = if took > SLICE { iterations / 2 } else { longer };
     fitting.clamp(1, MOST)
@@ -102,12 +102,15 @@ fn summary(result: &ResultDocument) -> String {
     format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
 }
 
-/// A progress bar on standard error, hidden unless that is a terminal.
+/// Standard error, if that is a terminal.
+pub fn progress_target() -> ProgressDrawTarget {
+    if stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() }
+}
+
 fn progress_bar(run: &dyn Run) -> ProgressBar {
-    let target = if stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
     let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} iterations  {elapsed}  {msg}")
         .expect("the template is well-formed");
-    ProgressBar::with_draw_target(Some(run.max_iterations()), target).with_style(style)
+    ProgressBar::with_draw_target(Some(run.max_iterations()), progress_target()).with_style(style)
 }
 
 /// Writes a roadmap in the given format, or in that of the file's extension.

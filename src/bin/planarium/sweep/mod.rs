@@ -1,0 +1,167 @@
+//! `planarium sweep`: the trials of an experiment on several threads, in files that can be continued.
+
+mod ompl_log;
+pub mod rows;
+
+use crate::arguments::Sweep;
+use crate::plan::{REDRAW, next_slice, progress_target};
+use crate::{Answer, files};
+use indicatif::{ProgressBar, ProgressStyle};
+use planarium::Error;
+use planarium::experiment::{Experiment, Measure, Summary, Trials};
+use planarium::json;
+use planarium::run::Phase;
+use rows::{Row, Rows, Writer};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError, mpsc};
+use std::thread::{self, available_parallelism};
+use std::time::Instant;
+
+/// How many trials, for each thread, may be ahead of the next row that is written.
+const AHEAD: u64 = 256;
+
+/// The line of a trial and its seconds, or why it could not be run.
+type Finished = Result<(Vec<u8>, [f64; 2]), Error>;
+
+/// Runs the trials that have no row yet, and prints the statistics of all rows.
+pub fn sweep(arguments: &Sweep) -> Answer {
+    let experiment = Experiment::read(&document(&arguments.file)?)?;
+    let rows = Rows::new(&experiment, &arguments.out, arguments.format, arguments.shard.unwrap_or_default());
+    let (next, writer) = rows.resume()?;
+    let begun = Instant::now();
+    run(&experiment, &rows, next, writer, arguments.threads)?;
+    let (made, seconds) = (rows.trials.end - next, begun.elapsed().as_secs_f64());
+    if let Some(name) = &arguments.ompl_log {
+        ompl_log::write(&experiment, &rows, seconds, name)?;
+    }
+    files::print(&summary(&experiment, &rows)?)?;
+    let kept = next - rows.trials.start;
+    files::say(&format!("{made} trials in {seconds:.3} s, {:.1} a second; {kept} were there", made as f64 / seconds));
+    Ok(true)
+}
+
+/// The document of an experiment, with the documents of scenarios in place of the names of their files.
+fn document(name: &str) -> Result<Value, Error> {
+    let mut document = json::parse(&files::read(name)?)?;
+    let worlds = document.get_mut("worlds").and_then(Value::as_array_mut);
+    for (i, world) in worlds.into_iter().flatten().enumerate() {
+        if let Some(scenario) = world.get_mut("scenario")
+            && let Value::String(file) = scenario
+        {
+            let under = |error: Error| error.under(&format!("/worlds/{i}/scenario"));
+            let path = Path::new(name).parent().unwrap_or(Path::new("")).join(file);
+            *scenario = files::read(&path.to_string_lossy()).and_then(|text| json::parse(&text)).map_err(under)?;
+        }
+    }
+    Ok(document)
+}
+
+/// Runs trials from `next` on. Threads take them in order; their rows wait until all before them are written.
+fn run(
+    experiment: &Experiment,
+    rows: &Rows,
+    next: u64,
+    mut writer: Writer,
+    threads: Option<NonZeroUsize>,
+) -> Result<(), Error> {
+    let threads = threads.or_else(|| available_parallelism().ok()).map_or(1, |threads| threads.get() as u64);
+    let (first, end) = (rows.trials.start, rows.trials.end);
+    let bar = progress_bar(end - first);
+    bar.set_position(next - first);
+    bar.reset_eta();
+    let (ask, asked) = mpsc::channel();
+    let (done, finished) = mpsc::channel::<(u64, Finished)>();
+    let asked = Mutex::new(asked);
+    thread::scope(|scope| {
+        for _ in 0..threads.min(end - next) {
+            let (done, asked) = (done.clone(), &asked);
+            scope.spawn(move || {
+                let mut trials = Trials::new(experiment);
+                // Until there is nothing left to do, or nobody who would write it.
+                let take = || asked.lock().unwrap_or_else(PoisonError::into_inner).recv();
+                while let Ok(number) = take()
+                    && done.send((number, trial(&mut trials, rows, number))).is_ok()
+                {}
+            });
+        }
+        let ahead = end.min(next + AHEAD * threads);
+        // Gone when this returns, so that the threads end.
+        let ask = ask;
+        drop(done);
+        let request = |number: u64| ask.send(number).expect("threads wait for it");
+        (next..ahead).for_each(request);
+        let (mut waiting, mut flushed) = (BTreeMap::new(), Instant::now());
+        for number in next..end {
+            let ended = loop {
+                if let Some(ended) = waiting.remove(&number) {
+                    break ended;
+                }
+                let (other, ended) = finished.recv().expect("threads run until they are told to end");
+                waiting.insert(other, ended);
+            };
+            match ended {
+                Ok((line, seconds)) => writer.push(number, &line, seconds),
+                Err(error) => return writer.flush().and(Err(error)),
+            }
+            if number + AHEAD * threads < end {
+                request(number + AHEAD * threads);
+            }
+            if flushed.elapsed() >= REDRAW {
+                flushed = Instant::now();
+                writer.flush()?;
+                bar.set_position(number + 1 - first);
+            }
+        }
+        bar.finish_and_clear();
+        writer.flush()
+    })
+}
+
+/// Runs one trial, with a clock.
+fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
+    let mut run = trials.start(number)?;
+    let (mut seconds, mut slice) = ([0.0; 2], 1);
+    loop {
+        let is_search = matches!(run.phase(), Phase::Searching | Phase::Improving);
+        let before = Instant::now();
+        let goes_on = run.step(slice);
+        let took = before.elapsed();
+        seconds[usize::from(is_search)] += took.as_secs_f64();
+        if !goes_on {
+            return Ok((rows.line(&run.row()?), seconds));
+        }
+        slice = next_slice(slice, took);
+    }
+}
+
+/// The statistics of all rows, as JSON.
+fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
+    let at = |name: &str| rows.columns.iter().position(|column| column == name);
+    let (status, valid) = (at("status"), at("valid"));
+    let columns: Vec<_> = experiment.measures().iter().map(|measure| (*measure, at(measure.as_str()))).collect();
+    let mut summary = Summary::new(experiment);
+    rows.read(|Row { trial, cells, seconds: [build, search] }| {
+        let value = |&(measure, column): &(Measure, Option<usize>)| match (measure, column) {
+            (Measure::BuildSeconds, _) => build,
+            (_, None) => search,
+            (_, Some(column)) => cells[column].parse().unwrap_or(f64::NAN),
+        };
+        let values: Vec<f64> = columns.iter().map(value).collect();
+        let is_valid = valid.and_then(|column| cells[column].parse().ok());
+        let is_solved = status.is_some_and(|column| cells[column] == "solved");
+        summary.add(&experiment.trial(trial), is_solved, is_valid, &values);
+        Ok(())
+    })?;
+    Ok(json::to_string(&summary.document()))
+}
+
+/// A progress bar on standard error, hidden unless that is a terminal.
+fn progress_bar(trials: u64) -> ProgressBar {
+    let style =
+        ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} trials  {elapsed}, {eta} left  {per_sec}")
+            .expect("the template is well-formed");
+    ProgressBar::with_draw_target(Some(trials), progress_target()).with_style(style)
+}

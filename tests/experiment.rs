@@ -6,6 +6,7 @@ use planarium::experiment::{Experiment, Measure, Summary, Trials, cell_text};
 use planarium::scenario::{Scenario, generate::generate};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Every field of a document: 2 queries of a scenario, 2 x 3 forests; 2 + 1 settings; 2 seeds.
@@ -44,8 +45,8 @@ fn changed(pointer: &str, value: Value) -> Value {
     document
 }
 
-fn experiment(document: &Value) -> Experiment {
-    Experiment::read(document).unwrap_or_else(|error| panic!("{error}"))
+fn experiment(document: &Value) -> Arc<Experiment> {
+    Arc::new(Experiment::read(document).unwrap_or_else(|error| panic!("{error}")))
 }
 
 /// The row of a trial that is stepped in slices, by column.

@@ -2,6 +2,7 @@
 
 use crate::cli::{file, path, planarium_with, spawn, text_of};
 use serde_json::{Value, json};
+use std::process::Command;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -15,7 +16,7 @@ fn document() -> Value {
         ],
         "planners": [{ "algorithm": "rrt", "vary": { "goal_bias": [0.05, 0.2] } }, { "algorithm": "prm", "set": { "samples": 40 } }],
         "seeds": { "from": 0, "count": 10 },
-        "budget": { "clearance_evaluations": 1500 },
+        "budget": { "clearance_evaluations": 500 },
     })
 }
 
@@ -25,10 +26,14 @@ fn sweep(line: &str) -> crate::cli::Finished {
     finished
 }
 
+fn times_of(name: &str) -> String {
+    format!("{}.times.csv", name.strip_suffix(".csv").unwrap_or(name))
+}
+
 /// Removes the files of an earlier sweep; returns the name.
 fn fresh(name: &str) -> &str {
-    for file in [path(name), path(name).with_extension("times.csv")] {
-        let _ = std::fs::remove_file(file);
+    for file in [name, &times_of(name)] {
+        let _ = std::fs::remove_file(path(file));
     }
     name
 }
@@ -93,13 +98,13 @@ fn a_sweep_that_was_cut_anywhere_goes_on_from_its_complete_rows() {
         let line = format!("cut.json --out cut.rows --format {format}");
         fresh("cut.rows");
         let summary = swept(&line);
-        let (whole, times) = (text_of("cut.rows"), text_of("cut.times.csv"));
+        let (whole, times) = (text_of("cut.rows"), text_of("cut.rows.times.csv"));
         let quoted = whole.rfind("with walls").expect("a name with a line break");
         for size in [0, 1, 60, quoted, whole.len() / 2, whole.len() - 1, whole.len()] {
             file("cut.rows", &whole[..size]);
             assert_eq!(swept(&line), summary, "{format} {size}");
             assert!(text_of("cut.rows") == whole, "{format} {size}");
-            assert_eq!(text_of("cut.times.csv").lines().count(), times.lines().count(), "{format} {size}");
+            assert_eq!(text_of("cut.rows.times.csv").lines().count(), times.lines().count(), "{format} {size}");
         }
     }
 }
@@ -107,9 +112,9 @@ fn a_sweep_that_was_cut_anywhere_goes_on_from_its_complete_rows() {
 #[test]
 fn a_sweep_that_was_killed_goes_on() {
     let mut long = document();
-    long["seeds"]["count"] = json!(150);
+    long["seeds"]["count"] = json!(80);
     file("long.json", long.to_string());
-    let all = 9 * 150;
+    let all = 9 * 80;
     swept(&format!("long.json --out {}", fresh("unharmed.csv")));
     let mut child = spawn(&format!("sweep long.json --out {} --threads 1", fresh("killed.csv")));
     let begun = Instant::now();
@@ -190,7 +195,7 @@ fn wrong_input_is_refused_before_any_trial() {
     case("/worlds/0/scenario", json!("nowhere.json"), "file", "/worlds/0/scenario");
     case("/worlds/0/scenario", json!("rows.py"), "invalid-json", "/worlds/0/scenario");
     file("rows.py", "print(1)");
-    cases.push((document().to_string().replace("1500", "NaN"), "invalid-json", "/budget/clearance_evaluations"));
+    cases.push((document().to_string().replace("500}", "NaN}"), "invalid-json", "/budget/clearance_evaluations"));
     for (text, code, at) in cases {
         file("wrong.json", &text);
         sweep(&format!("wrong.json --out {}", fresh("wrong.csv"))).refuses(code, at);
@@ -233,4 +238,36 @@ fn the_log_for_ompl_has_a_line_for_each_trial() {
     }
     assert_eq!(solved as usize, text_of("logged.csv").matches(",solved,").count());
     assert_eq!(lines.next(), None);
+}
+
+/// The blocks of one kind in the text about experiments.
+fn blocks(kind: &str) -> Vec<String> {
+    let text =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/experiments.md")).expect("it is there");
+    let start = format!("```{kind}\n");
+    text.split(&start).skip(1).map(|block| block.split("```").next().unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn the_examples_of_the_documentation_run() {
+    let folder = path("documented");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir(&folder).unwrap();
+    let [document] = blocks("json").try_into().expect("one document");
+    std::fs::write(folder.join("experiment.json"), document).unwrap();
+    let programs = std::path::Path::new(env!("CARGO_BIN_EXE_planarium")).parent().unwrap();
+    let paths = format!("{}:{}", programs.display(), std::env::var("PATH").unwrap());
+    for block in blocks("sh") {
+        let output =
+            Command::new("sh").args(["-ec", &block]).current_dir(&folder).env("PATH", &paths).output().unwrap();
+        assert!(output.status.success(), "{block}{}", String::from_utf8_lossy(&output.stderr));
+    }
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
+    assert_eq!((&summary["rows"], read("runs.csv").lines().count()), (&json!(240), 241));
+    assert_eq!(summary["groups"].as_array().unwrap().len(), 6);
+    // What the text says of k: more motions are tried.
+    let more = &summary["comparisons"][3]["measures"]["motion_checks"];
+    assert_eq!(more["larger"], more["n"], "{more}");
+    assert!(read("runs.log").contains("\n6 planners\n"));
 }

@@ -8,6 +8,7 @@ use crate::problem::{Phase, Status};
 use crate::run::{self, Run};
 use crate::world::PlanningWorld;
 use serde_json::Value;
+use std::sync::Arc;
 
 /// What a trial is made of: indices into the experiment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,16 +102,16 @@ fn counts() -> impl Iterator<Item = Measure> {
 }
 
 /// Starts trials, and keeps the last world for those that follow in it.
-pub struct Trials<'a> {
-    experiment: &'a Experiment,
+pub struct Trials {
+    experiment: Arc<Experiment>,
     /// The indices of a world, and the world.
     last: Option<([u64; 3], PlanningWorld)>,
 }
 
-impl<'a> Trials<'a> {
+impl Trials {
     /// The trials of an experiment.
-    pub fn new(experiment: &'a Experiment) -> Self {
-        Self { experiment, last: None }
+    pub fn new(experiment: &Arc<Experiment>) -> Self {
+        Self { experiment: Arc::clone(experiment), last: None }
     }
 
     /// Starts the trial with this number.
@@ -121,8 +122,8 @@ impl<'a> Trials<'a> {
     ///
     /// # Panics
     /// If there are not so many trials.
-    pub fn start(&mut self, number: u64) -> Result<TrialRun<'a>, Error> {
-        let experiment = self.experiment;
+    pub fn start(&mut self, number: u64) -> Result<TrialRun, Error> {
+        let experiment = Arc::clone(&self.experiment);
         let trial = experiment.trial(number);
         let key = [trial.worlds as u64, trial.variant, trial.world_seed];
         let world = match &self.last {
@@ -139,15 +140,15 @@ impl<'a> Trials<'a> {
 }
 
 /// A trial that runs. It is stepped by a caller, who may measure the time.
-pub struct TrialRun<'a> {
-    experiment: &'a Experiment,
+pub struct TrialRun {
+    experiment: Arc<Experiment>,
     trial: Trial,
     world: PlanningWorld,
     run: Box<dyn Run>,
     is_over: bool,
 }
 
-impl TrialRun<'_> {
+impl TrialRun {
     /// Makes at most so many iterations; whether the trial goes on. Where a trial ends does not depend on how it is stepped.
     pub fn step(&mut self, iterations: u64) -> bool {
         match self.experiment.budget {
@@ -168,6 +169,11 @@ impl TrialRun<'_> {
         !self.is_over
     }
 
+    /// Iterations made so far.
+    pub fn iterations(&self) -> u64 {
+        self.run.iterations()
+    }
+
     /// The phase of the run.
     pub fn phase(&self) -> Phase {
         self.run.phase()
@@ -184,7 +190,7 @@ impl TrialRun<'_> {
     /// # Errors
     /// Those of [`verify()`].
     pub fn row(&self) -> Result<Vec<Value>, Error> {
-        let Self { experiment, trial, .. } = *self;
+        let Self { experiment, trial, .. } = self;
         let result = self.result();
         let Worlds { name, source, .. } = &experiment.worlds[trial.worlds];
         let Planner { name: planner, grid, .. } = &experiment.planners[trial.planner];

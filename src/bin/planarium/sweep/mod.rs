@@ -16,7 +16,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::thread::{self, available_parallelism};
 use std::time::Instant;
 
@@ -28,7 +28,7 @@ type Finished = Result<(Vec<u8>, [f64; 2]), Error>;
 
 /// Runs the trials that have no row yet, and prints the statistics of all rows.
 pub fn sweep(arguments: &Sweep) -> Answer {
-    let experiment = Experiment::read(&document(&arguments.file)?)?;
+    let experiment = Arc::new(Experiment::read(&document(&arguments.file)?)?);
     let rows = Rows::new(&experiment, &arguments.out, arguments.format, arguments.shard.unwrap_or_default());
     let (next, writer) = rows.resume()?;
     let begun = Instant::now();
@@ -61,7 +61,7 @@ fn document(name: &str) -> Result<Value, Error> {
 
 /// Runs trials from `next` on. Threads take them in order; their rows wait until all before them are written.
 fn run(
-    experiment: &Experiment,
+    experiment: &Arc<Experiment>,
     rows: &Rows,
     next: u64,
     mut writer: Writer,
@@ -125,7 +125,8 @@ fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
     let mut run = trials.start(number)?;
     let (mut seconds, mut slice) = ([0.0; 2], 1);
     loop {
-        let is_search = matches!(run.phase(), Phase::Searching | Phase::Improving);
+        let phase = run.phase();
+        let is_search = matches!(phase, Phase::Searching | Phase::Improving);
         let before = Instant::now();
         let goes_on = run.step(slice);
         let took = before.elapsed();
@@ -133,7 +134,8 @@ fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
         if !goes_on {
             return Ok((rows.line(&run.row()?), seconds));
         }
-        slice = next_slice(slice, took);
+        // The costs of phases differ, and a time counts for the phase in which a slice begins.
+        slice = if run.phase() == phase { next_slice(slice, took) } else { 1 };
     }
 }
 

@@ -16,7 +16,6 @@ use serde_json::Value;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Take, Write};
 use std::ops::Range;
-use std::path::Path;
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -52,7 +51,7 @@ impl Rows {
     /// The rows of a shard in the file of this name; the times of `runs.csv` are in `runs.times.csv`.
     pub fn new(experiment: &Experiment, name: &str, format: Format, shard: Shard) -> Self {
         let trials = shard.trials(experiment.trial_count());
-        let times = Path::new(name).with_extension("times.csv").to_string_lossy().into_owned();
+        let times = format!("{}.times.csv", name.strip_suffix(".csv").unwrap_or(name));
         let (hex, columns) = (format!("{:016x}", experiment.fingerprint()), experiment.columns());
         Self { names: [name.to_owned(), times], format, experiment: hex, columns, trials, has_header: shard.is_first() }
     }

@@ -18,6 +18,8 @@ const SOURCES = {
   Reach: "scenario.reach(options)",
   Neighbours: "scenario.neighbours(options)",
   Drive: "scenario.drive(q)",
+  Experiment: "Experiment.parse",
+  Trial: "experiment.trial(number)",
 };
 
 /**
@@ -38,12 +40,14 @@ function guardedClass(Class, name) {
   const { prototype } = Class;
   // The glue is minified.
   Object.defineProperty(Class, "name", { value: name });
+  // Options are in camelCase in JavaScript; documents are as they are everywhere.
+  const spell = name === "Experiment" ? asItIs : inCamelCase;
   for (const [key, { value, get }] of Object.entries(Object.getOwnPropertyDescriptors(prototype))) {
     if (key === "constructor" || key === "free" || key.startsWith("__")) continue;
-    const guard = get ? { get() { return enter(get, this, [], name); } } : { value: guardedFunction(value, name), writable: true };
+    const guard = get ? { get() { return enter(get, this, [], name); } } : { value: guardedFunction(value, name, spell), writable: true };
     Object.defineProperty(prototype, key, { ...guard, configurable: true });
   }
-  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key)));
+  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), undefined, spell));
   const { free } = prototype;
   const release = /** @this {Held} */ function () {
     if (!this.__wbg_ptr) return;
@@ -70,10 +74,10 @@ function guardedClass(Class, name) {
   return guard;
 }
 
-/** A function, or a method of the class of that name. @param {Callable} operation @param {string} [name] @returns {Callable} */
-function guardedFunction(operation, name) {
+/** A function, or a method of the class of that name. @param {Callable} operation @param {string} [name] @param {typeof inCamelCase} [spell] @returns {Callable} */
+function guardedFunction(operation, name, spell) {
   return function (...given) {
-    return enter(operation, this, given, name);
+    return enter(operation, this, given, name, spell);
   };
 }
 
@@ -83,8 +87,9 @@ function guardedFunction(operation, name) {
  * @param {unknown} self
  * @param {unknown[]} given  replaced by copies
  * @param {string | undefined} name  of the class that `self` must be a living object of
+ * @param {typeof inCamelCase} [spell]  how errors name options
  */
-function enter(operation, self, given, name) {
+function enter(operation, self, given, name, spell = inCamelCase) {
   refuse(self, name);
   for (let i = 0; i < given.length; i += 1) {
     if (typeof given[i] !== "object" || given[i] === null) continue;
@@ -94,7 +99,7 @@ function enter(operation, self, given, name) {
   try {
     return operation.apply(self, given);
   } catch (error) {
-    throw inCamelCase(asOwn(error), given);
+    throw spell(asOwn(error), given);
   }
 }
 
@@ -108,6 +113,9 @@ function refuse(self, name) {
     throw new PlanariumError("freed", `This ${name} was lost when Planarium's core stopped; make a new one.`);
   }
 }
+
+/** An error of the core as it is. @param {PlanariumError} error */
+const asItIs = (error) => error;
 
 /**
  * An error of the core with options by their names in JavaScript.

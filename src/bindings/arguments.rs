@@ -2,7 +2,7 @@
 //! lists hold plain values, and what could not be copied is an `Error` that says why. So nothing of the caller runs in here.
 
 use crate::error::{Code, Error, Number, quoted};
-use crate::json::{in_javascript, read, read_tree};
+use crate::json::{in_javascript, parse, read, read_tree};
 use crate::options::{in_camel_case, refusal};
 use crate::run::Value;
 use crate::scenario::Scenario;
@@ -111,7 +111,7 @@ pub(super) fn choice(value: &JsValue, name: &str, words: &[&str]) -> Result<usiz
 }
 
 /// Numbers, finite or not.
-fn numbers(value: &JsValue, name: &str) -> Result<Vec<f64>, Error> {
+pub(super) fn numbers(value: &JsValue, name: &str) -> Result<Vec<f64>, Error> {
     if let Some(numbers) = value.dyn_ref::<Float64Array>() {
         return Ok(numbers.to_vec());
     }
@@ -209,19 +209,27 @@ pub(super) fn records<T: DeserializeOwned>(value: &JsValue, name: &str) -> Resul
 
 /// A scenario document as text or as an object.
 pub(super) fn document(value: &JsValue) -> Result<Scenario, Error> {
+    Scenario::read(&document_tree(value, "a scenario")?)
+}
+
+/// An experiment's document as text or as an object.
+pub(super) fn experiment_document(value: &JsValue) -> Result<Json, Error> {
+    document_tree(value, "an experiment")
+}
+
+fn document_tree(value: &JsValue, what: &str) -> Result<Json, Error> {
     if let Some(text) = value.dyn_ref::<JsString>() {
         let length = text.length();
         let error = || {
             Error::new(Code::TooLarge, "", format!("the text has {length} characters; at most {LONGEST_TEXT} are read"))
         };
-        return if length > LONGEST_TEXT { Err(error()) } else { Scenario::parse(&String::from(text)) };
+        return if length > LONGEST_TEXT { Err(error()) } else { parse(&String::from(text)) };
     }
     if !value.is_object() || ArrayBuffer::is_view(value) {
-        let sentence =
-            format!("a scenario is a string or an object with the fields of a document, not {}", show(value));
+        let sentence = format!("{what} is a string or an object with the fields of a document, not {}", show(value));
         return Err(Error::new(Code::WrongType, "", sentence));
     }
-    Scenario::read(&tree(value, "")?)
+    tree(value, "")
 }
 
 /// Options by their names in documents.

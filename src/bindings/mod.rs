@@ -32,6 +32,7 @@ macro_rules! tables {
 mod arguments;
 mod clock;
 mod drive;
+mod experiment;
 mod neighbours;
 mod planner;
 mod reach;

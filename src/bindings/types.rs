@@ -44,6 +44,10 @@ plain! {
     Booleans = "boolean[]",
     JsBox = "Box",
     JsVerdict = "ReachVerdict",
+    ExperimentInput = "string | ExperimentDocument",
+    Measures = "Measure[]",
+    Sample = "Float64Array | readonly number[]",
+    JsTrialRow = "TrialRow",
 }
 
 /// The status of a run.

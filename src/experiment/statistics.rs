@@ -37,6 +37,7 @@ fn sorted(sample: &[f64]) -> (Vec<f64>, u64) {
 
 /// A share of trials, with an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Share {
     /// The number of trials.
     pub n: u64,
@@ -72,6 +73,7 @@ pub fn share(sample: &[f64]) -> Share {
 
 /// The five numbers of a box plot.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Quartiles {
     /// The number of values.
     pub n: u64,
@@ -97,6 +99,7 @@ pub fn quartiles(sample: &[f64]) -> Quartiles {
 
 /// An empirical distribution function.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Ecdf {
     /// The number of values.
     pub n: u64,
@@ -124,6 +127,7 @@ pub fn ecdf(sample: &[f64]) -> Ecdf {
 
 /// A mean with an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Mean {
     /// The number of values.
     pub n: u64,
@@ -201,6 +205,7 @@ pub fn moving_average(sample: &[f64], width: usize) -> Vec<f64> {
 
 /// Two samples of the same trials compared: of each pair, which value is smaller.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Paired {
     /// The pairs of which both values are known.
     pub n: u64,

@@ -169,6 +169,21 @@ impl TrialRun {
         !self.is_over
     }
 
+    /// Whether it has ended.
+    pub fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    /// The status of the run: `Running` while the trial goes on, and if its budget was spent without a path.
+    pub fn status(&self) -> Status {
+        self.run.status()
+    }
+
+    /// The columns of its row: [`Experiment::columns`].
+    pub fn columns(&self) -> Vec<String> {
+        self.experiment.columns()
+    }
+
     /// Iterations made so far.
     pub fn iterations(&self) -> u64 {
         self.run.iterations()

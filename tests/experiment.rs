@@ -189,6 +189,7 @@ fn invalid_documents_are_refused_before_any_trial() {
     let blocked = with(DISC, "[0.2, 0.2]", "[1, 1.2]");
     let blocked: Value = serde_json::from_str(&blocked).unwrap();
     let generated = "/worlds/1";
+    let span = json!({ "from": 1, "to": 100000, "step": 1 });
     let cases = [
         ("/format", json!("planarium-scenario-1"), "unknown-format", "/format"),
         ("/colour", json!(1), "unknown-field", "/colour"),
@@ -213,6 +214,7 @@ fn invalid_documents_are_refused_before_any_trial() {
         ("/worlds/1/vary/radius/1", json!("wide"), "wrong-type", "/worlds/1/vary/radius/1"),
         ("/worlds/1/vary/radius", json!(0.1), "wrong-type", "/worlds/1/vary/radius"),
         ("/worlds/1/seeds", json!({ "from": 0, "count": 0 }), "out-of-range", "/worlds/1/seeds"),
+        ("/worlds/1/seeds", json!({ "from": 0, "count": 9e15 }), "too-large", "/worlds"),
         ("/planners", json!([]), "out-of-range", "/planners"),
         ("/planners/1/algorithm", json!("bug"), "unknown-planner", "/planners/1/algorithm"),
         ("/planners/1/algorithm", json!("sst"), "unsupported", "/planners/1/algorithm"),
@@ -228,6 +230,12 @@ fn invalid_documents_are_refused_before_any_trial() {
         ("/planners/0/vary/k/step", json!(0), "out-of-range", "/planners/0/vary/k/step"),
         ("/planners/0/vary/k/step", json!(0.5), "out-of-range", "/planners/0/vary/k/1"),
         ("/planners/0/vary/k/to", json!(1e9), "too-large", "/planners/0/vary/k"),
+        (
+            "/planners/0/vary",
+            json!({ "k": span, "shortcut": span, "radius": span, "tolerance": span, "edge_samples": span }),
+            "too-large",
+            "/planners",
+        ),
         ("/seeds", json!([]), "out-of-range", "/seeds"),
         ("/seeds", json!(3), "wrong-type", "/seeds"),
         ("/seeds", json!([1, -1]), "out-of-range", "/seeds/1"),
@@ -248,7 +256,7 @@ fn invalid_documents_are_refused_before_any_trial() {
         #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
         {
             let is_of_types = ["unknown-format", "missing-field"].contains(&code)
-                || ["/colour", "/worlds", "/planners", "/verify", "/measures/0"].contains(&at);
+                || code != "too-large" && ["/colour", "/worlds", "/planners", "/verify", "/measures/0"].contains(&at);
             assert!(!is_of_types || !crate::schema::is_experiment(&document), "the schema accepts {document}");
         }
         let message = refuses(Experiment::read(&document), code, at);

@@ -123,6 +123,7 @@ fn a_sweep_that_was_killed_goes_on() {
         assert!(begun.elapsed() < Duration::from_secs(60), "no row is written");
         sleep(Duration::from_millis(1));
     }
+    sweep("long.json --out killed.csv").refuses("file", "");
     child.kill().expect("it runs");
     child.wait().expect("it has ended");
     let kept = rows();

@@ -111,12 +111,12 @@ impl Experiment {
 
     /// The number of pairs of a world and a query.
     fn problem_count(&self) -> u64 {
-        self.worlds.last().map_or(0, |worlds| worlds.before + worlds.problem_count())
+        self.worlds.last().map_or(0, |worlds| worlds.before.saturating_add(worlds.problem_count()))
     }
 
     /// The number of settings of all planners.
     fn setting_count(&self) -> u64 {
-        self.planners.last().map_or(0, |planner| planner.before + planner.grid.len())
+        self.planners.last().map_or(0, |planner| planner.before.saturating_add(planner.grid.len()))
     }
 }
 
@@ -131,8 +131,9 @@ impl Worlds {
         if let Source::Generator { seeds, .. } = &self.source { seeds.len() } else { 1 }
     }
 
+    /// Pairs of a world and a query; saturates, as what is too many is refused.
     fn problem_count(&self) -> u64 {
-        self.variants() * self.seed_count() * self.queries.len() as u64
+        self.variants().saturating_mul(self.seed_count()).saturating_mul(self.queries.len() as u64)
     }
 
     /// The values of the options that vary.

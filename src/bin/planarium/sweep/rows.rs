@@ -13,7 +13,7 @@ use planarium::error::Code;
 use planarium::experiment::{Experiment, cell_text};
 use planarium::json;
 use serde_json::Value;
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Take, Write};
 use std::ops::Range;
 
@@ -114,7 +114,8 @@ impl Rows {
         while let Some(record) = records.next() {
             let (start, cells) = record?;
             // A row can be cut within a quoted line break.
-            if cells.len() < self.columns.len() && records.peek().is_none() && start > 0 {
+            let is_cut = self.format == Format::Csv && cells.len() < self.columns.len() && records.peek().is_none();
+            if is_cut && start > 0 {
                 return Ok(start);
             }
             if std::mem::take(&mut needs_header) {
@@ -218,10 +219,14 @@ fn whole_lines(file: &mut File) -> io::Result<u64> {
     Ok(end)
 }
 
-/// The file, cut to a size, to be appended to.
+/// The file, cut to a size, to be appended to; locked as long as it is open.
 fn appended(name: &str, size: u64) -> Result<File, Error> {
     let open = || {
         let file = OpenOptions::new().create(true).append(true).open(name)?;
+        // File systems without locks are trusted.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(io::Error::new(ErrorKind::WouldBlock, "another sweep is writing it"));
+        }
         file.set_len(size)?;
         Ok(file)
     };

@@ -105,9 +105,11 @@ fn a_comparison_says_in_words_what_is_shown() {
     assert_eq!(
         words(1),
         "The length of one is smaller than that of other in 10 of 10 pairs, larger in 0, equal in 0. The difference is \
-         significant at 5 % (Wilcoxon's test, p = 1.95e-3)."
+         significant at 5 % (Wilcoxon's test, p = 0.002)."
     );
     assert!(words(100).contains("A difference is not shown at 5 % of 100 tests"), "{}", words(100));
+    let [a100, b100] = [0.0, 1.0].map(|less| (0..100).map(|i| f64::from(i) * 2.0 + less).collect::<Vec<_>>());
+    assert!(paired(&a100, &b100, NAMES, 1).words.ends_with("p < 0.0001)."));
     let same = paired(&a, &a, NAMES, 1);
     assert_eq!((same.sign_p, same.wilcoxon_p, same.median), (1.0, 1.0, Some(0.0)));
     assert!(same.words.contains("equal in 10. A difference is not shown"), "{}", same.words);

@@ -31,7 +31,7 @@ fn present(sample: &[f64]) -> (Vec<f64>, u64) {
 
 fn sorted(sample: &[f64]) -> (Vec<f64>, u64) {
     let (mut values, missing) = present(sample);
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     (values, missing)
 }
 
@@ -262,9 +262,11 @@ fn in_words(Names { a, b, measure }: Names, [n, smaller, larger]: [u64; 3], p: f
     let of = if tests > 1 { format!(" of {tests} tests") } else { String::new() };
     let verdict = if p > LEVEL / tests as f64 { "A difference is not shown" } else { "The difference is significant" };
     let equal = n - smaller - larger;
+    let rounded = libm::rint(p * 1e4) / 1e4;
+    let p = if rounded > 0.0 { format!("= {rounded}") } else { "< 0.0001".to_owned() };
     format!(
         "The {measure} of {a} is smaller than that of {b} in {smaller} of {n} pairs, larger in {larger}, equal in {equal}. \
-         {verdict} at 5 %{of} (Wilcoxon's test, p = {p:.2e})."
+         {verdict} at 5 %{of} (Wilcoxon's test, p {p})."
     )
 }
 
@@ -277,7 +279,7 @@ fn sign_test(smaller: u64, larger: u64) -> f64 {
 /// The two-sided p-value of the signed-rank test; 1 without differences.
 fn wilcoxon(differences: &[f64]) -> f64 {
     let mut differences: Vec<f64> = differences.iter().copied().filter(|value| *value != 0.0).collect();
-    differences.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    differences.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
     // Twice the ranks, so that mean ranks of equal sizes are whole numbers.
     let mut ranks = Vec::with_capacity(differences.len());
     let mut ties = 0.0;

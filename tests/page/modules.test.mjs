@@ -7,7 +7,7 @@ import { PathPlayback, playbackOf } from "../../www/domain/path-playback.js";
 import { touchingSentence } from "../../www/domain/names.js";
 import { once } from "../../www/app/once.js";
 import { Rows } from "../../www/planner/run-log/rows.js";
-import { PAST, SIDE } from "../../www/planner/run-log/run-log.js";
+import { EVENT, PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
@@ -106,7 +106,7 @@ test("the goal of a lone tree hangs from the start once it is reached, and from 
 
 test("guards are told from links", () => {
   const { run } = runOf("stones", "visibility-prm", {});
-  assert.ok(run.guards >= 2 && run.guards < run.vertices.count);
+  assert.ok(run.countOf(EVENT.guard) >= 2 && run.countOf(EVENT.guard) < run.vertices.count);
 });
 
 test("each iteration leaves a row of counts: what it showed can be shown again", () => {

@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { planners } from "planarium";
 import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
+import { EVENT } from "../../www/planner/run-log/run-log.js";
 import { Placed } from "../../www/planner/stage/placed.js";
 import { SvgContext } from "../../www/formats/svg.js";
 import { View } from "planarium/draw";
@@ -194,7 +195,7 @@ test("a vertex that was removed cannot be inspected, but before its removal it c
   const { run } = ended("witness");
   // As many iterations as timeline.test.mjs compares to the pixel.
   run.shown = 710;
-  assert.ok(run.removedBy(run.past[2]) > 10, "some are removed by then");
+  assert.ok(run.countOf(EVENT.removed) > 10, "some are removed by then");
   const [gone, event] = [...run.gone].find(([, removal]) => removal < run.past[2]) ?? assert.fail();
   const [, removedAt] = run.events.row(event);
   await page.click("#view-fold > summary");

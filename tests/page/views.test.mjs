@@ -10,6 +10,7 @@ import {
   useBrowser,
 } from "./browser.mjs";
 import { load, sceneOf } from "./library.mjs";
+import { EVENT } from "../../www/planner/run-log/run-log.js";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -291,21 +292,49 @@ test("the numbers are those of the run, in one line that never changes its heigh
   const height = async () => (await page.locator(".numbers").boundingBox())?.height;
   const before = await height();
   const { planner } = planned("stones");
-  const { configuration_checks: checks, motion_checks: motions, clearance_evaluations: evaluations, nearest_queries: nearest } = planner.stats();
+  const { configuration_checks: checks, motion_checks: motions, clearance_evaluations: evaluations, nearest_queries: nearest, visited } = planner.stats();
+  const rejected = planner.eventsSince(0).filter((kind, i) => i % planner.eventWidth === 0 && kind === EVENT.rejected).length;
+  assert.ok(visited > 40 && rejected > 100);
   await finish(page);
   const text = async (/** @type {string} */ name) => page.innerText(`#count-${name}`);
   const grouped = (/** @type {number} */ count) => count.toLocaleString("en");
   assert.deepEqual(
-    [await text("checks"), await text("motions"), await text("evaluations"), await text("nearest"), await text("segments")],
-    [checks, motions, evaluations, nearest, planner.result().path.length - 1].map(grouped),
+    [await text("checks"), await text("rejected"), await text("motions"), await text("evaluations"), await text("nearest"), await text("visited"), await text("segments")],
+    [checks, rejected, motions, evaluations, nearest, visited, planner.result().path.length - 1].map(grouped),
   );
   assert.equal(await text("length"), `${planner.result().length.toFixed(2)} rad`);
-  assert.match(await text("time"), /^[\d.]+ m?s$/);
+  for (const name of ["build", "search"]) assert.match(await text(name), /^[\d.]+ m?s$/);
   assert.match(await text("rate"), /^[\d,.]+[KM]?$/);
   assert.equal(await height(), before);
   // What is not known of an earlier iteration is a dash.
   await click(page, "#back");
-  assert.deepEqual([await text("nearest"), await text("time"), await text("rate")], ["\u2013", "\u2013", "\u2013"]);
+  assert.deepEqual([await text("nearest"), await text("build"), await text("search"), await text("rate")], Array(4).fill("\u2013"));
+  assert.equal(await text("visited"), grouped(visited - 1));
   const rows = await page.locator(".numbers dd:visible").evaluateAll((all) => new Set(all.map((element) => Math.round(element.getBoundingClientRect().top))).size);
   assert.equal(rows, 1);
+  // The search of a tree visits no roadmap.
+  await choosePlanner(page, "rrt", "step");
+  await finish(page);
+  assert.equal(await text("visited"), "\u2013");
+}));
+
+test("the way round that each joint took is told of a path, and of an arm in hand", () => onPausedPage(async (page) => {
+  const { scenario, planner } = planned("stones");
+  const { path } = planner.result();
+  assert.equal(await page.innerText("#turns"), "");
+  await finish(page);
+  const turn = (/** @type {number} */ angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
+  const sums = path[0].map((_, i) => path.slice(1).reduce((sum, q, at) => sum + turn(q[i] - path[at][i]), 0));
+  // The first joint of this path turns by more than half a turn.
+  assert.ok(sums[0] > Math.PI && Math.abs(sums[1]) < Math.PI);
+  const told = (/** @type {number} */ sum) => `${sum > 0 ? "+" : ""}${sum.toFixed(2)} rad`.replace("-", "\u2212");
+  assert.equal(await page.innerText("#turns"), `Turns along the path (+ is counter-clockwise): joint 1 ${told(sums[0])}, the long way round; joint 2 ${told(sums[1])}.`);
+  const start = scenario.document().queries[0].start;
+  await page.click("#your-turn");
+  await fill(page, "#pose-0", "-3.1");
+  await atRest(page);
+  assert.equal(await page.innerText("#turns"), `Turns from the start, the short way round (+ is counter-clockwise): joint 1 ${told(turn(-3.1 - start[0]))}; joint 2 0.00 rad.`);
+  await chooseScene(page, "rings");
+  await finish(page);
+  assert.equal(await page.innerText("#turns"), "");
 }));

@@ -1,5 +1,5 @@
 /** The coordinates of a configuration: their names, ranges and units. */
-import { wrap } from "planarium/draw";
+import { difference, wrap } from "planarium/draw";
 
 /** @import { Coordinate, Scenario, ScenarioDocument } from "./types.js" */
 
@@ -31,6 +31,11 @@ export function fitted(q, coordinates) { return contained(Float64Array.from(coor
 /** The rows of one flat array. @param {Float64Array} values @param {number} width  numbers in a row */
 export function rowsOf(values, width) {
   return Array.from({ length: values.length / width }, (_, i) => values.subarray(i * width, (i + 1) * width));
+}
+
+/** How far each coordinate moves from the first row to the last, each step of a circle the short way round. @param {ArrayLike<number>[]} rows @param {boolean[]} circles */
+export function turnsAlong(rows, circles) {
+  return circles.map((isCircle, i) => rows.slice(1).reduce((sum, row, step) => sum + difference(rows[step][i], row[i], isCircle), 0));
 }
 
 /** The longer side of the world, metres. @param {Scenario} scenario */

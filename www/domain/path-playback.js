@@ -2,7 +2,7 @@
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
  * metric of the path.
  */
-import { rowsOf, sizeOf } from "./coordinates.js";
+import { rowsOf, sizeOf, turnsAlong } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
 /** @import { Placed } from "../planner/stage/placed.js" */
@@ -40,6 +40,8 @@ export class PathPlayback {
       this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
     }
     this.length = this.reached[this.reached.length - 1];
+    /** How far each joint of an arm turns from the start to the end of the path, radians, counter-clockwise above 0. */
+    this.turns = scenario.robot === "arm" ? turnsAlong(this.waypoints, scenario.circles()) : null;
     const speed = scenario.robot === "arm" ? 1.5 : sizeOf(scenario) / 4;
     this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));
     /** The part of the line that is drawn, 0 to 1. */

@@ -15,17 +15,19 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show({ status, phase, iteration, vertices, edges, checks, motions, evaluations, stats, length, unit, segments, fingerprint }, settled) {
+  show({ status, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, unit, segments, fingerprint }, settled) {
     this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
     this.write({
       phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
       segments: segments === null ? "" : grouped(segments),
-      checks: short(checks), motions: short(motions), evaluations: short(evaluations),
+      checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",
-      time: stats ? duration(stats.seconds) : "",
-      rate: stats && stats.seconds > 0 ? short(iteration / stats.seconds) : "",
+      visited: visited === null ? "" : short(visited),
+      build: stats ? duration(stats.build) : "",
+      search: stats ? duration(stats.search) : "",
+      rate: stats && stats.build + stats.search > 0 ? short(iteration / (stats.build + stats.search)) : "",
       fingerprint,
     });
   }
@@ -61,4 +63,4 @@ function short(count) {
 }
 
 /** @param {number} seconds */
-function duration(seconds) { return seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }
+function duration(seconds) { return seconds < 1 ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }

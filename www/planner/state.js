@@ -2,7 +2,7 @@
 import { errorInfo } from "../app/error-info.js";
 import { unitOf } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
-import { poseSentence, sentenceOf, summary } from "./story.js";
+import { poseSentence, sentenceOf, summary, turnsSentence } from "./story.js";
 
 /** @import { Session } from "./session.js" */
 /** @import { Lane } from "./lane.js" */
@@ -27,6 +27,7 @@ export function report(session) {
     inHand: shown?.hand !== null,
     pose: pose ? Array.from(pose) : null,
     touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
+    turns: turnsSentence(session),
     arrived: shown?.hand !== null && byHand.game.arrived,
     /** The element under the pointer; vertex -1 is a mere configuration. */
     hover: shown?.hover ? { vertex: shown.hover.vertex, text: byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
@@ -56,7 +57,11 @@ const NO_RUN = {
   raw: null,
   /** @type {number | null} */
   segments: null,
-  /** Known of the newest iteration only. @type {{ nearest: number, seconds: number } | null} */
+  /** Vertices that the search of a roadmap has visited; null of a tree. @type {number | null} */
+  visited: null,
+  /** Samples drawn that were in collision. */
+  rejected: 0,
+  /** Known of the newest iteration only. @type {{ nearest: number, build: number, search: number } | null} */
   stats: null,
   /** The iteration's marks on the pseudocode. @type {string[]} */
   marks: [],
@@ -80,7 +85,8 @@ function laneState({ plan: { algorithm }, run, playback, scenario, standing }) {
     waiting: run.frontier.count,
     raw: playback?.raw ? run.rawLength : null,
     segments: status === "solved" ? run.result.path.length - 1 : null,
-    stats: stats && { nearest: stats.nearest_queries, seconds: stats.build_seconds + stats.search_seconds },
+    visited: run.isTree ? null : run.visited, rejected: run.countOf(EVENT.rejected),
+    stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds },
     marks: [...run.marks()],
   };
 }

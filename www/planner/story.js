@@ -3,7 +3,8 @@ import { grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
-import { capital } from "../widgets/format.js";
+import { turnsAlong } from "../domain/coordinates.js";
+import { capital, num } from "../widgets/format.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
@@ -77,7 +78,7 @@ export function ending(run, playback) {
     if (run.isProven) return `${found}, proven to be collision-free.`;
     return `${found}, not proven. A check afterwards found no collision.`;
   }
-  if (!run.isTree && run.expanded === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
+  if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
   if (run.pieces) {
     const { k } = run.settings;
     return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
@@ -104,6 +105,20 @@ function invitation({ robot }, square) {
 /** The configuration posed by hand, in words. @param {Scenario} scenario @param {Check} check */
 export function poseSentence(scenario, check) {
   return check.free ? "Collision-free." : `${capital(touchingSentence(scenario, check))}.`;
+}
+
+/**
+ * How far each joint of an arm turns: along its path, or the short way from the start to the configuration posed by hand.
+ * @param {Session} session
+ */
+export function turnsSentence({ shown, playbacks: [playback] }) {
+  if (!shown || shown.scenario.robot !== "arm") return "";
+  const { scenario, hand, start } = shown;
+  const circles = scenario.circles();
+  const turns = !hand ? playback?.turns : start && turnsAlong([start, hand], circles);
+  if (!turns) return "";
+  const words = turns.map((turn, i) => `joint ${i + 1} ${turn > 0 ? "+" : ""}${num(turn)} rad${Math.abs(turn) > Math.PI && circles[i] ? ", the long way round" : ""}`);
+  return `Turns ${hand ? "from the start, the short way round" : "along the path"} (+ is counter-clockwise): ${words.join("; ")}.`;
 }
 
 /** @param {number} touches */

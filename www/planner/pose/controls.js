@@ -8,6 +8,7 @@ export class Pose {
   /** @param {(pose: number[]) => void} onPose */
   constructor(onPose) {
     this.element = byId("pose", HTMLElement);
+    this.turns = byId("turns", HTMLElement);
     this.touching = byId("touching", HTMLElement);
     this.onPose = onPose;
     /** Whether the first slider takes the focus with the next pose by hand. */
@@ -28,8 +29,9 @@ export class Pose {
   }
 
   /** @param {State} state */
-  reflect({ pose, touching, inHand }) {
+  reflect({ pose, turns, touching, inHand }) {
     if (pose) this.sliders.forEach((slider, i) => slider.show(pose[i]));
+    write(this.turns, turns);
     write(this.touching, touching.text);
     this.touching.dataset.free = String(touching.free);
     if (!inHand || !this.awaitsFocus) return;

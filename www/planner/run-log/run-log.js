@@ -58,15 +58,10 @@ export class RunLog {
     this.motions = new Rows((n) => new Float64Array(n), 4);
     /** @type {Map<number, number>} */
     this.driven = new Map();
-    /** For each removed vertex the index of the event, and these indices. @type {Map<number, number>} */
+    /** For each removed vertex the index of the event. @type {Map<number, number>} */
     this.gone = new Map();
-    /** @type {number[]} */
-    this.removals = [];
-    /** The number of expanded vertices, and of guards. */
-    this.expanded = 0;
-    this.guards = 0;
-    /** For each kind of event the index of the first. @type {number[]} */
-    this.firsts = [];
+    /** For each kind of event the indices of its events. @type {number[][]} */
+    this.kinds = Object.values(EVENT).map(() => []);
     this.adjacency = new Adjacency(this);
     this.frontier = new Frontier(this, this.adjacency);
     const info = planners.find(({ id }) => id === algorithm);
@@ -162,13 +157,8 @@ export class RunLog {
     this.events.add(events);
     const { data, width, count } = this.events;
     for (let i = firstEvent; i < count; i++) {
-      this.firsts[data[i * width]] ??= i;
-      if (data[i * width] === EVENT.expanded) this.expanded++;
-      else if (data[i * width] === EVENT.guard) this.guards++;
-      else if (data[i * width] === EVENT.removed) {
-        this.gone.set(data[i * width + 2], i);
-        this.removals.push(i);
-      }
+      this.kinds[data[i * width]].push(i);
+      if (data[i * width] === EVENT.removed) this.gone.set(data[i * width + 2], i);
     }
     this.now = { status, phase, stats };
     if (result) this.known = { made: this.made, result };
@@ -203,8 +193,14 @@ export class RunLog {
     return sum;
   }
 
-  /** The number of vertices removed by the first events of the log. @param {number} events */
-  removedBy(events) { return firstIndex(0, this.removals.length, (i) => this.removals[i] >= events); }
+  /** The number of events of a kind among the first of the log. @param {number} kind  of `EVENT` @param {number} [events]  those up to the iteration shown */
+  countOf(kind, events = this.past[PAST.events]) {
+    const indices = this.kinds[kind];
+    return firstIndex(0, indices.length, (i) => indices[i] >= events);
+  }
+
+  /** The number of vertices that the search of a roadmap has visited: those expanded, and the goal. */
+  get visited() { return this.isTree ? 0 : this.countOf(EVENT.expanded) + this.countOf(EVENT.solved); }
 
   /** Whether a vertex is in the graph shown, and not removed. @param {number} vertex @param {number} [events] */
   isThere(vertex, events = this.past[PAST.events]) { return !((this.gone.get(vertex) ?? Infinity) < events); }
@@ -222,7 +218,7 @@ export class RunLog {
   }
 
   /** Whether an event of a kind happened up to the iteration shown. @param {number} kind  of `EVENT` */
-  has(kind) { return (this.firsts[kind] ?? Infinity) < this.past[PAST.events]; }
+  has(kind) { return this.countOf(kind) > 0; }
 
   /** The length of the path before shortcutting; Infinity without a path. */
   get rawLength() {
@@ -232,7 +228,7 @@ export class RunLog {
 
   /** The components of a roadmap without a path, or else null. */
   get pieces() {
-    if (this.isTree || this.status !== "exhausted" || this.expanded === 0) return null;
+    if (this.isTree || this.status !== "exhausted" || this.visited === 0) return null;
     return this.components ??= componentsOf(this);
   }
 

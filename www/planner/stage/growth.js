@@ -86,7 +86,7 @@ export class Growth {
 
   /** Empties the layers if other vertices are removed now. @param {RunLog} run @param {Counts} target @returns {boolean} whether it did */
   shed(run, target) {
-    const removed = run.removedBy(target.events);
+    const removed = run.countOf(EVENT.removed, target.events);
     if (removed === this.removed) return false;
     this.removed = removed;
     this.old = { ...this.old, edges: this.drawn.edges, vertices: this.drawn.vertices };

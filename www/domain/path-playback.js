@@ -141,14 +141,25 @@ function parts(count) { return Array.from({ length: count + 1 }, (_, i) => i / c
  */
 export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;
-  /** @param {Pick<ResultDocument, "motions">} result @returns {Course | null} */
-  const courseOf = ({ motions }) => (placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null);
   if (run.status === "solved") {
     const raw = run.rawLength > run.result.length ? run.rawPath : null;
-    return new PathPlayback(scenario, run.path, { isProven, raw, course: courseOf(run.result) });
+    return new PathPlayback(scenario, run.path, { isProven, raw, course: courseOf(run.result, placed) });
   }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no path to show.
   if (!approximate || approximate.path.length < 2) return null;
-  return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate) });
+  return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate, placed) });
+}
+
+/**
+ * The playback of a further query of a roadmap; null without a path.
+ * @param {Scenario} scenario @param {boolean} isProven @param {ResultDocument} result @param {Placed | null} placed   of a body or a car
+ */
+export function playbackOfResult(scenario, isProven, result, placed) {
+  return result.path.length > 0 ? new PathPlayback(scenario, Float64Array.from(result.path.flat()), { isProven, course: courseOf(result, placed) }) : null;
+}
+
+/** @param {Pick<ResultDocument, "motions">} result @param {Placed | null} placed @returns {Course | null} */
+function courseOf({ motions }, placed) {
+  return placed && motions ? { placed, motions: motions.map(({ control, duration }) => [...control, duration]) } : null;
 }

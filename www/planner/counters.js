@@ -1,5 +1,6 @@
 /** The counters of the run, as text and as data attributes. */
 import { byId, grouped, write } from "../app/dom.js";
+import { duration } from "../widgets/format.js";
 
 /** @import { LaneState } from "../domain/types.js" */
 
@@ -27,7 +28,7 @@ export class Counters {
       visited: visited === null ? "" : short(visited),
       build: stats ? duration(stats.build) : "",
       search: stats ? duration(stats.search) : "",
-      rate: stats && stats.build + stats.search > 0 ? short(iteration / (stats.build + stats.search)) : "",
+      rate: stats && stats.rate < Infinity ? short(stats.rate) : "",
       fingerprint,
     });
   }
@@ -61,6 +62,3 @@ function short(count) {
   const [unit, name] = count < 999_500 ? [1e3, "K"] : count < 999_500_000 ? [1e6, "M"] : [1e9, "B"];
   return `${Number((count / unit).toPrecision(3))}${name}`;
 }
-
-/** @param {number} seconds */
-function duration(seconds) { return seconds < 1 ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }

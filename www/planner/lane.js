@@ -1,5 +1,5 @@
 /** A lane of the session: a planner with its plan, its run and the playback of its path. A race has several. */
-import { playbackOf } from "../domain/path-playback.js";
+import { playbackOf, playbackOfResult } from "../domain/path-playback.js";
 import { PAST, RunLog } from "./run-log/run-log.js";
 
 /** @import { Catalogue } from "./run-log/run-log.js" */
@@ -9,6 +9,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /** @import { Pane } from "./stage/pane.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
+/** @import { Answer } from "./worker/stepper.js" */
 /** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, Target, ViewOptions } from "../domain/types.js" */
 
 /**
@@ -51,6 +52,8 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {Float64Array} [motions]   along that edge: rows of speed, steering angle and duration
  */
 
+/** @typedef {Answer & { query: string, isProven: boolean, playback: PathPlayback | null }} Asked   `query`: its name, empty if it is none of the scenario's */
+
 export class Lane {
   /** @param {Shown} shown @param {Plan} plan */
   constructor(shown, plan) {
@@ -60,14 +63,25 @@ export class Lane {
     this.run = null;
     /** The playback of the path, once the run has ended. @type {PathPlayback | null} */
     this.end = null;
+    /** A further query of the roadmap that stands. @type {Asked | null} */
+    this.asked = null;
     /** Whether the run is paused before its end. */
     this.still = false;
   }
 
   get scenario() { return this.shown.scenario; }
 
-  /** The playback of a run that is shown at its end. @returns {PathPlayback | null} */
-  get playback() { return this.run && this.run.status !== "running" ? this.end : null; }
+  /** The playback of a run that is shown at its end, or of a further query of its roadmap. @returns {PathPlayback | null} */
+  get playback() {
+    if (!this.run || this.run.status === "running") return null;
+    return this.asked ? this.asked.playback : this.end;
+  }
+
+  /** Shows a further query of the roadmap. @param {Answer} answer @param {string} query   its name, or empty */
+  answer(answer, query) {
+    const isProven = Boolean(this.run?.isProven);
+    this.asked = { ...answer, query, isProven, playback: playbackOfResult(this.scenario, isProven, answer.result, this.shown.placed) };
+  }
 
   /** The plan for a query. @param {string | undefined} query @returns {Plan} */
   planOf(query) {
@@ -115,6 +129,6 @@ export class Lane {
   free() {
     this.run?.free();
     this.run = null;
-    this.end = null;
+    this.end = this.asked = null;
   }
 }

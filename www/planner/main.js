@@ -26,6 +26,7 @@ import { watchKeys } from "../app/keys.js";
 import { Projector } from "../app/projector.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
+import { watchAsking } from "./ask.js";
 import { Counters } from "./counters.js";
 import { showLegend } from "./legend.js";
 import { Page } from "./page.js";
@@ -76,6 +77,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   });
   watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
   watchAnnouncements(page);
+  watchAsking(page);
   showPseudocode(page);
   watchPrint(page);
   const projector = new Projector(() => app.setTheme());

@@ -17,7 +17,7 @@ import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/** @import { Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
+/** @import { Configuration, Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Placed } from "./stage/placed.js" */
@@ -175,12 +175,7 @@ export class Session {
   plan(plans, play) {
     const { shown, clock } = this;
     if (!shown) return;
-    const query = shown.document.queries.find(({ name }) => name === this.query);
-    shown.query = query?.name;
-    shown.start = query?.start ?? null;
-    shown.goal = query?.goal ?? null;
-    shown.target = query?.target ?? null;
-    shown.goals = shown.goal ? [shown.goal] : [];
+    this.setEnds(shown);
     this.plannings++;
     this.byHand.release();
     clock.reset();
@@ -210,6 +205,51 @@ export class Session {
     this.stage.restart(this.lanes);
     if (!this.refusal) this.timeline.begin();
     this.wake();
+  }
+
+  /** Shows the start and the goal of the current query. @param {Shown} shown */
+  setEnds(shown) {
+    const query = shown.document.queries.find(({ name }) => name === this.query);
+    shown.query = query?.name;
+    shown.start = query?.start ?? null;
+    shown.goal = query?.goal ?? null;
+    shown.target = query?.target ?? null;
+    shown.goals = shown.goal ? [shown.goal] : this.lanes[0]?.run?.goals ?? [];
+  }
+
+  /** Whether a roadmap stands that can be asked for another path. */
+  get canAsk() {
+    const { lanes, editor } = this;
+    return lanes.length === 1 && lanes[0].run?.kind === "roadmap" && lanes[0].run.status !== "running" && !editor?.on;
+  }
+
+  /**
+   * Asks the roadmap that stands for the path between two configurations: nothing is planned anew.
+   * @param {Configuration} start @param {Configuration} goal @param {string} query   its name, empty if it is none of the scenario's
+   * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
+   */
+  async ask(start, goal, query) {
+    const { plannings, lanes: [lane] } = this;
+    const answer = await this.team.ask([...start], [...goal]);
+    const { shown } = this;
+    if (plannings !== this.plannings || !shown || !this.canAsk) return;
+    this.byHand.release();
+    lane.answer(answer, query);
+    Object.assign(shown, { start, goal, goals: [goal], target: null });
+    this.clock.playing = !this.app.reducedMotion && lane.playback !== null;
+    if (lane.playback && !this.clock.playing) lane.playback.drawn = 1;
+    this.stage.invalidate();
+    this.markDirty();
+  }
+
+  /** Shows the run's own query again. */
+  forget() {
+    const { shown, lanes: [lane] } = this;
+    if (!shown || !lane?.asked) return;
+    lane.asked = null;
+    this.setEnds(shown);
+    this.stage.invalidate();
+    this.markDirty();
   }
 
   /** Begins the same runs again, paused. */

@@ -35,6 +35,9 @@ export function report(session) {
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     isEditing: Boolean(editor?.on),
     isEdited: editor?.isChanged ?? false,
+    canAsk: session.canAsk,
+    /** The name of the query that a roadmap was asked, empty if it is none of the scenario's; null if it was not asked. */
+    asked: lanes[0]?.asked?.query ?? null,
     refusal: refusal && { ...errorInfo(refusal.error), lane: refusal.lane },
   };
 }
@@ -61,32 +64,39 @@ const NO_RUN = {
   visited: null,
   /** Samples drawn that were in collision. */
   rejected: 0,
-  /** Known of the newest iteration only. @type {{ nearest: number, build: number, search: number } | null} */
+  /** Known of the newest iteration only. @type {{ nearest: number, build: number, search: number, rate: number } | null} */
   stats: null,
   /** The iteration's marks on the pseudocode. @type {string[]} */
   marks: [],
 };
 
 /** @param {Lane} lane */
-function laneState({ plan: { algorithm }, run, playback, scenario, standing }) {
+function laneState({ plan: { algorithm }, run, playback, scenario, standing, asked }) {
   if (!run) return { ...NO_RUN, algorithm, standing };
   const { past, status, kind, isProven } = run;
   const isEnd = run.isNewest && run.hasResult;
   const stats = run.isNewest ? run.now.stats : null;
-  return {
+  const state = {
     ...NO_RUN, algorithm, standing, status, phase: run.phase, iteration: run.shown, made: run.made,
     vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
     cost: past[PAST.cost],
     length: isEnd && status === "solved" ? run.result.length : null,
     unit: unitOf(scenario.robot),
     fingerprint: isEnd ? run.result.fingerprint : "",
-    kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded), isApart: run.pieces !== null,
+    kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,
     hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
     raw: playback?.raw ? run.rawLength : null,
     segments: status === "solved" ? run.result.path.length - 1 : null,
     visited: run.isTree ? null : run.visited, rejected: run.countOf(EVENT.rejected),
-    stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds },
+    stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds, rate: run.made / (stats.build_seconds + stats.search_seconds) },
     marks: [...run.marks()],
+  };
+  if (!asked) return state;
+  const { result, visited, seconds } = asked;
+  const isSolved = result.status === "solved";
+  return {
+    ...state, status: result.status, length: isSolved ? result.length : null, segments: isSolved ? result.path.length - 1 : null,
+    visited, stats: state.stats && { ...state.stats, search: seconds },
   };
 }

@@ -4,11 +4,11 @@ import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { PAST } from "./run-log/run-log.js";
 import { turnsAlong } from "../domain/coordinates.js";
-import { capital, num } from "../widgets/format.js";
+import { capital, duration, num } from "../widgets/format.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
-/** @import { Lane } from "./lane.js" */
+/** @import { Asked, Lane } from "./lane.js" */
 /** @import { RunLog } from "./run-log/run-log.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Check, Scenario } from "../domain/types.js" */
@@ -27,11 +27,11 @@ export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story,
     const hasSquare = [...stage.places.values()].some(({ kind }) => kind === "cspace");
     return [game.arrived ? arrival(game.touches) : invitation(scenario, hasSquare), false];
   }
-  const { run, playback } = lanes[0];
+  const { run, playback, asked } = lanes[0];
   if (!run) return [`${scenario.title || scenario.name}.`, false];
   if (clock.isRace) return [race(lanes), false];
   if (run.status === "running") return [going(run, story), false];
-  return [ending(run, playback), Boolean(playback?.flaw)];
+  return [asked ? answered(asked, scenario) : ending(run, playback), Boolean(playback?.flaw)];
 }
 
 /**
@@ -73,10 +73,8 @@ export function ending(run, playback) {
   const { length, approximate } = run.result;
   if (run.status === "solved") {
     const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
-    if (playback?.flaw) return `Path found, but not verified: ${collision(run, playback.flaw.check)}`;
-    const found = `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}`;
-    if (run.isProven) return `${found}, proven to be collision-free.`;
-    return `${found}, not proven. A check afterwards found no collision.`;
+    if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
+    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}, ${certainty(run.isProven)}.`;
   }
   if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
   if (run.pieces) {
@@ -86,11 +84,22 @@ export function ending(run, playback) {
   if (!approximate || !playback) return `No path after ${iterations}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
   const miss = `No path after ${iterations}. The closest approach, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
   if (run.isProven) return `${miss}.`;
-  return `${miss}, not proven${playback.flaw ? `: ${collision(run, playback.flaw.check)}` : "."}`;
+  return `${miss}, not proven${playback.flaw ? `: ${collision(run.scenario, playback.flaw.check)}` : "."}`;
 }
 
-/** @param {RunLog} run @param {Check} check */
-function collision({ scenario }, check) {
+/** A roadmap that was asked for another path. @param {Asked} asked @param {Scenario} scenario */
+function answered({ result, visited, seconds, isProven, playback }, scenario) {
+  const work = `${grouped(visited)} ${visited === 1 ? "vertex" : "vertices"} visited in ${duration(seconds)}`;
+  if (!playback) return `The roadmap has no path from this start to this goal: ${work}.`;
+  if (playback.flaw) return `The roadmap has a path, but it is not verified: ${collision(scenario, playback.flaw.check)}`;
+  return `The roadmap has a path, ${work}: ${costText(result.length, scenario)}, ${certainty(isProven)}.`;
+}
+
+/** @param {boolean} isProven */
+function certainty(isProven) { return isProven ? "proven to be collision-free" : "not proven. A check afterwards found no collision"; }
+
+/** @param {Scenario} scenario @param {Check} check */
+function collision(scenario, check) {
   return `${touchingSentence(scenario, check).replaceAll(" touches ", " hits ")} on the way. To fix it, set \u201cCollision checking\u201d to proven.`;
 }
 

@@ -19,3 +19,6 @@ export function small(value) {
   const [digits, exponent] = value.toExponential(1).split("e");
   return `${digits}\u00b710${superscript(Number(exponent))}`;
 }
+
+/** A time in words. @param {number} seconds */
+export function duration(seconds) { return seconds < 1 ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }

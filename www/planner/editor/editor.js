@@ -93,6 +93,7 @@ export class Editor {
     this.selected = null;
     this.on = on;
     if (on) {
+      session.forget();
       if (session.byHand.pointing) session.byHand.pointing.at = null;
       session.byHand.release();
       session.timeline.pause();

@@ -101,7 +101,7 @@ async function mark(page, name, bytes) {
 /** Makes the line; it is hidden once another scene is opened. @param {Page} page */
 function makeLine(page) {
   const made = make("p", { id: "marked", className: "marked", role: "status", hidden: true });
-  byId("readout", HTMLElement).before(made);
+  byId("stage", HTMLElement).after(made);
   page.onOpen(() => { made.hidden = true; });
   line = made;
   return made;

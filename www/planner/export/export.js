@@ -51,11 +51,11 @@ export function showExport(page) {
     laneRow,
     offer("result", "Result", "JSON", "Path, length, counts and fingerprint.", noRun, async () => {
       const run = await runOf(lane.value);
-      save(json(run.result), `${nameOfLane(run.made)}-result.json`);
+      save(json(asked() ?? run.result), `${nameOfLane(run.made)}-result.json`);
     }),
     offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path found yet."), async () => {
       const { path, dimension } = await runOf(lane.value);
-      save(npy(path, dimension), `${nameOfLane()}-path.npy`);
+      save(npy(Float64Array.from(asked()?.path.flat() ?? path), dimension), `${nameOfLane()}-path.npy`);
     }),
     offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", noRun, async () => {
       const { vertices, past, dimension } = await runOf(lane.value);
@@ -102,6 +102,9 @@ export function showExport(page) {
     if (!run.hasResult) await session.timeline.request(NONE, true);
     return run;
   }
+
+  /** The result shown where the roadmap was asked for another path. */
+  function asked() { return session.lanes[Number(lane.value)]?.asked?.result; }
 
   /** The name of a file, at the time shown. @param {number} [time] */
   function name(time = page.state?.clock.now ?? 0) { return nameOf(page.facts?.name ?? "", page.current, time); }

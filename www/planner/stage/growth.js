@@ -168,8 +168,8 @@ export class Growth {
     const { context } = pane.layers.vertices;
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
     const { events } = this.target;
-    // The roots have the marks of start and goal.
-    for (let v = Math.max(first, run.roots); v < end; v++) {
+    // The roots have the marks of start and goal, unless a roadmap was asked for another path.
+    for (let v = pane.lane?.asked ? first : Math.max(first, run.roots); v < end; v++) {
       if (this.removed > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
@@ -203,6 +203,8 @@ export class Growth {
       const y = points[2 * (i - first) + 1];
       const glows = i >= glowing && pane.glow.enabled;
       if (kind === EVENT.expanded) {
+        // Those belong to the run's own search.
+        if (lane.asked) continue;
         context.fillStyle = palette.ink;
         disc(context, x, y, 2.5 * pane.fineness);
       } else if (kind === EVENT.guard) {

@@ -150,7 +150,7 @@ export class Pane {
     this.clip(context);
     this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
-    if (lane.run?.pieces) this.drawPieces(context, lane.run, palette);
+    if (lane.run?.pieces && !lane.asked) this.drawPieces(context, lane.run, palette);
     if (lane.still) this.growth.drawLatest(context);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
     context.restore();

@@ -185,6 +185,7 @@ export class Timeline {
     const isCalm = session.app.reducedMotion;
     clock.now = Math.min(time, this.limit);
     clock.head = Math.max(clock.head, clock.now);
+    if (clock.now < clock.head) session.forget();
     for (const lane of lanes) {
       if (!lane.run) continue;
       lane.run.shown = lane.run.iterationAt(clock.column, clock.now);

@@ -22,6 +22,8 @@ import { withOptions } from "../../domain/option-names.js";
  * @property {Float64Array | null} rawPath
  */
 
+/** @typedef {ReturnType<Stepper["ask"]>} Answer   of a roadmap: the result, the seconds that it took, the number of vertices that the search visited */
+
 /** Iterations in one slice at most. */
 const LONGEST = 64;
 
@@ -57,6 +59,19 @@ export class Stepper {
    */
   hasPassed(column, wanted) {
     return this.ended || (column < 0 ? this.made >= wanted : this.clock(column) > wanted);
+  }
+
+  /**
+   * Queries the roadmap as it stands for another path; the run does not change.
+   * @param {number[]} start @param {number[]} goal
+   * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
+   */
+  ask(start, goal) {
+    const { planner } = this;
+    const { visited } = planner.stats();
+    const began = performance.now();
+    const result = planner.query(start, goal);
+    return { result, seconds: (performance.now() - began) / 1000, visited: planner.stats().visited - visited };
   }
 
   /** The counts at which a block is full. */

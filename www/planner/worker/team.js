@@ -41,6 +41,9 @@ export class Team {
       return this.advance(advance);
     }
   }
+
+  /** Queries the roadmap of the first planner. @param {number[]} start @param {number[]} goal */
+  ask(start, goal) { return this.workers[0].ask(start, goal); }
 }
 
 /** The planners' blocks in the order of the planners. @param {Growth[][]} parts   of each worker @param {number} busy @returns {Growth[]} */

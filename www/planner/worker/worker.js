@@ -55,6 +55,8 @@ const commands = {
     const isThere = compete(steppers, column, wanted, performance.now() + BLOCK);
     return steppers.map((stepper) => stepper.growth(isResult && isThere));
   },
+  /** Queries the roadmap of the first planner. @param {number[]} start @param {number[]} goal */
+  ask: (start, goal) => steppers[0].ask(start, goal),
   /** @param {Painting} painting @returns {ImageBitmap} */
   obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */

@@ -2,10 +2,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  atRest, choosePlanner, chooseScene, click, counters, download, fill, finish, linkOf, offered, onPausedPage, pixelsOf, setParameter, textMatches,
+  atRest, choosePlanner, chooseScene, click, counters, download, fill, finish, linkOf, offered, onPausedPage, openScenario, pixelsOf, setParameter, textMatches,
   unfold, useBrowser,
 } from "./browser.mjs";
 import { readNpy } from "../../www/formats/npy.js";
+import { openEditor, press, until } from "./editing.mjs";
 import { load, sceneOf } from "./library.mjs";
 import { assertFaultless, assertTargets } from "./looks.mjs";
 
@@ -170,4 +171,41 @@ test("the stage stays where it is, axe finds nothing before and after a roadmap 
   assert.deepEqual(await place(), before);
   await assertFaultless(page, "a roadmap that was asked");
   await assertTargets(page);
+}));
+
+test("queries whose start or goal is in collision are named as such, and follow the editor", () => onPausedPage(async (page) => {
+  const document = load("stones").document();
+  const [{ start, goal }] = document.queries;
+  assert.ok(goal);
+  const hit = [2.2, -1.3];
+  const touched = load("stones").check(hit).touching.map(({ obstacle }) => obstacle);
+  assert.equal(new Set(touched).size, 1);
+  const queries = [
+    { name: "free", start, goal }, { name: "from", start: hit, goal }, { name: "to", start, goal: hit }, { name: "both", start: hit, goal: hit },
+    { name: "point", start: hit, target: { point: [1, 0] } },
+  ];
+  await openScenario(page, { ...document, queries });
+  const texts = (/** @type {string} */ id) => page.locator(`#${id} option`).allInnerTexts();
+  const named = ["free", "from (start in collision)", "to (goal in collision)", "both (start and goal in collision)", "point (start in collision)"];
+  assert.deepEqual(await texts("query"), named);
+  assert.deepEqual(await texts("ask-query"), ["choose a query", ...named]);
+  // A roadmap is not asked for what has no one goal.
+  await choosePlanner(page, "prm", "samples");
+  await finish(page);
+  await page.selectOption("#ask-query", "from");
+  await page.waitForSelector("#notice[data-code=start-in-collision]");
+  await page.selectOption("#ask-query", "point");
+  await page.waitForSelector("#notice[data-code=unsupported]");
+  assert.equal(await page.inputValue("#ask-query"), "");
+  // Without the obstacle all are free.
+  await openEditor(page, null);
+  await page.focus("#stage");
+  for (let i = 0; i < 3 + Number(touched[0]); i++) await page.keyboard.press("]");
+  await press(page, ["Delete"], "undo", 1);
+  await atRest(page);
+  assert.deepEqual(await texts("query"), queries.map(({ name }) => name));
+  await page.click("#edit-tools >> text=Undo");
+  await until(page, "undo", 0);
+  await atRest(page);
+  assert.deepEqual(await texts("query"), named);
 }));

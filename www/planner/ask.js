@@ -2,10 +2,10 @@
  * A roadmap that stands is asked for another path: from or to the robot as it is posed by hand, or for another query of the scene.
  * Nothing is planned anew.
  */
-import { byId, make } from "../app/dom.js";
+import { byId, make, write } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
 
-/** @import { Configuration, SceneFacts, State } from "../domain/types.js" */
+/** @import { Configuration, State } from "../domain/types.js" */
 /** @import { Page } from "./page.js" */
 
 /** @param {Page} page */
@@ -30,15 +30,15 @@ export function watchAsking(page) {
   page.onOpen(offer);
   page.onState(reflect);
 
-  /** @param {SceneFacts} facts */
-  function offer(facts) {
-    queries.replaceChildren(make("option", { value: "" }, "choose a query"), ...facts.queries.map((one) => make("option", { value: one }, one)));
+  function offer() {
+    queries.replaceChildren(make("option", { value: "" }, "choose a query"), ...Array.from(page.panel.query.options, ({ value, text }) => make("option", { value }, text)));
   }
 
   /** @param {State} state */
   function reflect({ canAsk, asked, inHand, lanes: [{ kind }], clock }) {
     row.hidden = queries.length < 3 || kind !== "roadmap" || clock.isRace;
     queries.disabled = !canAsk;
+    Array.from(page.panel.query.options, ({ text }, i) => write(queries.options[i + 1], text));
     queries.value = asked ?? "";
     const { activeElement } = document;
     group.hidden = !canAsk || (!inHand && asked === null);

@@ -11,7 +11,7 @@ import { robotName } from "../domain/names.js";
 /** @import { Panel } from "./settings/panel.js" */
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
-/** @import { Plan, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
+/** @import { Plan, ScenarioDocument, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
 /** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how to open a scenario */
 
 /** Iterations a second of a scenario from a file. */
@@ -44,6 +44,8 @@ export class Page {
     this.race = null;
     /** Loads the race. @type {() => Promise<unknown>} */
     this.loadRace = async () => {};
+    /** The scenario whose queries the panel names. @type {ScenarioDocument | undefined} */
+    this.named = undefined;
     /** Whether the current refusal has been shown. */
     this.isRefusalShown = false;
     /** @type {((facts: SceneFacts, entry: SceneEntry | null) => void)[]} */
@@ -138,10 +140,20 @@ export class Page {
     return `${info ? `${info.title} needs ${robots}` : `There is no planner "${algorithm}"`}, so rival ${letter(lane)} was removed.`;
   }
 
+  /** Names the queries in collision, which an edited scene may change. */
+  nameQueries() {
+    const { session } = this;
+    if (session.shown?.document === this.named) return;
+    this.named = session.shown?.document;
+    this.panel.nameQueries(session.queryTexts);
+  }
+
   /** Announces the open scenario to the listeners. @param {SceneFacts} facts */
   show(facts) {
     this.facts = facts;
     this.panel.offerQueries(facts.queries, facts.query);
+    this.named = undefined;
+    this.nameQueries();
     document.body.dataset.scene = this.entry?.id ?? "file";
     for (const listener of this.openListeners) listener(facts, this.entry);
   }
@@ -216,6 +228,7 @@ export class Page {
     const before = this.state;
     this.state = state;
     if (state.lanes.length === 0) return;
+    this.nameQueries();
     for (const listener of this.stateListeners) listener(state);
     for (const resolve of this.waiting.splice(0)) resolve(null);
     const { refusal, isEditing } = state;

@@ -131,6 +131,16 @@ export class Session {
     };
   }
 
+  /** The names of the queries, each with its ends that are in collision. @returns {string[]} */
+  get queryTexts() {
+    const { scenario, document } = /** @type {Shown} */ (this.shown);
+    const hits = (/** @type {Configuration | undefined} */ pose) => pose !== undefined && !scenario.check(pose).free;
+    return document.queries.map(({ name, start, goal }) => {
+      const ends = [hits(start) ? ["start"] : [], hits(goal) ? ["goal"] : []].flat();
+      return ends.length > 0 ? `${name} (${ends.join(" and ")} in collision)` : name;
+    });
+  }
+
   /**
    * Replaces the scenario by an edited one; the same plans wait at iteration 0.
    * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  during a gesture

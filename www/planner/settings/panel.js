@@ -1,5 +1,5 @@
 /** The settings: the planner, its parameters, the seed and the query. They are built from the tables of the core. */
-import { byId, make } from "../../app/dom.js";
+import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { withSeed } from "../../widgets/field.js";
 import { SettingsForm } from "./form.js";
@@ -67,6 +67,9 @@ export class Panel {
     this.query.replaceChildren(...names.map((name) => make("option", { value: name, selected: name === selected }, name)));
     this.queryRow.hidden = names.length < 2;
   }
+
+  /** Changes the texts of the queries. @param {string[]} texts */
+  nameQueries(texts) { texts.forEach((text, i) => write(this.query.options[i], text)); }
 
   get algorithm() { return this.planner.value; }
 

@@ -22,7 +22,7 @@ export function watchAsking(page) {
   const name = make("span", { ariaHidden: "true" }, "Ask this roadmap");
   group.append(name, ...byHand, back);
   queries.addEventListener("change", () => {
-    const query = page.facts?.document.queries.find((one) => one.name === queries.value);
+    const query = session.shown?.document.queries.find((one) => one.name === queries.value);
     if (!query) page.act(() => session.forget());
     else if (query.goal) ask(query.start, query.goal, query.name);
     else fail(Object.assign(new Error(`the query "${query.name}" has a target, and a roadmap is asked for the path to a configuration`), { code: "unsupported" }));

@@ -68,6 +68,7 @@ fn threads_change_neither_result_nor_counts() {
         (&disc, "prm", "samples=7000 k=4"),
         (&disc, "prm", "samples=300 radius=3 search=dijkstra"),
         (&disc, "prm-star", "samples=500 edge_check=sampled"),
+        (&arm, "prm", "samples=300 k=9 neighbour_index=forest neighbour_metric=naive edge_check=none"),
         // It ends while samples are drawn, and while they are connected.
         (&disc, "prm", "samples=500 k=9 max_iterations=333"),
         (&disc, "prm", "samples=300 k=9 max_iterations=555"),

@@ -12,9 +12,9 @@ pub struct Sampled<S: Space> {
 }
 
 impl<S: Space> Sampled<S> {
-    /// The same world, motions tested at `samples` configurations, at least 1.
+    /// The same world, motions tested at `samples` configurations; at their far end alone if that is 0 or 1.
     pub fn new(space: S, proven: Box<dyn Validity<S::State>>, samples: u32) -> Self {
-        Self { space, proven, samples }
+        Self { space, proven, samples: samples.max(1) }
     }
 }
 

@@ -34,15 +34,19 @@ pub struct ResultDocument {
     /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
     #[serde(deserialize_with = "json::not_negative")]
     pub length: f64,
+    /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it: at most the length
+    /// along its arcs. Absent for others.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "chords")]
+    pub chord_length: Option<f64>,
     /// The work done.
     pub stats: Stats,
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
     #[serde(with = "json::hex")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
-    /// `sampled` if edges were checked only at samples: the path is not proven. Absent if it is.
+    /// `sampled` if edges were checked only at samples, `none` if only vertices were: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\""))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\" | \"none\""))]
     pub edge_check: Option<String>,
     /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored
     /// roadmap was continued.
@@ -89,6 +93,11 @@ impl ResultDocument {
     pub fn to_json(&self) -> String {
         json::to_string(self)
     }
+}
+
+/// Reads a length that may be left out.
+fn chords<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
+    json::not_negative(source).map(Some)
 }
 
 /// Reads a share, from 0 to 1.

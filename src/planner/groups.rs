@@ -4,7 +4,7 @@ use super::growth::Growth;
 use super::query::{Algorithm, Cost, Heuristic};
 use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
-use crate::problem::Problem;
+use crate::problem::{Problem, Status};
 use crate::random::{Random, Stream};
 use crate::sampling::{BridgeTest, Gaussian, GoalBiased, ObstacleBased, Sampler, Uniform, halton, lattice};
 use crate::space::steering::Steering;
@@ -70,23 +70,26 @@ impl Sampling {
 crate::options! {
     /// How a roadmap is searched.
     pub struct Searching for crate::options::ALL;
-    /// Graph search: A* is guided to the goal, bidirectional starts at both ends, the others spread out evenly.
+    /// Graph search: A* is guided, bidirectional starts at both ends (requeued is faulty), others spread evenly.
     search: Algorithm = Algorithm::AStar, "Search";
     /// Cost that A* and Dijkstra minimise: path length or number of edges; breadth-first always counts edges.
     cost: Cost = Cost::Metric, "Cost of an edge";
-    /// Estimate of the remaining cost in A*: closer ones expand fewer vertices; metric-as-hops may miss the best.
+    /// Estimate of the remaining cost in A*: good ones save work; metric-as-hops and naive may miss the best.
     heuristic: Heuristic = Heuristic::Metric, "Heuristic";
 }
 
 crate::choice! {
     /// How edges are checked.
-    #[derive(Serialize, Deserialize)]
+    #[derive(Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum EdgeCheck {
         /// They are proven free along all of their length.
+        #[default]
         Proven,
         /// They are checked at a few points.
         Sampled,
+        /// Only the configuration at their far end is checked, as in a course report: a path may cross anything.
+        None,
     }
 }
 
@@ -124,7 +127,7 @@ impl Choice for Steering {}
 crate::options! {
     /// Options of all planners whose edges are motions of the space.
     pub struct EdgeOptions for crate::options::ALL;
-    /// Proven: continuous collision checking; sampled: a few points per edge, so a path may cross a thin wall.
+    /// Proven along the whole edge; sampled: a few points, which may miss a thin wall; none: vertices only, unproven.
     edge_check: EdgeCheck = EdgeCheck::Proven, "Collision checking";
     /// Number of evenly spaced checks on a sampled edge: fewer are faster and miss more.
     edge_samples: u32 = 20, in 1.0..=10_000.0, "Checks per edge";
@@ -138,6 +141,28 @@ crate::options! {
     limits: Limits;
 }
 
+impl EdgeOptions {
+    /// The number of checks per edge; 0 if only vertices are checked, `None` if edges are proven.
+    pub fn checks(&self) -> Option<u32> {
+        match self.edge_check {
+            EdgeCheck::Proven => None,
+            EdgeCheck::Sampled => Some(self.edge_samples),
+            EdgeCheck::None => Some(0),
+        }
+    }
+}
+
+impl EdgeCheck {
+    /// The check of edges with that many checks each, as [`EdgeOptions::checks`] counts them.
+    pub fn of(checks: Option<u32>) -> Self {
+        match checks {
+            None => EdgeCheck::Proven,
+            Some(0) => EdgeCheck::None,
+            Some(_) => EdgeCheck::Sampled,
+        }
+    }
+}
+
 crate::options! {
     /// When a tree grows towards the goal and not towards a sample.
     pub struct GoalBias for crate::options::ALL;
@@ -145,6 +170,25 @@ crate::options! {
     goal_bias: f64 = 0.05, in 0.0..=1.0, "Goal bias";
     /// Grows towards the goal every n-th iteration, replacing the goal bias; a smaller n means more often.
     goal_every: Option<u32>, in 1.0..=1e6, "Goal every n-th", else "never: the goal bias decides";
+}
+
+crate::options! {
+    /// Growth past the goal.
+    pub struct Overgrowth for crate::options::ALL;
+    /// Grows on past the goal until the tree has so many vertices; its first path stays.
+    vertices: Option<u32>, in 1.0..=1e6, "Vertices", else "none: it ends at the goal";
+}
+
+impl Overgrowth {
+    /// The status of a tree of so many vertices, after an iteration.
+    pub(super) fn status(self, has_path: bool, vertices: usize) -> Status {
+        let is_grown = self.vertices.is_none_or(|most| vertices >= most as usize);
+        match (is_grown, has_path) {
+            (true, true) => Status::Solved,
+            (true, false) if self.vertices.is_some() => Status::Exhausted,
+            _ => Status::Running,
+        }
+    }
 }
 
 /// Selects targets: samples, occasionally a goal; several goals take turns.

@@ -7,6 +7,7 @@ mod driven_tree;
 mod groups;
 mod growth;
 mod info;
+mod neighbours;
 mod prm;
 mod query;
 mod registry;
@@ -20,11 +21,12 @@ mod visibility_prm;
 
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use groups::{
-    DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, SamplerKind, Sampling,
-    Searching,
+    DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, Overgrowth, SamplerKind,
+    Sampling, Searching,
 };
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
+pub use neighbours::{NeighbourIndex, NeighbourMetric, Neighbouring};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerOptions, default_planner, planners};

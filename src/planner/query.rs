@@ -2,7 +2,7 @@
 
 use super::groups::Searching;
 use super::roadmap::state;
-use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, View, Walker};
+use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, Requeued, View, Walker};
 use crate::graph::{Adjacency, Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -18,6 +18,8 @@ crate::choice! {
         BreadthFirst,
         /// Bidirectional breadth-first, by whole levels.
         Bidirectional,
+        /// Bidirectional breadth-first with the fault of a course report, which visits more vertices than there are.
+        BidirectionalRequeued,
     }
 }
 
@@ -41,6 +43,9 @@ crate::choice! {
         /// The distance in the metric as a number of hops, as in a course report: not admissible, so the path may have
         /// more edges than it needs.
         MetricAsHops,
+        /// The sum of the differences of coordinates without wrap-around, as in a course report: not admissible, so the path
+        /// may be longer than it need be.
+        Naive,
         /// 0.
         None,
     }
@@ -57,6 +62,13 @@ pub(super) struct Query {
     goals: Goals,
     /// The factor of estimates.
     scale: f64,
+}
+
+/// The sum of the differences of the coordinates, angles in [0, 2 pi).
+fn unwrapped<S: Space>(space: &S, a: &S::State, b: &S::State) -> f64 {
+    let along = |i: usize, x: f64| if x < 0.0 && space.period(i).is_finite() { x + space.period(i) } else { x };
+    let pairs = space.coordinates(a).iter().zip(space.coordinates(b)).enumerate();
+    pairs.map(|(i, (&a, &b))| (along(i, b) - along(i, a)).abs()).sum()
 }
 
 impl Query {
@@ -76,6 +88,7 @@ impl Query {
             Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goals.clone())),
             Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
             Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),
+            Algorithm::BidirectionalRequeued => Box::new(Requeued::new(vertices, start, goals.clone())),
         };
         let scale = match (rules.cost, rules.heuristic) {
             (Cost::Hops, Heuristic::Metric | Heuristic::EndEffector) => {
@@ -108,6 +121,7 @@ impl Query {
             (Algorithm::AStar, Heuristic::EndEffector, Some(estimate)) => {
                 scale * least(&|goal| estimate(at(vertex), at(goal)))
             }
+            (Algorithm::AStar, Heuristic::Naive, _) => least(&|goal| unwrapped(space, at(vertex), at(goal))),
             _ => 0.0,
         };
         self.walker.step(&View { adjacency: &self.adjacency, cost: &cost, heuristic: &heuristic })

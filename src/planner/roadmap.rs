@@ -4,11 +4,12 @@
 use super::groups::Searching;
 use super::growth::Growth;
 use super::info::{Mark, PseudocodeLine, line};
+use super::neighbours::Neighbours;
 use super::query::Query;
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, VertexId};
-use crate::nearest::{Direction, Index, Nearest, Neighbour};
+use crate::nearest::{Direction, Neighbour};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -32,7 +33,7 @@ pub struct Roadmap<S: Space> {
     pub(super) growth: Growth<S>,
     /// The vertices of the goals.
     pub(super) goals: Goals,
-    nearest: Index,
+    nearest: Neighbours,
     /// The neighbours that vertices are connected to.
     pub connection: Connection,
     rules: Searching,
@@ -41,8 +42,13 @@ pub struct Roadmap<S: Space> {
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
     pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
+        Self::with(problem, connection, rules, Neighbours::default())
+    }
+
+    /// The same with an index of its own, which is empty.
+    pub(super) fn with(problem: &Problem<S>, connection: Connection, rules: Searching, nearest: Neighbours) -> Self {
         let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
-        let mut roadmap = Self { growth: Growth::new(problem), goals, nearest: Index::default(), connection, rules };
+        let mut roadmap = Self { growth: Growth::new(problem), goals, nearest, connection, rules };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
@@ -89,13 +95,12 @@ impl<S: Space> Roadmap<S> {
     ) {
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
-        let states = self.growth.graph.states();
-        if k >= states.len() && radius < f64::INFINITY {
-            self.nearest.within_by(space, states, direction, state, radius, found);
-        } else {
-            self.nearest.k_nearest_by(space, states, direction, state, k, found);
-            found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
-        }
+        self.nearest.find(space, self.growth.graph.states(), direction, state, (k, radius), found);
+    }
+
+    /// Whether no neighbour is missed.
+    pub(super) fn is_exact(&self) -> bool {
+        self.nearest.is_exact()
     }
 
     /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is.

@@ -4,7 +4,7 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
-use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, step_in};
+use super::groups::{Aim, EdgeOptions, GoalBias, Overgrowth, Sampling, step_in};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::{Planner, Status};
@@ -39,6 +39,8 @@ crate::options! {
     extend: Extend = Extend::Step, "Growth";
     /// When the tree grows towards the goal.
     reaching: GoalBias;
+    /// Growth past the goal.
+    overgrowth: Overgrowth;
     /// Where samples come from.
     sampling: Sampling;
     /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
@@ -62,6 +64,16 @@ impl PlannerKind for RrtOptions {
                 id: "last-free-point",
                 title: "To the last free point",
                 settings: "extend=until-obstacle goal_bias=0.05 max_iterations=1000",
+            },
+            Preset {
+                id: "thousand-vertices",
+                title: "Half-way, 1000 vertices",
+                settings: "extend=half goal_bias=0.05 edge_check=sampled edge_samples=5 vertices=1000",
+            },
+            Preset {
+                id: "thousand-last-free",
+                title: "Last free point, 1000 vertices",
+                settings: "extend=until-obstacle goal_bias=0.05 vertices=1000",
             },
             Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
         ],
@@ -92,6 +104,7 @@ impl PlannerKind for RrtOptions {
         Ok(Box::new(Rrt {
             step: step_in(self.step, space.extent())?,
             extend: self.extend,
+            overgrowth: self.overgrowth,
             aim: Aim::new(self.reaching, &self.sampling, space, seed),
             growth,
             tree,
@@ -106,6 +119,7 @@ impl PlannerKind for RrtOptions {
 struct Rrt<S: Space> {
     step: f64,
     extend: Extend,
+    overgrowth: Overgrowth,
     aim: Aim<S>,
     growth: Growth<S>,
     tree: Tree,
@@ -153,29 +167,29 @@ impl<S: Space> Rrt<S> {
         all.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a query has a goal")
     }
 
-    /// Adds a goal to the tree.
-    fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) -> Status {
+    /// Adds a goal to the tree, unless one is there: then the path stays.
+    fn arrive(&mut self, iteration: u32, from: VertexId, goal: VertexId) {
+        if self.arrived.is_some() {
+            return;
+        }
         self.add_edge(iteration, from, goal);
         let state = self.growth.state(goal);
         self.growth.add_event(EventKind::SolutionFound, iteration, Some(goal), Some(from), state);
         self.closest = (goal, 0.0);
         self.arrived = Some(goal);
-        Status::Solved
     }
-}
 
-impl<S: Space> Planner<S> for Rrt<S> {
-    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+    /// Takes one sample.
+    fn grow(&mut self, problem: &Problem<S>, iteration: u32) {
         let space = problem.space();
-        let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return Status::Running };
+        let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return };
         self.growth.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, self.growth.graph.states(), &target).expect("a tree has a root").vertex;
         let origin = self.growth.state(near);
         let reached = match self.steer(problem, &origin, &target) {
             Ok(reached) => reached,
             Err(wanted) => {
-                self.growth.add_event(EventKind::EdgeRefused, iteration, Some(near), None, wanted);
-                return Status::Running;
+                return self.growth.add_event(EventKind::EdgeRefused, iteration, Some(near), None, wanted);
             }
         };
         let (goal, left) = self.nearest_goal(problem, &reached);
@@ -188,14 +202,21 @@ impl<S: Space> Planner<S> for Rrt<S> {
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }
-        if left <= self.step {
+        if left <= self.step && self.arrived.is_none() {
             let target = self.growth.state(goal);
             if self.growth.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
             }
             self.growth.add_event(EventKind::EdgeRefused, iteration, Some(vertex), Some(goal), target);
         }
-        Status::Running
+    }
+}
+
+impl<S: Space> Planner<S> for Rrt<S> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        self.grow(problem, iteration);
+        let vertices = Nearest::<S>::len(&self.nearest) + usize::from(self.arrived.is_some());
+        self.overgrowth.status(self.arrived.is_some(), vertices)
     }
 
     fn growth(&self) -> &Growth<S> {

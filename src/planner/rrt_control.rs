@@ -6,7 +6,7 @@
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
 };
-use super::groups::{Aim, GoalBias};
+use super::groups::{Aim, GoalBias, Overgrowth};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::removable_index::RemovableIndex;
@@ -66,6 +66,8 @@ crate::options! {
     once: bool = false, "Extend only once";
     /// When the tree grows towards the goal.
     reaching: GoalBias;
+    /// Growth past the goal.
+    overgrowth: Overgrowth;
     /// The longest duration in the last quarter of the iterations: short motions hit a small goal region better.
     late_duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Late duration", unit "steps of integration",
         else "as before";
@@ -107,6 +109,11 @@ impl PlannerKind for RrtControlOptions {
                 id: "six-controls",
                 title: "Six controls",
                 settings: "controls=reeds-shepp nearest=nearest-visible once=true duration_steps=100 near_goal_steps=10 goal_test=ends max_iterations=2000",
+            },
+            Preset {
+                id: "thousand-vertices",
+                title: "Last free step, 1000 vertices",
+                settings: "duration_steps=250 goal_bias=0.05 vertices=1000",
             },
         ],
         pseudocode: &[
@@ -162,10 +169,17 @@ struct RrtControl<S: Space> {
 }
 
 impl<S: Space> RrtControl<S> {
-    fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) -> Status {
-        self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
-        self.arrived = Some(vertex);
-        Status::Solved
+    /// Notes the first vertex in the goal region.
+    fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
+        if self.arrived.is_none() {
+            self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
+            self.arrived = Some(vertex);
+        }
+    }
+
+    /// Whether the tree goes on growing, and what it is if not.
+    fn status(&self) -> Status {
+        self.options.overgrowth.status(self.arrived.is_some(), self.tree.growth.graph.states().len())
     }
 
     /// The vertex to extend; `None` if none sees the target.
@@ -257,10 +271,13 @@ fn closest<T>(measured: &[(f64, T)]) -> Option<usize> {
 impl<S: Space> Planner<S> for RrtControl<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         if problem.is_goal(problem.start()) {
-            return self.arrive(iteration, ROOT, *problem.start());
+            self.arrive(iteration, ROOT, *problem.start());
+            if self.status() == Status::Solved {
+                return Status::Solved;
+            }
         }
         if self.open.len() == 0 {
-            return Status::Exhausted;
+            return if self.arrived.is_some() { Status::Solved } else { Status::Exhausted };
         }
         if let Some((from, _, reaching)) = self.late
             && iteration == from
@@ -284,7 +301,10 @@ impl<S: Space> Planner<S> for RrtControl<S> {
             let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
             let vertex = self.tree.grow(problem, iteration, origin, drive);
             if is_there {
-                return self.arrive(iteration, vertex, drive.end);
+                self.arrive(iteration, vertex, drive.end);
+            }
+            if self.status() != Status::Running {
+                return self.status();
             }
             self.open.insert(problem.space(), vertex, &drive.end);
         }

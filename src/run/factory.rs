@@ -84,7 +84,7 @@ pub(super) fn launch(
             shortcuts: improving.shortcut,
             partial_shortcuts: improving.partial_shortcut,
         }),
-        is_sampled: edges.is_some_and(|edges| edges.edge_check == EdgeCheck::Sampled),
+        edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
         is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))
@@ -145,7 +145,7 @@ impl Launch<'_> {
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted().with_dynamics(robot, integration);
 
-        let edge_samples = self.edges.filter(|_| self.info.is_sampled).map(|edges| edges.edge_samples);
+        let edge_samples = self.edges.and_then(|edges| edges.checks());
         let checked = {
             let space = space.clone();
             move |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {

@@ -11,7 +11,7 @@
 //! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
 //! | the planner knows that it finds no path | `Exhausted` |
 //! | `max_iterations` are made without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
-//! | `max_iterations` are made by a planner that improves its path itself | as if it had just found the path |
+//! | `max_iterations` are made by a planner that improves its path itself, or grows past the goal | as if it had just found the path |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
@@ -67,7 +67,8 @@ pub trait Run {
     #[cfg(feature = "parallel")]
     fn set_threads(&mut self, threads: std::num::NonZeroUsize);
 
-    /// Ends the run with the present path if that is being improved; else does nothing. This is not an iteration.
+    /// Ends the run with the present path if that is being improved or a tree grows past its goal; else does nothing. This is not
+    /// an iteration.
     fn finish(&mut self) -> Status;
 
     /// The status of the run.

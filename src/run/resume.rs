@@ -103,11 +103,13 @@ fn settings(
         RoadmapMetric::Naive => Some(MetricKind::Naive),
         RoadmapMetric::Placement { .. } | RoadmapMetric::Dubins { .. } | RoadmapMetric::ReedsShepp { .. } => None,
     };
-    let edge_check = if document.edge_samples.is_some() { EdgeCheck::Sampled } else { EdgeCheck::Proven };
+    let edge_check = EdgeCheck::of(document.edge_samples);
     let mut all = vec![text("edge_check", edge_check.word()), number("tolerance", document.tolerance)];
     all.extend(metric.map(|metric| text("metric", metric.word())));
     all.extend(steering.map(|steering| text("steering", steering.word())));
-    all.extend(document.edge_samples.map(|samples| number("edge_samples", f64::from(samples))));
+    all.extend(
+        document.edge_samples.filter(|&samples| samples > 0).map(|samples| number("edge_samples", f64::from(samples))),
+    );
     planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.

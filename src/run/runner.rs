@@ -3,8 +3,9 @@
 use super::emitted::{self, EmittedPath};
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
+use crate::options::Choice;
 use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
-use crate::planner::{Phase, Planner, Status};
+use crate::planner::{EdgeCheck, Phase, Planner, Status};
 use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
@@ -21,7 +22,7 @@ pub(super) struct RunInfo {
     pub seed: u64,
     pub max_iterations: u32,
     pub wanted: Wanted,
-    pub is_sampled: bool,
+    pub edge_check: EdgeCheck,
     /// Whether motions are integrated by Euler steps.
     pub is_euler: bool,
 }
@@ -71,12 +72,17 @@ impl<S: Space> Runner<S> {
             Status::Solved => self.accept(),
             Status::Running if self.iteration == self.info.max_iterations || self.planner.graph().is_full() => {
                 self.status = Status::Exhausted;
-                if self.planner.phase() == Phase::Improving {
+                if self.has_path() {
                     self.accept();
                 }
             }
             Status::Running | Status::Exhausted => {}
         }
+    }
+
+    /// Whether the planner has a path already, which it improves or grows past.
+    fn has_path(&self) -> bool {
+        !self.planner.path().is_empty()
     }
 
     /// Accepts the planner's path as it is now.
@@ -146,6 +152,7 @@ impl<S: Space> Runner<S> {
     }
 
     fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
+        let is_driven = !self.planner.graph().motions().is_empty() && !path.states.is_empty();
         ResultDocument {
             scenario: self.info.scenario.clone(),
             query: query.to_owned(),
@@ -154,11 +161,12 @@ impl<S: Space> Runner<S> {
             status,
             path: self.rows(&path.states),
             length: path.length(&self.problem),
+            chord_length: is_driven.then(|| path::length(self.problem.space(), &path.states)),
             motions: path.motions,
             integration: self.info.is_euler.then(|| "euler".to_owned()),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
-            edge_check: self.info.is_sampled.then(|| "sampled".to_owned()),
+            edge_check: (self.info.edge_check != EdgeCheck::Proven).then(|| self.info.edge_check.word().to_owned()),
             coverage: self.planner.coverage(),
             approximate: None,
         }
@@ -185,7 +193,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn finish(&mut self) -> Status {
-        if self.improvement.is_none() && self.planner.phase() == Phase::Improving {
+        if self.improvement.is_none() && self.has_path() {
             self.accept();
         }
         if self.improvement.is_some() {

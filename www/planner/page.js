@@ -118,7 +118,7 @@ export class Page {
     const current = [plan, ...wanted.filter(isServed)];
     const facts = this.run(() => session.open(scenario, {
       plans: current, query, iteration, play, pace,
-      story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: entry?.settings.edge_check !== "sampled" },
+      story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: (entry?.settings.edge_check ?? "proven") === "proven" },
     }, placed));
     this.notice.hide();
     this.source = source;

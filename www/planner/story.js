@@ -42,7 +42,7 @@ export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story,
  */
 export function going(run, scene) {
   const { phase, settings } = run;
-  const checked = run.isProven ? "proven to be collision-free" : "checked at sampled points only";
+  const checked = run.isProven ? "proven to be collision-free" : settings.edge_check === "none" ? "that nobody checks" : "checked at sampled points only";
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;

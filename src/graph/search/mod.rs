@@ -4,10 +4,12 @@
 mod best_first;
 mod bidirectional;
 mod breadth_first;
+mod requeued;
 
 pub use best_first::BestFirst;
 pub use bidirectional::Bidirectional;
 pub use breadth_first::BreadthFirst;
+pub use requeued::Requeued;
 
 use super::{Adjacency, VertexId};
 

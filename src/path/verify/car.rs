@@ -32,7 +32,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
     if motions.len() + 1 != path.len() {
         return Err(format!("{} waypoints need {} motions, not {}", path.len(), path.len() - 1, motions.len()));
     }
-    let (mut legs, mut length) = (Vec::with_capacity(motions.len()), 0.0);
+    let (mut legs, mut length, mut chords) = (Vec::with_capacity(motions.len()), 0.0, 0.0);
     for (i, (motion, ends)) in motions.iter().zip(path.windows(2)).enumerate() {
         check_control(car, i, motion)?;
         let (distance, turn) = extent(car, motion);
@@ -53,6 +53,8 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         }
         length += car.weights().translation * distance.abs() + car.weights().rotation * turn.abs();
         legs.push((i, leg));
+        let chord = difference(2, &ends[0], &ends[1]);
+        chords += car.weights().translation * libm::hypot(chord[0], chord[1]) + car.weights().rotation * chord[2].abs();
         // The rest of the path to the waypoint, if it matters, is examined as well.
         if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {
             legs.push((i, Leg::straight(&leg.at(1.0), &ends[1])));
@@ -61,6 +63,11 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
     let off = (result.length - length).abs();
     if off.is_nan() || off > LENGTH * length + 1e-12 {
         return Err(format!("the length is given as {}, but the motions measure {length}", result.length));
+    }
+    if let Some(given) = result.chord_length
+        && (given - chords).abs() > LENGTH * chords + 1e-12
+    {
+        return Err(format!("the chord length is given as {given}, but the waypoints are {chords} apart"));
     }
     if legs.is_empty() {
         legs.push((0, Leg::straight(&path[0], &path[0])));

@@ -192,8 +192,8 @@ impl<S: Space> Threads<'_, S> {
             let tried = candidates(roadmap, space, direction, vertex, found);
             (vertex, direction, tried, found.clone())
         });
-        for &(vertex, direction, tried, _) in &found {
-            connect.note(space, direction, vertex, tried);
+        for (vertex, direction, tried, _) in &found {
+            connect.note(space, *direction, *vertex, tried.clone());
         }
         let connect = &*connect;
         self.check(&found, |checker, &(vertex, direction, _, ref found)| {

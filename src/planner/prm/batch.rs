@@ -78,7 +78,7 @@ impl<S: Space> Build<S> for Batch<S> {
 }
 
 /// Which motions a vertex has tried from its side.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) enum Tried {
     /// None.
     Nothing,
@@ -86,15 +86,18 @@ pub(super) enum Tried {
     UpTo(Neighbour),
     /// Those to all within the radius.
     WithinRadius,
+    /// Those to these, which an approximate index found.
+    These(Vec<VertexId>),
 }
 
 impl Tried {
     /// Whether the motion to this neighbour, which lies within the radius, is among them.
-    fn includes(self, neighbour: &Neighbour) -> bool {
+    fn includes(&self, neighbour: &Neighbour) -> bool {
         match self {
             Tried::Nothing => false,
             Tried::UpTo(farthest) => !farthest.is_before(neighbour),
             Tried::WithinRadius => true,
+            Tried::These(vertices) => vertices.contains(&neighbour.vertex),
         }
     }
 }
@@ -140,8 +143,8 @@ impl Connect {
         &Neighbour { distance, vertex: other }: &Neighbour,
     ) -> bool {
         let [_, others] = lists(space, direction);
-        let tried = self.tried[others].get(other.index()).copied().unwrap_or(Tried::Nothing);
-        other < vertex && tried.includes(&Neighbour { distance, vertex })
+        let tried = self.tried[others].get(other.index());
+        other < vertex && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
     }
 }
 
@@ -172,6 +175,7 @@ pub(super) fn candidates<S: Space>(
         None => found.truncate(k),
     }
     match found.last() {
+        _ if !roadmap.is_exact() => Tried::These(found.iter().map(|neighbour| neighbour.vertex).collect()),
         Some(&last) if found.len() == k => Tried::UpTo(last),
         _ => Tried::WithinRadius,
     }

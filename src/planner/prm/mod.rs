@@ -19,6 +19,7 @@ pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 use super::Planner;
 use super::groups::{EdgeOptions, Sampling, Searching};
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
+use super::neighbours::{Neighbouring, Neighbours};
 use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
 use crate::options::out_of_range;
@@ -57,6 +58,8 @@ crate::options! {
     insertion: Insertion = Insertion::Batch, "Insertion";
     /// Discards samples that connect to nothing (one-by-one insertion only).
     discard: bool = false, "Discard unconnected";
+    /// How neighbours are found.
+    neighbouring: Neighbouring;
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -73,7 +76,49 @@ impl PlannerKind for PrmOptions {
         guarantee: "Probabilistically complete with a radius: more samples find any path that has clearance.",
         grows: Grows::Roadmap,
         presets: &[
+            Preset { id: "thirty-nearest-400", title: "400 samples, k = 30", settings: "samples=400 k=30" },
+            Preset { id: "thirty-nearest-700", title: "700 samples, k = 30", settings: "samples=700 k=30" },
             Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
+            Preset {
+                id: "twenty-points",
+                title: "1000, k = 30, 20 points an edge",
+                settings: "samples=1000 k=30 edge_check=sampled edge_samples=20 search=breadth-first",
+            },
+            Preset {
+                id: "approximate",
+                title: "1000, k = 30, naive neighbours",
+                settings: "samples=1000 k=30 neighbour_metric=naive edge_check=sampled edge_samples=20 search=breadth-first",
+            },
+            Preset {
+                id: "forest-naive",
+                title: "Naive forest and heuristic",
+                settings: "samples=1000 k=9 neighbour_index=forest neighbour_metric=naive heuristic=naive",
+            },
+            Preset {
+                id: "hundred-three-nearest",
+                title: "100 one by one, k = 3, Dijkstra",
+                settings: "samples=100 k=3 insertion=one-by-one search=dijkstra",
+            },
+            Preset {
+                id: "thousand-three-nearest",
+                title: "1000 one by one, k = 3, Dijkstra",
+                settings: "samples=1000 k=3 insertion=one-by-one search=dijkstra",
+            },
+            Preset {
+                id: "unchecked-1000-4",
+                title: "1000, k = 4, edges unchecked",
+                settings: "samples=1000 k=4 edge_check=none",
+            },
+            Preset {
+                id: "unchecked-2000-4",
+                title: "2000, k = 4, edges unchecked",
+                settings: "samples=2000 k=4 edge_check=none",
+            },
+            Preset {
+                id: "unchecked-2000-6",
+                title: "2000, k = 6, edges unchecked",
+                settings: "samples=2000 k=6 edge_check=none",
+            },
             Preset {
                 id: "three-nearest",
                 title: "500 connected, k = 3",
@@ -103,7 +148,8 @@ impl PlannerKind for PrmOptions {
         let k = self.k.unwrap_or(if self.radius.is_some() { all } else { DEFAULT_K });
         check_motions(self.samples, k)?;
         let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
-        let roadmap = Roadmap::new(problem, connection, self.searching);
+        let nearest = Neighbours::new(self.neighbouring, problem.space(), k, seed)?;
+        let roadmap = Roadmap::with(problem, connection, self.searching, nearest);
         Ok(match self.insertion {
             Insertion::Batch if self.discard => {
                 let sentence = "samples can be discarded only if insertion is \"one-by-one\", not \"batch\"";

@@ -7,7 +7,7 @@ use super::check_motions;
 use crate::error::Error;
 use crate::planner::Planner;
 use crate::planner::groups::{EdgeOptions, Sampling, Searching};
-use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
+use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
 use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -55,7 +55,7 @@ impl PlannerKind for PrmStarOptions {
         summary: "A PRM with enough neighbours, more as samples grow, for the path to approach the shortest.",
         guarantee: "Asymptotically optimal by its first rule: with more samples the path approaches the shortest.",
         grows: Grows::Roadmap,
-        presets: &[],
+        presets: &[Preset { id: "log-n", title: "1000 samples, k = ln n", settings: "samples=1000 k_rule=log-n" }],
         pseudocode: &[
             BEGIN,
             SAMPLE,

@@ -1,7 +1,7 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
 //! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
-//! per edge (u32, 0 if edges are proven), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
+//! per edge (u32, 0 if edges are proven, all bits set if only vertices are checked), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
 //! UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that
 //! (u64). About 8 bytes per coordinate and 8 per edge.
 
@@ -13,6 +13,9 @@ use crate::graph::Fingerprint;
 pub const MAGIC: [u8; 8] = *b"\x89PLNMAP\n";
 
 const VERSION: u32 = 2;
+
+/// The checks per edge of a roadmap whose edges are not checked.
+const UNCHECKED: u32 = u32::MAX;
 
 impl RoadmapDocument {
     /// The document as bytes. O(size).
@@ -35,7 +38,9 @@ impl RoadmapDocument {
         bytes.extend(self.circles.iter().map(|&is_circle| u8::from(is_circle)));
         bytes.extend(self.fingerprint.to_le_bytes());
         bytes.extend(self.k.to_le_bytes());
-        bytes.extend(self.edge_samples.unwrap_or(0).to_le_bytes());
+        bytes.extend(
+            self.edge_samples.map_or(0, |samples| if samples == 0 { UNCHECKED } else { samples }).to_le_bytes(),
+        );
         [self.radius, self.tolerance].into_iter().for_each(|number| bytes.extend(number.to_le_bytes()));
         for text in [&self.scenario, &self.planner, &self.metric.to_json()] {
             bytes.extend((text.len() as u32).to_le_bytes());
@@ -74,7 +79,11 @@ impl RoadmapDocument {
         let circles = source.take(dimension)?.iter().map(|&byte| byte != 0).collect();
         let fingerprint = u64::from_le_bytes(source.array()?);
         let k = source.count()?;
-        let edge_samples = Some(source.count()?).filter(|&samples| samples != 0);
+        let edge_samples = match source.count()? {
+            0 => None,
+            UNCHECKED => Some(0),
+            samples => Some(samples),
+        };
         let [radius, tolerance] = [f64::from_le_bytes(source.array()?), f64::from_le_bytes(source.array()?)];
         let [scenario, planner, metric] =
             [source.text("/scenario")?, source.text("/planner")?, source.text("/metric")?];

@@ -50,8 +50,8 @@ impl RoadmapDocument {
             metric: serde_json::to_value(self.metric).expect("words and numbers are JSON"),
             k: self.k,
             radius: self.radius.into(),
-            edge_check: if self.edge_samples.is_some() { EdgeCheck::Sampled } else { EdgeCheck::Proven },
-            edge_samples: self.edge_samples,
+            edge_check: EdgeCheck::of(self.edge_samples),
+            edge_samples: self.edge_samples.filter(|&samples| samples > 0),
             tolerance: self.tolerance,
             vertices: self.rows().map(<[f64]>::to_vec).collect(),
             edges: self.edges.clone(),
@@ -100,6 +100,7 @@ impl Document {
         };
         let edge_samples = match (self.edge_check, self.edge_samples) {
             (EdgeCheck::Proven, None) => None,
+            (EdgeCheck::None, None) => Some(0),
             (EdgeCheck::Sampled, Some(samples @ 1..)) => Some(samples),
             _ => {
                 return Err(damaged(

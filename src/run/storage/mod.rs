@@ -39,7 +39,7 @@ pub struct RoadmapDocument {
     pub k: u32,
     /// The largest distance to a neighbour, in the metric; infinite if only the number is limited.
     pub radius: f64,
-    /// The number of checks per edge; `None` if edges are proven.
+    /// The number of checks per edge; 0 if only vertices are checked, `None` if edges are proven.
     pub edge_samples: Option<u32>,
     /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.
     pub tolerance: f64,

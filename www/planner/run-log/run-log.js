@@ -74,7 +74,7 @@ export class RunLog {
     /** The number of roots: the first vertices are the start and the goals, but under controls the goal is a region. */
     this.roots = this.isDriven ? 1 : 1 + this.goals.length;
     this.isTree = this.kind !== "roadmap";
-    this.isProven = settings.edge_check !== "sampled" && settings.integration !== "euler";
+    this.isProven = (settings.edge_check ?? "proven") === "proven" && settings.integration !== "euler";
     /** The coordinates that wrap around; none under the naive metric. */
     this.circles = settings.metric === "naive" ? scenario.circles().fill(false) : scenario.circles();
     /** The iteration shown, 0 to `made`. */

@@ -13,9 +13,9 @@ export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blo
 const GROUPS = [
   ["Samples", ["insertion", "discard", "spread", "goal_every"]],
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
-  ["Tree", ["nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
+  ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],
-  ["Edges", ["radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
+  ["Edges", ["neighbour_index", "neighbour_metric", "radius", "extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],
 ];

@@ -303,8 +303,12 @@ test("presets are settings of their planner, and start", () => {
     return presets.map((preset) => `${id} ${preset.id}`);
   });
   assert.deepEqual(found, [
-    "prm thirty-nearest", "prm three-nearest", "rrt half-way", "rrt last-free-point", "rrt every-fifth",
+    "prm thirty-nearest", "prm thirty-nearest-400", "prm thirty-nearest-700", "prm twenty-points", "prm approximate", "prm forest-naive",
+    "prm hundred-three-nearest", "prm thousand-three-nearest", "prm unchecked-1000-4", "prm unchecked-2000-4", "prm unchecked-2000-6",
+    "prm three-nearest", "prm-star log-n",
+    "rrt half-way", "rrt last-free-point", "rrt thousand-vertices", "rrt thousand-last-free", "rrt every-fifth",
     "rrt-control blossom-1", "rrt-control blossom-3", "rrt-control blossom-5", "rrt-control schedule", "rrt-control six-controls",
+    "rrt-control thousand-vertices",
   ]);
 });
 

@@ -48,7 +48,7 @@ export function going(run, scene) {
   const begins = run.shown < OPENING;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
-  if (phase === "searching") return `Searching the roadmap from ${settings.search === "bidirectional" ? "both ends" : "the start"}. Vertices already expanded are bold.`;
+  if (phase === "searching") return `Searching the roadmap from ${String(settings.search).startsWith("bidirectional") ? "both ends" : "the start"}. Vertices already expanded are bold.`;
   if (begins && phase === "guarding") return `${sought}. Guards are configurations that no other guard sees.`;
   if (begins && phase === "growing") return `${sought}. ${run.kind === "trees" ? `Two trees of ${own} grow towards each other` : `A tree of ${own} grows from the start`}.`;
   if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence.replace("{controls}", controls(run));

@@ -76,9 +76,9 @@ impl PlannerKind for PrmOptions {
         guarantee: "Probabilistically complete with a radius: more samples find any path that has clearance.",
         grows: Grows::Roadmap,
         presets: &[
+            Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
             Preset { id: "thirty-nearest-400", title: "400 samples, k = 30", settings: "samples=400 k=30" },
             Preset { id: "thirty-nearest-700", title: "700 samples, k = 30", settings: "samples=700 k=30" },
-            Preset { id: "thirty-nearest", title: "1000 samples, k = 30", settings: "samples=1000 k=30" },
             Preset {
                 id: "twenty-points",
                 title: "1000, k = 30, 20 points an edge",

@@ -46,7 +46,7 @@ export class Frontier {
     this.events = 0;
     this.count = 0;
     this.reach(0);
-    if (this.run.settings.search === "bidirectional") this.reach(1);
+    if (String(this.run.settings.search).startsWith("bidirectional")) this.reach(1);
   }
 
   /** @param {number} vertex */

@@ -1,24 +1,44 @@
-//! The maze: a disc goes from the lower left corner of a square maze to the upper right one.
+//! The maze: a disc, a rigid body or a car goes from the lower left corner of a square maze to the upper right one.
 //!
 //! The passages of a perfect maze are a spanning tree of its cells, here one drawn with equal chances from all of them by
 //! loop-erased random walks (Wilson 1996, "Generating random spanning trees more quickly than the cover time"); then a share
 //! of the remaining walls is removed, which makes loops. Walls in a row make one rectangle. Every maze has a path, since the
-//! disc fits through its corridors.
+//! disc fits through its corridors, and body and car turn in them.
 
 use super::free::{SOME, polygon};
-use super::{Generator, SEEDS, in_box, query};
+use super::{Generator, RobotChoice, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
 use crate::options::{Choice, Options, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
-use crate::scenario::{Obstacle, Robot, Scenario};
+use crate::scenario::{GoalTolerance, Obstacle, Query, Robot, Scenario};
+use std::f64::consts::PI;
 
 /// The side of a cell, from the middle of one wall to the middle of the next, in metres.
 const CELL: f64 = 0.25;
 
 /// The least play that the disc has in a corridor, in metres.
 const PLAY: f64 = 0.02;
+
+/// Half the length of a body or a car, in metres.
+const HALF_LENGTH: f64 = 0.03;
+
+/// The goal region of a car: about the middle of the last cell, in any direction, in metres.
+const REGION: f64 = 0.1;
+
+crate::choice! {
+    /// The robot of a maze.
+    pub enum MazeRobot {
+        /// A disc.
+        Disc,
+        /// A rectangle of 6 cm by 3 cm that translates and turns.
+        #[strum(serialize = "rigid_body")]
+        RigidBody,
+        /// The same rectangle on wheels.
+        Car,
+    }
+}
 
 crate::choice! {
     /// The difficulty of a maze.
@@ -38,6 +58,8 @@ crate::options! {
     /// easy: 6 by 6 cells, one wall of five opened; medium: 9 by 9, one of ten; hard: 12 by 12, none, so that one path
     /// leads to the goal.
     difficulty: Difficulty = Difficulty::Easy, "Difficulty";
+    /// A disc, or a rigid body or a car of 6 cm by 3 cm; the car may arrive in any direction.
+    robot: MazeRobot = MazeRobot::Disc, "Robot";
     /// The radius of the disc.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// The thickness of the walls; corridors have the rest of 0.25 m.
@@ -49,7 +71,7 @@ crate::options! {
 impl Generator for MazeOptions {
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
-        let Self { difficulty, radius, thickness, seed } = *self;
+        let Self { difficulty, robot, radius, thickness, seed } = *self;
         let corridor = CELL - thickness;
         if corridor - 2.0 * radius < PLAY - SOME {
             let sentence =
@@ -67,11 +89,23 @@ impl Generator for MazeOptions {
         walls.open(opened, &mut random);
         let (side, word) = (CELL * cells as f64, difficulty.word());
         let (first, last) = (CELL / 2.0, side - CELL / 2.0);
-        let name = format!("maze-{word}-{seed}");
-        let title = format!("Disc in a maze of {cells} by {cells} cells, {word}, seed {seed}");
+        let choice = match robot {
+            MazeRobot::Disc => RobotChoice::Disc,
+            MazeRobot::RigidBody => RobotChoice::RigidBody,
+            MazeRobot::Car => RobotChoice::Car,
+        };
+        let [_, short, long] = choice.words(0);
+        let short = if robot == MazeRobot::Disc { String::new() } else { format!("{short}-") };
+        let name = format!("maze-{short}{word}-{seed}");
+        let title = format!("{long} in a maze of {cells} by {cells} cells, {word}, seed {seed}");
         let walls = walls.rectangles(thickness).into_iter().map(Obstacle::Polygon);
-        let robot = Robot::Disc(DiscRobot::new(radius)?);
-        Ok(in_box(name, title, side, walls, robot, query("through", vec![first, first], vec![last, last])))
+        if robot == MazeRobot::Disc {
+            let robot = Robot::Disc(DiscRobot::new(radius)?);
+            return Ok(in_box(name, title, side, walls, robot, query("through", vec![first, first], vec![last, last])));
+        }
+        let goal_tolerance = (robot == MazeRobot::Car).then_some(GoalTolerance { translation: REGION, rotation: PI });
+        let query = Query { goal_tolerance, ..query("through", vec![first, first, 0.0], vec![last, last, 0.0]) };
+        Ok(in_box(name, title, side, walls, choice.rectangle(HALF_LENGTH)?, query))
     }
 }
 

@@ -11,7 +11,7 @@ mod scattered;
 pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn};
 pub use forest::ForestOptions;
 pub use gap::GapOptions;
-pub use maze::{Difficulty, MazeOptions};
+pub use maze::{Difficulty, MazeOptions, MazeRobot};
 pub use robots::RobotChoice;
 pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
@@ -65,7 +65,7 @@ generators! {
     "forest", "Forest", "An arm of unit links among equal triangles on a grid." => ForestOptions;
     "clutter", "Clutter", "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle." => ClutterOptions;
     "discs", "Discs", "Discs scattered over a box, for a robot that crosses it or an arm in its middle." => DiscsOptions;
-    "maze", "Maze", "A maze of walls for a disc, from corner to corner; there is always a path." => MazeOptions;
+    "maze", "Maze", "A maze of walls for a disc, a body or a car, from corner to corner; there is always a path." => MazeOptions;
     "gap", "Gap", "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it." => GapOptions;
     "bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards." => BugTrapOptions;
 }

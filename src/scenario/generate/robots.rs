@@ -45,13 +45,18 @@ impl RobotChoice {
 
     /// The car; the rigid body for any other.
     pub(super) fn placed(self) -> Result<Robot, Error> {
-        let [x, y] = [0.1, 0.05];
+        self.rectangle(0.1)
+    }
+
+    /// The same, half as long as given, in metres, half as wide as long, and with a wheelbase of its length.
+    pub(super) fn rectangle(self, x: f64) -> Result<Robot, Error> {
+        let y = x / 2.0;
         let shape = polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
         let weights = Weights::default();
         if self != RobotChoice::Car {
             return Ok(Robot::RigidBody(RigidBody { shape, weights }));
         }
-        let (wheelbase, speed, steering, step) = (0.2, [-0.5, 0.5], [-FRAC_PI_4, FRAC_PI_4], 0.01);
+        let (wheelbase, speed, steering, step) = (2.0 * x, [-0.5, 0.5], [-FRAC_PI_4, FRAC_PI_4], 0.01);
         Ok(Robot::Car(Car::new(shape, wheelbase, speed, steering, step, weights)?))
     }
 
@@ -94,7 +99,7 @@ pub(super) fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
         return Err(refusal(Code::UnknownField, "links", sentence));
     }
     if is_given("radius") && matches!(robot, RobotChoice::RigidBody | RobotChoice::Car) {
-        let sentence = format!("{article} has no radius: it is a rectangle of 0.2 m by 0.1 m");
+        let sentence = format!("{article} has no radius: it is a rectangle");
         return Err(refusal(Code::UnknownField, "radius", sentence));
     }
     Ok(())

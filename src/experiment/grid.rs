@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 /// The least step of values: they are rounded to nine decimals.
 const LEAST_STEP: f64 = 1e-6;
 
-fn refused<T>(code: Code, pointer: impl Into<String>, sentence: impl Into<String>) -> Result<T, Error> {
+/// An error with these parts.
+pub(super) fn refused<T>(code: Code, pointer: impl Into<String>, sentence: impl Into<String>) -> Result<T, Error> {
     Err(Error::new(code, pointer, sentence))
 }
 

@@ -1,7 +1,7 @@
 //! From a document to a checked experiment.
 
 use super::document::{self, Document};
-use super::grid::{Grid, Seeds};
+use super::grid::{Grid, Seeds, refused};
 use super::{Budget, Experiment, FORMAT, MAX_LIST, MAX_TRIALS, Measure, Planner, Source, Worlds};
 use crate::error::{Code, Error, quoted};
 use crate::graph::Fingerprint;
@@ -15,10 +15,6 @@ use std::collections::BTreeSet;
 
 /// The columns that are summarised by default.
 const MEASURES: [Measure; 3] = [Measure::Length, Measure::Iterations, Measure::ClearanceEvaluations];
-
-fn refused<T>(code: Code, pointer: impl Into<String>, sentence: impl Into<String>) -> Result<T, Error> {
-    Err(Error::new(code, pointer, sentence))
-}
 
 impl Experiment {
     /// Reads an experiment from JSON text.
@@ -196,7 +192,7 @@ fn checked_worlds(entries: Vec<document::World>) -> Result<Vec<Worlds>, Error> {
     }
 }
 
-/// Names are not empty and distinct, as rows are told apart by them.
+/// Checks that a name is not empty and not that of another entry: names distinguish rows.
 fn check_name(name: &str, names: &mut BTreeSet<String>) -> Result<(), Error> {
     if name.is_empty() {
         return refused(Code::OutOfRange, "/name", "a name must not be empty");

@@ -7,25 +7,22 @@ import {
 } from "./browser.mjs";
 import { readNpy } from "../../www/formats/npy.js";
 import { openEditor, press, until } from "./editing.mjs";
-import { load, sceneOf } from "./library.mjs";
+import { load, planned } from "./library.mjs";
 import { assertFaultless, assertTargets } from "./looks.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
 useBrowser();
 
-/** The page's roadmap of a scene, made here. @param {string} id @param {object} [more] */
-function planned(id, more) {
-  const { algorithm, settings } = sceneOf(id);
-  const scenario = load(id);
-  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (algorithm), ...settings, ...more });
-  while (planner.step(1000) === "running");
+/** The page's roadmap of a scene, with the ends of its first query. @param {string} id */
+function roadmap(id) {
+  const { scenario, planner } = planned(id);
   const [{ start, goal }] = scenario.document().queries;
   assert.ok(goal);
-  return { scenario, planner, start, goal };
+  return { planner, start, goal };
 }
 
-/** What the package says of a query: its result, and the number of vertices that it visits. @param {ReturnType<typeof planned>["planner"]} planner @param {number[]} start @param {number[]} goal */
+/** What the package says of a query: its result, and the number of vertices that it visits. @param {import("planarium").Planner} planner @param {number[]} start @param {number[]} goal */
 function answerOf(planner, start, goal) {
   const before = planner.stats().visited;
   const result = planner.query(start, goal);
@@ -58,7 +55,7 @@ async function assertTold(page, { visited, length, path }) {
 }
 
 test("a roadmap that stands is asked from and to the robot in hand; the run stays, and a step back returns to it", () => onPausedPage(async (page) => {
-  const { planner, goal } = planned("stones");
+  const { planner, goal } = roadmap("stones");
   const own = await finish(page);
   const story = await page.innerText("#story");
   assert.equal(await page.isVisible("#ask"), false);
@@ -138,7 +135,7 @@ test("a further query of the scene is asked of the roadmap; the link holds the r
 
 test("a roadmap that has no path between two configurations says so; trees and races are not asked", () => onPausedPage(async (page) => {
   await chooseScene(page, "locked");
-  const { planner, start, goal } = planned("locked");
+  const { planner, start, goal } = roadmap("locked");
   assert.equal(planner.status, "exhausted");
   const own = await finish(page);
   assert.equal(own.status, "exhausted");

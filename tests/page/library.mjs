@@ -28,6 +28,15 @@ export function open(entry, positions) {
 /** A scenario of the page as it opens. @param {string} id */
 export const load = (id) => open(sceneOf(id));
 
+/** The planner of a scene as the page opens it, run to its end. @param {string} id @param {Record<string, number | string>} [more] */
+export function planned(id, more) {
+  const { algorithm, settings } = sceneOf(id);
+  const scenario = load(id);
+  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (algorithm), ...settings, ...more });
+  while (planner.step(1000) === "running");
+  return { scenario, planner };
+}
+
 /**
  * A run to its end, or for so many iterations.
  * @param {Scenario} scenario

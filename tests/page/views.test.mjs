@@ -9,21 +9,12 @@ import {
   PHONE, alphaOf, atRest, choosePlanner, chooseScene, click, fill, finish, frames, onPausedPage, pixelsOf, seek, setParameter, unfold,
   useBrowser,
 } from "./browser.mjs";
-import { load, sceneOf } from "./library.mjs";
+import { load, planned } from "./library.mjs";
 import { EVENT } from "../../www/planner/run-log/run-log.js";
 
 /** @import { Page } from "./browser.mjs" */
 
 useBrowser();
-
-/** The page's run of a scene, made here. @param {string} id @param {Record<string, number | string>} [more] */
-function planned(id, more) {
-  const { algorithm, settings } = sceneOf(id);
-  const scenario = load(id);
-  const planner = scenario.planner({ algorithm: /** @type {"prm"} */ (algorithm), ...settings, ...more });
-  while (planner.step(1000) === "running");
-  return { scenario, planner };
-}
 
 /** Pixels of a sheet for coordinates of the configuration square, whose range is a whole turn. @param {Page} page */
 async function square(page) {

@@ -9,7 +9,7 @@ import { requireCore } from "./runtime.js";
 export const phases = Object.freeze(/** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]));
 
 /** The kinds of events: a row of `planner.eventsSince` begins with an index into this list. */
-export const eventKinds = Object.freeze(/** @type {const} */ (["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed"]));
+export const eventKinds = Object.freeze(/** @type {const} */ (["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed", "rewired"]));
 
 /** The columns of `planner.historySince`; `length` is that of the best path so far. */
 export const historyColumns = Object.freeze(/** @type {const} */ ([

@@ -28,6 +28,7 @@ mod pieces;
 mod planners;
 mod proof;
 mod roadmap;
+mod rrt_star;
 mod sampling;
 mod scenario;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The kinds of event by the numbers that viewers see, each with its mark.
-const KINDS: [(EventKind, Mark); 7] = [
+const KINDS: [(EventKind, Mark); 8] = [
     (EventKind::SampleRejected, Mark::Rejected),
     (EventKind::EdgeRefused, Mark::Refused),
     (EventKind::VertexExpanded, Mark::Expanded),
@@ -20,6 +20,7 @@ const KINDS: [(EventKind, Mark); 7] = [
     (EventKind::SampleDiscarded, Mark::Discarded),
     (EventKind::GuardAdded, Mark::Guard),
     (EventKind::VertexRemoved, Mark::Removed),
+    (EventKind::ParentChanged, Mark::Rewired),
 ];
 
 /// The word of a mark, as viewers see it.
@@ -60,7 +61,15 @@ fn settings() -> Vec<(&'static str, String)> {
     all.extend(["rrt-control", "sst"].map(|planner| (planner, "sampler=bridge max_iterations=400".to_owned())));
     all.push(("prm", "samples=60 k=1 insertion=one-by-one discard=true".to_owned()));
     let (samples, failures) = ("samples=60", "failures=40");
-    let few = [("prm", samples), ("prm-star", samples), ("visibility-prm", failures), ("rrt", ""), ("rrt-connect", "")];
+    let few = [
+        ("prm", samples),
+        ("prm-star", samples),
+        ("visibility-prm", failures),
+        ("rrt", ""),
+        ("rrt-connect", ""),
+        ("rrt-star", ""),
+        ("informed-rrt-star", ""),
+    ];
     for (planner, few) in few {
         all.push((planner, format!("{few} sampler=bridge max_iterations=400")));
         all.push((planner, format!("{few} shortcut=5")));

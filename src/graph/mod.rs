@@ -4,12 +4,14 @@
 //! its cursor, so the cost of a frame depends on the growth, not on the size of the graph.
 
 mod adjacency;
+mod cost_tree;
 mod fingerprint;
 pub mod search;
 mod tree;
 mod union_find;
 
 pub use adjacency::Adjacency;
+pub use cost_tree::CostTree;
 pub use fingerprint::Fingerprint;
 pub use tree::Tree;
 pub use union_find::UnionFind;
@@ -47,6 +49,8 @@ pub enum EventKind {
     GuardAdded = 5,
     /// The vertex and the edge to it were removed from the tree, as others are better. Its number is not reused.
     VertexRemoved = 6,
+    /// The vertex of a tree has another parent; `other` is the former one. The last edge to a vertex of a tree is its edge.
+    ParentChanged = 7,
 }
 
 /// One event.

@@ -108,6 +108,8 @@ pub enum Mark {
     Guard,
     /// A vertex was removed from the tree.
     Removed,
+    /// A vertex of the tree got another parent.
+    Rewired,
 }
 
 /// One line of pseudo-code. It is highlighted if one of its marks is among those of an iteration; each iteration highlights a line.

@@ -7,6 +7,7 @@ mod driven_tree;
 mod groups;
 mod growth;
 mod info;
+mod informed_rrt_star;
 mod neighbours;
 mod prm;
 mod query;
@@ -16,6 +17,7 @@ mod roadmap;
 mod rrt;
 mod rrt_connect;
 mod rrt_control;
+mod rrt_star;
 mod sst;
 mod visibility_prm;
 
@@ -26,6 +28,7 @@ pub use groups::{
 };
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
+pub use informed_rrt_star::InformedRrtStarOptions;
 pub use neighbours::{NeighbourIndex, NeighbourMetric, Neighbouring};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
@@ -34,6 +37,7 @@ pub use roadmap::{Connection, QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};
+pub use rrt_star::{NearRule, RrtStarOptions};
 pub use sst::SstOptions;
 pub use visibility_prm::VisibilityPrmOptions;
 

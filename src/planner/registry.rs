@@ -13,6 +13,8 @@ registry! {
     VisibilityPrm(super::visibility_prm::VisibilityPrmOptions),
     Rrt(super::rrt::RrtOptions),
     RrtConnect(super::rrt_connect::RrtConnectOptions),
+    RrtStar(super::rrt_star::RrtStarOptions),
+    InformedRrtStar(super::informed_rrt_star::InformedRrtStarOptions),
     RrtControl(super::rrt_control::RrtControlOptions),
     Sst(super::sst::SstOptions),
 }

@@ -146,6 +146,9 @@ pub const PLANNERS: &[(&str, &str)] = &[
     ("rrt", "extend=until-obstacle goal_bias=0.2"),
     ("rrt-connect", ""),
     ("rrt-connect", "shortcut=40 reduce=true partial_shortcut=40"),
+    ("rrt-star", "improve_iterations=100"),
+    ("rrt-star", "near=k-nearest improve_iterations=50 goal_every=5"),
+    ("informed-rrt-star", "improve_iterations=100"),
 ];
 
 /// Every sampler.

@@ -57,17 +57,37 @@ test("in a tree the cost from the root is the length of the way down the parents
     run.shown = run.made;
     assert.equal(run.status, "solved");
     run.adjacency.follow();
-    assert.ok(Math.abs(run.adjacency.costs[1] - run.result.length) < 1e-9, `${run.adjacency.costs[1]} and ${run.result.length}`);
+    const cost = run.adjacency.cost(1, run.edges.count);
+    assert.ok(Math.abs(cost - run.result.length) < 1e-9, `${cost} and ${run.result.length}`);
     let [way, vertex] = [0, 1];
     for (let parent = run.adjacency.parent(1, run.edges.count); parent >= 0; parent = run.adjacency.parent(vertex, run.edges.count)) {
       way += run.adjacency.distance(parent, vertex);
       vertex = parent;
     }
     assert.equal(vertex, 0);
-    assert.ok(Math.abs(way - run.adjacency.costs[1]) < 1e-9);
+    assert.ok(Math.abs(way - cost) < 1e-9);
     assert.equal(run.adjacency.parent(1, run.edges.count - 1), -1, "before its edge is there it has no parent");
     run.free();
   }
+});
+
+test("in a tree that is rewired an edge is there until another one leads to its end", () => {
+  const { run } = runOf("firs", "rrt-star", { step: 0.3, seed: 4, near: "k-nearest", improve_iterations: 300 });
+  run.shown = run.made;
+  run.adjacency.follow();
+  const { data, count } = run.edges;
+  assert.ok(run.countOf(EVENT.rewired) > 20);
+  assert.ok(Math.abs(run.adjacency.cost(1, count) - run.result.length) < 1e-9);
+  for (const edges of [count, Math.floor(count / 2), Math.floor(count / 3)]) {
+    /** @type {Map<number, number>} */
+    const last = new Map();
+    for (let e = 0; e < edges; e++) last.set(data[2 * e + 1], e);
+    for (let e = 0; e < edges; e++) {
+      assert.equal(run.isEdgeThere(e, { edges, events: run.events.count }), last.get(data[2 * e + 1]) === e);
+      assert.equal(run.adjacency.edgeTo(data[2 * e + 1], edges), last.get(data[2 * e + 1]));
+    }
+  }
+  run.free();
 });
 
 test("the nearest of 20,000 vertices is that of the slow way", () => {

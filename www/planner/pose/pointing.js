@@ -78,7 +78,7 @@ export class Pointing {
     if (run.traces.count === 0 || !pane.view) return null;
     // A new layout or a new run needs a new index.
     if (this.passages?.run !== run || this.laid !== pane.view) [this.passages, this.laid] = [new Passages(pane, run), pane.view];
-    const found = this.passages.find(x, y, run.past[PAST.edges], (edge) => run.isThere(run.edges.data[2 * edge + 1]));
+    const found = this.passages.find(x, y, run.past[PAST.edges], (edge) => run.isEdgeThere(edge));
     return found && { vertex: -1, ...found };
   }
 
@@ -114,8 +114,8 @@ export class Pointing {
     }
     const parent = adjacency.parent(vertex, edges);
     if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;
-    const length = run.lengthOf(adjacency.upward[vertex]);
-    return `${name}. Parent ${parent}, ${lengthText(length, robot)} away; ${lengthText(adjacency.costs[vertex], robot)} from the root.${control}`;
+    const length = run.lengthOf(adjacency.edgeTo(vertex, edges));
+    return `${name}. Parent ${parent}, ${lengthText(length, robot)} away; ${lengthText(adjacency.cost(vertex, edges), robot)} from the root.${control}`;
   }
 }
 

@@ -16,15 +16,17 @@ export class Adjacency {
     this.heads = [];
     /** The next older half-edge of the same vertex, -1 after the last. @type {number[]} */
     this.next = [];
-    /** In trees the edge to the parent. @type {number[]} */
+    /** In trees the newest edge to the parent. @type {number[]} */
     this.upward = [];
-    /** In trees the cost from the root. @type {number[]} */
-    this.costs = [];
+    /** In a tree whose vertices change their parents: for each edge the one before it to the same vertex, and the one after it. @type {Map<number, number>} */
+    this.before = new Map();
+    /** @type {Map<number, number>} */
+    this.after = new Map();
   }
 
   /** Adds the new edges. */
   follow() {
-    const { run, heads, next, upward, costs } = this;
+    const { run, heads, next, upward } = this;
     const { data, count } = run.edges;
     const roots = run.kind === "trees" ? run.roots : 1;
     for (; this.count < count; this.count++) {
@@ -33,10 +35,16 @@ export class Adjacency {
         next.push(heads[data[half]] ?? -1);
         heads[data[half]] = half;
       }
-      const [parent, child] = run.edges.row(e);
-      if (!run.isTree || child < roots || upward[child] !== undefined) continue;
+      const child = run.edges.data[2 * e + 1];
+      if (!run.isTree || child < roots) continue;
+      const former = upward[child];
+      if (former !== undefined) {
+        // The edge between two trees is none to a parent.
+        if (run.kind === "trees") continue;
+        this.before.set(e, former);
+        this.after.set(former, e);
+      }
       upward[child] = e;
-      costs[child] = (costs[parent] ?? 0) + run.lengthOf(e);
     }
   }
 
@@ -46,10 +54,30 @@ export class Adjacency {
     for (let half = this.heads[vertex] ?? -1; half >= 0; half = this.next[half]) if (half >> 1 < edges) then(data[half ^ 1]);
   }
 
+  /** The edge to the parent of a vertex of a tree among the first edges of the log, -1 without one. @param {number} vertex @param {number} edges  their number */
+  edgeTo(vertex, edges) {
+    let edge = this.upward[vertex] ?? -1;
+    while (edge >= edges) edge = this.before.get(edge) ?? -1;
+    return edge;
+  }
+
   /** The parent of a vertex along the first edges of the log, -1 without one. @param {number} vertex @param {number} edges  their number */
   parent(vertex, edges) {
-    const edge = this.upward[vertex];
-    return edge !== undefined && edge < edges ? this.run.edges.data[2 * edge] : -1;
+    const edge = this.edgeTo(vertex, edges);
+    return edge < 0 ? -1 : this.run.edges.data[2 * edge];
+  }
+
+  /** The length of the way from the root to a vertex along the first edges of the log. @param {number} vertex @param {number} edges  their number */
+  cost(vertex, edges) {
+    let sum = 0;
+    for (let edge = this.edgeTo(vertex, edges); edge >= 0; edge = this.edgeTo(this.run.edges.data[2 * edge], edges)) sum += this.run.lengthOf(edge);
+    return sum;
+  }
+
+  /** Whether another one of the first edges of the log has replaced this one. @param {number} edge @param {number} edges  their number */
+  isReplaced(edge, edges) {
+    this.follow();
+    return (this.after.get(edge) ?? Infinity) < edges;
   }
 
   /** The distance of two vertices in the metric of the run. @param {number} from @param {number} to */

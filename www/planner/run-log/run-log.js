@@ -16,7 +16,7 @@ import { grownSince } from "../worker/stepper.js";
 /** @typedef {{ phases: readonly string[], planners: PlannerInfo[] }} Catalogue   of the package */
 
 /** Kinds of event, by the numbers of the package. */
-export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6 };
+export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6, rewired: 7 };
 
 /** Columns of a row of history, in the order of the package. */
 export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, motions: 5, evaluations: 6, cost: 7 };
@@ -179,8 +179,7 @@ export class RunLog {
   /** The edge of a tree to a vertex; -1 without one. @param {number} vertex */
   edgeTo(vertex) {
     this.adjacency.follow();
-    const edge = this.adjacency.upward[vertex] ?? -1;
-    return this.isTree && edge < this.past[PAST.edges] ? edge : -1;
+    return this.isTree ? this.adjacency.edgeTo(vertex, this.past[PAST.edges]) : -1;
   }
 
   /** The length of an edge; that of a curve is the sum over its configurations. @param {number} edge */
@@ -204,6 +203,11 @@ export class RunLog {
 
   /** Whether a vertex is in the graph shown, and not removed. @param {number} vertex @param {number} [events] */
   isThere(vertex, events = this.past[PAST.events]) { return !((this.gone.get(vertex) ?? Infinity) < events); }
+
+  /** Whether an edge is in the graph shown: its end is not removed, and has no other parent. @param {number} edge @param {Readonly<{ edges: number, events: number }>} [counts] */
+  isEdgeThere(edge, { edges, events } = { edges: this.past[PAST.edges], events: this.past[PAST.events] }) {
+    return this.isThere(this.edges.data[2 * edge + 1], events) && !this.adjacency.isReplaced(edge, edges);
+  }
 
   /** Gives new vertices of trees the roots of their parents. An edge is (parent, child). @param {number} first */
   inheritSides(first) {

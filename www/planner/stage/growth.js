@@ -32,8 +32,8 @@ export class Growth {
     this.drawn = countsOf(null);
     /** Rows below these counts do not glow: they are redrawn. */
     this.old = countsOf(null);
-    /** Removed vertices that are left out. */
-    this.removed = 0;
+    /** How many vertices are removed, and edges replaced, in what is drawn. */
+    this.gone = 0;
     this.snapshots = {
       edges: new Snapshots(pane.layers.edges), vertices: new Snapshots(pane.layers.vertices), events: new Snapshots(pane.layers.marks),
     };
@@ -47,7 +47,7 @@ export class Growth {
     }
     this.drawn = countsOf(null);
     this.old = old;
-    this.removed = 0;
+    this.gone = 0;
   }
 
   /** Rows to be drawn. @returns {Counts} */
@@ -74,7 +74,7 @@ export class Growth {
       this.snapshots[due].copy(this.drawn[due]);
       return true;
     }
-    // A redraw without removed vertices is done in one frame, as half of it would flicker.
+    // A redraw without what is gone is done in one frame, as half of it would flicker.
     const limit = this.shed(run, target) ? Infinity : until;
     const { edges, vertices } = this.drawn;
     const isRoom = () => limit === Infinity || (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
@@ -84,11 +84,11 @@ export class Growth {
     return false;
   }
 
-  /** Empties the layers if other vertices are removed now. @param {RunLog} run @param {Counts} target @returns {boolean} whether it did */
+  /** Empties the layers if other vertices are removed, or other edges replaced, now. @param {RunLog} run @param {Counts} target @returns {boolean} whether it did */
   shed(run, target) {
-    const removed = run.countOf(EVENT.removed, target.events);
-    if (removed === this.removed) return false;
-    this.removed = removed;
+    const gone = run.countOf(EVENT.removed, target.events) + run.countOf(EVENT.rewired, target.events);
+    if (gone === this.gone) return false;
+    this.gone = gone;
     this.old = { ...this.old, edges: this.drawn.edges, vertices: this.drawn.vertices };
     for (const kind of /** @type {const} */ (["edges", "vertices"])) {
       this.snapshots[kind].clear();
@@ -116,8 +116,7 @@ export class Growth {
     const first = this.drawn.edges;
     const end = Math.min(target, first + BATCH.edges);
     if (end === first) return;
-    const { pane, removed } = this;
-    const { events } = this.target;
+    const { pane, gone, target: counts } = this;
     const { points, firsts } = this.linesOf(run, first, end);
     const { context } = pane.layers.edges;
     context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, pane.fineness);
@@ -126,7 +125,7 @@ export class Growth {
     context.globalAlpha = run.isTree ? 0.9 : 0.42;
     let side = -1;
     for (let e = first; e < end; e++) {
-      if (removed > 0 && !run.isThere(run.edges.data[2 * e + 1], events)) continue;
+      if (gone > 0 && !run.isEdgeThere(e, counts)) continue;
       const its = run.sides.data[run.edges.data[2 * e]];
       if (its !== side) context.strokeStyle = pane.sideColour(side = its);
       strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
@@ -170,7 +169,7 @@ export class Growth {
     const { events } = this.target;
     // The roots have the marks of start and goal, unless a roadmap was asked for another path.
     for (let v = pane.lane?.asked ? first : Math.max(first, run.roots); v < end; v++) {
-      if (this.removed > 0 && !run.isThere(v, events)) continue;
+      if (this.gone > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
     }

@@ -1,0 +1,170 @@
+//! RRT* and Informed RRT*: paths never get longer and approach the shortest, costs are the sums of edges after every rewiring, and the
+//! tree stays a tree.
+
+use crate::common::graphs::events;
+use crate::common::{arm_and_wall, assert_valid, begin_with, disc_and_wall, finish, seeds};
+use planarium::graph::{CostTree, EventKind, VertexId};
+use planarium::random::{Random, Stream};
+use planarium::run::inspect::Inspector;
+use planarium::run::{HISTORY_WIDTH, Run, Status};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const BOTH: [&str; 2] = ["rrt-star", "informed-rrt-star"];
+
+/// The parent of every vertex by the edges of a run: the last edge to a vertex counts.
+fn parents(run: &dyn Run) -> Vec<Option<usize>> {
+    let mut parents = vec![None; run.vertex_count()];
+    for edge in run.edges_since(0).chunks(2) {
+        parents[edge[1] as usize] = Some(edge[0] as usize);
+    }
+    parents
+}
+
+/// The vertices from the root to this one.
+///
+/// # Panics
+/// If they have no end.
+fn from_root(parents: &[Option<usize>], vertex: usize) -> Vec<usize> {
+    let mut path: Vec<usize> = std::iter::successors(Some(vertex), |&at| parents[at]).take(parents.len() + 1).collect();
+    assert!(path.len() <= parents.len(), "a cycle through vertex {vertex}");
+    path.reverse();
+    path
+}
+
+/// The length along configurations, added from the first on.
+fn length(world: &Inspector, path: &[&[f64]]) -> f64 {
+    path.windows(2).fold(0.0, |sum, pair| sum + world.distance(pair[0], pair[1]).expect("configurations"))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_path_is_along_the_edges_and_never_gets_longer() {
+    for (planner, world) in
+        BOTH.iter().flat_map(|planner| [(planner, arm_and_wall(0.1)), (planner, disc_and_wall(0.3, 0.5))])
+    {
+        let inspector = Inspector::new(&world);
+        for near in ["radius", "k-nearest"] {
+            let settings = format!("near={near} improve_iterations=1000 max_iterations=4000");
+            let mut run = begin_with(&world, planner, 3, &settings);
+            run.record().expect("nothing is done yet");
+            let (mut found, mut rewired) = (0, 0);
+            while run.status() == Status::Running {
+                run.step(50);
+                let parents = parents(&*run);
+                let vertices = run.vertices_since(0);
+                let state = |vertex: usize| &vertices[vertex * run.dimension()..][..run.dimension()];
+                let row = run.history_since(run.history_count() - 1);
+                let cost = row[HISTORY_WIDTH - 1];
+                let path: Vec<&[f64]> = from_root(&parents, 1).into_iter().map(state).collect();
+                // The goal has no parent until it is reached.
+                if parents[1].is_some() {
+                    assert_eq!(
+                        cost.to_bits(),
+                        length(&inspector, &path).to_bits(),
+                        "{planner}: the cost is the sum of the edges"
+                    );
+                    found += 1;
+                }
+                (0..parents.len()).for_each(|vertex| drop(from_root(&parents, vertex)));
+                let rewirings = events(&*run, EventKind::ParentChanged).len();
+                let joined = (1..parents.len()).filter(|&vertex| parents[vertex].is_some()).count();
+                assert_eq!(run.edge_count(), joined + rewirings, "every edge is new or replaces one");
+                rewired = rewirings;
+            }
+            assert!(found > 5 && rewired > 20, "{planner}: {found} {rewired}");
+            let history = run.history_since(0);
+            let costs: Vec<f64> = history.chunks(HISTORY_WIDTH).map(|row| row[HISTORY_WIDTH - 1]).collect();
+            assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "the cost never rises");
+            let falls = costs.windows(2).filter(|pair| pair[1] < pair[0]).count();
+            assert_eq!(events(&*run, EventKind::SolutionFound).len(), falls, "an event for each shorter path");
+            assert_valid(&world, &*run);
+        }
+    }
+}
+
+/// The length of the shortest path of a disc over the wall of `disc_and_wall`: a tangent to the disc about either upper corner, an arc
+/// on it, and the width of the wall.
+fn shortest_over_wall(radius: f64, thickness: f64) -> f64 {
+    let (across, up) = (4.0 - thickness / 2.0, 7.0f64);
+    let distance = up.hypot(across);
+    let arc = std::f64::consts::FRAC_PI_2 + up.atan2(across) - (radius / distance).acos();
+    2.0 * ((distance * distance - radius * radius).sqrt() + radius * arc) + thickness
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn paths_approach_the_shortest() {
+    let world = disc_and_wall(0.3, 0.5);
+    let shortest = shortest_over_wall(0.3, 0.5);
+    for planner in BOTH {
+        for near in ["radius", "k-nearest"] {
+            for seed in 0..seeds(3) {
+                let run = finish(begin_with(&world, planner, seed, &format!("near={near} improve_iterations=3000")));
+                let ratio = run.length() / shortest;
+                assert!((1.0 - 1e-12..1.04).contains(&ratio), "{planner} {near} {seed}: {ratio}");
+                assert_valid(&world, &*run);
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn samples_that_cannot_help_are_discarded() {
+    let world = disc_and_wall(0.3, 0.5);
+    let settings = "improve_iterations=2000";
+    let (plain, informed) =
+        (finish(begin_with(&world, BOTH[0], 1, settings)), finish(begin_with(&world, BOTH[1], 1, settings)));
+    assert!(events(&*plain, EventKind::SampleDiscarded).is_empty());
+    let discarded = events(&*informed, EventKind::SampleDiscarded);
+    assert!(discarded.len() > 100, "{}", discarded.len());
+    let inspector = Inspector::new(&world);
+    let [start, goal] = [[1.0, 1.0], [9.0, 1.0]];
+    let best = informed.length();
+    let by_way = |q: &[f64]| {
+        let apart = |a: &[f64], b: &[f64]| inspector.distance(a, b).expect("configurations");
+        apart(&start, q) + apart(q, &goal)
+    };
+    assert!(discarded.iter().all(|event| by_way(&event[4..]) >= best * (1.0 - 1e-12) || event[2] < 0.0));
+    assert!(informed.stats().motion_checks < plain.stats().motion_checks);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_straight_path_is_the_shortest_and_ends_the_run() {
+    let empty = crate::common::parse(
+        r#"{"format": "planarium-scenario-1", "name": "empty", "world": {"bounds": {"min": [0, 0], "max": [4, 4]}, "obstacles": []},
+            "robot": {"type": "disc", "radius": 0.1}, "queries": [{"name": "q", "start": [1, 1], "goal": [2, 2]}]}"#,
+    );
+    for planner in BOTH {
+        let run = finish(begin_with(&empty, planner, 0, ""));
+        assert_eq!((run.status(), run.path()), (Status::Solved, vec![vec![1.0, 1.0], vec![2.0, 2.0]]));
+        assert!(run.iterations() < 5000);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn costs_follow_every_change_of_a_parent() {
+    let mut random = Random::new(7, Stream::Samples);
+    let mut tree = CostTree::of(VertexId(0));
+    let mut simple: Vec<Option<(usize, f64)>> = vec![None];
+    for step in 0..10_000u32 {
+        let vertex =
+            if step % 3 == 0 { simple.len() } else { 1 + random.below(simple.len() as u64) as usize % simple.len() };
+        let parent = random.below(simple.len() as u64) as usize;
+        let (child, edge) = (VertexId(vertex as u32), random.uniform());
+        if tree.cost(VertexId(parent as u32)) + edge >= tree.cost(child) {
+            continue;
+        }
+        let former = tree.attach(child, VertexId(parent as u32), edge);
+        if vertex == simple.len() {
+            simple.push(None);
+        }
+        assert_eq!(former.map(VertexId::index), simple[vertex].map(|(parent, _)| parent));
+        simple[vertex] = Some((parent, edge));
+        if step % 97 == 0 {
+            for at in 0..simple.len() {
+                let edges: Vec<f64> =
+                    std::iter::successors(simple[at], |&(parent, _)| simple[parent]).map(|(_, edge)| edge).collect();
+                let cost = edges.iter().rev().fold(0.0, |sum, edge| sum + edge);
+                assert_eq!(tree.cost(VertexId(at as u32)).to_bits(), cost.to_bits());
+            }
+        }
+    }
+}

@@ -24,6 +24,9 @@ const GOAL: u32 = 1;
 /// A path this near to the distance from start to goal is the shortest.
 const SHORTEST: f64 = 1.0 + 1e-12;
 
+/// How many samples an informed iteration draws until one may help.
+const DRAWS: u32 = 100;
+
 /// How many directions measure a ball of the space.
 const DIRECTIONS: usize = 1024;
 /// Their length, as a fraction of the side of the space.
@@ -259,16 +262,29 @@ impl<S: Space> RrtStar<S> {
         }
     }
 
+    /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless informed.
+    fn may_help(&self, problem: &Problem<S>, cost: f64, state: &S::State) -> bool {
+        !self.is_informed || self.best.is_none_or(|best| cost + Self::left(problem, state) < best.cost)
+    }
+
+    /// The next sample that may help; `None`, with an event, if there is none among a few.
+    fn sample(&mut self, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
+        let mut useless = None;
+        for _ in 0..DRAWS {
+            let target = self.aim.next(problem, iteration, &mut self.growth)?;
+            if self.may_help(problem, problem.space().distance(problem.start(), &target), &target) {
+                return Some(target);
+            }
+            useless = Some(target);
+        }
+        self.growth.reject(EventKind::SampleDiscarded, iteration, useless?);
+        None
+    }
+
     /// Takes one sample.
     fn grow(&mut self, problem: &Problem<S>, iteration: u32) {
         let space = problem.space();
-        let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return };
-        let cannot_help = |this: &Self, cost: f64, state: &S::State| {
-            this.is_informed && this.best.is_some() && cost + Self::left(problem, state) >= this.bound()
-        };
-        if cannot_help(self, space.distance(problem.start(), &target), &target) {
-            return self.growth.reject(EventKind::SampleDiscarded, iteration, target);
-        }
+        let Some(target) = self.sample(problem, iteration) else { return };
         self.growth.counters.nearest_queries += 1;
         let nearest = self.index.nearest(space, self.growth.graph.states(), &target).expect("a tree has a root");
         let origin = self.growth.state(nearest.vertex);
@@ -285,7 +301,7 @@ impl<S: Space> RrtStar<S> {
             return;
         }
         let Some(parent) = self.parent(problem, iteration, nearest, &state, f64::INFINITY) else { return };
-        if cannot_help(self, self.tree.cost(parent.vertex) + parent.distance, &state) {
+        if !self.may_help(problem, self.tree.cost(parent.vertex) + parent.distance, &state) {
             return self.growth.reject(EventKind::SampleDiscarded, iteration, state);
         }
         let vertex = self.growth.graph.add_vertex(iteration, state);

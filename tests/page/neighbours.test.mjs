@@ -2,11 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Scenario } from "planarium";
+import { encodeState } from "../../www/app/link.js";
 import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
 import { DESK, PHONE, download, dropFile, fill, linkOf, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
 import { assertRoom } from "./looks.mjs";
+import { open as openScene, sceneOf, textOf } from "./library.mjs";
 import { fixture } from "./npy.mjs";
 import { roomOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
@@ -19,7 +21,7 @@ useBrowser();
 const { onRoom: onNeighbours, rest, click, press, choose, put } = roomOf("neighbours", "body[data-state=ready][data-settled=true][data-found]", "robot");
 
 /** @param {string} id */
-const entryOf = (id) => ROBOTS.find((entry) => entry.id === id) ?? assert.fail(id);
+const robotOf = (id) => ROBOTS.find((entry) => entry.id === id) ?? assert.fail(id);
 
 /** @param {Page} page @param {string} id @param {string} value */
 async function select(page, id, value) {
@@ -35,7 +37,7 @@ const numbers = (text = "") => (text === "" ? [] : text.split(",").map(Number));
 
 /** What the package finds for what the page shows. @param {Record<string, string>} state @param {NeighboursOptions} [options] @param {Float64Array | number[][]} [list] */
 function foundBy({ robot, n, q, k }, options = { index: "linear" }, list) {
-  const scenario = Scenario.parse(entryOf(robot).document);
+  const scenario = Scenario.parse(robotOf(robot).document);
   const index = scenario.neighbours(options);
   index.add(list ?? scenario.sampleConfigurations(Number(n), { seed: 0, free: true }));
   const found = index.nearest(numbers(q), Number(k));
@@ -45,7 +47,7 @@ function foundBy({ robot, n, q, k }, options = { index: "linear" }, list) {
 }
 
 /** Where a point of the world is, in pixels of the window. @param {Page} page @param {string} id @param {number[]} point */
-const windowOf = async (page, id, [x, y]) => (await plane(page, Scenario.parse(entryOf(id).document).extent()))(x, y);
+const windowOf = async (page, id, [x, y]) => (await plane(page, Scenario.parse(robotOf(id).document).extent()))(x, y);
 
 test("every preset of a robot shows what a scan finds; an arm opens where the naive metric is wrong", () => onNeighbours(async (page) => {
   for (const { id, presets, q, k, document } of ROBOTS) {
@@ -129,7 +131,7 @@ test("lists are drawn by number and seed, free or not, up to 100,000, which stay
   await put(page, "seed-number", 7);
   assert.notEqual((await stateOf(page)).found, first.found);
   await click(page, "#free");
-  const scenario = Scenario.parse(entryOf("two").document);
+  const scenario = Scenario.parse(robotOf("two").document);
   assert.deepEqual(numbers((await stateOf(page)).found), [...foundBy(first, {}, scenario.sampleConfigurations(500, { seed: 7 })).indices]);
   await page.press("#count", "End");
   await page.waitForSelector("body[data-n='100000']");
@@ -137,7 +139,7 @@ test("lists are drawn by number and seed, free or not, up to 100,000, which stay
   const many = await stateOf(page);
   assert.deepEqual(numbers(many.found), [...foundBy(many, {}, scenario.sampleConfigurations(100_000, { seed: 7 })).indices]);
   assert.ok(Number(many.visited) < 1000);
-  for (const value of ["99", "100001", "1.5", ""]) {
+  for (const value of ["0", "100001", "1.5", ""]) {
     await fill(page, "#count-number", value);
     assert.notEqual(await page.innerText("#count-reason"), "", value);
   }
@@ -148,7 +150,7 @@ test("lists are drawn by number and seed, free or not, up to 100,000, which stay
 for (const [name, options] of /** @type {[string, Options][]} */ ([["on a desktop", DESK], ["on a phone", PHONE]])) {
   test(`${name}, the target is dragged in the workspace, and the neighbours follow`, () => onNeighbours(async (page) => {
     for (const [id, handle, to] of /** @type {[string, (q: number[]) => number[], number[]][]} */ ([
-      ["two", (q) => Scenario.parse(entryOf("two").document).endEffector(q), [-0.3, 0.9]],
+      ["two", (q) => Scenario.parse(robotOf("two").document).endEffector(q), [-0.3, 0.9]],
       ["body", (q) => q.slice(0, 2), [0.6, 0.7]],
       ["point", (q) => q, [1.7, 0.3]],
     ])) {
@@ -293,6 +295,61 @@ test("a link shows the same again, and says that a list of one's own is not in i
     assert.equal(await other.inputValue("#count-number"), "2345");
     assert.equal(await other.isChecked("#free"), false);
   }, DESK, { path: `neighbours.html${fragment}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+/** The state of a page that a fragment opens, and its stage's dots in the workspace. @param {object} state @param {(page: Page, state: Record<string, string>) => Promise<void>} check */
+async function onState(state, check) {
+  await onNeighbours(async (page) => {
+    assert.equal(await page.isHidden("#notice"), true, await page.innerText("#notice"));
+    await check(page, await stateOf(page));
+  }, DESK, { path: `neighbours.html#${await encodeState(state, () => {})}` });
+}
+
+test("a few configurations of any scenario: of a scene by its name, of a document, of a file, with weights", async () => {
+  const body = JSON.parse(textOf("corner"));
+  const draw = { n: 5, seed: 3, free: true };
+  for (const [state, robot, document] of /** @type {const} */ ([
+    [{ scene: "corner", draw }, "corner", body],
+    [{ scene: "museum", draw: { ...draw, n: 1 } }, "museum", JSON.parse(textOf("museum"))],
+    [{ scene: "crates", draw }, "crates", openScene(sceneOf("crates")).document()],
+    [{ document: body, draw, weights: [0.7, 0.15] }, "file", { ...body, robot: { ...body.robot, metric: { translation: 0.7, rotation: 0.15 } } }],
+  ])) {
+    await onState(state, async (page, shown) => {
+      assert.deepEqual([shown.robot, shown.n, shown.ask], [robot, String(state.draw.n), "true"]);
+      const scenario = Scenario.parse(document);
+      const index = scenario.neighbours();
+      index.add(scenario.sampleConfigurations(state.draw.n, { seed: 3, free: true }));
+      const found = index.nearest(numbers(shown.q), Number(shown.k));
+      assert.deepEqual(numbers(shown.found), [...found.indices]);
+      const rows = await page.locator("#neighbours tbody tr").evaluateAll((all) => all.map((row) => /** @type {HTMLElement} */ (row).dataset.distance));
+      assert.deepEqual(rows.map(Number), [...found.distances], robot);
+      assert.equal(await page.isVisible("#weights"), scenario.dimension === 3);
+    });
+  }
+});
+
+test("five free bodies alone; weights of a preset and of one's own; a dropped scenario; all in the link", () => onNeighbours(async (page) => {
+  await dropFile(page, "corner.json", textOf("corner"));
+  await page.waitForSelector("body[data-robot=file]");
+  await rest(page);
+  await put(page, "count-number", 5);
+  assert.equal(await page.inputValue("#pairs"), "0.7,0.3", "the core's");
+  const [first] = await page.locator("#neighbours td:last-child").allInnerTexts();
+  await select(page, "pairs", "0.7,0.15");
+  assert.equal(await page.inputValue("#radian-number"), "0.150");
+  assert.notEqual((await page.locator("#neighbours td:last-child").allInnerTexts())[0], first);
+  await put(page, "metre-number", "0.5");
+  assert.equal(await page.inputValue("#pairs"), "");
+  await click(page, "label[for=ask]");
+  assert.equal(await page.innerText("#story"), "5 collision-free configurations, sampled uniformly with seed 0; each reference point is marked.");
+  assert.deepEqual([await pixelsOf(page, "workspace", "top", "robot"), await page.isVisible("#neighbours"), await page.isVisible("#target")], [0, false, false]);
+  assert.ok(await pixelsOf(page, "workspace", "ground", "growth") > 200);
+  const [state, fragment] = [await stateOf(page), await linkOf(page)];
+  assert.deepEqual([state.weights, state.ask, state.n], ["0.5,0.15", "false", "5"]);
+  await onNeighbours(async (other) => assert.deepEqual(await stateOf(other), state), DESK, { path: `neighbours.html${fragment}` });
+  await pickFile(page, "bad.json", JSON.stringify({ format: "planarium-scenario-1", name: "bad" }));
+  await page.waitForSelector("#notice[data-code=missing-field]");
+  assert.equal((await stateOf(page)).robot, "file");
 }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
 
 test("picture, drawing and table hold what is shown", () => onNeighbours(async (page) => {

@@ -59,6 +59,14 @@ export function drawDot(context, x, y, colour, palette) {
   context.stroke();
 }
 
+/** A reference point: a small dot with a rim. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
+export function drawReference(context, x, y, palette) {
+  context.fillStyle = palette.stage;
+  disc(context, x, y, 4.4);
+  context.fillStyle = palette.growth;
+  disc(context, x, y, 3);
+}
+
 /** A ring to drag. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
 export function drawHandle(context, x, y, colour, palette) {
   context.fillStyle = palette.stage;

@@ -49,6 +49,9 @@ export const commands = {
     return store(opened, opened.sampleConfigurations(n, { seed, free }));
   },
 
+  /** Opens the same list for the same robot with another metric. @param {ScenarioDocument} document */
+  reopen(document) { return store(Scenario.parse(document), rows); },
+
   /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes */
   read(document, name, bytes) {
     const opened = Scenario.parse(document);

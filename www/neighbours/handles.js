@@ -12,14 +12,15 @@ const STEP = 0.005;
 /** @param {NeighbourSession} session @param {HTMLElement} stage   receives keys @param {{ workspace: Figure<Workspace>, square: Figure<Square> }} figures */
 export function watchHandles(session, stage, { workspace, square }) {
   watchDrag(session.app, workspace.canvas, ({ x, y, near }) => {
+    if (!session.isAsking) return null;
     const { view, handles } = workspace.drawing;
     const distances = handles.map((handle) => Math.hypot(view.x(handle[0]) - x, view.y(handle[1]) - y));
     const least = Math.min(...distances);
     return least > near ? null : (place) => moveHandle(distances.indexOf(least), ...view.toPlane(place.x, place.y));
   });
-  watchDrag(session.app, square.canvas, () => (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y)));
+  watchDrag(session.app, square.canvas, () => (session.isAsking ? (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y)) : null));
   watchArrows(stage, (coordinate, direction, factor) => {
-    if (coordinate >= session.dimension) return false;
+    if (coordinate >= session.dimension || !session.isAsking) return false;
     const { low, high } = session.coordinates[coordinate];
     session.setCoordinate(coordinate, session.q[coordinate] + direction * factor * STEP * (high - low));
     return true;

@@ -1,24 +1,26 @@
 /**
  * The page of nearest neighbours: it makes the session, the figures and the panels.
  *
- * For tests, beside what app.js says: `body` carries `data-robot` (an id of robots.js), `data-n`, `data-source` ("drawn" or "file"),
- * `data-q`, `data-k`, `data-index`, `data-metric`, and of the result `data-found` (the indices of the neighbours, in their order),
+ * For tests, beside what app.js says: `body` carries `data-robot` (an id of robots.js, of a scene, or "file"), `data-n`, `data-source` ("drawn" or "file"),
+ * `data-q`, `data-k`, `data-index`, `data-metric`, `data-ask` (whether target and neighbours are shown), `data-weights`, and of the result `data-found` (the indices of the neighbours, in their order),
  * `data-missed` and `data-visited`.
  */
 import { neighbourIndexes } from "planarium";
 import { App } from "../app/app.js";
 import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
-import { watchFiles } from "../app/drop.js";
+import { isArray, watchFiles } from "../app/drop.js";
 import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
+import { sceneDocument } from "../planner/scenes/document.js";
+import { SCENES } from "../planner/scenes/scenes.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { num, tuple } from "../widgets/format.js";
 import { makeSceneGallery } from "../widgets/scene-gallery.js";
 import { watchHandles } from "./handles.js";
 import { showPanel } from "./panel.js";
 import { DIGITS, sentenceOf, showNeighbours } from "./result.js";
-import { ROBOTS } from "./robots.js";
+import { ROBOTS, entryOf } from "./robots.js";
 import { DRAWN, NeighbourSession } from "./session.js";
 import { Square } from "./square.js";
 import { openState, stateOf, stateRule } from "./state.js";
@@ -38,10 +40,13 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
   const figures = {
     workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "one dot per configuration; borders wrap" }, new Square(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space" }, new Square(session)),
   };
   const all = Object.values(figures);
-  const gallery = makeSceneGallery(app, ROBOTS, ({ document, q }) => ({ ...document, queries: [{ name: "q", start: q, goal: q }] }), (entry) => void session.open(entry));
+  const robotOf = (/** @type {string} */ id) => ROBOTS.find((entry) => entry.id === id);
+  const gallery = makeSceneGallery(app, [...ROBOTS, ...SCENES], thumbnailOf, ({ id }) => void openScene(id));
+  /** The scene that was chosen last, while it is loaded. */
+  let wanted = "";
   showPanel(session, indexes);
   const timingsCsv = watchTiming(session, indexes);
   showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
@@ -51,23 +56,39 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   watchHandles(session, stage, figures);
   watchFiles(app, (name, bytes) => {
     app.notice.hide();
-    void session.read(name, bytes);
+    wanted = "";
+    const text = isArray(name, bytes) ? "" : new TextDecoder().decode(bytes);
+    if (isScenario(text)) app.guard(() => void session.open(entryOf(text, "file")), `${name} could not be opened.`);
+    else void session.read(name, bytes);
   });
   session.onChange(show);
-  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k });
+  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights });
   await useLink(app, stateRule, {
-    save: () => stateOf(session), contents: "the robot, the sampling, the target and the query. Your own list is not included",
+    save: () => stateOf(session), contents: "the scenario, the sampling, the target and the query. Your own list is not included",
     open: async (/** @type {State | null} */ state) => {
       if (state) await openState(session, state);
       else if (session.list.version === 0) await session.open(ROBOTS[0]);
     },
   });
 
+  /** @param {{ id: string }} entry */
+  function thumbnailOf({ id }) {
+    const robot = robotOf(id);
+    return robot ? { ...robot.document, queries: [{ name: "q", start: robot.q, goal: robot.q }] } : sceneDocument(id);
+  }
+
+  /** Opens a robot of this page or a scene of the planner's, unless another one is chosen while it is loaded. @param {string} id */
+  async function openScene(id) {
+    wanted = id;
+    const entry = robotOf(id) ?? await app.track(sceneDocument(id).then((document) => entryOf(document, id)));
+    if (entry && wanted === id) await session.open(entry);
+  }
+
   /** @param {Change} change */
   function show(change) {
-    const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar } = session;
+    const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar, isAsking } = session;
     const { dataset } = document.body;
-    Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "" });
+    Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "", ask: isAsking, weights: session.weights.join() });
     if (change === "result") Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
     figures.square.element.hidden = !isPlanar;
@@ -78,18 +99,20 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,
       "list-told": file === null ? "Sampled uniformly: the same seed gives the same list." : `${file}: ${grouped(count)} configurations, in the order of the file.`,
     });
-    figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "middle"}` : "";
+    figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}` : "";
+    figures.square.note.textContent = session.coordinates.every(({ isCircle }) => isCircle) ? "one dot per configuration; borders wrap" : "one dot per configuration";
     if (change === "result" || change === "robot") showNeighbours(session);
     if (change !== "result") return;
     const { length } = found.indices;
     const distanceText = (/** @type {number | undefined} */ distance) => (distance === undefined ? "\u2013" : num(distance, DIGITS));
     const text = sentenceOf(session);
-    app.say(text, { isBad: missed.length > 0 });
+    app.say(text, { isBad: isAsking && missed.length > 0 });
     app.write({
       "fact-target": tuple(q, DIGITS), "fact-nearest": distanceText(found.distances[0]), "fact-farthest": distanceText(found.distances[length - 1]),
       "fact-visited": `${grouped(found.visited)} of ${grouped(count)}`, "fact-recall": `${length - missed.length} of ${length}`,
     });
-    for (const figure of all) figure.describe(`${figure.caption.textContent}: the ${length} configurations nearest to ${tuple(q, DIGITS)}, of ${count}. ${text}`);
+    const asked = isAsking ? `the ${length} configurations nearest to ${tuple(q, DIGITS)}, of ${count}. ` : "";
+    for (const figure of all) figure.describe(`${figure.caption.textContent}: ${asked}${text}`);
   }
 
   function neighboursCsv() {
@@ -97,3 +120,6 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     return csvFile(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
   }
 });
+
+/** Whether a file is a scenario, and not a list of configurations. @param {string} text */
+function isScenario(text) { return /^\s*\{[^]*"format"\s*:/.test(text); }

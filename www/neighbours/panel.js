@@ -5,13 +5,16 @@ import { Options } from "../widgets/options.js";
 import { Slider } from "../widgets/slider.js";
 
 /** @import { IndexInfo } from "planarium" */
-/** @import { NeighbourSession, Change } from "./session.js" */
+/** @import { NeighbourSession, Change, Weights } from "./session.js" */
 /** @import { IndexId } from "./measurement.js" */
+
+/** Weights of a metre and a radian in the course reports. @type {Weights[]} */
+const PAIRS = [[0.7, 0.3], [0.7, 0.15]];
 
 /** @param {NeighbourSession} session @param {IndexInfo[]} table */
 export function showPanel(session, table) {
   const { n, seed } = session.sampling;
-  const counts = new Slider({ name: "count", title: "Count", min: 100, max: 100_000, kind: "integer", isLog: true }, n, (count) => void session.sample({ n: count }));
+  const counts = new Slider({ name: "count", title: "Count", min: 1, max: 100_000, kind: "integer", isLog: true }, n, (count) => void session.sample({ n: count }));
   const seeds = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, seed, (value) => void session.sample({ seed: value }));
   const free = byId("free", HTMLInputElement);
   free.addEventListener("change", () => void session.sample({ free: free.checked }));
@@ -25,6 +28,15 @@ export function showPanel(session, table) {
   let target = [];
   const neighbours = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
   byId("query-settings", HTMLElement).prepend(neighbours.element);
+  const weights = /** @type {const} */ (["metre", "radian"]).map((unit, i) => new Slider({ name: unit, title: unit, min: 0.01, max: 1, step: 0.01 }, 1, (value) => {
+    weigh(/** @type {Weights} */ (session.weights.with(i, value)));
+  }));
+  byId("weights", HTMLElement).append(...weights.map(({ element }) => element));
+  const pairs = byId("pairs", HTMLSelectElement);
+  pairs.append(make("option", { value: "" }, "\u2013"), ...PAIRS.map((pair) => make("option", { value: pair.join() }, pair.join(" and "))));
+  pairs.addEventListener("change", () => { if (pairs.value) weigh(/** @type {Weights} */ (pairs.value.split(",").map(Number))); });
+  const asking = byId("ask", HTMLInputElement);
+  asking.addEventListener("change", () => session.setQuery({ isAsking: asking.checked }));
   const index = byId("index", HTMLSelectElement);
   index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
   index.addEventListener("change", () => {
@@ -32,6 +44,9 @@ export function showPanel(session, table) {
     buildOptions();
   });
   session.onChange(show);
+
+  /** @param {Weights} pair */
+  function weigh(pair) { session.app.guard(() => void session.weigh(pair)); }
 
   /** The options of the index; only an arm has a choice of metrics. */
   function buildOptions() {
@@ -45,7 +60,7 @@ export function showPanel(session, table) {
 
   /** @param {Change} change */
   function show(change) {
-    const { entry: { presets }, coordinates, sampling, q, k } = session;
+    const { entry: { presets }, coordinates, sampling, q, k, isAsking } = session;
     if (change === "result") return;
     if (change === "robot") {
       preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map(([at, count], i) => make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`)));
@@ -58,6 +73,15 @@ export function showPanel(session, table) {
     free.checked = sampling.free;
     target.forEach((slider, i) => slider.show(q[i]));
     neighbours.show(k);
+    asking.checked = isAsking;
+    byId("weights", HTMLElement).hidden = !session.isPlaced;
+    weights.forEach((slider, i) => {
+      const value = session.weights[i];
+      slider.setLimits(Math.min(0.01, value), Math.max(1, value));
+      slider.show(value);
+    });
+    pairs.value = session.weights.join();
+    if (pairs.selectedIndex < 0) pairs.value = "";
     index.value = session.index;
     const chosen = presets.findIndex(([at, count]) => count === k && session.scenario.distance(session.fitted(at), q) < 1e-9);
     preset.value = chosen < 0 ? "" : String(chosen);

@@ -1,6 +1,7 @@
 /** The neighbours as a table, nearest first, and the result in a sentence. */
 import { byId, grouped, make, write } from "../app/dom.js";
 import { num, tuple } from "../widgets/format.js";
+import { FEW } from "./session.js";
 
 /** @import { NeighbourSession } from "./session.js" */
 
@@ -24,8 +25,12 @@ export function showNeighbours(session) {
 }
 
 /** @param {NeighbourSession} session */
-export function sentenceOf({ found, index, isNaive, isArm, count, missed, k }) {
+export function sentenceOf({ found, index, isNaive, isArm, count, missed, k, isAsking, sampling, file }) {
   if (found.indices.length === 0) return "Sampling configurations.";
+  if (!isAsking) {
+    const what = `${grouped(count)} ${sampling.free && file === null ? "collision-free " : ""}${count === 1 ? "configuration" : "configurations"}`;
+    return `${what}${file === null ? `, sampled uniformly with seed ${sampling.seed}` : ` from ${file}`}${count <= FEW ? `; ${count === 1 ? "the" : "each"} ${isArm ? "tip" : "reference point"} is marked` : ""}.`;
+  }
   const asked = Math.min(k, count);
   const wrong = missed.length;
   if (isNaive) {

@@ -1,9 +1,10 @@
-/** The built-in robots: small worlds, each with a target and the queries of the course reports. */
+/** The built-in robots: small worlds, each with a target and the queries of the course reports. And what any other scenario opens with. */
+import { Scenario } from "planarium";
 import { box, disc } from "../domain/obstacles.js";
 
 /** @import { Obstacle, ScenarioDocument } from "../domain/types.js" */
 
-/** @typedef {{ id: string, title: string, document: ScenarioDocument, q: number[], k: number, presets: [q: number[], k: number][] }} RobotEntry */
+/** @typedef {{ id: string, title: string, document: ScenarioDocument, q: number[], k: number, presets: [q: number[], k: number][] }} RobotEntry   an empty target is the middle */
 
 const BOUNDS = { min: /** @type {[number, number]} */ ([0, 0]), max: /** @type {[number, number]} */ ([2, 2]) };
 
@@ -46,3 +47,15 @@ export const ROBOTS = [
     q: [1, 0.9], k: 8, presets: [[[1, 0.9], 8], [[0.25, 1.75], 5]],
   },
 ];
+
+/** Neighbours of a target in a scenario that says nothing of them. */
+const USUAL = 5;
+
+/** Targets are the starts and goals of the scenario's queries. @param {ScenarioDocument | string} text  or its document @param {string} id  of a scene, or "file" @returns {RobotEntry} @throws {Error} the core refuses it */
+export function entryOf(text, id) {
+  const scenario = Scenario.parse(text);
+  const document = scenario.document();
+  scenario.free();
+  const targets = document.queries.flatMap(({ start, goal = [] }) => [Array.from(start), Array.from(goal)]).filter(({ length }) => length > 0);
+  return { id, title: document.title ?? document.name, document, q: targets[0] ?? [], k: USUAL, presets: targets.map((q) => [q, USUAL]) };
+}

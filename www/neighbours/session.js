@@ -6,19 +6,24 @@ import { Scenario } from "planarium";
 import { wrap } from "planarium/draw";
 import { Observable } from "../app/observable.js";
 import { coordinatesOf, fitted } from "../domain/coordinates.js";
+import { isPlaced } from "../domain/names.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { NeighboursFound } from "planarium" */
-/** @import { Part, Settings } from "../domain/types.js" */
+/** @import { Part, ScenarioDocument, Settings } from "../domain/types.js" */
 /** @import { Commands, List } from "./commands.js" */
 /** @import { IndexId } from "./measurement.js" */
 /** @import { RobotEntry } from "./robots.js" */
 
 /** @typedef {"robot" | "list" | "query" | "result"} Change */
+/** @typedef {[translation: number, rotation: number]} Weights   of a metre and of a radian in the distance of two placements */
 
-/** Robots drawn, at most. */
+/** Robots drawn, at most; and up to how many each has its outline and its reference point. */
 export const DRAWN = 400;
+export const FEW = 20;
+/** The core's weights of a body without a metric. @type {Weights} */
+const USUAL = [0.7, 0.3];
 
 /** @type {NeighboursFound} */
 const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
@@ -30,6 +35,10 @@ export class NeighbourSession extends Observable {
     super(app);
     this.worker = worker;
     this.entry = entry;
+    /** The entry's document, with the weights below. */
+    this.document = entry.document;
+    /** Weights of the metric of a body or a car, in place of the scenario's. @type {Weights | null} */
+    this.ownWeights = null;
     this.scenario = Scenario.parse(entry.document);
     this.coordinates = coordinatesOf(this);
     this.sampling = { n: 500, seed: 0, free: true };
@@ -45,6 +54,8 @@ export class NeighbourSession extends Observable {
     this.index = "kd-tree";
     /** Options of the indexes. @type {Settings} */
     this.given = {};
+    /** Whether the target and its neighbours are shown, or the list alone. */
+    this.isAsking = true;
     this.found = NOTHING;
     /** The true neighbours. @type {Set<number>} */
     this.exact = new Set();
@@ -55,12 +66,15 @@ export class NeighbourSession extends Observable {
     this.requests = 0;
   }
 
-  get document() { return this.entry.document; }
   get dimension() { return this.coordinates.length; }
   get count() { return this.list.rows.length / this.dimension; }
   get isArm() { return this.document.robot.type === "arm"; }
   get isPlanar() { return this.isArm && this.dimension === 2; }
   get isNaive() { return this.given.metric === "naive"; }
+  get isPlaced() { return isPlaced(this.scenario.robot); }
+
+  /** The weights of the metric of a body or a car. @returns {Weights} */
+  get weights() { return this.ownWeights ?? weightsOf(this.document) ?? USUAL; }
 
   /** A configuration of the list. @param {number} i */
   row(i) { return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension); }
@@ -71,16 +85,29 @@ export class NeighbourSession extends Observable {
     return [...this.exact].filter((i) => !found.has(i));
   }
 
-  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number }} [query] @returns {Promise<void>} */
-  open(entry, { q = entry.q, k = entry.k } = {}) {
-    const scenario = Scenario.parse(entry.document);
-    this.scenario.free();
-    Object.assign(this, { scenario, entry, k, coordinates: coordinatesOf({ scenario, document: entry.document }) });
+  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number, weights?: Weights | null }} [query] @returns {Promise<void>} @throws {Error} the core refuses the scenario or the weights */
+  open(entry, { q = entry.q, k = entry.k, weights = null } = {}) {
+    this.setWorld(entry, weights);
+    Object.assign(this, { k, coordinates: coordinatesOf(this) });
     this.setList({ version: -1, rows: new Float64Array(), tips: new Float64Array() });
     if (!this.isArm) delete this.given.metric;
-    this.q = this.fitted(q);
+    this.q = this.fitted(q.length > 0 ? q : this.coordinates.map(({ low, high }) => (low + high) / 2));
     this.update("robot");
     return this.sample();
+  }
+
+  /** @param {RobotEntry} entry @param {Weights | null} weights @throws {Error} the core refuses them, and nothing changes */
+  setWorld(entry, weights) {
+    const document = weights ? weighted(entry.document, weights) : entry.document;
+    const scenario = Scenario.parse(document);
+    this.scenario.free();
+    Object.assign(this, { scenario, entry, document, ownWeights: weights });
+  }
+
+  /** Weighs metres and radians, for the same list. @param {Weights} weights @throws {Error} the core refuses them, and nothing changes */
+  weigh(weights) {
+    this.setWorld(this.entry, weights);
+    return this.list.version < 1 ? this.sample() : this.receive(this.worker.reopen(this.document), this.file);
   }
 
   /** @param {Partial<NeighbourSession["sampling"]>} [changes] */
@@ -123,7 +150,7 @@ export class NeighbourSession extends Observable {
   /** Changes one coordinate of the target. @param {number} i @param {number} value */
   setCoordinate(i, value) { this.moveTo(this.q.map((old, j) => (j !== i ? old : this.coordinates[i].isCircle ? wrap(value) : value))); }
 
-  /** @param {Partial<Pick<NeighbourSession, "q" | "k" | "index" | "given">>} changes */
+  /** @param {Partial<Pick<NeighbourSession, "q" | "k" | "index" | "given" | "isAsking">>} changes */
   setQuery(changes) {
     Object.assign(this, changes);
     this.update("query");
@@ -147,4 +174,12 @@ export class NeighbourSession extends Observable {
     }
     if (this.isStale) await this.search();
   }
+}
+
+/** The weights that a document gives, if any. @param {ScenarioDocument} document @returns {Weights | null} */
+function weightsOf({ robot }) { return "metric" in robot && robot.metric ? [robot.metric.translation, robot.metric.rotation] : null; }
+
+/** @param {ScenarioDocument} document  of a body or a car @param {Weights} weights @returns {ScenarioDocument} */
+function weighted({ robot, ...rest }, [translation, rotation]) {
+  return /** @type {ScenarioDocument} */ ({ ...rest, robot: { ...robot, metric: { translation, rotation } } });
 }

@@ -5,7 +5,8 @@
 import { difference } from "planarium/draw";
 import { AngleSquare } from "../draw/angle-square.js";
 import { dotsImage } from "../draw/dots.js";
-import { disc, drawDot, drawLine, ring, setStroke } from "../draw/marks.js";
+import { disc, drawDot, drawLine, drawReference, ring, setStroke } from "../draw/marks.js";
+import { FEW } from "./session.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
@@ -24,21 +25,33 @@ export class Square extends AngleSquare {
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { coordinates, list: { rows } } = this.session;
-    this.drawGround(brush, coordinates, () => {
-      const { x, y, width, height } = this.inner;
-      const places = new Float64Array(rows.length);
-      for (let i = 0; i < rows.length; i += 2) {
-        const [px, py] = this.place([rows[i], rows[i + 1]]);
-        places.set([px - x, py - y], i);
-      }
-      return dotsImage(places, { width, height, ratio: brush.ratio, colour: brush.palette.growth, size: 2.4 });
+    const { session } = this;
+    const isFew = session.count <= FEW;
+    this.drawGround(brush, session.coordinates, () => (isFew ? null : this.dots(brush)));
+    if (!isFew) return;
+    const { context, palette } = brush;
+    this.repeat(context, (isCopy) => {
+      context.globalAlpha = isCopy ? 0.4 : 1;
+      for (let i = 0; i < session.count; i++) drawReference(context, ...this.place(session.row(i)), palette);
     });
+  }
+
+  /** The list as one image. @param {Brush} brush */
+  dots({ ratio, palette }) {
+    const { list: { rows } } = this.session;
+    const { x, y, width, height } = this.inner;
+    const places = new Float64Array(rows.length);
+    for (let i = 0; i < rows.length; i += 2) {
+      const [px, py] = this.place([rows[i], rows[i + 1]]);
+      places.set([px - x, py - y], i);
+    }
+    return dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.4 });
   }
 
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view, inner } = this;
+    if (!session.isAsking) return;
     const { found: { indices }, missed, isNaive, q } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {

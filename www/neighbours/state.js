@@ -1,27 +1,37 @@
-/** The state that a link stores; a list from a file is not in it. */
+/** The state that a link stores; a list from a file is not in it, but a scenario is. */
 import { Scenario } from "planarium";
-import { flag, list, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
+import { flag, json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
+import { sceneDocument } from "../planner/scenes/document.js";
 import { KINDS } from "./measurement.js";
-import { ROBOTS } from "./robots.js";
+import { ROBOTS, entryOf } from "./robots.js";
 
 /** @import { NeighboursOptions } from "planarium" */
-/** @import { NeighbourSession } from "./session.js" */
+/** @import { ScenarioDocument } from "../domain/types.js" */
+/** @import { Rule } from "../formats/rules.js" */
+/** @import { NeighbourSession, Weights } from "./session.js" */
 
 export const stateRule = withDefaults({
-  robot: oneOf(ROBOTS.map(({ id }) => id)), draw: record({ n: whole(100_000, 100), seed: whole(999), free: flag }),
+  // A scenario, the name of a scene of the planner's page, or a robot of this page; the first of them that there is.
+  document: /** @type {Rule<ScenarioDocument>} */ (record({}, json(16))), scene: name, robot: oneOf(ROBOTS.map(({ id }) => id)),
+  // The weights of a metre and a radian, where they are not the scenario's.
+  weights: /** @type {Rule<Weights>} */ (list(number, 2, 2)),
+  draw: record({ n: whole(100_000, 1), seed: whole(999), free: flag }),
   q: list(number, 1, 8), k: whole(500, 1), index: oneOf(KINDS), given: settings,
-}, { robot: ROBOTS[0].id, draw: {}, index: "kd-tree", given: {} });
+  // Whether the target and its neighbours are shown.
+  ask: flag,
+}, { robot: ROBOTS[0].id, draw: {}, index: "kd-tree", given: {}, ask: true });
 
 /** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
 /** @param {NeighbourSession} session @returns {State} */
-export function stateOf({ entry, sampling, q, k, index, given }) {
-  return { robot: entry.id, draw: sampling, q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given };
+export function stateOf({ entry, ownWeights, sampling, q, k, index, given, isAsking }) {
+  const world = ROBOTS.includes(entry) ? { robot: entry.id } : entry.id === "file" ? { document: entry.document } : { scene: entry.id };
+  return { robot: ROBOTS[0].id, ...world, weights: ownWeights ?? undefined, draw: sampling, q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given, ask: isAsking };
 }
 
-/** @param {NeighbourSession} session @param {State} state @throws {Error} the core refuses it */
-export async function openState(session, { robot, draw, q, k, index, given }) {
-  const entry = ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
+/** @param {NeighbourSession} session @param {State} state @throws {Error} the core refuses it, or there is no such scene */
+export async function openState(session, { document, scene, robot, weights, draw, q, k, index, given, ask }) {
+  const entry = document ? entryOf(document, "file") : scene ? entryOf(await sceneDocument(scene), scene) : ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
   // The core checks the options before anything changes.
   const scenario = Scenario.parse(entry.document);
   try {
@@ -29,6 +39,6 @@ export async function openState(session, { robot, draw, q, k, index, given }) {
   } finally {
     scenario.free();
   }
-  Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given });
-  await session.open(entry, { q, k });
+  Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given, isAsking: ask });
+  await session.open(entry, { q, k, weights });
 }

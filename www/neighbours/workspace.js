@@ -1,10 +1,12 @@
-/** The robot in its world: the list faint, the neighbours by rank, and the target. */
+/** The robot in its world: the list, faint unless there are few, the neighbours by rank, and the target. */
 import { drawRobot, partPath } from "planarium/draw";
 import { dotsImage } from "../draw/dots.js";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawWorkspace } from "../draw/ground.js";
-import { addLine, disc, drawHandle, ring, setStroke } from "../draw/marks.js";
+import { addLine, disc, drawHandle, drawReference, ring, setStroke } from "../draw/marks.js";
+import { placedHandles } from "../draw/placed-handles.js";
 import { drawGhost, drawLabel } from "../draw/shapes.js";
+import { FEW } from "./session.js";
 
 /** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
@@ -24,12 +26,10 @@ export class Workspace {
 
   /** The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
   get handles() {
-    const { scenario, q, isArm, dimension } = this.session;
+    const { scenario, q, isArm, isPlaced } = this.session;
     const parts = scenario.footprint(q);
     if (isArm) return parts.map((part) => /** @type {Point} */ (part.type === "capsule" ? part.b : [0, 0]));
-    const [x, y, theta] = q;
-    const reach = parts[0].type === "polygon" ? Math.max(...parts[0].vertices.map(([a, b]) => Math.hypot(a - x, b - y))) : 0;
-    return dimension === 3 ? [[x, y], [x + 1.5 * reach * Math.cos(theta), y + 1.5 * reach * Math.sin(theta)]] : [[x, y]];
+    return isPlaced ? placedHandles(parts, q) : [[q[0], q[1]]];
   }
 
   /** @param {Brush} brush */
@@ -37,6 +37,7 @@ export class Workspace {
     const { document, scenario, footprints, list: { tips } } = this.session;
     const { context, palette, width, height, ratio } = brush;
     const view = this.view = drawWorkspace(brush, scenario, document);
+    if (footprints.length <= FEW) return this.drawFew(brush);
     context.save();
     setStroke(context, palette.growth, 1);
     context.lineJoin = "round";
@@ -50,16 +51,23 @@ export class Workspace {
       context.stroke();
     }
     context.restore();
-    if (tips.length === 0) return;
     const places = tips.map((value, i) => (i % 2 === 0 ? view.x(value) : view.y(value)));
     context.drawImage(dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.2 }), 0, 0, width, height);
+  }
+
+  /** Each robot with its outline and its reference point, of an arm the tip. @param {Brush} brush */
+  drawFew({ context, palette }) {
+    const { view, session: { footprints, list: { tips } } } = this;
+    for (const parts of footprints) drawGhost(context, view, parts, { colour: palette.growth, fill: 0.16, stroke: 0.9, dash: [], width: 1.6 });
+    for (let i = 0; i < tips.length; i += 2) drawReference(context, ...view.place(tips.subarray(i)), palette);
   }
 
   /** @param {Brush} brush */
   top({ context, palette }) {
     const { session, view } = this;
+    if (!session.isAsking) return;
     const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
-    const isDot = robot.type === "disc";
+    const isDot = robot.type === "disc" && robot.radius === 0;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     const tipOf = (/** @type {number} */ i) => view.place(tips.subarray(2 * i));
     const footprintOf = (/** @type {number} */ i) => scenario.footprint(session.row(i));

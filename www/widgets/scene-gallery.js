@@ -6,18 +6,22 @@ import { drawThumbnail } from "../draw/thumbnail.js";
 /** @import { ScenarioDocument } from "../domain/types.js" */
 
 /**
- * The gallery of the pages beside the planner's: scenes with thumbnails that follow the theme.
+ * The gallery of the pages beside the planner's: scenes with thumbnails that follow the theme. A scene that cannot be loaded has none.
  * @template {{ id: string, title: string }} E
- * @param {App} app @param {E[]} entries @param {(entry: E) => ScenarioDocument} documentOf  for the thumbnail @param {(entry: E) => void} onChoose
+ * @param {App} app @param {E[]} entries @param {(entry: E) => ScenarioDocument | Promise<ScenarioDocument>} documentOf  for the thumbnail @param {(entry: E) => void} onChoose
  */
 export function makeSceneGallery(app, entries, documentOf, onChoose) {
   const gallery = makeGallery(entries, onChoose);
+  const draw = (/** @type {string} */ id, /** @type {ScenarioDocument} */ document) => {
+    const scenario = Scenario.parse(document);
+    gallery.draw(id, drawThumbnail(scenario, SIDE, app.look));
+    scenario.free();
+  };
   const drawAll = () => {
-    const { look } = app;
     for (const entry of entries) {
-      const scenario = Scenario.parse(documentOf(entry));
-      gallery.draw(entry.id, drawThumbnail(scenario, SIDE, look));
-      scenario.free();
+      const document = documentOf(entry);
+      if (document instanceof Promise) void document.then((loaded) => draw(entry.id, loaded), () => {});
+      else draw(entry.id, document);
     }
   };
   app.onTheme(drawAll);

@@ -1,0 +1,17 @@
+/** The documents of the built-in scenes, by id: a file of `scenes/`, which need not be in the gallery, or a scene made by a generator. */
+import { Scenario } from "planarium";
+import { loadScene } from "../../app/resources.js";
+import { SCENES } from "./scenes.js";
+
+/** @import { ScenarioDocument } from "../../domain/types.js" */
+
+/** @param {string} id @returns {Promise<ScenarioDocument>} */
+export async function sceneDocument(id) {
+  const made = SCENES.find((entry) => entry.id === id)?.generate;
+  const scenario = made ? Scenario.generate(made.kind, made.options) : Scenario.parse(await loadScene(id));
+  try {
+    return scenario.document();
+  } finally {
+    scenario.free();
+  }
+}

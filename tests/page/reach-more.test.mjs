@@ -2,14 +2,20 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Scenario, reachMethods } from "planarium";
+import { encodeState } from "../../www/app/link.js";
+import { BODIES } from "../../www/reach/scenes.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { DESK, download, fill, keys, linkOf, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
+import { drag, plane } from "./editing.mjs";
 import { assertRoom } from "./looks.mjs";
-import { choose, click, entryOf, onReach, poseOf, press, put, rest, solved, windowOf } from "./reach.mjs";
+import { choose, click, entryOf, linksOf, onReach, poseOf, press, put, rest, solved, windowOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
 import { load, textOf } from "./library.mjs";
 
 useBrowser();
+
+/** A motion by the faulty way, at its end. */
+const FAULTY = await encodeState({ scene: "plane", mode: "between", a: [-3, 0.5], b: [3, 0.5], faulty: [0, 1], along: 1, back: true }, () => {});
 
 test("a scenario with a target brings it along", () => onReach(async (page) => {
   await pickFile(page, "pick.json", textOf("pick"));
@@ -68,7 +74,7 @@ test("the planner's page is handed the arm and the target", () => onReach(async 
   const { experiment } = await decodeLink((await page.getAttribute("#plan", "href") ?? "").slice(2));
   const { queries, robot } = /** @type {any} */ (experiment?.document);
   assert.deepEqual(queries, [{ name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } }]);
-  assert.deepEqual(robot.links, entryOf("islands").robot.links);
+  assert.deepEqual(robot.links, linksOf("islands"));
   await page.click("#plan");
   await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
   await page.click("#finish");
@@ -99,6 +105,51 @@ test("a link shows the same again: arm, pose, way and run", () => onReach(async 
   }, DESK, { path: `reach.html${fragment}` });
 }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
 
+test("the faulty way ends elsewhere than at B, and that is said and marked; a link holds it", () => onReach(async (page) => {
+  assert.deepEqual([await page.getAttribute("#between", "data-missed"), await poseOf(page)], ["1", [2 * Math.PI - 9, 0.5]]);
+  assert.match(await page.innerText("#story"), /^Faulty: joint 1 ends at \u22122\.72 rad instead of 3\.00 rad, so the motion does not end at B\./);
+  for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "rejected") > 20, pane);
+  const fragment = await linkOf(page);
+  await click(page, "#all-short");
+  assert.equal(await page.getAttribute("#between", "data-missed"), "0");
+  assert.match(await page.innerText("#story"), /^Each joint turns the short way round, 0\.28 rad/);
+  await onReach(async (other) => {
+    assert.match(await other.innerText("#story"), /^Faulty/);
+    assert.equal(await other.isChecked("#back"), true);
+  }, DESK, { path: `reach.html${fragment}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }, { path: `reach.html#${FAULTY}` }));
+
+test("a body goes from A to B in a straight line, is dragged and turned, and knows no inverse kinematics", () => onReach(async (page) => {
+  await page.click("#mode-solve");
+  await choose(page, "plan-corner");
+  assert.deepEqual([await page.getAttribute("body", "data-mode"), await page.isVisible("#mode-solve"), await page.isVisible("#arm-fold")], ["hand", false, false]);
+  const scenario = load("corner");
+  const [{ start, goal = [] }] = scenario.document().queries;
+  assert.deepEqual(await poseOf(page), start);
+  const at = await plane(page, scenario.extent());
+  await drag(page, [at(start[0] + 0.1, start[1]), at(start[0] + 0.2, start[1] + 0.15)]);
+  await rest(page);
+  const moved = await poseOf(page);
+  assert.ok(Math.abs(moved[0] - start[0] - 0.1) < 0.01 && Math.abs(moved[1] - start[1] - 0.15) < 0.01 && moved[2] === 0, `${moved}`);
+  await press(page, "#stage", "PageUp", "ArrowRight");
+  const turned = await poseOf(page);
+  assert.ok(Math.abs(turned[2] - Math.PI / 36) < 1e-12 && Math.abs(turned[0] - moved[0] - 0.024) < 1e-9, `${turned}`);
+  await click(page, "#mode-between");
+  assert.equal(await page.getAttribute("#between", "data-hit"), String(scenario.firstHit(start, goal)));
+  assert.match(await page.innerText("#story"), /^The body moves 2\.06 m, and theta turns 3\.14 rad the short way round\. The motion collides after \d+ %: body touches obstacle \d\.$/);
+  for (let i = 0; i < 10; i++) await click(page, "#between-step-10");
+  assert.ok(scenario.distance(await poseOf(page), goal) < 1e-9);
+  await click(page, "#rounds button[data-direction=long]");
+  assert.match(await page.innerText("#story"), /long way round/);
+  assert.ok(scenario.distance(await poseOf(page), goal) < 1e-9, "it ends at B this way, too");
+  const { text } = await (await page.click("#export-fold > summary"), download(page, "#export-scenario"));
+  assert.equal(Scenario.parse(text).robot, "rigid_body");
+}));
+
+test("scenes of bodies have bodies", async () => {
+  for (const { id } of BODIES) assert.equal(load(id.replace("plan-", "")).robot, "rigid_body", id);
+});
+
 test("the stage as PNG and SVG, the scenario as JSON", () => onReach(async (page) => {
   await page.waitForSelector("#stage[data-cells=true]");
   await page.click("#mode-between");
@@ -123,6 +174,14 @@ test("in any state axe finds nothing and all fits; forced colours are honoured",
       await choose(page, "corner");
       await page.click("#mode-solve");
       await solved(page);
+    },
+    "a body, from A to B the faulty way": async () => {
+      await choose(page, "plan-corner");
+      await click(page, "#mode-between");
+      await put(page, "joint-2-number", "-3");
+      await click(page, "#set-a");
+      await click(page, "#rounds button[data-direction=faulty]");
+      assert.equal(await page.getAttribute("#between", "data-missed"), "1");
     },
     "with stops": async () => {
       await choose(page, "limits");

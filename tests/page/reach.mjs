@@ -1,7 +1,7 @@
 /** The pages of the rooms in the browser, for their tests; and what those of the arm share. */
 import assert from "node:assert/strict";
 import { Scenario } from "planarium";
-import { SCENES, documentOf } from "../../www/reach/scenes.js";
+import { SCENES } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, fill, keys, onPage } from "./browser.mjs";
 import { plane } from "./editing.mjs";
 
@@ -10,8 +10,14 @@ import { plane } from "./editing.mjs";
 /** @param {string} id */
 export const entryOf = (id) => SCENES.find((scene) => scene.id === id) ?? assert.fail(id);
 
+/** The lengths of the links of a scene's arm. @param {string} id */
+export const linksOf = (id) => {
+  const { robot } = entryOf(id).document;
+  return robot.type === "arm" ? robot.links : assert.fail(id);
+};
+
 /** @param {string} id */
-export const scenarioOf = (id) => Scenario.parse(documentOf(entryOf(id)));
+export const scenarioOf = (id) => Scenario.parse(entryOf(id).document);
 
 /**
  * What tests of every room do.

@@ -1,12 +1,12 @@
 /** The page of the arm: dragged, turned, stopped, made, on a desk and on a phone. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Arm } from "../../www/reach/arm.js";
+import { Robot } from "../../www/reach/robot.js";
 import { ellipseOf } from "../../www/reach/jacobian.js";
-import { SCENES, documentOf } from "../../www/reach/scenes.js";
-import { Motion } from "../../www/reach/motion.js";
+import { SCENES } from "../../www/reach/scenes.js";
+import { Motion, turnOf } from "../../www/reach/motion.js";
 import { DESK, PHONE, alphaOf, keys, pickFile, pixelsOf, useBrowser, valueWithin } from "./browser.mjs";
-import { choose, click, entryOf, onReach, poseOf, press, put, rest, scenarioOf, solved, windowOf } from "./reach.mjs";
+import { choose, click, entryOf, linksOf, onReach, poseOf, press, put, rest, scenarioOf, solved, windowOf } from "./reach.mjs";
 import { textOf } from "./library.mjs";
 import { drag, swipe } from "./editing.mjs";
 
@@ -34,7 +34,7 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a deskto
     await choose(page, "tentacle");
     const scenario = scenarioOf("tentacle");
     let q = Float64Array.from(await poseOf(page));
-    const step = entryOf("tentacle").robot.links.reduce((a, b) => a + b, 0) * 0.01;
+    const step = linksOf("tentacle").reduce((a, b) => a + b, 0) * 0.01;
     for (const [key, dx, dy] of /** @type {[string, number, number][]} */ ([["ArrowUp", 0, step], ["ArrowLeft", -step, 0], ["Shift+ArrowDown", 0, -10 * step]])) {
       const [x, y] = scenario.endEffector(q);
       const followed = scenario.follow(q, [x + dx, y + dy]);
@@ -74,7 +74,7 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a deskto
   test(`${name}, from A to B, the short way and the long way, it touches where the core says`, () => onReach(async (page) => {
     await click(page, "#mode-between");
     const { a, b } = entryOf("islands");
-    const motionOf = (/** @type {import("../../www/reach/motion.js").Direction} */ direction) => new Motion(new Arm(documentOf(entryOf("islands")), a), a, b, [direction, direction]);
+    const motionOf = (/** @type {import("../../www/reach/motion.js").Direction} */ direction) => new Motion(new Robot(entryOf("islands").document, a), a, b, [direction, direction]);
     assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("short").hit ?? "none"));
     assert.deepEqual(await poseOf(page), a);
     await click(page, "#all-long");
@@ -118,25 +118,56 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a deskto
 test("a motion is the core's own where joints turn the short way, and is free as far as the core says", () => {
   for (const { id, a, b, q } of SCENES) {
     for (const pose of [a, b, q]) assert.ok(scenarioOf(id).check(pose).free, `${id}: ${pose}`);
-    const arm = new Arm(documentOf(entryOf(id)), a);
-    const short = new Motion(arm, a, b, a.map(() => "short"));
-    const hit = arm.scenario.firstHit(a, b);
+    const robot = new Robot(entryOf(id).document, a);
+    const short = new Motion(robot, a, b, a.map(() => "short"));
+    const hit = robot.scenario.firstHit(a, b);
     assert.equal(short.hit === null, hit === null, id);
     if (hit !== null) assert.ok(Math.abs((short.hit ?? 1) - hit) < 1e-2, `${id}: ${short.hit} ${hit}`);
-    const long = new Motion(arm, a, b, a.map(() => "long"));
+    const long = new Motion(robot, a, b, a.map(() => "long"));
     for (const motion of [short, long]) {
       const free = motion.hit ?? 1;
-      for (let i = 0; i <= 400; i++) if (i / 400 < free - 1e-9) assert.ok(arm.isFree(arm.fitted(motion.at(i / 400))), `${id} at ${i / 400}`);
-      const end = arm.fitted(motion.at(1));
+      for (let i = 0; i <= 400; i++) if (i / 400 < free - 1e-9) assert.ok(robot.isFree(robot.fitted(motion.at(i / 400))), `${id} at ${i / 400}`);
+      const end = robot.fitted(motion.at(1));
       b.forEach((value, i) => assert.ok(Math.abs(Math.sin((end[i] - value) / 2)) < 1e-9));
     }
     long.turns.forEach((turn, i) => {
       // Where a joint need not turn, it does not.
-      if (!arm.joints[i].isCircle || short.turns[i] === 0) assert.equal(turn, short.turns[i]);
+      if (!robot.coordinates[i].isCircle || short.turns[i] === 0) assert.equal(turn, short.turns[i]);
       else assert.ok(Math.abs(Math.abs(turn - short.turns[i]) - 2 * Math.PI) < 1e-9);
     });
   }
 });
+
+test("the faulty way turns as far as the short way, and ends at B unless two angles differ by more than half a turn", () => {
+  assert.ok(Math.abs(turnOf(-3, 3, true, "faulty") - (2 * Math.PI - 6)) < 1e-12);
+  assert.equal(turnOf(-3, 3, false, "faulty"), 6, "what does not wrap has one way");
+  for (let i = 0; i < 50; i++) {
+    const [from, to] = [Math.PI * Math.sin(2.7 * i), Math.PI * Math.sin(1 + 4.1 * i)];
+    const [short, faulty] = /** @type {const} */ (["short", "faulty"]).map((way) => turnOf(from, to, true, way));
+    assert.equal(Math.abs(faulty), Math.abs(short));
+    assert.equal(Math.abs(Math.sin((from + faulty - to) / 2)) < 1e-9, Math.abs(to - from) <= Math.PI, `${from} ${to}`);
+  }
+});
+
+test("keys turn joints by five degrees; what collides is taken back where that is wanted", () => onReach(async (page) => {
+  const scenario = scenarioOf("islands");
+  await put(page, "joint-1-number", "0");
+  let q = await poseOf(page);
+  await press(page, "#stage", "Shift+2", "2", "Shift+1", "1");
+  assert.ok((await poseOf(page)).every((angle, i) => Math.abs(angle - q[i]) < 1e-12));
+  await press(page, "#stage", "3");
+  await click(page, "label[for=back]");
+  const turned = (/** @type {number[]} */ [a, b]) => [a + Math.PI / 36, b];
+  const names = ["1"];
+  for (; scenario.firstHit(q, turned(q)) === null; names.push("1")) q = turned(q);
+  await press(page, "#stage", ...names);
+  assert.ok((await poseOf(page)).every((angle, i) => Math.abs(angle - q[i]) < 1e-9), "the last turn is taken back");
+  assert.equal(await page.getAttribute("#stage", "data-free"), "true");
+  assert.match(await page.innerText("#story"), /^Taken back: joint 1 turned 5\u00b0 counter-clockwise, and link 2 touches obstacle 0\.$/);
+  await click(page, "label[for=back]");
+  await press(page, "#stage", "1");
+  assert.equal(await page.getAttribute("#stage", "data-free"), "false");
+}));
 
 test("the tip follows the mouse; a link turns its own joint alone", () => onReach(async (page) => {
   const scenario = scenarioOf("islands");
@@ -274,7 +305,7 @@ test("the arm is made of 1 to 8 links, longer and shorter, thick and thin, with 
 }));
 
 test("the arm is that of a scenario of the reader's own; one that cannot be, or without an arm, is refused", () => onReach(async (page) => {
-  const text = JSON.stringify({ ...documentOf(entryOf("islands")), robot: { type: "arm", base: [0.62, 0.62], links: [1] }, queries: [] });
+  const text = JSON.stringify({ ...entryOf("islands").document, robot: { type: "arm", base: [0.62, 0.62], links: [1] }, queries: [] });
   const kept = await poseOf(page);
   await pickFile(page, "bad.json", text);
   await page.waitForSelector("#notice[data-code=base-in-collision]");

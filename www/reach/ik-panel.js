@@ -17,7 +17,7 @@ import { Transport } from "../widgets/transport.js";
 import { IkRun } from "./ik-run.js";
 
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
-/** @import { ArmSession, Change } from "./session.js" */
+/** @import { ReachSession, Change } from "./session.js" */
 
 /** Curves of the chart, at most: the first and the last. */
 const CURVES = 40;
@@ -27,13 +27,13 @@ const CHART_PAUSE = 120;
 const DEFAULTS = { solutions: 8, restarts: 40 };
 
 export class IkPanel {
-  /** @param {ArmSession} session */
+  /** @param {ReachSession} session */
   constructor(session) {
     this.session = session;
     this.methods = reachMethods();
     this.host = byId("solve", HTMLElement);
     /** The configuration at which the run starts. */
-    this.start = session.arm.q;
+    this.start = session.robot.q;
     /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};
     this.isChartDue = pacer(CHART_PAUSE);
@@ -63,7 +63,7 @@ export class IkPanel {
       this.drop();
     } else if (change !== "iterate" && change !== "rest") {
       // The user moved the arm, or changed it: the run starts there.
-      this.start = this.session.arm.q;
+      this.start = this.session.robot.q;
       this.begin();
     }
   }
@@ -94,11 +94,11 @@ export class IkPanel {
 
   /** Starts a run. */
   begin() {
-    const { session, session: { arm, target, orientation, app: { notice } }, options: { settings }, start } = this;
+    const { session, session: { robot, target, orientation, app: { notice } }, options: { settings }, start } = this;
     this.drop();
     if (!settings) return;
     try {
-      session.run = new IkRun(arm, { target, orientation, start, method: this.method, settings });
+      session.run = new IkRun(robot, { target, orientation, start, method: this.method, settings });
       notice.hide();
     } catch (error) {
       const { pointer = "", message = String(error) } = /** @type {{ pointer?: string, message?: string }} */ (error);
@@ -174,7 +174,7 @@ export class IkPanel {
   async link() {
     const { session, session: { run }, start } = this;
     const algorithm = planners().find(({ grows }) => grows === "trees")?.id ?? "";
-    const document = /** @type {Record<string, unknown>} */ ({ ...session.arm.document, queries: [session.targetQuery(start)] });
+    const document = /** @type {Record<string, unknown>} */ ({ ...session.robot.document, queries: [session.targetQuery(start)] });
     const href = await encodeLink({ version: 1, document, lanes: [{ algorithm, settings: {} }], iteration: 0, view: {} }).then((fragment) => `./#${fragment}`, () => "");
     if (run === session.run) Object.assign(byId("plan", HTMLAnchorElement), { href, hidden: href === "" });
   }

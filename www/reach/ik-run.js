@@ -4,22 +4,22 @@ import { withOptions } from "../domain/option-names.js";
 
 /** @import { ReachMethodInfo, ReachVerdict } from "planarium" */
 /** @import { Point, Settings } from "../domain/types.js" */
-/** @import { Arm } from "./arm.js" */
+/** @import { Robot } from "./robot.js" */
 
 /** Solutions drawn and listed, at most. */
 const MOST_SHOWN = 24;
 
 export class IkRun {
   /**
-   * @param {Arm} arm
+   * @param {Robot} robot
    * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings: Settings }} problem
    * @throws {Error} with `code` and `pointer`, if the core refuses it
    */
-  constructor(arm, { target, orientation, start, method, settings }) {
-    this.arm = arm;
+  constructor(robot, { target, orientation, start, method, settings }) {
+    this.robot = robot;
     this.method = method;
     const wish = { ...settings, method: method.id, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
-    this.run = withOptions(wish, (options) => arm.scenario.reach(options));
+    this.run = withOptions(wish, (options) => robot.scenario.reach(options));
     /** @type {{ restart: number, error: number, q: Float64Array }[]} */
     this.iterates = [];
     /** @type {{ q: Float64Array, isFree: boolean }[]} */
@@ -40,11 +40,11 @@ export class IkRun {
 
   /** Makes iterations and fetches what is new. @param {number} count  at most */
   step(count) {
-    const { arm, run, iterates, solutions } = this;
-    const n = arm.dimension;
+    const { robot, run, iterates, solutions } = this;
+    const n = robot.dimension;
     if (count > 0) run.step(count);
     for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2)) iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
-    for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: arm.isFree(q) });
+    for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: robot.isFree(q) });
     if (!this.isRunning || solutions.length > 0) this.verdict = run.verdict();
   }
 

@@ -1,11 +1,12 @@
 /**
- * The page of the arm: it makes the session, the figures and the panels.
+ * The page of the arm and of the body: it makes the session, the figures and the panels.
  *
  * For tests, beside what app.js says:
- * - `body` carries `data-scene` (an id of scenes.js, or "file"), `data-mode`, and `data-q`, the configuration;
+ * - `body` carries `data-scene` (an id that scenes.js opens, or "file"), `data-robot` ("arm" or "body"), `data-mode`, and `data-q`, the configuration;
  * - `#stage` carries `data-free`, `data-reached` ("false" while the tip cannot reach the wanted point), `data-singular`,
  *   and `data-cells` ("true" once the square shows its obstacles finely);
- * - `#between` carries `data-hit`: the part of the motion at which it first collides, or "none".
+ * - `#between` carries `data-hit`, the part of the motion at which it first collides, or "none", and `data-missed`, how many coordinates do
+ *   not end at B.
  */
 import { json } from "../app/files.js";
 import { App } from "../app/app.js";
@@ -23,11 +24,11 @@ import { IkPanel } from "./ik-panel.js";
 import { isNearlySingular } from "./jacobian.js";
 import { showMotionPanel } from "./motion-panel.js";
 import { ParallelAxes } from "./parallel-axes.js";
-import { SCENES, documentOf } from "./scenes.js";
-import { ArmSession } from "./session.js";
+import { BODIES, SCENES, sceneOf } from "./scenes.js";
+import { ReachSession } from "./session.js";
 import { Square } from "./square.js";
 import { openState, stateOf, stateRule } from "./state.js";
-import { collisionText, descriptionOf, linksText, sentenceOf } from "./words.js";
+import { collisionText, descriptionOf, robotText, sentenceOf } from "./words.js";
 import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
@@ -47,17 +48,17 @@ let isComputing = false;
 
 await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
-  const session = new ArmSession(app);
+  const session = new ReachSession(app);
   const ik = new IkPanel(session);
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace", note: "the arm and its obstacles" }, new Workspace(session)),
+    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
     square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session)),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration", note: "one axis per joint" }, new ParallelAxes(session)),
+    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
   showArmPanel(session, () => {
     if (session.mode === "solve") ik.begin();
-    else session.moveTip(session.arm.tip);
+    else session.moveTip(session.robot.tip);
   });
   showMotionPanel(session, stage);
   watchHandles(session, stage, figures, (target) => {
@@ -65,37 +66,51 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     ik.begin();
   });
   byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
-  const gallery = makeSceneGallery(app, SCENES, documentOf, (entry) => {
-    app.notice.hide();
-    session.openScene(entry);
-  });
+  /** The scene that was chosen last, while it is loaded. */
+  let wanted = "";
+  const thumbnailOf = async (/** @type {string} */ id) => (await sceneOf(id)).document;
+  const gallery = makeSceneGallery(app, [...SCENES, ...BODIES], ({ id }) => SCENES.find((own) => own.id === id)?.document ?? thumbnailOf(id), ({ id }) => void openScene(id));
   watchFiles(app, (name, bytes) => app.guard(() => {
-    session.openDocument(new TextDecoder().decode(bytes));
+    wanted = "";
+    session.open(new TextDecoder().decode(bytes));
     app.notice.hide();
   }, `${name} could not be opened.`));
-  showDownloads(app, all, { name: () => `${session.arm.document.name}-reach`, title: () => session.arm.document.title ?? session.arm.document.name }, [
-    { id: "scenario", title: "Scenario", format: "JSON", meaning: "Arm and obstacles, with the queries A to B and the target.", content: () => json(session.document()) },
+  showDownloads(app, all, { name: () => `${session.robot.document.name}-reach`, title: () => session.robot.document.title ?? session.robot.document.name }, [
+    { id: "scenario", title: "Scenario", format: "JSON", meaning: "Robot and obstacles, with the query from A to B, and for an arm that of the target.", content: () => json(session.document()) },
   ]);
   session.onChange(show);
-  app.rebuild = () => session.changeArm(session.arm.document);
+  app.rebuild = () => session.changeArm(session.robot.document);
   session.openScene(SCENES[0]);
   await useLink(app, stateRule, {
-    save: () => stateOf(session, ik), contents: "the arm, its configuration and the current mode",
-    open: (/** @type {State | null} */ state) => { if (state) openState(session, ik, state); },
+    save: () => stateOf(session, ik), contents: "the robot, its configuration and the current mode",
+    open: async (/** @type {State | null} */ state) => { if (state) await openState(session, ik, state); },
   });
+
+  /** Opens a scene, unless another one is chosen while it is loaded. @param {string} id */
+  async function openScene(id) {
+    wanted = id;
+    const entry = await app.track(sceneOf(id));
+    if (!entry || wanted !== id) return;
+    app.notice.hide();
+    session.openScene(entry);
+  }
 
   /** @param {Change} change */
   function show(change) {
-    const { arm, mode, entry, tipGoal } = session;
-    const { ellipse: { major, minor, manipulability } } = arm;
-    const isSquare = arm.dimension === 2;
-    Object.assign(document.body.dataset, { scene: entry?.id ?? "file", mode, q: [...arm.q].join() });
-    Object.assign(stage.dataset, { free: arm.check.free, reached: tipGoal?.reached ?? true, singular: isNearlySingular(arm.ellipse) });
-    if (mode === "between") byId("between", HTMLElement).dataset.hit = String(session.motion.hit ?? "none");
+    const { robot, mode, entry, tipGoal } = session;
+    const { ellipse: { major, minor, manipulability } } = robot;
+    const isSquare = robot.dimension === 2;
+    Object.assign(document.body.dataset, { scene: entry?.id ?? "file", robot: robot.isArm ? "arm" : "body", mode, q: [...robot.q].join() });
+    Object.assign(stage.dataset, { free: robot.check.free, reached: tipGoal?.reached ?? true, singular: isNearlySingular(robot.ellipse) });
+    if (mode === "between") Object.assign(byId("between", HTMLElement).dataset, { hit: session.motion.hit ?? "none", missed: session.motion.missed.length });
     figures.square.element.hidden = !isSquare;
     figures.axes.element.hidden = isSquare;
-    for (const figure of all) figure.redraw(change === "arm" ? undefined : ["top"]);
-    if (change === "arm") {
+    for (const figure of all) figure.redraw(change === "robot" ? undefined : ["top"]);
+    if (change === "robot") {
+      const [who, axis] = robot.isArm ? ["arm", "joint"] : ["body", "coordinate"];
+      figures.workspace.note.textContent = `the ${who} and its obstacles`;
+      figures.axes.note.textContent = `one axis per ${axis}`;
+      byId("mode-solve", HTMLElement).hidden = !robot.isArm;
       gallery.mark(entry?.id ?? null);
       if (isSquare) void showObstacles();
     }
@@ -103,10 +118,10 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
     const collision = collisionText(session);
     app.write({
-      where: `${arm.document.title ?? arm.document.name} \u00b7 ${linksText(arm.dimension)}`, "fact-tip": `${tuple(arm.tip)} m`, "fact-orientation": `${num(arm.orientation)} rad`,
+      where: `${robot.document.title ?? robot.document.name} \u00b7 ${robotText(robot)}`, "fact-tip": `${tuple(robot.tip)} m`, "fact-orientation": `${num(robot.orientation)} rad`,
       "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
     });
-    byId("fact-collision", HTMLElement).dataset.free = String(arm.check.free);
+    byId("fact-collision", HTMLElement).dataset.free = String(robot.check.free);
     const { text, isBad } = sentenceOf(session);
     app.say(text, { isBad, isSilent: ik.transport.isPlaying });
     const description = descriptionOf(session);
@@ -115,19 +130,19 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
 
   /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
   async function showObstacles() {
-    const { arm } = session;
+    const { robot } = session;
     const { square } = figures;
     stage.dataset.cells = "false";
-    square.drawing.setCells(arm.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
+    square.drawing.setCells(robot.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
     // While an arm is being changed, only its last state is computed.
     if (isComputing) return;
     isComputing = true;
-    const cells = await app.track(worker.cspace(arm.document, CELLS.fine));
+    const cells = await app.track(worker.cspace(robot.document, CELLS.fine));
     isComputing = false;
-    if (session.arm === arm && cells) {
+    if (session.robot === robot && cells) {
       square.drawing.setCells(cells, CELLS.fine);
       stage.dataset.cells = "true";
       square.redraw();
-    } else if (session.arm !== arm && session.arm.dimension === 2) void showObstacles();
+    } else if (session.robot !== robot && session.robot.dimension === 2) void showObstacles();
   }
 });

@@ -1,6 +1,6 @@
 /**
- * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each joint, and a line through their values. Red
- * stretches of an axis are where that joint, turned alone, would collide.
+ * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each coordinate, and a line through their
+ * values. Red stretches of an axis are where that coordinate, changed alone, would lead into collision.
  */
 import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";
@@ -12,7 +12,7 @@ import { num } from "../widgets/format.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkRun } from "./ik-run.js" */
-/** @import { ArmSession } from "./session.js" */
+/** @import { ReachSession } from "./session.js" */
 
 const MARGIN = { left: 34, right: 24, top: 26, bottom: 44 };
 /** Configurations tested along each axis. */
@@ -21,7 +21,7 @@ const TESTS = 72;
 const HALF = 4;
 
 export class ParallelAxes {
-  /** @param {ArmSession} session */
+  /** @param {ReachSession} session */
   constructor(session) {
     this.session = session;
     /** Across the number of the joint, up the part of its range. */
@@ -30,31 +30,32 @@ export class ParallelAxes {
 
   /** @param {number} joint @param {number} value */
   y(joint, value) {
-    const { low, high, isCircle } = this.session.arm.joints[joint];
+    const { low, high, isCircle } = this.session.robot.coordinates[joint];
     return this.view.y(((isCircle ? folded(value) : value) - low) / (high - low));
   }
 
   /** The value of a joint at a height. @param {number} joint @param {number} y */
   valueAt(joint, y) {
-    const { low, high } = this.session.arm.joints[joint];
+    const { low, high } = this.session.robot.coordinates[joint];
     return Math.min(high, Math.max(low, low + this.view.toPlane(0, y)[1] * (high - low)));
   }
 
   /** The joint whose axis is near, or -1. @param {number} x @param {number} near  CSS pixels */
   jointAt(x, near) {
     const { view, session } = this;
-    return session.arm.joints.findIndex((_, i) => Math.abs(view.x(i) - x) <= Math.min(near, view.scaleX / 2));
+    return session.robot.coordinates.findIndex((_, i) => Math.abs(view.x(i) - x) <= Math.min(near, view.scaleX / 2));
   }
 
   /** @param {Brush} brush */
   ground({ context, palette, width, height }) {
-    const { joints } = this.session.arm;
-    this.view = new View({ min: [0, 0], max: [joints.length - 1, 1] }, width, height, MARGIN, true);
-    const isNarrow = width / joints.length < 64;
+    const { coordinates } = this.session.robot;
+    this.view = new View({ min: [0, 0], max: [coordinates.length - 1, 1] }, width, height, MARGIN, true);
+    const isNarrow = width / coordinates.length < 64;
     context.font = "12px system-ui, sans-serif";
     context.fillStyle = palette.quiet;
     setStroke(context, palette.obstacleEdge, 1.4);
-    joints.forEach((joint, i) => {
+    const first = coordinates.findIndex(({ isCircle }) => isCircle);
+    coordinates.forEach((joint, i) => {
       const x = this.view.x(i);
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
       drawLine(context, x, top, x, bottom);
@@ -70,7 +71,7 @@ export class ParallelAxes {
         context.fillText(num(joint.high, 1), x, top - 5);
         context.textBaseline = "top";
         context.fillText(num(joint.low, 1), x, bottom + 2);
-      } else if (i === 0) {
+      } else if (i === first) {
         context.textAlign = "right";
         context.textBaseline = "middle";
         for (const { value, text } of ticks(joint)) context.fillText(text, x - 9, this.y(i, value));
@@ -81,28 +82,29 @@ export class ParallelAxes {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette } = brush;
-    const { arm, mode, a, b, run } = this.session;
-    const colour = arm.check.free ? palette.robot : palette.collision;
+    const { robot, mode, a, b, motion, run } = this.session;
+    const colour = robot.check.free ? palette.robot : palette.collision;
     this.drawCollisions(brush);
     if (mode === "between") {
+      if (motion.missed.length > 0) this.drawPose(context, motion.at(1), palette.rejected, 2, [2, 4]);
       this.drawPose(context, b, palette.goal, 2, [6, 4]);
       this.drawPose(context, a, palette.start, 2);
     }
     if (run) this.drawRun(brush, run);
-    this.drawPose(context, arm.q, palette.stage, 5);
-    this.drawPose(context, arm.q, colour, 2.6);
-    arm.q.forEach((value, i) => drawDot(context, this.view.x(i), this.y(i, value), colour, palette));
+    this.drawPose(context, robot.q, palette.stage, 5);
+    this.drawPose(context, robot.q, colour, 2.6);
+    robot.q.forEach((value, i) => drawDot(context, this.view.x(i), this.y(i, value), colour, palette));
   }
 
   /** @param {Brush} brush */
   drawCollisions({ context, palette, hatch }) {
-    const { arm } = this.session;
+    const { robot } = this.session;
     const pattern = hatch(palette.collision);
-    arm.joints.forEach(({ low, high }, joint) => {
+    robot.coordinates.forEach(({ low, high }, joint) => {
       const valueAt = (/** @type {number} */ test) => low + ((high - low) * test) / TESTS;
       let from = -1;
       for (let i = 0; i <= TESTS; i++) {
-        const collides = i < TESTS && !arm.isFree(arm.q.with(joint, valueAt(i + 0.5)));
+        const collides = i < TESTS && !robot.isFree(robot.q.with(joint, valueAt(i + 0.5)));
         if (collides && from < 0) from = i;
         if (collides || from < 0) continue;
         const [bottom, top] = [this.y(joint, valueAt(from)), this.y(joint, valueAt(i))];

@@ -1,14 +1,19 @@
-/** The built-in scenes: small worlds, each with an arm, its configuration at first, the ends A and B of a motion, and a target. */
+/**
+ * The scenes: small worlds, each with an arm, its configuration at first, the ends A and B of a motion, and a target. And those of the
+ * planner's page.
+ */
 import { box, disc } from "../domain/obstacles.js";
+import { sceneDocument } from "../planner/scenes/document.js";
+import { SCENES as PLANNED } from "../planner/scenes/scenes.js";
 
 /** @import { Obstacle, Point, ScenarioDocument } from "../domain/types.js" */
-/** @import { ArmRobot } from "./arm.js" */
+/** @import { ArmRobot } from "./robot.js" */
 
 /** @typedef {{ q: number[], a: number[], b: number[], target: Point }} Configurations   at first, of the motion, and of inverse kinematics */
-/** @typedef {{ id: string, title: string, obstacles: Obstacle[], robot: Omit<ArmRobot, "type"> } & Configurations} SceneEntry */
+/** @typedef {{ id: string, title: string, document: ScenarioDocument } & Partial<Configurations>} SceneEntry   those that are absent are chosen for the scenario */
 
-/** @type {SceneEntry[]} */
-export const SCENES = [
+/** @type {({ id: string, title: string, obstacles: Obstacle[], robot: Omit<ArmRobot, "type"> } & Configurations)[]} */
+const ARMS = [
   {
     id: "islands", title: "Islands", obstacles: [disc(0.62, 0.62, 0.2), disc(-0.75, -0.3, 0.22), box(-0.75, 0.62, 0.34, 0.2)],
     robot: { base: [0, 0], links: [0.62, 0.5], radius: 0.03 }, q: [-0.3, 1.1], a: [-0.55, 0.5], b: [2.35, 0.7], target: [0.2, 0.75],
@@ -37,7 +42,27 @@ export const SCENES = [
   },
 ];
 
-/** @param {SceneEntry} entry @returns {ScenarioDocument} */
-export function documentOf({ id, title, obstacles, robot, a, b }) {
-  return { format: "planarium-scenario-1", name: id, title, world: { obstacles }, robot: { type: "arm", ...robot }, queries: [{ name: "a-to-b", start: a, goal: b }] };
+/** The scenes of this page. */
+export const SCENES = ARMS.map(({ obstacles, robot, ...entry }) => {
+  const queries = [{ name: "a-to-b", start: entry.a, goal: entry.b }];
+  /** @type {ScenarioDocument} */
+  const document = { format: "planarium-scenario-1", name: entry.id, title: entry.title, world: { obstacles }, robot: { type: "arm", ...robot }, queries };
+  return { ...entry, document };
+});
+
+/** Begins the id of a scene of the planner's page where a scene of this page has the same. */
+const THEIRS = "plan-";
+
+/** Scenes of the planner's page with a body. */
+export const BODIES = ["corner", "crates"].map((id) => {
+  const title = PLANNED.find((entry) => entry.id === id)?.title ?? id;
+  return { id: SCENES.some((own) => own.id === id) ? THEIRS + id : id, title };
+});
+
+/** A scene of this page or of the planner's. @param {string} id @returns {Promise<SceneEntry>} */
+export async function sceneOf(id) {
+  const own = SCENES.find((entry) => entry.id === id);
+  if (own) return own;
+  const document = await sceneDocument(id.startsWith(THEIRS) ? id.slice(THEIRS.length) : id);
+  return { id, title: document.title ?? document.name, document };
 }

@@ -1,11 +1,11 @@
-/** The state of the page: the arm, the mode, the configurations A and B, and the target. */
+/** The state of the page: the robot, the mode, the configurations A and B, and the target. */
 import { Observable } from "../app/observable.js";
-import { Arm } from "./arm.js";
+import { Robot } from "./robot.js";
 import { Motion } from "./motion.js";
-import { SCENES, documentOf } from "./scenes.js";
+import { SCENES } from "./scenes.js";
 
 /** @import { App } from "../app/app.js" */
-/** @import { Point, Query, ScenarioDocument } from "../domain/types.js" */
+/** @import { Check, Point, Query, ScenarioDocument } from "../domain/types.js" */
 /** @import { IkRun } from "./ik-run.js" */
 /** @import { Direction } from "./motion.js" */
 /** @import { SceneEntry } from "./scenes.js" */
@@ -16,25 +16,27 @@ import { SCENES, documentOf } from "./scenes.js";
  * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
-/** The arm itself; its configuration, by the user or by inverse kinematics; another mode; or anything else. @typedef {"arm" | "pose" | "iterate" | "mode" | "rest"} Change */
+/** A turn that was taken back: the coordinate, the angle in radians, and the collisions at its end. @typedef {{ i: number, angle: number, check: Check }} Refusal */
+
+/** The robot itself; its configuration, by the user or by inverse kinematics; another mode; or anything else. @typedef {"robot" | "pose" | "iterate" | "mode" | "rest"} Change */
 
 /** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
 const STUCK = 1e-3;
 
 /** @extends {Observable<Change>} */
-export class ArmSession extends Observable {
+export class ReachSession extends Observable {
   /** @param {App} app */
   constructor(app) {
     super(app);
     const [entry] = SCENES;
-    this.arm = new Arm(documentOf(entry), entry.q);
-    /** The built-in scene, if it is one. @type {SceneEntry | null} */
+    this.robot = new Robot(entry.document, entry.q);
+    /** The scene, unless it is a file. @type {SceneEntry | null} */
     this.entry = entry;
     /** @type {Mode} */
     this.mode = "hand";
     this.a = Float64Array.from(entry.a);
     this.b = Float64Array.from(entry.b);
-    /** The way round of each joint from A to B. @type {Direction[]} */
+    /** The way round of each coordinate from A to B. @type {Direction[]} */
     this.directions = [];
     /** The part of the motion that is done, 0 to 1. */
     this.progress = 0;
@@ -43,89 +45,91 @@ export class ArmSession extends Observable {
     this.target = entry.target;
     /** @type {TipGoal | null} */
     this.tipGoal = null;
+    /** Whether a turn by a key is taken back if it collides, and the last one that was. */
+    this.takesBack = false;
+    /** @type {Refusal | null} */
+    this.refusal = null;
     /** The run of inverse kinematics, in that mode. @type {IkRun | null} */
     this.run = null;
     /** The index of the solution that the arm shows, or -1. */
     this.chosen = -1;
-    /** The motion, and what it was computed for. @type {{ key: string, arm: Arm, motion: Motion } | null} */
+    /** The motion, and what it was computed for. @type {{ key: string, robot: Robot, motion: Motion } | null} */
     this.computed = null;
   }
 
-  /** @param {SceneEntry} entry */
-  openScene(entry) {
-    const { q, a, b, target } = entry;
-    this.begin(new Arm(documentOf(entry), q), { entry, a: Float64Array.from(a), b: Float64Array.from(b), target, orientation: null });
-  }
+  /** @param {SceneEntry} entry @throws {Error} the core refuses it */
+  openScene(entry) { this.open(entry.document, entry); }
 
-  /** Opens the user's scenario; without queries A, B and the target are chosen for it. @param {ScenarioDocument | string} document @throws {Error} the core refuses it */
-  openDocument(document) {
-    const arm = new Arm(document, []);
-    const { base, joints, scenario, reach } = arm;
-    const middle = joints.map(({ low, high }) => (low + high) / 2);
-    const [{ start = middle, goal, target: wanted } = { start: middle }] = /** @type {Partial<Query>[]} */ (arm.document.queries);
-    arm.moveTo(start);
-    const target = wanted?.point ?? (goal ? scenario.endEffector(goal) : [base[0] + 0.6 * reach, base[1] + 0.2 * reach]);
-    const b = arm.fitted(goal ?? scenario.nearestReachable(target, wanted?.orientation).configuration);
-    this.begin(arm, { entry: null, a: Float64Array.from(arm.q), b, target, orientation: wanted?.orientation ?? null });
-  }
-
-  /** Begins with an arm. @param {Arm} arm @param {Pick<ArmSession, "entry" | "a" | "b" | "target" | "orientation">} scene */
-  begin(arm, scene) {
-    this.replace(arm, { ...scene, directions: arm.joints.map(() => "short"), progress: 0 });
+  /** Opens a scenario. @param {ScenarioDocument | string} document @param {SceneEntry | null} [entry]  null: it is the user's @throws {Error} the core refuses it */
+  open(document, entry = null) {
+    const robot = new Robot(document, []);
+    const { q, a, b, target, orientation } = { ...configurationsOf(robot), ...entry };
+    robot.moveTo(q);
+    if (!robot.isArm && this.mode === "solve") this.mode = "hand";
+    this.replace(robot, { entry, a: robot.fitted(a), b: robot.fitted(b), target, orientation, directions: robot.coordinates.map(() => "short"), progress: 0 });
     if (this.mode === "between") this.setProgress(0);
   }
 
   /** Changes the arm within the same world. @param {ScenarioDocument} document @throws {Error} the core refuses it, and nothing changes */
   changeArm(document) {
     const { a, b, directions } = this;
-    const arm = new Arm({ ...document, queries: [] }, this.arm.q);
-    this.replace(arm, { a: arm.fitted(a), b: arm.fitted(b), directions: arm.joints.map((_, i) => directions[i] ?? "short") });
+    const robot = new Robot({ ...document, queries: [] }, this.robot.q);
+    this.replace(robot, { a: robot.fitted(a), b: robot.fitted(b), directions: robot.coordinates.map((_, i) => directions[i] ?? "short") });
   }
 
-  /** @param {Arm} arm @param {Partial<ArmSession>} changes */
-  replace(arm, changes) {
-    this.arm.free();
-    Object.assign(this, { ...changes, arm, tipGoal: null });
-    if (arm.dimension < 3) this.orientation = null;
-    this.update("arm");
+  /** @param {Robot} robot @param {Partial<ReachSession>} changes */
+  replace(robot, changes) {
+    this.robot.free();
+    Object.assign(this, { ...changes, robot, tipGoal: null, refusal: null });
+    if (robot.dimension < 3) this.orientation = null;
+    this.update("robot");
   }
 
   /** @param {ArrayLike<number>} q @param {Change} [change] @param {TipGoal | null} [tipGoal] */
   moveTo(q, change = "pose", tipGoal = null) {
-    this.arm.moveTo(q);
-    this.tipGoal = tipGoal;
+    this.robot.moveTo(q);
+    Object.assign(this, { tipGoal, refusal: null });
     this.update(change);
   }
 
-  /** @param {number} joint @param {number} angle */
-  turnJoint(joint, angle) { this.moveTo(this.arm.q.with(joint, angle)); }
+  /** @param {number} i @param {number} value */
+  setCoordinate(i, value) { this.moveTo(this.robot.q.with(i, value)); }
+
+  /** Turns a joint or a body; a turn that collides, also on its way, is taken back if that is wanted. @param {number} i  the coordinate @param {number} angle  radians */
+  turn(i, angle) {
+    const { robot, takesBack } = this;
+    const q = robot.fitted(robot.q.with(i, robot.q[i] + angle));
+    const collides = () => (robot.check.free ? robot.scenario.firstHit(robot.q, q) !== null : !robot.isFree(q));
+    if (!takesBack || !collides()) return this.moveTo(q);
+    this.refusal = { i, angle, check: robot.scenario.check(q) };
+    this.update("rest");
+  }
 
   /** Moves the tip to a point, or as near as it gets. @param {Point} wanted */
   moveTip(wanted) {
-    const { arm } = this;
+    const { robot } = this;
     const orientation = this.orientation ?? undefined;
-    const { configuration, point, distance, reached } = arm.scenario.follow(arm.q, wanted, orientation);
-    const nearest = reached ? null : arm.scenario.nearestReachable(wanted, orientation);
-    const isStuck = nearest !== null && nearest.distance < distance - STUCK * arm.reach;
+    const { configuration, point, distance, reached } = robot.scenario.follow(robot.q, wanted, orientation);
+    const nearest = reached ? null : robot.scenario.nearestReachable(wanted, orientation);
+    const isStuck = nearest !== null && nearest.distance < distance - STUCK * robot.reach;
     this.moveTo(configuration, "pose", { wanted, reached, isStuck, ...(nearest && !isStuck ? { point: nearest.point, distance: nearest.distance } : { point, distance }) });
   }
 
   /** @param {Mode} mode */
   setMode(mode) {
     const change = mode === this.mode ? "rest" : "mode";
-    this.mode = mode;
-    this.tipGoal = null;
+    Object.assign(this, { mode, tipGoal: null, refusal: null });
     if (mode === "between") this.setProgress(0);
     this.update(change);
   }
 
   /** The motion from A to B. @returns {Motion} */
   get motion() {
-    const { arm, a, b, directions, computed } = this;
+    const { robot, a, b, directions, computed } = this;
     const key = [...a, ...b, ...directions].join();
-    if (computed?.key === key && computed.arm === arm) return computed.motion;
-    const motion = new Motion(arm, a, b, directions);
-    this.computed = { key, arm, motion };
+    if (computed?.key === key && computed.robot === robot) return computed.motion;
+    const motion = new Motion(robot, a, b, directions);
+    this.computed = { key, robot, motion };
     return motion;
   }
 
@@ -141,9 +145,22 @@ export class ArmSession extends Observable {
     return { name: "reach", start: Array.from(start), target: { point, ...(orientation === null ? {} : { orientation }) } };
   }
 
-  /** The arm and its world with the queries A to B and the target. @returns {ScenarioDocument} */
+  /** The robot and its world with the query A to B, and for an arm that of the target. @returns {ScenarioDocument} */
   document() {
-    const { arm, a, b } = this;
-    return { ...arm.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, this.targetQuery(arm.q)] };
+    const { robot, a, b } = this;
+    return { ...robot.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, ...(robot.isArm ? [this.targetQuery(robot.q)] : [])] };
   }
+}
+
+/** The configurations of the first query; without it others are chosen. @param {Robot} robot */
+function configurationsOf(robot) {
+  const { isArm, coordinates, scenario, document: { queries } } = robot;
+  const middle = coordinates.map(({ low, high }) => (low + high) / 2);
+  const [{ start: q = middle, goal, target: wanted }] = /** @type {[Partial<Query>]} */ ([...queries, {}]);
+  /** @type {Point} */
+  const free = isArm ? [robot.base[0] + 0.6 * robot.reach, robot.base[1] + 0.2 * robot.reach] : [0, 0];
+  const target = wanted?.point ?? (goal ? scenario.endEffector(goal) : free);
+  const orientation = wanted?.orientation ?? null;
+  const b = goal ?? (isArm ? scenario.nearestReachable(target, orientation).configuration : middle);
+  return { q, a: q, b, target, orientation };
 }

@@ -1,31 +1,31 @@
 /** The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse kinematics. */
 import { AngleSquare } from "../draw/angle-square.js";
 import { cross, disc, drawDot, ring, setStroke } from "../draw/marks.js";
-import { drawGoal, drawHit, drawStart } from "../draw/shapes.js";
+import { drawEndsHere, drawGoal, drawHit, drawStart } from "../draw/shapes.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkRun } from "./ik-run.js" */
-/** @import { ArmSession } from "./session.js" */
+/** @import { ReachSession } from "./session.js" */
 
 export class Square extends AngleSquare {
-  /** @param {ArmSession} session */
+  /** @param {ReachSession} session */
   constructor(session) {
     super();
     this.session = session;
   }
 
   /** @param {Brush} brush */
-  ground(brush) { this.drawGround(brush, this.session.arm.joints); }
+  ground(brush) { this.drawGround(brush, this.session.robot.coordinates); }
 
   /** @param {Brush} brush */
   top(brush) {
-    const { arm, mode, run } = this.session;
+    const { robot, mode, run } = this.session;
     const { context, palette } = brush;
-    const isFree = arm.check.free;
+    const isFree = robot.check.free;
     this.repeat(context, (isCopy) => {
       if (mode === "between") this.drawMotion(brush);
       if (run) this.drawRun(brush, run);
-      const [x, y] = this.place(arm.q);
+      const [x, y] = this.place(robot.q);
       context.globalAlpha = isCopy ? 0.35 : 1;
       drawDot(context, x, y, isFree ? palette.robot : palette.collision, palette);
       if (!isFree) cross(context, x, y, 2.6);
@@ -35,10 +35,12 @@ export class Square extends AngleSquare {
   /** @param {Brush} brush */
   drawMotion({ context, palette }) {
     const { a, b, motion } = this.session;
-    setStroke(context, palette.path, 3);
+    const isMiss = motion.missed.length > 0;
+    setStroke(context, isMiss ? palette.rejected : palette.path, 3, isMiss ? [7, 5] : []);
     this.strokeMotion(context, a, motion.turns);
     drawStart(context, ...this.place(a), palette);
     drawGoal(context, ...this.place(b), palette);
+    if (isMiss) drawEndsHere(context, ...this.place(motion.at(1)), palette);
     if (motion.hit !== null) drawHit(context, ...this.place(motion.at(motion.hit)), palette);
   }
 

@@ -4,8 +4,13 @@ import { touchingSentence } from "../domain/names.js";
 import { isNearlySingular } from "./jacobian.js";
 
 /** @import { IkRun } from "./ik-run.js" */
-/** @import { ArmSession } from "./session.js" */
+/** @import { Motion } from "./motion.js" */
+/** @import { Robot } from "./robot.js" */
+/** @import { ReachSession, Refusal } from "./session.js" */
 /** @typedef {{ text: string, isBad: boolean }} Sentence */
+
+/** Angles that are named one by one, at most. */
+const MOST_NAMED = 2;
 
 /** Why a target is out of reach. */
 const REASONS = {
@@ -13,21 +18,23 @@ const REASONS = {
   orientation: "the joint limits do not allow this orientation",
 };
 
-/** The collisions of the arm, or nothing. @param {ArmSession} session */
-export function collisionText({ arm: { scenario, check } }) { return check.free ? "" : capital(`${touchingSentence(scenario, check)}.`); }
+/** The collisions of the robot, or nothing. @param {ReachSession} session */
+export function collisionText({ robot: { scenario, check } }) { return check.free ? "" : capital(`${touchingSentence(scenario, check)}.`); }
 
-/** The arm for screen readers. @param {ArmSession} session */
+/** The robot for screen readers. @param {ReachSession} session */
 export function descriptionOf(session) {
-  const { arm: { q, dimension, tip, document: { world } } } = session;
-  return `${linksText(dimension)}, ${world.obstacles.length} obstacles. Joints at ${[...q].map((angle) => num(angle)).join(", ")} radians; the tip is at ${tuple(tip)} metres. ${collisionText(session) || "No collision."}`;
+  const { robot, robot: { q, isArm, tip, document: { world } } } = session;
+  const where = isArm ? `Joints at ${[...q].map((angle) => num(angle)).join(", ")} radians; the tip is at ${tuple(tip)} metres.` : `Its reference point is at ${tuple(tip)} metres, theta is ${num(q[2])} radians.`;
+  return `${capital(robotText(robot))}, ${world.obstacles.length} obstacles. ${where} ${collisionText(session) || "No collision."}`;
 }
 
-/** @param {number} count */
-export function linksText(count) { return `${count} ${count === 1 ? "link" : "links"}`; }
+/** @param {Robot} robot */
+export function robotText({ isArm, dimension }) { return isArm ? `${dimension} ${dimension === 1 ? "link" : "links"}` : "a body"; }
 
-/** @param {ArmSession} session @returns {Sentence} */
+/** @param {ReachSession} session @returns {Sentence} */
 export function sentenceOf(session) {
-  const { mode, run, tipGoal, arm: { dimension, ellipse }, orientation } = session;
+  const { mode, run, tipGoal, refusal, robot: { isArm, dimension, ellipse }, orientation } = session;
+  if (refusal) return refusalSentence(session, refusal);
   if (mode === "between") return motionSentence(session);
   if (run) return ikSentence(session, run);
   const collision = collisionText(session);
@@ -37,25 +44,48 @@ export function sentenceOf(session) {
     return { text: `${tuple(tipGoal.wanted)} is out of reach${orientation === null ? "" : " in this orientation"}. The nearest reachable point is ${tuple(tipGoal.point)}, ${num(tipGoal.distance)} m away.`, isBad };
   }
   if (isBad) return { text: collision, isBad };
+  if (!isArm) return { text: "Drag the body to move it; drag the ring in front of it to turn it.", isBad };
   if (!isNearlySingular(ellipse)) return { text: "Drag the ring to move the tip; drag a link to turn its joint.", isBad };
   if (dimension === 1) return { text: "One joint: the tip can only move along a circle.", isBad };
   return { text: `Nearly singular: the links are almost in line, and the tip can hardly move along them (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`, isBad };
 }
 
-/** @param {ArmSession} session @returns {Sentence} */
-function motionSentence(session) {
-  const { motion, arm } = session;
-  const long = arm.joints.filter((_, i) => Math.abs(motion.turns[i]) > Math.PI).map(({ name }) => name);
-  const how = long.length === 0 ? "Each joint turns the short way round" : `${capital(long.join(" and "))} ${long.length > 1 ? "turn" : "turns"} the long way round`;
-  const begin = `${how}, ${num(motion.length)} rad in total.`;
-  if (motion.hit === null) return { text: `${begin} The motion is proven to be collision-free.`, isBad: false };
-  const collision = collisionText(session);
-  const where = motion.hit >= 0.005 ? `The motion collides after ${Math.round(100 * motion.hit)} %.` : arm.isFree(motion.a) ? "The motion collides at once." : "A itself is in collision.";
-  return { text: `${begin} ${where} ${collision}`.trimEnd(), isBad: collision !== "" || !arm.isFree(motion.a) };
+/** @param {ReachSession} session @param {Refusal} refusal @returns {Sentence} */
+function refusalSentence({ robot: { coordinates, scenario } }, { i, angle, check }) {
+  const turn = `${coordinates[i].name} turned ${Math.round((180 * Math.abs(angle)) / Math.PI)}\u00b0 ${angle > 0 ? "counter-clockwise" : "clockwise"}`;
+  return { text: check.free ? `Taken back: the robot collides on the way as ${turn}.` : `Taken back: ${turn}, and ${touchingSentence(scenario, check)}.`, isBad: true };
 }
 
-/** @param {ArmSession} session @param {IkRun} run @returns {Sentence} */
-function ikSentence({ target, orientation, arm: { scenario } }, run) {
+/** @param {ReachSession} session @returns {Sentence} */
+function motionSentence(session) {
+  const { motion, robot, b } = session;
+  const begin = motion.missed.length > 0 ? missText(robot, motion, b) : wayText(session);
+  if (motion.hit === null) return { text: `${begin} The motion is proven to be collision-free.`, isBad: motion.missed.length > 0 };
+  const collision = collisionText(session);
+  const touch = motion.touch ? `: ${touchingSentence(robot.scenario, motion.touch)}` : "";
+  const where = motion.hit >= 0.005 ? `The motion collides after ${Math.round(100 * motion.hit)} %${touch}.` : robot.isFree(motion.a) ? `The motion collides at once${touch}.` : `A itself is in collision${touch}.`;
+  return { text: `${begin} ${where}`, isBad: collision !== "" || !robot.isFree(motion.a) || motion.missed.length > 0 };
+}
+
+/** How a motion that ends at B gets there. @param {ReachSession} session */
+function wayText({ motion, motion: { turns }, robot: { isArm, coordinates }, directions }) {
+  const long = coordinates.filter(({ isCircle }, i) => isCircle && Math.abs(turns[i]) > Math.PI).map(({ name }) => name);
+  const faulty = directions.includes("faulty") ? " Here the faulty way is right: no two angles differ by more than half a turn." : "";
+  if (!isArm) return `The body moves ${num(Math.hypot(turns[0], turns[1]))} m, and theta turns ${num(Math.abs(turns[2]))} rad the ${long.length > 0 ? "long" : "short"} way round.${faulty}`;
+  const how = long.length === 0 ? "Each joint turns the short way round" : `${capital(long.join(" and "))} ${long.length > 1 ? "turn" : "turns"} the long way round`;
+  return `${how}, ${num(motion.length)} rad in total.${faulty}`;
+}
+
+/** Where a motion ends by the faulty way. @param {Robot} robot @param {Motion} motion @param {ArrayLike<number>} b */
+function missText(robot, motion, b) {
+  const end = robot.fitted(motion.at(1));
+  const { missed: { length } } = motion;
+  const ends = motion.missed.map((i) => `${robot.coordinates[i].name} ends at ${num(end[i])} rad instead of ${num(b[i])} rad`);
+  return `Faulty: ${length > MOST_NAMED ? `${length} joints end elsewhere` : ends.join(" and ")}, so the motion does not end at B.`;
+}
+
+/** @param {ReachSession} session @param {IkRun} run @returns {Sentence} */
+function ikSentence({ target, orientation, robot: { scenario } }, run) {
   const { method, verdict, solutions: { length: count } } = run;
   if (run.isRunning) {
     const { run: { iterations, restarts }, last: { error } } = run;

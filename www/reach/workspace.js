@@ -1,23 +1,26 @@
-/** The workspace: the world, the arm with its manipulability ellipse, the motion from A to B, and a run of inverse kinematics. */
+/** The workspace: the world, the arm with its manipulability ellipse or the body, the motion from A to B, and a run of inverse kinematics. */
 import { drawRobot, isThin } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawWorkspace } from "../draw/ground.js";
 import { addLine, disc, drawCross, drawHandle, drawLine, setStroke, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawGoal, drawHit, drawLabel, drawStart, fillWith } from "../draw/shapes.js";
+import { placedHandles } from "../draw/placed-handles.js";
+import { drawEndsHere, drawGhost, drawGoal, drawHit, drawLabel, drawStart, fillWith } from "../draw/shapes.js";
 import { drawTouching } from "../draw/touching.js";
 
 /** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { IkRun } from "./ik-run.js" */
-/** @import { ArmSession } from "./session.js" */
+/** @import { ReachSession } from "./session.js" */
 
 /** Scale of the ellipse: at full size it would hide the arm. */
 const ELLIPSE = 0.3;
+/** Stretches of a body's motion, between which its outline is drawn. */
+const GHOSTS = 8;
 /** Iterates drawn, at most. */
 const FAINT = 40;
 
 export class Workspace {
-  /** @param {ArmSession} session */
+  /** @param {ReachSession} session */
   constructor(session) {
     this.session = session;
     this.view = NO_VIEW;
@@ -25,19 +28,19 @@ export class Workspace {
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { arm } = this.session;
-    this.view = drawWorkspace(brush, arm.scenario, arm.document);
+    const { robot } = this.session;
+    this.view = drawWorkspace(brush, robot.scenario, robot.document);
   }
 
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { session: { arm, mode, tipGoal, run }, view } = this;
+    const { session: { robot, mode, tipGoal, run }, view } = this;
     if (mode === "between") this.drawMotion(brush);
     if (run) this.drawRun(brush, run);
-    this.drawEllipse(brush);
-    const shown = { scenario: arm.scenario, world: arm.document.world, parts: arm.parts, touching: arm.check.touching };
-    drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, arm.parts, palette));
+    if (robot.isArm) this.drawEllipse(brush);
+    const shown = { scenario: robot.scenario, world: robot.document.world, parts: robot.parts, touching: robot.check.touching };
+    drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, robot.parts, palette));
     context.save();
     if (tipGoal && !tipGoal.reached) {
       const wanted = this.view.place(tipGoal.wanted);
@@ -52,7 +55,7 @@ export class Workspace {
 
   /** @param {Brush} brush */
   drawEllipse({ context, palette }) {
-    const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.arm;
+    const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.robot;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
     setStroke(context, palette.newest, 1.6, [5, 3]);
@@ -68,10 +71,10 @@ export class Workspace {
     context.restore();
   }
 
-  /** The tip as a handle, with an arrow if its orientation is fixed. @param {Brush} brush */
+  /** The tip as a handle, with an arrow if its orientation is fixed; of a body the reference point, and a handle to turn it. @param {Brush} brush */
   drawTip({ context, palette }) {
-    const { arm, orientation } = this.session;
-    const [x, y] = this.view.place(arm.tip);
+    const { robot, orientation } = this.session;
+    const [x, y] = this.view.place(robot.tip);
     if (orientation !== null) {
       const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
       const at = (/** @type {number} */ along, /** @type {number} */ aside) => /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
@@ -81,22 +84,34 @@ export class Workspace {
         context.lineTo(...at(30, -5));
       });
     }
-    drawHandle(context, x, y, arm.check.free ? palette.robot : palette.collision, palette);
+    const colour = robot.check.free ? palette.robot : palette.collision;
+    const handles = robot.isArm ? [] : [placedHandles(robot.parts, robot.q)[1]];
+    for (const handle of handles) {
+      setStroke(context, colour, 1.4, [2, 3]);
+      drawLine(context, x, y, ...this.view.place(handle));
+      context.setLineDash([]);
+      drawHandle(context, ...this.view.place(handle), colour, palette);
+    }
+    drawHandle(context, x, y, colour, palette);
   }
 
   /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush */
-  drawMotion({ context, palette }) {
-    const { view, session: { arm, a, b, motion, progress } } = this;
-    const { curve, collides, hit } = motion;
+  drawMotion(brush) {
+    const { context, palette } = brush;
+    const { view, session: { robot, a, b, motion, progress } } = this;
+    const { curve, collides, hit, missed } = motion;
+    const isMiss = missed.length > 0;
     const done = Math.floor(progress * (collides.length - 1) + 1e-9);
-    drawGhost(context, view, arm.scenario.footprint(b), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width: 1.5 });
-    drawGhost(context, view, arm.scenario.footprint(a), { colour: palette.start, fill: 0.14, stroke: 0.95, dash: [], width: 1.5 });
+    if (!robot.isArm) for (let i = 1; i < GHOSTS; i++) this.drawAlong(brush, i / GHOSTS, { colour: palette.path, fill: 0, stroke: 0.35, dash: [], width: 1 });
+    if (isMiss) this.drawAlong(brush, 1, { colour: palette.rejected, fill: 0.1, stroke: 0.95, dash: [3, 4], width: 1.6 });
+    drawGhost(context, view, robot.scenario.footprint(b), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width: 1.5 });
+    drawGhost(context, view, robot.scenario.footprint(a), { colour: palette.start, fill: 0.14, stroke: 0.95, dash: [], width: 1.5 });
     context.save();
     context.lineCap = "round";
     // What is done is bold; what collides is red and dashed.
     for (const isDone of [false, true]) {
       for (const isCollision of [false, true]) {
-        setStroke(context, isCollision ? palette.collision : palette.path, isDone ? 3.4 : 1.4, isCollision ? [2, 5] : []);
+        setStroke(context, isCollision ? palette.collision : isMiss ? palette.rejected : palette.path, isDone ? 3.4 : 1.4, isCollision ? [2, 5] : []);
         context.beginPath();
         collides.forEach((end, i) => {
           const isPart = i > 0 && (i <= done) === isDone && (collides[i - 1] || end) === isCollision;
@@ -106,16 +121,23 @@ export class Workspace {
       }
     }
     context.restore();
-    const tipAt = (/** @type {Float64Array} */ q) => this.view.place(arm.scenario.endEffector(arm.fitted(q)));
+    const tipAt = (/** @type {Float64Array} */ q) => this.view.place(robot.scenario.endEffector(robot.fitted(q)));
     drawStart(context, ...tipAt(a), palette);
     drawGoal(context, ...tipAt(b), palette);
+    if (isMiss) drawEndsHere(context, ...tipAt(motion.at(1)), palette);
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
+  }
+
+  /** The robot at a part of the motion. @param {Brush} brush @param {number} t @param {Parameters<typeof drawGhost>[3]} style */
+  drawAlong({ context }, t, style) {
+    const { robot, motion } = this.session;
+    drawGhost(context, this.view, robot.scenario.footprint(robot.fitted(motion.at(t))), style);
   }
 
   /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush @param {IkRun} run */
   drawRun({ context, palette }, run) {
     const { view, session: { chosen } } = this;
-    const { nearest, arm: { scenario, base } } = run;
+    const { nearest, robot: { scenario, base } } = run;
     if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
     context.save();
     context.fillStyle = palette.growth;

@@ -7,10 +7,11 @@ import { SCENES } from "./scenes.js";
 
 /** @param {string} id @returns {Promise<ScenarioDocument>} */
 export async function sceneDocument(id) {
-  const made = SCENES.find((entry) => entry.id === id)?.generate;
-  const scenario = made ? Scenario.generate(made.kind, made.options) : Scenario.parse(await loadScene(id));
+  const { generate, title } = SCENES.find((entry) => entry.id === id) ?? {};
+  const scenario = generate ? Scenario.generate(generate.kind, generate.options) : Scenario.parse(await loadScene(id));
   try {
-    return scenario.document();
+    const document = scenario.document();
+    return { ...document, title: title ?? document.title };
   } finally {
     scenario.free();
   }

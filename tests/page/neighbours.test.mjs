@@ -5,7 +5,7 @@ import { Scenario } from "planarium";
 import { encodeState } from "../../www/app/link.js";
 import { writeNpy } from "../../www/formats/npy.js";
 import { ROBOTS } from "../../www/neighbours/robots.js";
-import { DESK, PHONE, download, dropFile, fill, linkOf, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
+import { DESK, PHONE, download, dropFile, fill, linkOf, onPage, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
 import { assertRoom } from "./looks.mjs";
 import { open as openScene, sceneOf, textOf } from "./library.mjs";
@@ -19,6 +19,15 @@ import { allOf, readXml } from "./xml.mjs";
 useBrowser();
 
 const { onRoom: onNeighbours, rest, click, press, choose, put } = roomOf("neighbours", "body[data-state=ready][data-settled=true][data-found]", "robot");
+
+/** A body in a world that one obstacle fills, for five configurations. */
+const FULL = await encodeState({
+  document: {
+    ...JSON.parse(textOf("corner")), queries: [],
+    world: { bounds: { min: [0, 0], max: [1, 1] }, obstacles: [{ type: "polygon", vertices: [[0, 0], [1, 0], [1, 1], [0, 1]] }] },
+  },
+  draw: { n: 5, seed: 0, free: true },
+}, () => {});
 
 /** @param {string} id */
 const robotOf = (id) => ROBOTS.find((entry) => entry.id === id) ?? assert.fail(id);
@@ -328,6 +337,15 @@ test("a few configurations of any scenario: of a scene by its name, of a documen
   }
 });
 
+test("a scenario without room is opened, and said to have no free configuration", () => onPage({ reducedMotion: "reduce" }, async (page) => {
+  await page.waitForSelector("body[data-state=ready][data-settled=true] #notice[data-code=unsupported]");
+  assert.match(await page.innerText("#notice"), /No configurations could be sampled[^]*none is free/);
+  assert.equal(await page.innerText("#story"), "There are no configurations.");
+  await page.click("label[for=free]");
+  await rest(page);
+  assert.equal((await stateOf(page)).n, "5");
+}, { path: `neighbours.html#${FULL}` }));
+
 test("five free bodies alone; weights of a preset and of one's own; a dropped scenario; all in the link", () => onNeighbours(async (page) => {
   await dropFile(page, "corner.json", textOf("corner"));
   await page.waitForSelector("body[data-robot=file]");
@@ -374,10 +392,12 @@ test("in any state axe finds nothing and all fits; forced colours are honoured",
       await page.waitForSelector("#timing[data-timing=done]");
       await page.click("#export-fold > summary");
     },
-    "a refused file": async () => {
+    "the list alone, a refused file": async () => {
+      await page.click("label[for=ask]");
       await pickFile(page, "mine.json", "{");
       await page.waitForSelector("#notice[data-code=invalid-json]");
     },
   });
+  await click(page, "label[for=ask]");
   assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
 }));

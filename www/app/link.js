@@ -99,9 +99,9 @@ export async function useLink(app, rule, { save, open, contents }) {
     if (location.hash.length < 2) return void await open(null);
     const { state, fault } = await decodeState(location.hash, rule);
     try {
-      await open(state);
       if (state) app.notice.hide();
-      else app.notice.show(fault, "");
+      await open(state);
+      if (!state) app.notice.show(fault, "");
     } catch (error) {
       await open(null);
       app.fail(error, "The link cannot be opened.");

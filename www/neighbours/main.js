@@ -102,6 +102,7 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}` : "";
     figures.square.note.textContent = session.coordinates.every(({ isCircle }) => isCircle) ? "one dot per configuration; borders wrap" : "one dot per configuration";
     if (change === "result" || change === "robot") showNeighbours(session);
+    if (change === "list" && count === 0) app.say(sentenceOf(session));
     if (change !== "result") return;
     const { length } = found.indices;
     const distanceText = (/** @type {number | undefined} */ distance) => (distance === undefined ? "\u2013" : num(distance, DIGITS));

@@ -26,7 +26,7 @@ export function showNeighbours(session) {
 
 /** @param {NeighbourSession} session */
 export function sentenceOf({ found, index, isNaive, isArm, count, missed, k, isAsking, sampling, file }) {
-  if (found.indices.length === 0) return "Sampling configurations.";
+  if (count === 0) return "There are no configurations.";
   if (!isAsking) {
     const what = `${grouped(count)} ${sampling.free && file === null ? "collision-free " : ""}${count === 1 ? "configuration" : "configurations"}`;
     return `${what}${file === null ? `, sampled uniformly with seed ${sampling.seed}` : ` from ${file}`}${count <= FEW ? `; ${count === 1 ? "the" : "each"} ${isArm ? "tip" : "reference point"} is marked` : ""}.`;

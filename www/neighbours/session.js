@@ -114,7 +114,7 @@ export class NeighbourSession extends Observable {
   sample(changes = {}) {
     this.sampling = { ...this.sampling, ...changes };
     this.file = null;
-    return this.receive(this.worker.sample(this.document, this.sampling), null);
+    return this.receive(this.worker.sample(this.document, this.sampling), null, "No configurations could be sampled.");
   }
 
   /** Reads a list from a file. @param {string} name @param {Uint8Array} bytes */
@@ -126,7 +126,10 @@ export class NeighbourSession extends Observable {
   async receive(promise, file, title) {
     const request = ++this.requests;
     const list = await this.app.track(promise, title);
-    if (!list || request !== this.requests) return;
+    if (request !== this.requests) return;
+    // The list before stays; where there is none that is said.
+    if (!list && this.count === 0) this.update("list");
+    if (!list) return;
     this.file = file;
     this.setList(list);
     this.update("list");

@@ -75,7 +75,7 @@ export function drawStart(context, x, y, palette) {
 /** The end of a motion that ends elsewhere than at its goal. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
 export function drawEndsHere(context, x, y, palette) {
   strokeWithHalo(context, [5.5, 2.4], palette.rejected, palette, () => addCross(context, x, y, 6));
-  drawLabel(context, "ends here", x, y - 18, palette.rejected, palette);
+  drawLabel(context, "ends here", x, y + 19, palette.rejected, palette);
 }
 
 /** The goal, a diamond. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */

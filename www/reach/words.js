@@ -63,7 +63,7 @@ function motionSentence(session) {
   if (motion.hit === null) return { text: `${begin} The motion is proven to be collision-free.`, isBad: motion.missed.length > 0 };
   const collision = collisionText(session);
   const touch = motion.touch ? `: ${touchingSentence(robot.scenario, motion.touch)}` : "";
-  const where = motion.hit >= 0.005 ? `The motion collides after ${Math.round(100 * motion.hit)} %${touch}.` : robot.isFree(motion.a) ? `The motion collides at once${touch}.` : `A itself is in collision${touch}.`;
+  const where = motion.hit >= 0.005 ? `The motion collides after ${Math.round(100 * motion.hit)}\u00a0%${touch}.` : robot.isFree(motion.a) ? `The motion collides at once${touch}.` : `A itself is in collision${touch}.`;
   return { text: `${begin} ${where}`, isBad: collision !== "" || !robot.isFree(motion.a) || motion.missed.length > 0 };
 }
 

@@ -5,10 +5,11 @@
 import { byId, make } from "./dom.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 
+/** @import { Limits } from "../formats/fragment.js" */
 /** @import { Rule } from "../formats/rules.js" */
 /** @import { App } from "./app.js" */
 
-/** @typedef {Rule & { defaults?: Record<string, unknown> }} StateRule */
+/** @typedef {Rule & { defaults?: Record<string, unknown>, limits?: Limits }} StateRule */
 
 const LIMITS = { characters: 2048, bytes: 16_384 };
 /** Milliseconds for which a message stays. */
@@ -17,9 +18,9 @@ const READING = 6000;
 /** @param {object} state  plain data that the rule allows @param {StateRule} rule @returns {Promise<string>}  without `#` @throws {Error} in words */
 export async function encodeState(state, rule) {
   rule(state, "state");
-  const { defaults = {} } = rule;
+  const { defaults = {}, limits = LIMITS } = rule;
   const isDefault = (/** @type {string} */ key, /** @type {unknown} */ value) => JSON.stringify(value) === JSON.stringify(defaults[key]);
-  return encodeFragment(Object.fromEntries(Object.entries(state).filter(([key, value]) => !isDefault(key, value))), LIMITS);
+  return encodeFragment(Object.fromEntries(Object.entries(state).filter(([key, value]) => !isDefault(key, value))), limits);
 }
 
 /**
@@ -27,7 +28,7 @@ export async function encodeState(state, rule) {
  * @returns {Promise<{ state: object, fault: "" } | { state: null, fault: string }>}  never rejects
  */
 export async function decodeState(fragment, rule) {
-  const { value, fault } = await decodeFragment(fragment, LIMITS, (content) => rule(content, "state"));
+  const { value, fault } = await decodeFragment(fragment, rule.limits ?? LIMITS, (content) => rule(content, "state"));
   return fault ? { state: null, fault } : { state: { ...rule.defaults, .../** @type {object} */ (value) }, fault: "" };
 }
 

@@ -9,7 +9,7 @@ import { root } from "./run.mjs";
 const dist = join(root, "dist");
 
 /** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
-const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"]];
+const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["experiments", "Experiments"]];
 /** The part of the package that needs no core: each script has what it uses of it. */
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const ROOMS = PAGES.slice(1).map(([name]) => name);
@@ -26,7 +26,7 @@ export function assemblePage() {
   const out = join(dist, "page");
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
-  for (const part of ["icon.svg", "scenes"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  for (const part of ["icon.svg", "scenes", "experiments/documents"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
@@ -68,9 +68,15 @@ function importsOf({ outputs }, entry) {
 function assembleRooms(inParts) {
   const page = join(root, "www");
   const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
-  const made = joinModules("", "", { ...inParts, entryPoints: entries, outbase: page, alias: { ...DRAW, planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
+  const made = joinModules("", "", { ...inParts, entryPoints: entries, define: { "globalThis.EXPERIMENTS": JSON.stringify(readyExperiments()) }, outbase: page, alias: { ...DRAW, planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
   for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
   return made;
+}
+
+/** The names of the files of ready experiments, and the titles of their documents. */
+function readyExperiments() {
+  const folder = join(root, "www", "experiments", "documents");
+  return readdirSync(folder).sort().map((name) => ({ id: basename(name, ".json"), title: JSON.parse(readFileSync(join(folder, name), "utf8")).title }));
 }
 
 /** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {string[] | null} scripts   that its script imports: they are fetched at once; null for a single file */

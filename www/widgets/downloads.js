@@ -22,14 +22,17 @@ const SCALE = 2;
 
 /** The figures as PNG and SVG, and whatever else a page exports. @param {App} app @param {Figure[]} figures @param {{ name: () => string, title: () => string }} names @param {Download[]} others */
 export function showDownloads(app, figures, names, others) {
-  /** @type {Download[]} */
-  const all = [
+  showFiles(app, names.name, [
     { id: "png", title: "Image", format: "PNG", meaning: "The figures as shown.", content: () => pngOf(figures, SCALE) },
     { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The figures as shown, sharp at any size.", content: () => svgOf(figures, names.title()) },
     ...others,
-  ];
+  ]);
+}
+
+/** @param {App} app @param {() => string} usual  name of a file @param {Download[]} all */
+export function showFiles(app, usual, all) {
   byId("export", HTMLElement).append(...all.map((download) => {
-    const { title, format, content, name = names.name } = download;
+    const { title, format, content, name = usual } = download;
     const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
     return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;
   }));

@@ -1,0 +1,30 @@
+/** An SVG element of the page as a file of its own, SVG or PNG. */
+
+/** A copy that stands alone. @param {SVGSVGElement} picture @param {string} ground  the colour behind it @param {string} title */
+function copyOf(picture, ground, title) {
+  const copy = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
+  const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
+  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+  copy.setAttribute("font-family", "system-ui, sans-serif");
+  copy.setAttribute("color", getComputedStyle(picture).color);
+  const back = copy.ownerDocument.createElementNS("http://www.w3.org/2000/svg", "rect");
+  for (const [name, value] of Object.entries({ width, height, fill: ground })) back.setAttribute(name, String(value));
+  const heading = copy.ownerDocument.createElementNS("http://www.w3.org/2000/svg", "title");
+  heading.textContent = title;
+  copy.prepend(heading, back);
+  return { text: new XMLSerializer().serializeToString(copy), width, height };
+}
+
+/** @param {SVGSVGElement} picture @param {string} ground @param {string} title */
+export function svgPicture(picture, ground, title) { return new Blob([copyOf(picture, ground, title).text], { type: "image/svg+xml" }); }
+
+/** @param {SVGSVGElement} picture @param {string} ground @param {string} title @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} */
+export async function pngPicture(picture, ground, title, ratio) {
+  const { text, width, height } = copyOf(picture, ground, title);
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+  await image.decode();
+  const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
+  canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas.convertToBlob({ type: "image/png" });
+}

@@ -1,0 +1,70 @@
+/** The commands of this page, which each worker of its pool runs: an experiment, and some of its trials. */
+import { Experiment } from "planarium";
+
+/** @import { ExperimentDocument, Trial } from "planarium" */
+/** @import { Cell } from "./rows.js" */
+
+/** @type {Experiment | null} */
+let experiment = null;
+/** The trial that runs. @type {Trial | null} */
+let trial = null;
+/** The next trial, and the one at which the job ends. */
+let next = 0;
+let end = 0;
+
+export const commands = {
+  /** Replaces the experiment. @param {ExperimentDocument} document @throws {Error} with code and pointer: it is refused, and there is none */
+  open(document) {
+    reset();
+    experiment = Experiment.parse(document);
+    const { trialCount, columns, measures, fingerprint, title } = experiment;
+    return { trialCount, columns, measures, fingerprint, title };
+  },
+
+  /**
+   * Goes on with a job for about some time: trials from the first up to, but not including, the last.
+   * @param {[number, number] | null} job  a new one, or null @param {number} milliseconds
+   * @returns {{ first: number, rows: Cell[][], seconds: Float64Array, isDone: boolean }}  the rows of trials that ended, from the first of
+   *   them on; two times of each
+   */
+  advance(job, milliseconds) {
+    if (!experiment) throw new Error("No experiment is open.");
+    if (job) [next, end] = job;
+    const { columns } = experiment;
+    const until = performance.now() + milliseconds;
+    const first = next;
+    const rows = [];
+    const seconds = [];
+    do {
+      trial ??= experiment.trial(next);
+      if (trial.stepFor(Math.max(1, until - performance.now()))) break;
+      const row = trial.row();
+      rows.push(columns.map((column) => row[column]));
+      seconds.push(trial.buildSeconds, trial.searchSeconds);
+      freeTrial();
+      next++;
+    } while (next < end && performance.now() < until);
+    return { first, rows, seconds: Float64Array.from(seconds), isDone: next >= end };
+  },
+
+  /** Leaves the job as it is. */
+  stop() {
+    freeTrial();
+    next = end;
+  },
+};
+
+/** @typedef {typeof commands} Commands */
+/** What is known of an experiment. @typedef {ReturnType<Commands["open"]>} Info */
+
+function freeTrial() {
+  trial?.free();
+  trial = null;
+}
+
+export function reset() {
+  freeTrial();
+  experiment?.free();
+  experiment = null;
+  next = end = 0;
+}

@@ -1,0 +1,246 @@
+/**
+ * The page of experiments: it makes the session, the form, the chart and the table of trials.
+ *
+ * For tests, beside what app.js says: `body` carries `data-phase` (a phase of session.js), `data-done` and `data-count` (trials),
+ * `data-fingerprint` (of the experiment), `data-chart` (its kind, once it is drawn) and `data-drawn` (trials in the chart).
+ */
+import { App } from "../app/app.js";
+import { byId, grouped, make } from "../app/dom.js";
+import { watchFiles } from "../app/drop.js";
+import { json } from "../app/files.js";
+import { watchKeys } from "../app/keys.js";
+import { useLink } from "../app/link.js";
+import { once } from "../app/once.js";
+import { pngPicture, svgPicture } from "../draw/picture.js";
+import { csvFile } from "../formats/csv.js";
+import { showFiles } from "../widgets/downloads.js";
+import { KINDS, chartOf } from "./charts.js";
+import { watchControls } from "./controls.js";
+import { watchForm } from "./form.js";
+import { stateRule } from "./link.js";
+import { SOLVED } from "./measures.js";
+import { READY, loadReady } from "./ready.js";
+import { ExperimentSession } from "./session.js";
+import { sampleOf } from "./tables.js";
+import { openTrial, watchTrials } from "./trials.js";
+
+/** @import { ChartData } from "./charts.js" */
+/** @import { ExperimentState } from "./link.js" */
+/** @import { ExperimentWorker } from "./pool.js" */
+/** @import { Change } from "./session.js" */
+
+/** Milliseconds between two drawings while trials end: at least so many, and so many times as long as a drawing takes. */
+const PAUSE = 400;
+const REST = 8;
+/** Rows of the table of the chart, at most. */
+const MOST_ROWS = 400;
+/** Experiments with at most so many trials run as they are opened. */
+const AT_ONCE = 5000;
+/** Image pixels a CSS pixel. */
+const SCALE = 2;
+
+const app = new App();
+
+await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => {
+  const session = new ExperimentSession(app, worker);
+  const [chartHost, tableHost, stage] = ["chart", "table", "stage"].map((id) => byId(id, HTMLElement));
+  const tableFold = byId("table-fold", HTMLDetailsElement);
+  const [run, cancel] = ["run", "cancel"].map((id) => byId(id, HTMLButtonElement));
+  const progress = byId("progress", HTMLProgressElement);
+  const showControls = watchControls(session);
+  const showTrials = watchTrials(session);
+  const drawing = once(() => import("./draw.js"));
+  watchForm(session);
+  /** @type {ChartData | null} */
+  let chart = null;
+  /** @type {SVGSVGElement | null} */
+  let picture = null;
+  /** Whether the chart is out of date, when it was last drawn, and for how long. */
+  let isStale = true;
+  let [drawnAt, took] = [-Infinity, 0];
+  let isDrawing = false;
+
+  session.onChange((change) => {
+    if (change !== "phase") isStale = true;
+    show(change);
+  });
+  new ResizeObserver(() => redraw()).observe(chartHost);
+  app.onTheme(redraw);
+  tableFold.addEventListener("toggle", () => showTable());
+  app.onFrame(animate);
+  // The core of a worker was lost, not the document: it is opened again with the next trial.
+  app.rebuild = () => {};
+
+  run.addEventListener("click", toggle);
+  cancel.addEventListener("click", () => void app.track(session.cancel()));
+  watchKeys([stage], { " ": toggle });
+  chartHost.addEventListener("click", ({ target }) => {
+    const trial = target instanceof Element ? target.getAttribute("data-trial") : null;
+    if (trial !== null) void app.track(openTrial(session, Number(trial)));
+  });
+
+  const ready = byId("ready", HTMLSelectElement);
+  ready.append(make("option", { value: "", disabled: true }, "of your own"), ...READY.map(({ id, title }) => make("option", { value: id }, title)));
+  ready.addEventListener("change", () => void app.track(openReady(ready.value)));
+  watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
+
+  const name = () => (session.info?.title || "experiment").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 40);
+  const chartName = () => `${name()}-${chart?.kind ?? "chart"}`;
+  const shown = () => {
+    if (!picture || !chart) throw new Error("There is no chart yet.");
+    return { picture, chart, ground: app.look.palette.stage };
+  };
+  showFiles(app, name, [
+    { id: "png", title: "Chart", format: "PNG", meaning: "The chart as shown.", name: chartName, content: () => pngPicture(shown().picture, shown().ground, shown().chart.title, SCALE) },
+    { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The chart as shown, sharp at any size.", name: chartName, content: () => svgPicture(shown().picture, shown().ground, shown().chart.title) },
+    { id: "table", title: "Table of the chart", format: "CSV", meaning: "The numbers behind the chart.", name: chartName, content: () => csvFile(shown().chart.table.columns, shown().chart.table.rows.map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)))) },
+    { id: "rows", title: "Rows of all trials", format: "CSV", meaning: "The rows of \u201cplanarium sweep\u201d.", content: () => session.rows.csv() },
+    { id: "times", title: "Times of all trials", format: "CSV", meaning: "Seconds on this machine.", name: () => `${name()}.times`, content: () => session.rows.timesCsv() },
+    { id: "document", title: "Experiment", format: "JSON", meaning: "The document, for this page and for \u201cplanarium sweep\u201d.", content: () => json(session.resolved ?? session.document) },
+  ]);
+
+  await useLink(app, stateRule, {
+    save: () => ({ document: session.document, view: session.view }),
+    contents: "the experiment and the chart. The trials run again where it is opened",
+    open: async (/** @type {ExperimentState | null} */ state) => {
+      if (state) await open(state, "");
+      else if (!session.info) await openReady(READY[0].id);
+    },
+  });
+
+  /** @param {string} id */
+  async function openReady(id) { await open(await loadReady(id), id); }
+
+  /** Opens an experiment, and runs it if it is small. @param {ExperimentState} state @param {string} id  of a ready one, or empty */
+  async function open(state, id) {
+    app.notice.hide();
+    ready.value = id;
+    const isAccepted = await session.open(state);
+    if (isAccepted && !app.reducedMotion && (session.info?.trialCount ?? Infinity) <= AT_ONCE) start();
+  }
+
+  /** @param {string} fileName @param {Uint8Array} bytes */
+  async function openFile(fileName, bytes) {
+    const read = JSON.parse(new TextDecoder().decode(bytes));
+    const isScenario = read?.format === "planarium-scenario-1";
+    const { document } = session;
+    const title = `${fileName.replace(/\.json$/, "")}`;
+    await open(isScenario ? { document: { ...document, title, worlds: [{ scenario: read }] }, view: {} } : { document: read, view: {} }, "");
+  }
+
+  function start() { void app.track(session.start(), "A trial could not be run."); }
+
+  function toggle() {
+    if (session.phase === "running") void app.track(session.pause());
+    else if (session.phase === "done") void app.track(session.cancel()).then(start);
+    else start();
+  }
+
+  /** @param {Change} change */
+  function show(change) {
+    const { phase, rows, info, refusal, pool } = session;
+    Object.assign(document.body.dataset, { phase, done: rows.done, count: rows.count, fingerprint: info?.fingerprint ?? "" });
+    run.textContent = phase === "running" || phase === "pausing" ? "Pause" : phase === "done" ? "Run again" : rows.done > 0 ? "Go on" : "Run";
+    run.disabled = !["ready", "running", "paused", "failed", "done"].includes(phase);
+    cancel.disabled = !["running", "paused", "failed"].includes(phase);
+    progress.value = rows.count > 0 ? rows.done / rows.count : 0;
+    byId("progress-text", HTMLElement).textContent = progressText();
+    if (change === "checked" && phase === "refused" && refusal) app.notice.show("The experiment is refused.", Object.assign(new Error(refusal.message), refusal));
+    else if (change === "checked") app.notice.hide();
+    if (change === "document") ready.value = READY.some(({ id }) => id === ready.value) ? ready.value : "";
+    app.write({ where: info ? `${grouped(rows.count)} trials${pool.most > 1 ? ` on ${pool.most} workers` : ""}` : "" });
+    app.say(sentence(), { isBad: phase === "refused" || phase === "failed", isSilent: change === "rows" });
+    if (change === "checked" || change === "view" || change === "document") showControls();
+  }
+
+  function sentence() {
+    const { phase, info, rows, document: { title }, refusal } = session;
+    const begin = title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : ":"} ` : "";
+    if (phase === "refused" || phase === "failed") return `${begin}${phase === "refused" ? "refused" : "stopped"}: ${refusal?.message ?? ""}.`;
+    if (!info) return `${begin}Checking the experiment\u2026`;
+    const { worlds, planners } = session.document;
+    if (rows.done === 0 && phase === "ready") return `${begin}${grouped(info.trialCount)} trials of ${count(planners.length, "planner")} in ${count(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
+    if (phase !== "done") return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
+    const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
+    return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.`;
+  }
+
+  function progressText() {
+    const { rows, phase, runtime } = session;
+    if (rows.count === 0) return "";
+    const left = rows.done > 0 && session.isBusy ? (runtime / rows.done) * (rows.count - rows.done) : 0;
+    const seconds = phase === "done" ? `, ${(runtime / 1000).toFixed(1)} s` : left > 0 ? `, ${timeText(left)} left` : "";
+    return `${grouped(rows.done)} of ${grouped(rows.count)}${seconds}`;
+  }
+
+  function redraw() {
+    isStale = true;
+    app.requestFrame();
+  }
+
+  /** Draws what is out of date, at rest or after a pause. @param {number} now */
+  function animate(now) {
+    if (!isStale || isDrawing) return false;
+    if (session.isBusy && now - drawnAt < Math.max(PAUSE, REST * took)) return true;
+    isDrawing = true;
+    isStale = false;
+    void app.track(draw()).then(() => {
+      isDrawing = false;
+      if (isStale) app.requestFrame();
+    });
+    return false;
+  }
+
+  async function draw() {
+    const { drawChart } = await drawing();
+    const began = performance.now();
+    const { rows, factors, view, asked, unit } = session;
+    const { look } = app;
+    chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit) : null;
+    const width = Math.max(280, Math.floor(chartHost.clientWidth));
+    picture = chart && drawChart(chart, { width, height: Math.round(Math.min(480, Math.max(300, 0.55 * width))), palette: look.palette, bold: look.bold });
+    if (picture) chartHost.replaceChildren(picture);
+    else chartHost.replaceChildren(make("p", { className: "hint" }, session.info ? "The chart grows as trials end." : ""));
+    byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
+    byId("remark", HTMLElement).textContent = chart ? remark(chart) : "";
+    showTable();
+    showTrials();
+    Object.assign(document.body.dataset, { chart: chart?.kind ?? "", drawn: rows.done });
+    drawnAt = performance.now();
+    took = drawnAt - began;
+  }
+
+  function showTable() {
+    if (!tableFold.open || !chart) return;
+    const { columns, rows } = chart.table;
+    const cut = rows.slice(0, MOST_ROWS);
+    tableHost.replaceChildren(make("table", { className: "standings" },
+      make("caption", {}, `${chart.title}${cut.length < rows.length ? `: ${cut.length} of ${grouped(rows.length)} rows; the export has all` : ""}`),
+      make("thead", {}, make("tr", {}, ...columns.map((column) => make("th", { scope: "col" }, column.replaceAll("_", " "))))),
+      make("tbody", {}, ...cut.map((row) => make("tr", {}, ...row.map((cell) => make("td", { dataset: { value: cell } }, cellText(cell))))))));
+  }
+});
+
+/** What a chart shows, in a sentence. @param {ChartData} chart */
+function remark({ kind, up, points }) {
+  const of = up.title.startsWith("trials solved") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
+  const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
+  if (kind === "success") return `Bars: share of trials with a path. Lines: ${of}.`;
+  if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
+  if (kind === "ecdf") return "Share of all trials that had found a path after so much work. Trials without a path stay in the denominator.";
+  if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work.${dots}`;
+  if (kind === "heat") return "Medians of trials with a path, or shares of all trials. Trials that differ in anything else are together.";
+  return `Line: ${of.startsWith("W") ? "share of trials with a path" : "median"}; band: ${of}.`;
+}
+
+/** @param {import("./rows.js").Cell} cell */
+function cellText(cell) { return cell === null ? "\u2013" : typeof cell === "number" && !Number.isInteger(cell) ? String(Number(cell.toPrecision(5))) : String(cell); }
+
+/** @param {number} n @param {string} one @param {string} [many] */
+function count(n, one, many = `${one}s`) { return `${n} ${n === 1 ? one : many}`; }
+
+/** @param {number} milliseconds */
+function timeText(milliseconds) {
+  const seconds = Math.ceil(milliseconds / 1000);
+  return seconds < 60 ? `${seconds} s` : seconds < 3600 ? `${Math.round(seconds / 60)} min` : `${(seconds / 3600).toFixed(1)} h`;
+}

@@ -1,0 +1,34 @@
+/** What is measured of a trial: the titles and units of the core's measures. */
+
+/** @typedef {{ id: string, title: string, unit: string }} MeasureInfo */
+
+/** The share of trials with a path. */
+export const SOLVED = "solved";
+
+/** @type {Record<string, [title: string, unit: string]>} */
+const TITLES = {
+  [SOLVED]: ["trials solved", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
+  waypoints: ["waypoints of the path", ""], length: ["path length", ""], configuration_checks: ["configurations tested", ""],
+  motion_checks: ["motions tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
+  clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""],
+  build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
+};
+
+/** The measures of trials. */
+export const MEASURES = Object.keys(TITLES).filter((id) => id !== SOLVED);
+/** Those that count or time work. */
+export const WORK = MEASURES.filter((id) => !["length", "waypoints"].includes(id));
+/** The measures of documents that say none. */
+export const USUAL = ["length", "iterations", "clearance_evaluations"];
+
+/** @param {string} id @param {string} lengthUnit  of paths; empty where they are costs @returns {MeasureInfo} */
+export function measureInfo(id, lengthUnit) {
+  const [title, unit] = TITLES[id] ?? [id, ""];
+  return { id, title, unit: id === "length" ? lengthUnit : unit };
+}
+
+/** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */
+export function scaleOf(id) { return id.endsWith("_seconds") ? 1000 : id === SOLVED ? 100 : 1; }
+
+/** A title with its unit, for an axis. @param {{ title: string, unit: string }} info */
+export function titled({ title, unit }) { return unit ? `${title}, ${unit}` : title; }

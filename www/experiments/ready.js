@@ -1,0 +1,27 @@
+/** Ready experiments: the documents beside this file, and the views of some of them. */
+
+/** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
+
+/** The names of the files and the titles of their documents: the build writes them. @type {{ id: string, title: string }[]} */
+const DOCUMENTS = /** @type {any} */ (globalThis).EXPERIMENTS;
+
+/** The views, and at the same time the order of the first ones. @type {Record<string, View>} */
+const VIEWS = {
+  "more-neighbours": { chart: "line", axis: "planner.k", measure: "solved" },
+  blossom: { chart: "box", axis: "world", measure: "iterations", isLog: true },
+  "three-planners": { chart: "ecdf", work: "clearance_evaluations", isLog: true },
+};
+
+const order = Object.keys(VIEWS);
+/** @param {string} id */
+const placeOf = (id) => (order.includes(id) ? order.indexOf(id) : order.length);
+
+/** All ready experiments. */
+export const READY = DOCUMENTS.toSorted((a, b) => placeOf(a.id) - placeOf(b.id) || a.title.localeCompare(b.title));
+
+/** @param {string} id @returns {Promise<ExperimentState>} */
+export async function loadReady(id) {
+  const response = await fetch(`experiments/documents/${id}.json`);
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  return { document: /** @type {LinkedDocument} */ (await response.json()), view: VIEWS[id] ?? {} };
+}

@@ -1,0 +1,180 @@
+/**
+ * The state of the page: a document, how its rows are shown, what the core says of it, and the rows so far. A changed document is
+ * checked by the core before any trial, and begins without rows.
+ */
+import { Observable } from "../app/observable.js";
+import { errorInfo } from "../app/error-info.js";
+import { planners, generators } from "planarium";
+import { factorsOf, nameOfColumn } from "./factors.js";
+import { MEASURES, SOLVED, USUAL } from "./measures.js";
+import { MOST, Rows } from "./rows.js";
+import { Pool } from "./pool.js";
+import { lengthUnit, resolved } from "./worlds.js";
+
+/** @import { App } from "../app/app.js" */
+/** @import { ExperimentDocument } from "planarium" */
+/** @import { ErrorInfo } from "../domain/types.js" */
+/** @import { Info } from "./commands.js" */
+/** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
+/** @import { ExperimentWorker } from "./pool.js" */
+
+/** @typedef {"document" | "checked" | "view" | "rows" | "phase"} Change */
+/** @typedef {"checking" | "refused" | "ready" | "running" | "pausing" | "paused" | "failed" | "done"} Phase */
+
+/** @extends {Observable<Change>} */
+export class ExperimentSession extends Observable {
+  /** @param {App} app @param {ExperimentWorker} worker */
+  constructor(app, worker) {
+    super(app);
+    this.pool = new Pool(worker, () => /** @type {ExperimentWorker} */ (app.hire()));
+    /** @type {LinkedDocument} */
+    this.document = { format: "planarium-experiment-1", worlds: [], planners: [], seeds: [0] };
+    /** @type {View} */
+    this.view = {};
+    /** The document as the core has read it. @type {ExperimentDocument | null} */
+    this.resolved = null;
+    /** @type {Info | null} */
+    this.info = null;
+    this.rows = new Rows([], 0);
+    /** @type {import("./factors.js").Factor[]} */
+    this.factors = [];
+    this.unit = "";
+    /** @type {Phase} */
+    this.phase = "checking";
+    /** @type {ErrorInfo | null} */
+    this.refusal = null;
+    /** The run under way. @type {Promise<void>} */
+    this.running = Promise.resolve();
+    /** Checks begun. */
+    this.checks = 0;
+    /** Milliseconds that trials have run, and when they were started or went on. */
+    this.elapsed = 0;
+    this.since = 0;
+    const tables = { planner: planners().map(({ parameters }) => parameters), world: generators().map(({ options }) => options) };
+    /** The title and the unit of a parameter, by its column. @type {import("./factors.js").Naming} */
+    this.naming = (column) => {
+      const [prefix, name] = column.split(".");
+      const info = tables[/** @type {"planner" | "world"} */ (prefix)].flat().find((one) => one.name === name);
+      return { title: info?.title ? `${info.title} (${nameOfColumn(column)})` : nameOfColumn(column), unit: info?.unit ?? "" };
+    };
+  }
+
+  /** The measures of the document, the share of solved trials first. @returns {string[]} */
+  get measures() {
+    const { measures = USUAL } = this.document;
+    return [SOLVED, ...measures, ...MEASURES.filter((id) => !measures.some((measure) => measure === id))];
+  }
+
+  /** The measures that the document asks for. @returns {string[]} */
+  get asked() { return this.document.measures ?? USUAL; }
+
+  get isBusy() { return this.phase === "running" || this.phase === "pausing"; }
+
+  /** Opens an experiment. @param {ExperimentState} state @returns {Promise<boolean>}  whether it is accepted */
+  open({ document, view }) {
+    this.document = document;
+    this.view = view;
+    this.update("document");
+    return this.check();
+  }
+
+  /** Changes the document. @param {LinkedDocument} document @param {boolean} [isForm]  whether its form must be made again */
+  edit(document, isForm = false) {
+    // As it is in a file: without entries that are undefined.
+    this.document = JSON.parse(JSON.stringify(document));
+    if (isForm) this.update("document");
+    void this.app.track(this.check());
+  }
+
+  /** @param {View} view  the changes */
+  show(view) {
+    this.view = { ...this.view, ...view };
+    this.update("view");
+  }
+
+  /** Lets the core check the document; rows are dropped. @returns {Promise<boolean>} */
+  async check() {
+    const check = ++this.checks;
+    this.refusal = this.info = this.resolved = null;
+    this.rows = new Rows([], 0);
+    this.factors = [];
+    this.setPhase("checking");
+    try {
+      const document = await resolved(this.document);
+      if (check !== this.checks) return false;
+      const info = await this.pool.open(document);
+      if (check !== this.checks || !info) return false;
+      if (info.trialCount > MOST) {
+        const message = `these are ${info.trialCount} trials; the page runs ${MOST} at most, and \u201cplanarium sweep\u201d any number`;
+        throw Object.assign(new Error(message), { code: "too-large" });
+      }
+      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(document), factors: factorsOf(document, this.naming) });
+      this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
+      this.setPhase("ready");
+      this.update("checked");
+      return true;
+    } catch (error) {
+      if (check !== this.checks) return false;
+      this.refusal = errorInfo(error);
+      this.setPhase("refused");
+      this.update("checked");
+      return false;
+    }
+  }
+
+  /** @param {Phase} phase */
+  setPhase(phase) {
+    this.phase = phase;
+    this.update("phase");
+  }
+
+  /** Runs the trials that have not ended. @returns {Promise<void>} */
+  async start() {
+    if (!["ready", "paused", "failed"].includes(this.phase)) return;
+    const check = this.checks;
+    this.refusal = null;
+    this.since = performance.now();
+    this.setPhase("running");
+    this.running = this.pool.run(this.rows, () => this.update("rows"));
+    try {
+      await this.running;
+      if (check === this.checks) this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+    } catch (error) {
+      if (check !== this.checks) return;
+      this.refusal = errorInfo(error);
+      this.halt("failed");
+      throw error;
+    }
+  }
+
+  /** @param {Phase} phase */
+  halt(phase) {
+    this.elapsed += performance.now() - this.since;
+    this.setPhase(phase);
+    this.update("rows");
+  }
+
+  /** Pauses; trials that run now are continued later. */
+  async pause() {
+    if (this.phase !== "running") return;
+    this.pool.isRunning = false;
+    this.setPhase("pausing");
+    await this.running.catch(() => {});
+  }
+
+  /** Stops, and drops the rows. */
+  async cancel() {
+    const { info } = this;
+    if (!info) return;
+    this.checks++;
+    await this.pool.cancel();
+    this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
+    this.elapsed = 0;
+    this.refusal = null;
+    this.setPhase("ready");
+    this.update("rows");
+  }
+
+  /** Milliseconds that trials have run. */
+  get runtime() { return this.elapsed + (this.isBusy ? performance.now() - this.since : 0); }
+}

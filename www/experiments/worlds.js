@@ -1,0 +1,58 @@
+/** Worlds of a document: built-in scenes by name become what the core reads, and the robots of all of them. */
+import { Scenario } from "planarium";
+import { withOptions } from "../domain/option-names.js";
+import { unitOf } from "../domain/names.js";
+import { SCENES } from "../planner/scenes/scenes.js";
+import { loadScene } from "../app/resources.js";
+import { valuesOf } from "./factors.js";
+
+/** @import { ExperimentDocument, ExperimentWorld } from "planarium" */
+/** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+
+/** A document that the core reads. @param {LinkedDocument} document @returns {Promise<ExperimentDocument>} @throws {Error} a scene is unknown */
+export async function resolved(document) {
+  // The core says what is wrong with anything else.
+  if (!Array.isArray(document.worlds)) return /** @type {any} */ (document);
+  return { ...document, worlds: await Promise.all(document.worlds.map(worldOf)) };
+}
+
+/** @param {LinkedWorld} world @param {number} i @returns {Promise<ExperimentWorld>} */
+async function worldOf(world, i) {
+  if (typeof world !== "object" || world === null || !("scene" in world)) return world;
+  const { scene, ...rest } = world;
+  const entry = SCENES.find(({ id }) => id === scene);
+  if (entry?.generate) {
+    const { seed = 0, ...set } = entry.generate.options;
+    return { name: scene, ...rest, generate: entry.generate.kind, set, seeds: [Number(seed)] };
+  }
+  try {
+    return { name: scene, ...rest, scenario: JSON.parse(await loadScene(scene)) };
+  } catch {
+    throw Object.assign(new Error(`There is no scene "${scene}".`), { code: "unknown-scene", pointer: `/worlds/${i}/scene` });
+  }
+}
+
+/** The title of a world. @param {LinkedWorld} world */
+export function titleOf(world) {
+  if ("scene" in world) return world.name ?? SCENES.find(({ id }) => id === world.scene)?.title ?? world.scene;
+  if (world.name) return world.name;
+  return "generate" in world ? world.generate : world.scenario.title || world.scenario.name;
+}
+
+/** The unit of path lengths; empty where it differs, or where metres and radians are weighted together. @param {ExperimentDocument} document  that the core has accepted */
+export function lengthUnit({ worlds }) {
+  const units = new Set(worlds.map((world) => {
+    const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
+    const unit = unitOf(scenario.robot);
+    scenario.free();
+    return unit;
+  }));
+  return units.size === 1 ? [...units][0] : "";
+}
+
+/** The first world of a generator. @param {Extract<ExperimentWorld, { generate: string }>} world */
+function generated({ generate, set, vary, seeds = [0] }) {
+  const first = Object.fromEntries(Object.entries(vary ?? {}).map(([name, axis]) => [name, valuesOf(axis)[0]]));
+  const seed = Array.isArray(seeds) ? seeds[0] : seeds.from;
+  return withOptions({ ...set, ...first, seed }, (options) => Scenario.generate(generate, options));
+}

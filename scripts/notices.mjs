@@ -1,7 +1,7 @@
-/** The licences of the crates that are compiled into the WebAssembly module. */
+/** The licences of the crates that are compiled into the WebAssembly module, and of the npm packages that are part of the pages. */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { Problem, ask } from "./run.mjs";
+import { Problem, ask, root } from "./run.mjs";
 
 /** @typedef {{ id: string, name: string, version: string, license: string | null, authors: string[], repository: string | null, manifest_path: string, targets: { kind: string[] }[] }} Package */
 /** @typedef {{ id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }} Node */
@@ -11,15 +11,31 @@ import { Problem, ask } from "./run.mjs";
  * @param {string} path
  */
 export function writeNotices(path) {
-  /** @type {Map<string, string[]>} the names of crates by licence text, so that equal texts appear once */
-  const byText = new Map();
-  for (const crate of linkedCrates()) {
-    const text = licenceText(crate);
-    byText.set(text, [...(byText.get(text) ?? []), `${crate.name} ${crate.version} (${crate.license})`]);
-  }
-  const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
   const opening = "planarium_bg.wasm contains the Rust standard library (MIT OR Apache-2.0) and the crates below.\n";
-  writeFileSync(path, [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`));
+  writeFileSync(path, joined(opening, linkedCrates().map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) }))));
+}
+
+/**
+ * Adds the licence text of every npm package that is part of the pages.
+ * @param {string} path  of the notices of the module @param {string} out @param {string[]} inputs  files that were bundled, from the root on
+ */
+export function addPageNotices(path, out, inputs) {
+  const folders = new Set(inputs.flatMap((file) => /^node_modules\/(@[^/]+\/)?[^/]+/.exec(file)?.[0] ?? []));
+  const packages = [...folders].sort().map((folder) => {
+    const info = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
+    const crate = { ...info, authors: [info.author?.name ?? info.author ?? ""].filter(Boolean), repository: info.homepage ?? null };
+    return { crate, text: licenceText(crate, join(root, folder)) };
+  });
+  writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${joined("The pages contain the npm packages below.\n", packages)}`);
+}
+
+/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license">, text: string }[]} all */
+function joined(opening, all) {
+  /** @type {Map<string, string[]>} */
+  const byText = new Map();
+  for (const { crate: { name, version, license }, text } of all) byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})`]);
+  const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
+  return [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`);
 }
 
 /** @returns {Package[]} the crates in the module by name, without those that only run at compile time */
@@ -43,11 +59,10 @@ function linkedCrates() {
 }
 
 /**
- * The MIT text if the crate has one, otherwise all its licence files.
- * @param {Package} crate
+ * The MIT text if there is one, otherwise all its licence files.
+ * @param {Pick<Package, "license" | "authors" | "repository">} crate  or npm package @param {string} folder
  */
-function licenceText(crate) {
-  const folder = dirname(crate.manifest_path);
+function licenceText(crate, folder) {
   const files = readdirSync(folder).filter((name) => /^(licen[sc]e|copying|notice|unlicense)/i.test(name)).sort();
   const mit = files.filter((name) => /mit/i.test(name));
   const chosen = mit.length > 0 ? mit : files.filter((name) => files.length === 1 || !/apache/i.test(name));

@@ -4,6 +4,7 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } f
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
+import { addPageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
@@ -36,6 +37,8 @@ export function assemblePage() {
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   const rooms = assembleRooms(inParts);
+  const notices = "THIRD-PARTY-NOTICES.txt";
+  addPageNotices(join(dist, "package", notices), join(out, notices), [planner, rooms].flatMap(includedIn));
   for (const [name] of PAGES) {
     const scripts = ROOMS.includes(name) ? importsOf(rooms, `www/${name}/main.js`) : importsOf(planner, "www/planner/main.js");
     writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/"))));
@@ -48,6 +51,11 @@ export function assemblePage() {
   joinModules(join(page, "app", "offline.js"), join(out, "offline.js"), {
     banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
   });
+}
+
+/** The files of which something is in the output. @param {import("esbuild").Metafile} metafile @returns {string[]} */
+function includedIn({ outputs }) {
+  return Object.values(outputs).flatMap(({ inputs }) => Object.entries(inputs).filter(([, { bytesInOutput }]) => bytesInOutput > 0).map(([file]) => file));
 }
 
 /** The files that a script imports, directly or not, but for those that it loads on demand. @param {import("esbuild").Metafile} metafile @param {string} entry @returns {string[]} */

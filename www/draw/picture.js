@@ -5,7 +5,7 @@ function copyOf(picture, ground, title) {
   const copy = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("font-family", "system-ui, sans-serif");
+  copy.style.fontFamily = "system-ui, sans-serif";
   copy.setAttribute("color", getComputedStyle(picture).color);
   const back = copy.ownerDocument.createElementNS("http://www.w3.org/2000/svg", "rect");
   for (const [name, value] of Object.entries({ width, height, fill: ground })) back.setAttribute(name, String(value));

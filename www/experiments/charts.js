@@ -2,7 +2,7 @@
  * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of it in words.
  */
 import { labelOf } from "./factors.js";
-import { SOLVED, measureInfo, titled } from "./measures.js";
+import { OF_PATHS, SOLVED, measureInfo, titled } from "./measures.js";
 import { bins, cells, distributions, points, summaries } from "./tables.js";
 
 /** @import { View } from "./link.js" */
@@ -45,7 +45,7 @@ export function completed(view, factors, measures) {
   const usual = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
   const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usual;
   const measure = view.measure ?? (kind === "line" || kind === "heat" ? SOLVED : measures.find((id) => id !== SOLVED) ?? "length");
-  const work = view.work ?? measures.find((id) => !["length", "waypoints", SOLVED].includes(id)) ?? "clearance_evaluations";
+  const work = view.work ?? measures.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
   // A chart of values has no share.
   const isValue = kind === "box" || kind === "cost";
   return { kind, axis, second: second === axis ? undefined : second, measure: isValue && measure === SOLVED ? "length" : measure, work, isLog: view.isLog ?? false };

@@ -3,7 +3,7 @@ import { byId, make } from "../app/dom.js";
 import { press } from "../widgets/elements.js";
 import { KINDS, completed } from "./charts.js";
 import { CHARTS } from "./link.js";
-import { MEASURES, SOLVED, WORK, measureInfo, titled } from "./measures.js";
+import { OF_PATHS, SOLVED, measureInfo, titled } from "./measures.js";
 
 /** @import { ExperimentSession } from "./session.js" */
 
@@ -35,9 +35,8 @@ export function watchControls(session) {
       select.value = value ?? "";
     };
     const isValue = kind === "box" || kind === "cost";
-    const ids = isValue ? measures.filter((id) => id !== SOLVED) : [SOLVED, ...MEASURES];
-    offer("measure", ids.map((id) => [id, title(id)]), measure, kind !== "success" && kind !== "ecdf");
-    offer("work", WORK.map((id) => [id, title(id)]), work, kind === "ecdf" || kind === "cost");
+    offer("measure", (isValue ? measures.slice(1) : measures).map((id) => [id, title(id)]), measure, kind !== "success" && kind !== "ecdf");
+    offer("work", measures.slice(1).filter((id) => !OF_PATHS.includes(id)).map((id) => [id, title(id)]), work, kind === "ecdf" || kind === "cost");
     const columns = /** @type {[string, string][]} */ (factors.map((factor) => [factor.column, factor.title]));
     const across = kind === "cost" ? columns.filter((_, i) => factors[i].isNumeric) : columns;
     offer("axis", across, axis?.column, kind !== "ecdf" && (kind !== "cost" || across.length > 1));

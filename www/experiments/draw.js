@@ -47,6 +47,8 @@ export function drawChart(chart, look) {
   }));
   picture.querySelector("style")?.remove();
   picture.removeAttribute("font-family");
+  // The picture has one name, and its parts have none.
+  for (const part of picture.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
   picture.setAttribute("role", "img");
   picture.setAttribute("aria-label", `${chart.title}. ${chart.words}.`);
   picture.append(legendElement(legend, palette, chart), element("text", { x: 8, y: LINE * legend.lines + 16, fill: palette.ink, "text-anchor": "start" }, chart.up.title));
@@ -75,7 +77,8 @@ function partsOf(chart, { width, palette }, styleOf) {
     return { marks: kind === "cost" ? [dots, ...lines] : lines, options: { x: { ...x, nice: true, zero: kind === "ecdf" && !across.isLog }, y: { ...y, zero: kind === "ecdf" && !up.isLog, ...percent }, color } };
   }
   if (kind === "line") {
-    const place = across.isNumeric ? {} : { type: /** @type {const} */ ("point"), domain: across.values, ...ticksOf(across, width) };
+    const few = across.values.length <= 12 ? { ticks: /** @type {any} */ (across.values.filter((value) => value !== null)) } : {};
+    const place = across.isNumeric ? { ...few, tickFormat: /** @type {any} */ (String) } : { type: /** @type {const} */ ("point"), domain: across.values, ...ticksOf(across, width) };
     const marks = series.flatMap((name) => {
       const some = summaries.filter((one) => one.series === name);
       const style = styleOf(name);

@@ -7,7 +7,7 @@ import { Options } from "../widgets/options.js";
 import { capital } from "../widgets/format.js";
 import { axisOf, axisText, seedsOf, seedsText } from "./axis-text.js";
 import { nameOf } from "./factors.js";
-import { MEASURES, USUAL, measureInfo } from "./measures.js";
+import { measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
 /** @import { ExperimentWorld, Measure } from "planarium" */
@@ -107,23 +107,25 @@ export function watchForm(session) {
   }
 
   function trialRows() {
-    const { seeds, budget, verify = false, measures = USUAL } = session.document;
+    const { seeds, budget, verify = false } = session.document;
     const kind = budget && "iterations" in budget ? "iterations" : budget ? "clearance_evaluations" : "";
     const limit = make("select", { id: "budget" }, ...[["", "planners\u2019 limits"], ["iterations", "iterations"], ["clearance_evaluations", "clearance evaluations"]].map(([value, title]) => make("option", { value }, title)));
     limit.value = kind;
     limit.addEventListener("change", () => edit({ budget: limit.value ? /** @type {any} */ ({ [limit.value]: 10_000 }) : undefined }, true));
     const check = make("input", { type: "checkbox", role: "switch", id: "verify", checked: verify, onchange: () => edit({ verify: check.checked || undefined }) });
-    const boxes = MEASURES.map((id) => {
-      const box = make("input", { type: "checkbox", id: `measure-${id}`, checked: measures.some((measure) => measure === id), onchange: () => edit({ measures: chosen() }) });
-      return { id, box, element: make("label", { className: "check" }, box, measureInfo(id, "").title) };
-    });
-    const chosen = () => /** @type {Measure[]} */ (boxes.filter(({ box }) => box.checked).map(({ id }) => id));
+    const boxes = make("div", { className: "checks" });
+    const fold = make("details", {}, make("summary", {}, "Measures"), boxes);
+    // The core has listed them by then.
+    fold.addEventListener("toggle", () => boxes.replaceChildren(...session.measures.slice(1).map((id) => {
+      const box = make("input", { type: "checkbox", id: `measure-${id}`, checked: session.asked.includes(id), onchange: () => edit({ measures: /** @type {Measure[]} */ (box.checked ? [...session.asked, id] : session.asked.filter((other) => other !== id)) }) });
+      return make("label", { className: "check" }, box, measureInfo(id, "").title);
+    })));
     return [
       textRow("seeds", "Seeds", seedsText(Array.isArray(seeds) || seeds ? seeds : [0]), (text) => read(seedsOf(text), (value) => edit({ seeds: value }))),
       make("label", { className: "row", htmlFor: "budget" }, make("span", { className: "name" }, "Work at most"), limit),
       ...(budget ? [textRow("budget-value", "", String(Object.values(budget)[0]), (text) => edit({ budget: /** @type {any} */ ({ [kind]: Number(text) }) }))] : []),
       make("label", { className: "row", htmlFor: "verify" }, make("span", { className: "name" }, "Verify every path"), check),
-      make("details", {}, make("summary", {}, "Measures"), make("div", { className: "checks" }, ...boxes.map(({ element }) => element))),
+      fold,
     ];
   }
 }

@@ -1,7 +1,8 @@
 /**
  * A link stores an experiment: its document, and how its rows are shown. The fragment is that of the other rooms, with
  * `{ document, view }` as its state. A world of the document is as in `planarium-experiment-1`, or a built-in scene by name:
- * `{ "scene": "stones", "name": ..., "queries": ... }`.
+ * `{ "scene": "stones", "name": ..., "queries": ... }`. A `scenario` may also be the name of a file of this site, relative to
+ * `experiments/documents/`.
  */
 import { decodeState, encodeState } from "../app/link.js";
 import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
@@ -9,7 +10,7 @@ import { flag, json, list, name, number, oneOf, record, rule, text, whole, withD
 /** @import { Allowed, Rule } from "../formats/rules.js" */
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium" */
 
-/** @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] }} LinkedWorld */
+/** @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] } | { scenario: string, name?: string, queries?: string[] }} LinkedWorld */
 /** @typedef {Omit<ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   a document whose worlds may be scenes by name */
 /** @typedef {Allowed<typeof viewRule>} View */
 

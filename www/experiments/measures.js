@@ -8,23 +8,22 @@ export const SOLVED = "solved";
 /** @type {Record<string, [title: string, unit: string]>} */
 const TITLES = {
   [SOLVED]: ["trials solved", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
-  waypoints: ["waypoints of the path", ""], length: ["path length", ""], configuration_checks: ["configurations tested", ""],
+  waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["path length by chords", ""],
+  rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
   motion_checks: ["motions tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
   clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""],
   build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
 };
 
-/** The measures of trials. */
-export const MEASURES = Object.keys(TITLES).filter((id) => id !== SOLVED);
-/** Those that count or time work. */
-export const WORK = MEASURES.filter((id) => !["length", "waypoints"].includes(id));
+/** Measures of a path, not of work. */
+export const OF_PATHS = ["length", "chord_length", "waypoints"];
 /** The measures of documents that say none. */
 export const USUAL = ["length", "iterations", "clearance_evaluations"];
 
 /** @param {string} id @param {string} lengthUnit  of paths; empty where they are costs @returns {MeasureInfo} */
 export function measureInfo(id, lengthUnit) {
   const [title, unit] = TITLES[id] ?? [id, ""];
-  return { id, title, unit: id === "length" ? lengthUnit : unit };
+  return { id, title, unit: id.endsWith("length") ? lengthUnit : unit };
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */

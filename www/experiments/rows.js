@@ -1,6 +1,6 @@
 /**
  * The rows of an experiment, by the number of the trial: a typed array for each column, reserved at once, so that memory does not
- * grow with the trials that end. Words, and the values of parameters, are numbers of a list.
+ * grow with the trials that end. Columns of few values, such as words and parameters, are places in a list.
  */
 
 /** A cell of a row. @typedef {number | string | boolean | null} Cell */
@@ -10,11 +10,13 @@ export const TIMES = ["build_seconds", "search_seconds"];
 /** The most trials of the page: about 250 bytes each. */
 export const MOST = 1_000_000;
 
-/** Columns of any number; others have few values, each of which is stored once. */
-const NUMBERS = new Set([
-  "world_seed", "seed", "iterations", "vertices", "edges", "waypoints", "length", "configuration_checks", "motion_checks",
-  "nearest_queries", "visited", "clearance_evaluations", "unproven_motions", ...TIMES,
-]);
+/** Columns of numbers among those of what a trial is made of. */
+const SEEDS = ["world_seed", "seed"];
+
+/** The measures among the columns of rows, and times. @param {string[]} columns */
+export function measuresOf(columns) {
+  return [...columns.slice(columns.indexOf("status") + 1).filter((column) => column !== "valid" && column !== "fingerprint"), ...TIMES];
+}
 
 export class Rows {
   /** @param {string[]} columns  of the core's rows @param {number} count  of trials @param {string} [fingerprint]  of the experiment */
@@ -32,8 +34,9 @@ export class Rows {
     this.codes = new Map();
     /** The values of a column in the order of their first rows. @type {Map<string, Cell[]>} */
     this.values = new Map();
+    const ofNumbers = new Set([...SEEDS, ...measuresOf(columns)]);
     for (const column of [...columns, ...TIMES]) {
-      if (NUMBERS.has(column)) this.numbers.set(column, new Float64Array(count));
+      if (ofNumbers.has(column)) this.numbers.set(column, new Float64Array(count));
       else if (!["experiment", "trial", "fingerprint"].includes(column)) {
         this.codes.set(column, new Uint32Array(count));
         this.values.set(column, []);

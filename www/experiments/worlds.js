@@ -18,25 +18,35 @@ export async function resolved(document) {
 
 /** @param {LinkedWorld} world @param {number} i @returns {Promise<ExperimentWorld>} */
 async function worldOf(world, i) {
-  if (typeof world !== "object" || world === null || !("scene" in world)) return world;
+  if (typeof world !== "object" || world === null) return /** @type {any} */ (world);
+  if ("scenario" in world && typeof world.scenario === "string") return { ...world, scenario: await fetched(world.scenario, i) };
+  if (!("scene" in world)) return /** @type {ExperimentWorld} */ (world);
   const { scene, ...rest } = world;
   const entry = SCENES.find(({ id }) => id === scene);
   if (entry?.generate) {
     const { seed = 0, ...set } = entry.generate.options;
     return { name: scene, ...rest, generate: entry.generate.kind, set, seeds: [Number(seed)] };
   }
-  try {
-    return { name: scene, ...rest, scenario: JSON.parse(await loadScene(scene)) };
-  } catch {
-    throw Object.assign(new Error(`There is no scene "${scene}".`), { code: "unknown-scene", pointer: `/worlds/${i}/scene` });
-  }
+  if (!entry) throw Object.assign(new Error(`There is no scene "${scene}".`), { code: "unknown-scene", pointer: `/worlds/${i}/scene` });
+  return { name: scene, ...rest, scenario: JSON.parse(await loadScene(scene)) };
+}
+
+/** The scenario in a file of this site, relative to the ready experiments, as on the command line. @param {string} path @param {number} i */
+async function fetched(path, i) {
+  const wrong = (/** @type {string} */ reason) => Object.assign(new Error(`The file "${path}" ${reason}.`), { code: "file", pointer: `/worlds/${i}/scenario` });
+  if (!/^[\w-.]+(\/[\w-.]+)*\.json$/.test(path)) throw wrong("is not a file of this site");
+  const response = await fetch(new URL(path, new URL("experiments/documents/", location.href)));
+  if (!response.ok) throw wrong("cannot be read");
+  return response.json();
 }
 
 /** The title of a world. @param {LinkedWorld} world */
 export function titleOf(world) {
   if ("scene" in world) return world.name ?? SCENES.find(({ id }) => id === world.scene)?.title ?? world.scene;
   if (world.name) return world.name;
-  return "generate" in world ? world.generate : world.scenario.title || world.scenario.name;
+  if ("generate" in world) return world.generate;
+  const { scenario } = world;
+  return typeof scenario === "string" ? scenario.replace(/^.*\/|\.json$/g, "") : scenario?.title || scenario?.name || "world";
 }
 
 /** The unit of path lengths; empty where it differs, or where metres and radians are weighted together. @param {ExperimentDocument} document  that the core has accepted */

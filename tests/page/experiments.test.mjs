@@ -1,0 +1,262 @@
+/** The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it shows. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { Experiment, ecdf, quartiles, share } from "planarium";
+import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
+import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
+import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
+
+/** @import { ExperimentDocument, TrialRow } from "planarium" */
+/** @import { Page } from "./browser.mjs" */
+/** @import { LinkedDocument, View } from "../../www/experiments/link.js" */
+
+useBrowser();
+
+/** @type {{ experiment: ExperimentDocument, outcome: string[] }[]} */
+const golden = JSON.parse(readFileSync(join(root, "tests", "golden-experiment.json"), "utf8"));
+
+/** Two scenes, two planners, a parameter: 48 trials, some without a path. @type {LinkedDocument} */
+const small = {
+  format: "planarium-experiment-1", title: "Small",
+  worlds: [{ scene: "stones" }, { name: "made", generate: "discs", set: { count: 20 }, seeds: [3] }],
+  planners: [{ algorithm: "prm", set: { samples: 40 }, vary: { k: [2, 4] } }, { algorithm: "rrt-connect", set: { max_iterations: 60 } }],
+  seeds: { from: 0, count: 8 },
+};
+
+/** Runs many trials, one worker or three. @param {number} workers */
+const processors = (workers) => (/** @type {Page} */ page) => void page.addInitScript((count) => Object.defineProperty(navigator, "hardwareConcurrency", { value: count }), workers + 1);
+
+/** Opens an experiment by its link, which also runs it. @param {{ document: LinkedDocument, view?: View }} experiment @param {(page: Page, url: string) => Promise<void>} act @param {import("./browser.mjs").More} [more] */
+async function onExperiment(experiment, act, more = {}) {
+  await onPage({}, act, { path: `experiments.html#${await encodeExperiment(experiment)}`, ...more });
+}
+
+/** All trials have ended, and their chart is drawn. @param {Page} page */
+const done = (page) => page.waitForSelector("body[data-phase=done][data-settled=true]:not([data-chart=''])");
+
+/** Saves a file of the page. @param {Page} page @param {string} id */
+async function taken(page, id) {
+  await page.locator("#export-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  return download(page, `#export-${id}`);
+}
+
+/** The rows of a document, as the core gives them here. @param {string | ExperimentDocument} document */
+function rowsOf(document) {
+  const experiment = Experiment.parse(document);
+  const { columns } = experiment;
+  const rows = Array.from({ length: experiment.trialCount }, (_, i) => {
+    const trial = experiment.trial(i);
+    while (trial.step(1e6));
+    const row = trial.row();
+    trial.free();
+    return row;
+  });
+  experiment.free();
+  return { rows, csv: `${[columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))].map((cells) => cells.join(",")).join("\n")}\n` };
+}
+
+/** The table behind a kind of chart. @param {Page} page @param {string} kind @returns {Promise<Record<string, string>[]>} */
+async function tableOf(page, kind) {
+  await page.locator("#table-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  await page.click(`#kinds [data-kind=${kind}]`);
+  await page.waitForSelector(`body[data-chart=${kind}][data-settled=true]`);
+  return page.locator("#table table").evaluate((table) => {
+    const { tHead, tBodies } = /** @type {HTMLTableElement} */ (table);
+    const names = Array.from(tHead?.rows[0].cells ?? [], ({ textContent }) => textContent ?? "");
+    return Array.from(tBodies[0].rows, ({ cells }) => Object.fromEntries(Array.from(cells, (cell, i) => [names[i], cell.dataset.value ?? ""])));
+  });
+}
+
+for (const workers of [1, 3]) {
+  test(`rows are the golden ones, run by ${workers === 1 ? "one worker" : "three"}`, async () => {
+    for (const { experiment: document, outcome } of golden) {
+      await onExperiment({ document }, async (page) => {
+        await done(page);
+        const { text } = await taken(page, "rows");
+        assert.deepEqual(text.trimEnd().split("\n").slice(1), outcome);
+        assert.equal(text, rowsOf(document).csv);
+        const times = (await taken(page, "times")).text.trimEnd().split("\n");
+        assert.equal(times[0], "trial,build_seconds,search_seconds");
+        assert.equal(times.length, outcome.length + 1);
+      }, { before: async (page) => processors(workers)(page) });
+    }
+  });
+}
+
+test("charts have the values of the rows; pictures and files hold them", () => onExperiment({ document: small }, async (page) => {
+  await done(page);
+  const { rows, csv } = rowsOf((await taken(page, "document")).text);
+  assert.equal((await taken(page, "rows")).text, csv);
+  assert.equal(rows.length, 48);
+  /** @param {(row: TrialRow) => boolean} which @param {string} measure */
+  const sample = (which, measure) => Float64Array.from(rows.filter(which), (row) => (row.status === "solved" ? Number(row[measure]) : NaN));
+  assert.ok(rows.some(({ status }) => status !== "solved"), "not all have a path");
+
+  await fill(page, "#view-axis", "planner.k");
+  for (const record of await tableOf(page, "success")) {
+    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "") === record["planner.k"].replace("null", "") && record.series === `${row.planner}, ${row.world}`;
+    const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
+    assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [one.n, ...[one.share, one.low, one.high].map((value) => 100 * Number(value))]);
+  }
+  for (const record of await tableOf(page, "box")) {
+    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`;
+    const { n, missing, values } = quartiles(sample(which, "length"));
+    assert.deepEqual([record.trials, record.missing].map(Number), [n, missing]);
+    if (values) assert.deepEqual(["least", "lower quartile", "median", "upper quartile", "most"].map((column) => Number(record[column])), [...values]);
+  }
+  assert.equal(await page.locator(".plot .trial").count(), rows.filter(({ status }) => status === "solved").length, "a dot for each path");
+
+  const steps = await tableOf(page, "ecdf");
+  const connect = ecdf(sample(({ planner, world }) => planner === "rrt-connect" && world === "made", await page.inputValue("#view-work")));
+  const own = steps.filter(({ series }) => series === "rrt-connect, made");
+  assert.deepEqual(own.map((step) => Number(step["share percent"])), connect.shares.map((one) => 100 * one), "failures stay in the denominator");
+
+  await page.click("#kinds [data-kind=heat]");
+  await fill(page, "#view-second", "world");
+  await fill(page, "#view-measure", "motion_checks");
+  for (const record of await tableOf(page, "heat")) {
+    const { n, values } = quartiles(sample((row) => String(row["planner.k"]) === record["planner.k"] && row.world === record.world, "motion_checks"));
+    assert.deepEqual([record.trials, record.median].map(Number), [n, values?.[2] ?? NaN]);
+  }
+  for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
+
+  const png = await taken(page, "png");
+  assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+  const svg = await taken(page, "svg");
+  assert.match(svg.text, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+  assert.match(svg.text, /motions tested/);
+  assert.doesNotMatch(svg.text, /var\(--/);
+  const shown = await tableOf(page, "line");
+  const lines = (await taken(page, "table")).text.trimEnd().split("\r\n");
+  assert.equal(lines.length, shown.length + 1);
+  assert.ok(lines[0].startsWith("planner.k,series,trials,missing"));
+}));
+
+test("paused, gone on with and cancelled, it ends with the same rows", () => onPage({ reducedMotion: "reduce" }, async (page) => {
+  await page.waitForSelector("body[data-phase=ready][data-settled=true]");
+  const document = JSON.parse((await taken(page, "document")).text);
+  /** Presses a button as soon as some trials have ended. @param {string} id @param {number} more  than so many */
+  const press = (id, more) => page.evaluate(([name, least]) => new Promise((resolve) => {
+    const watch = new MutationObserver(() => {
+      if (Number(document.body.dataset.done) <= Number(least)) return;
+      watch.disconnect();
+      document.getElementById(String(name))?.click();
+      resolve(undefined);
+    });
+    watch.observe(document.body, { attributes: true });
+  }), [id, more]);
+  const ended = async () => Number(await page.getAttribute("body", "data-done"));
+  let pressed = press("cancel", 0);
+  await page.click("#run");
+  await pressed;
+  await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
+  pressed = press("run", 0);
+  await page.click("#run");
+  await pressed;
+  await page.waitForSelector("body[data-phase=paused][data-settled=true]");
+  const before = await ended();
+  assert.ok(before > 0 && before < 1200, `${before}`);
+  assert.equal(await page.innerText("#run"), "Go on");
+  assert.equal(Number(await page.getAttribute("body", "data-drawn")), before, "the chart shows those that have ended");
+  pressed = press("run", before);
+  await page.click("#run");
+  await pressed;
+  await page.waitForSelector("body[data-phase=paused][data-settled=true]");
+  assert.ok(await ended() > before);
+  await page.focus("#stage");
+  await page.keyboard.press(" ");
+  await done(page);
+  assert.equal((await taken(page, "rows")).text, rowsOf(document).csv);
+}, { path: "experiments.html" }));
+
+test("a link holds the whole experiment and its chart", async () => {
+  /** @type {View} */
+  const view = { chart: "box", measure: "clearance_evaluations", axis: "world", isLog: true, reported: [{ x: "made", value: 100, label: "a report" }] };
+  await onExperiment({ document: small, view }, async (page) => {
+    await done(page);
+    await page.locator("details", { hasText: "Parameters" }).last().locator("summary").click();
+    await fill(page, "#planner-1-max_iterations", "70");
+    await page.waitForSelector("body[data-phase=ready][data-settled=true]");
+    assert.equal(await page.getAttribute("body", "data-done"), "0", "a changed experiment begins without rows");
+    await fill(page, "#seeds", "4 to 6");
+    await page.waitForSelector("body[data-phase=ready][data-count='18']");
+    const fragment = await linkOf(page);
+    assert.ok(fragment.length < 800, `${fragment.length}`);
+    const { state } = await decodeExperiment(fragment);
+    assert.deepEqual(state, { document: { ...small, planners: [small.planners[0], { algorithm: "rrt-connect", set: { max_iterations: 70 } }], seeds: { from: 4, count: 3 } }, view });
+    const file = (await taken(page, "document")).text;
+    await onPage({}, async (other) => {
+      await done(other);
+      assert.equal(await linkOf(other), fragment);
+      assert.equal((await taken(other, "document")).text, file);
+      assert.deepEqual([await other.getAttribute("body", "data-chart"), await other.inputValue("#view-measure"), await other.inputValue("#view-axis")], ["box", "clearance_evaluations", "world"]);
+      assert.equal(await other.locator("#view-log").isChecked(), true);
+      assert.ok((await tableOf(other, "box")).some(({ series, median }) => series === "reported: a report" && median === "100"));
+    }, { path: `experiments.html${fragment}` });
+  });
+});
+
+test("what is refused shows code and pointer before any trial, and the page goes on", () => onPage({ reducedMotion: "reduce" }, async (page) => {
+  await page.waitForSelector("body[data-phase=ready]");
+  for (const [change, code, pointer] of /** @type {const} */ ([
+    [{ planners: [{ algorithm: "prm", vary: { k: [3, 0] } }] }, "out-of-range", "/planners/0/vary/k/1"],
+    [{ planners: [{ algorithm: "sst" }] }, "unsupported", "/planners/0/algorithm"],
+    [{ worlds: [{ scene: "nowhere" }] }, "unknown-scene", "/worlds/0/scene"],
+    [{ worlds: 3 }, "wrong-type", "/worlds"],
+  ])) {
+    await pickFile(page, "bad.json", JSON.stringify({ ...small, ...change }));
+    await page.waitForSelector(`body[data-phase=refused][data-settled=true] #notice[data-code=${code}]`);
+    assert.equal(await page.getAttribute("#notice", "data-pointer"), pointer);
+    assert.equal(await page.isDisabled("#run"), true);
+  }
+  // A scenario is a world for the experiment that is open; here it has no planner.
+  await pickFile(page, "good.json", JSON.stringify(small));
+  await page.waitForSelector("body[data-phase=ready][data-count='48'][data-settled=true]");
+  assert.equal(await page.isHidden("#notice"), true);
+  await pickFile(page, "own.json", readFileSync(join(root, "www", "scenes", "pillar.json"), "utf8"));
+  await page.waitForSelector("body[data-phase=ready][data-count='24'][data-settled=true]");
+  await fill(page, "#vary-0-values", "2 to 6 by 2");
+  await page.waitForSelector("body[data-phase=ready][data-count='32']");
+  await fill(page, "#vary-0-values", "0");
+  await page.waitForSelector("body[data-phase=refused] #notice[data-pointer='/planners/0/vary/k/0']");
+}, { path: "experiments.html" }));
+
+test("a trial opens on the planner's page with its settings and ends with its fingerprint", () => onExperiment({ document: small, view: { chart: "box" } }, async (page) => {
+  await done(page);
+  const { rows } = rowsOf((await taken(page, "document")).text);
+  const check = async (/** @type {number} */ trial, /** @type {() => Promise<unknown>} */ open) => {
+    const [other] = await Promise.all([page.context().waitForEvent("page"), open()]);
+    await other.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+    const { fingerprint, status, iterations } = await counters(other);
+    const row = rows[trial];
+    assert.deepEqual([fingerprint, status, iterations], [row.fingerprint, row.status, row.iterations], `trial ${trial}`);
+    assert.equal(await other.inputValue("#parameter-seed"), String(row.seed));
+    await other.close();
+  };
+  const dot = page.locator(".plot .trial").nth(5);
+  await check(Number(await dot.getAttribute("data-trial")), () => dot.dispatchEvent("click"));
+  for (const trial of [19, 2]) await check(trial, () => page.click(`#trials tr[data-trial="${trial}"] a[href]`));
+  await page.click("#trials-on");
+  await page.waitForSelector("#trials tr[data-trial='30']");
+  await check(30, () => page.click("#trials tr[data-trial='30'] a[href]"));
+}));
+
+test("axe finds nothing, all fits", () => onExperiment({ document: small }, async (page) => {
+  await done(page);
+  for (const fold of ["table", "export"]) await page.locator(`#${fold}-fold`).evaluate((one) => { /** @type {HTMLDetailsElement} */ (one).open = true; });
+  for (const kind of ["success", "line"]) {
+    await page.click(`#kinds [data-kind=${kind}]`);
+    await assertFaultless(page, kind);
+  }
+  for (const width of [320, 390, 704, 1024, 2560]) {
+    await page.setViewportSize({ width, height: 900 });
+    await frames(page);
+    await page.waitForSelector("body[data-settled=true]");
+    assert.equal(await overhang(page), 0, `${width} px`);
+  }
+  await assertTargets(page);
+  await page.emulateMedia({ forcedColors: "active" });
+  assert.deepEqual(await violations(page), []);
+}));

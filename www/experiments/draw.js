@@ -15,6 +15,8 @@ const MOST_STEPS = 400;
 const LETTER = 6.6;
 const LINE = 20;
 
+/** Colours of the legend of a heat map. */
+const STEPS = 6;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
 /** @param {Palette} palette */
@@ -51,6 +53,7 @@ export function drawChart(chart, look) {
   for (const part of picture.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
   picture.setAttribute("role", "img");
   picture.setAttribute("aria-label", `${chart.title}. ${chart.words}.`);
+  if (chart.kind === "heat") picture.append(rampElement(chart, palette, width));
   picture.append(legendElement(legend, palette, chart), element("text", { x: 8, y: LINE * legend.lines + 16, fill: palette.ink, "text-anchor": "start" }, chart.up.title));
   markTrials(picture, chart);
   return picture;
@@ -134,6 +137,19 @@ function heatParts({ across, up, summaries }, width, palette) {
 
 /** The colours of a heat map, from the least to the most. @param {Palette} palette @returns {[string, string]} */
 function rampOf({ obstacle, start }) { return [obstacle, start]; }
+
+/** What the colours of a heat map mean. @param {ChartData} chart @param {Palette} palette @param {number} width */
+function rampElement({ title, summaries }, palette, width) {
+  const values = summaries.flatMap(({ middle }) => (middle === null ? [] : [middle]));
+  const [least, most] = [Math.min(...values), Math.max(...values)].map((value) => String(Number(value.toPrecision(3))));
+  const ramp = scale({ color: { type: "linear", domain: [0, STEPS - 1], range: rampOf(palette), interpolate: "rgb" } });
+  const left = width - 20 - LETTER * most.length - 8 - 14 * STEPS;
+  return element("g", { "aria-hidden": "true", fill: palette.ink }, ...(values.length === 0 ? [] : [
+    element("text", { x: left - 8, y: 16, "text-anchor": "end" }, `${title}: ${least}`),
+    ...Array.from({ length: STEPS }, (_, i) => element("rect", { x: left + 14 * i, y: 6, width: 14, height: 12, fill: ramp.apply(i) })),
+    element("text", { x: width - 20, y: 16, "text-anchor": "end" }, most),
+  ]));
+}
 
 /** Numbers to compare with. @param {ChartData} chart @param {Palette} palette @returns {Markish[]} */
 function reported({ kind, reported: all, series, across }, palette) {

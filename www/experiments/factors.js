@@ -38,8 +38,8 @@ export function factorsOf({ worlds, planners }, naming) {
     });
   };
   return [
-    ...varied("planner", planners), plain("planner", "planner", planners.map(nameOf)),
-    ...varied("world", worlds.map((world) => ("generate" in world ? world : {}))), plain("world", "world", worlds.map(nameOf)),
+    plain("planner", "planner", planners.map(nameOf)), ...varied("planner", planners),
+    plain("world", "world", worlds.map(nameOf)), ...varied("world", worlds.map((world) => ("generate" in world ? world : {}))),
     plain("query", "query", [...new Set(queries)]),
   ].filter(({ values }) => values.length > 1);
 }

@@ -55,7 +55,8 @@ export class ExperimentSession extends Observable {
     this.naming = (column) => {
       const [prefix, name] = column.split(".");
       const info = tables[/** @type {"planner" | "world"} */ (prefix)].flat().find((one) => one.name === name);
-      return { title: info?.title ? `${info.title} (${nameOfColumn(column)})` : nameOfColumn(column), unit: info?.unit ?? "" };
+      const [title, own] = [info?.title ?? "", nameOfColumn(column)];
+      return { title: title.toLowerCase() === own ? own : title ? `${title} (${own})` : own, unit: info?.unit ?? "" };
     };
   }
 

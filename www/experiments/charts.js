@@ -8,7 +8,7 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
 /** @import { View } from "./link.js" */
 /** @import { Factor } from "./factors.js" */
 /** @import { Cell, Rows } from "./rows.js" */
-/** @import { Bin, Point, Step, Summary } from "./tables.js" */
+/** @import { Bin, Distribution, Point, Summary } from "./tables.js" */
 
 /**
  * @typedef {object} Scale   of an axis
@@ -25,13 +25,17 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
  * @property {string[]} series   in words; one empty string where there is one only
  * @property {boolean} isOrdered   whether the series are many values of one number
  * @property {Summary[]} summaries
- * @property {{ series: string, steps: Step[] }[]} steps
+ * @property {Distribution[]} distributions
  * @property {Point[]} points
  * @property {Bin[]} bins
  * @property {NonNullable<View["reported"]>} reported
- * @property {{ columns: string[], rows: Cell[][] }} table
+ * @property {string[]} columns   of the table behind it
+ * @property {() => Cell[][]} rows   of the table
  * @property {string} words
  */
+
+/** Trials drawn as dots, about. */
+const DOTS = 2000;
 
 /** The kinds of charts, with their names. @type {Record<NonNullable<View["chart"]>, string>} */
 export const KINDS = { success: "Success", box: "Boxes", line: "Line", ecdf: "Distribution", cost: "Cost and work", heat: "Heat map" };
@@ -54,52 +58,62 @@ export function completed(view, factors, measures) {
 /** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} measures @param {string} lengthUnit @returns {ChartData} */
 export function chartOf(rows, factors, view, measures, lengthUnit) {
   const { kind, axis, second, measure, work, isLog } = completed(view, factors, measures);
-  const shown = kind === "success" ? SOLVED : measure;
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   /** @param {Factor | undefined} factor @returns {Scale} */
-  const scaleOf = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null] });
-  /** @param {string} id @returns {Scale} */
-  const continuous = (id) => ({ title: title(id), isNumeric: true, values: [], isLog: isLog && id !== SOLVED });
+  const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null] });
+  /** @param {string} id @param {boolean} canBeLog @returns {Scale} */
+  const continuous = (id, canBeLog) => ({ title: title(id), isNumeric: true, values: [], isLog: canBeLog && isLog && id !== SOLVED });
+  const by = kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) ? undefined : axis;
+  const others = factors.filter((factor) => factor !== by);
+  const shown = kind === "success" ? SOLVED : measure;
   /** @type {ChartData} */
   const chart = {
-    kind, title: "", across: scaleOf(axis), up: continuous(shown), series: [], isOrdered: false, summaries: [], steps: [], points: [], bins: [],
-    reported: view.reported ?? [], table: { columns: [], rows: [] }, words: "",
+    kind, title: title(shown), across: discrete(axis), up: continuous(shown, true), series: [], isOrdered: false, summaries: [], distributions: [],
+    points: [], bins: [], reported: view.reported ?? [], columns: [], rows: () => [], words: "",
   };
-  const named = axis ? [axis.column] : [];
   if (kind === "ecdf") {
-    const all = distributions(rows, factors, work);
-    Object.assign(chart, { across: continuous(work), up: { ...continuous(SOLVED), title: `share of trials solved, %` }, steps: all, title: `Share of trials solved after so many ${title(work)}` });
-    chart.series = all.map(({ series }) => series);
-    chart.table = { columns: ["series", work, "share_percent"], rows: all.flatMap(({ steps }) => steps.map(({ series, value, share }) => [series, value, share])) };
-    chart.words = all.map(({ series, n, missing }) => `${series || "all trials"}: ${n} of ${n + missing} solved`).join("; ");
+    const all = chart.distributions = distributions(rows, factors, work);
+    chart.title = `Share of trials solved after so many ${title(work)}`;
+    [chart.across, chart.up] = [continuous(work, true), { ...continuous(SOLVED, false), title: "share of trials solved, %" }];
+    chart.columns = ["series", work, "share_percent"];
+    chart.rows = () => all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));
+    chart.words = describe(all, ({ series, n, missing }) => `${series || "all trials"}: ${n} of ${n + missing} solved`);
   } else if (kind === "cost") {
-    const by = axis?.isNumeric ? axis : undefined;
-    const all = points(rows, factors, by, measure, work);
-    Object.assign(chart, { across: continuous(work), up: { ...continuous(measure), isLog: false }, points: all, bins: bins(all, by !== undefined), title: `${title(measure)} against ${title(work)}` });
-    chart.series = [...new Set(all.map(({ series }) => series))];
-    chart.table = { columns: ["series", "trials", work, "lower_quartile", "median", "upper_quartile"], rows: chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]) };
-    chart.words = `${all.length} trials with a path`;
+    chart.title = `${title(measure)} against ${title(work)}`;
+    [chart.across, chart.up] = [continuous(work, true), continuous(measure, false)];
+    chart.points = points(rows, factors, by, measure, work, DOTS);
+    chart.bins = bins(rows, factors, by, measure, work);
+    chart.columns = ["series", "trials", work, "lower_quartile", "median", "upper_quartile"];
+    chart.rows = () => chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]);
+    chart.words = `${rows.done} trials`;
   } else if (kind === "heat" && axis && second) {
-    const all = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null);
-    Object.assign(chart, { up: scaleOf(second), summaries: all, series: [""], title: title(measure) });
-    chart.table = { columns: [axis.column, second.column, "trials", "missing", ...statistics(shown)], rows: all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, shown)]) };
+    const all = chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null);
+    chart.up = discrete(second);
+    chart.columns = [axis.column, second.column, "trials", "missing", ...statistics(shown)];
+    chart.rows = () => all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, shown)]);
     chart.words = describe(all, (one) => `${labelOf([axis, second], [one.x, one.y ?? null])}: ${rounded(one.middle)}`);
   } else {
     const all = summaries(rows, factors, axis, shown);
-    chart.summaries = kind === "line" && axis?.isNumeric ? all.filter(({ x }) => x !== null) : all;
-    // What does not have the parameter is a level line.
-    chart.series = [...new Set(all.map(({ series }) => series))];
-    if (kind === "box") chart.points = points(rows, factors, axis, shown, "iterations");
-    chart.title = title(shown);
-    chart.table = { columns: [...named, "series", "trials", "missing", ...statistics(shown)], rows: all.map((one) => [...named.map(() => one.x), one.series, one.n, one.missing, ...numbers(one, shown)]) };
+    const isLevel = kind === "line" && axis?.isNumeric;
+    chart.summaries = isLevel ? [...all.filter(({ x }) => x !== null), ...levels(all, axis)] : all;
+    if (kind === "box") chart.points = points(rows, factors, axis, shown, "iterations", DOTS);
+    chart.columns = [...(axis ? [axis.column] : []), "series", "trials", "missing", ...statistics(shown)];
+    chart.rows = () => all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, shown)]);
     chart.words = describe(all, (one) => `${[axis ? labelOf([axis], [one.x]) : "", one.series].filter(Boolean).join(", ") || "all trials"}: ${rounded(one.middle)}`);
-    if (kind === "line" && axis?.isNumeric) chart.summaries.push(...levels(all, axis));
   }
-  const others = factors.filter((factor) => kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) || factor !== axis);
+  chart.series = [...new Set([...chart.summaries, ...chart.distributions, ...chart.points].map(({ series }) => series))];
   chart.isOrdered = chart.series.length > 4 && others.length === 1 && others[0].isNumeric;
-  const more = chart.reported.map(({ x, value, label }) => chart.table.columns.map((column, i) => (i === 0 ? x : column === "series" ? `reported: ${label}` : ["median", "percent", "share_percent"].includes(column) ? value : null)));
-  chart.table.rows.push(...more);
-  return chart;
+  return withReported(chart);
+}
+
+/** The table also has the numbers to compare with. @param {ChartData} chart @returns {ChartData} */
+function withReported(chart) {
+  const { columns, rows, reported } = chart;
+  const more = reported.map(({ x, value, label }) => columns.map((column, i) => {
+    if (column === "series") return `reported: ${label}`;
+    return ["median", "percent", "share_percent"].includes(column) ? value : i === 0 || !columns.includes("series") ? x : null;
+  }));
+  return { ...chart, rows: () => [...rows(), ...more] };
 }
 
 /** Settings without the parameter across, at both ends of the axis: a level line. @param {Summary[]} all @param {Factor} axis */

@@ -7,8 +7,6 @@ import { svg as element } from "../widgets/chart.js";
 /** @import { ChartData, Scale } from "./charts.js" */
 /** @import { Cell } from "./rows.js" */
 
-/** Trials drawn as dots, at most. */
-const MOST_DOTS = 2000;
 /** Steps of a line drawn, about. */
 const MOST_STEPS = 400;
 /** Pixels of a letter, about, and of a line of the legend. */
@@ -61,7 +59,7 @@ export function drawChart(chart, look) {
 
 /** @param {ChartData} chart @param {{ width: number, palette: Palette }} look @param {(series: string) => Style} styleOf @returns {{ marks: Markish[], options: PlotOptions }} */
 function partsOf(chart, { width, palette }, styleOf) {
-  const { kind, across, up, series, summaries, points, bins, steps } = chart;
+  const { kind, across, up, series, summaries, points, bins, distributions } = chart;
   const fill = (/** @type {{ series: string }} */ one) => styleOf(one.series).colour;
   const y = { label: null, grid: true, type: up.isLog ? /** @type {const} */ ("log") : undefined, zero: !up.isLog, nice: true };
   const x = { label: across.title, labelAnchor: /** @type {const} */ ("center"), labelArrow: /** @type {const} */ ("none"), type: across.isLog ? /** @type {const} */ ("log") : undefined };
@@ -70,13 +68,13 @@ function partsOf(chart, { width, palette }, styleOf) {
   if (kind === "heat") return heatParts(chart, width, palette);
   if (kind === "ecdf" || kind === "cost") {
     const lines = kind === "ecdf"
-      ? steps.map(({ series: name, steps: all }) => lineY(stairs(all, lastOf(chart)), { x: "value", y: "share", curve: "step-after", ...strokeOf(styleOf(name)) }))
+      ? distributions.map((one) => lineY(stairs(one, lastOf(chart)), { x: "value", y: "share", curve: "step-after", ...strokeOf(styleOf(one.series)) }))
       : series.flatMap((name) => {
         const some = bins.filter((bin) => bin.series === name);
         const style = styleOf(name);
         return [areaY(some, { x: "work", y1: "low", y2: "high", fill: style.colour, fillOpacity: 0.22 }), lineY(some, { x: "work", y: "middle", ...strokeOf(style) })];
       });
-    const dots = dot(thinned(points, MOST_DOTS), { x: "work", y: "value", r: 2.6, fill, fillOpacity: 0.5, className: "trials" });
+    const dots = dot(points, { x: "work", y: "value", r: 2.6, fill, fillOpacity: 0.5, className: "trials" });
     return { marks: kind === "cost" ? [dots, ...lines] : lines, options: { x: { ...x, nice: true, zero: kind === "ecdf" && !across.isLog }, y: { ...y, zero: kind === "ecdf" && !up.isLog, ...percent }, color } };
   }
   if (kind === "line") {
@@ -109,7 +107,7 @@ function partsOf(chart, { width, palette }, styleOf) {
       ruleX(summaries, { ...at, y1: "least", y2: "most", stroke: fill, strokeWidth: 1.5 }),
       barY(summaries, { ...at, y1: "low", y2: "high", fill, fillOpacity: 0.3, stroke: fill, strokeWidth: 1.5 }),
       tickY(summaries, { ...at, y: "middle", stroke: fill, strokeWidth: 3 }),
-      dot(thinned(points, MOST_DOTS), { ...at, y: "value", r: 2.4, fill, fillOpacity: 0.55, className: "trials" }),
+      dot(points, { ...at, y: "value", r: 2.4, fill, fillOpacity: 0.55, className: "trials" }),
     ],
     options: { ...options, y: { ...y, zero: false } },
   };
@@ -180,30 +178,23 @@ function ticksOf({ values }, width) {
 function strokeOf({ colour, dash }) { return { stroke: colour, strokeWidth: 2, ...(dash ? { strokeDasharray: dash } : {}) }; }
 
 /** The largest value across of all series. @param {ChartData} chart */
-function lastOf({ steps }) { return Math.max(...steps.map(({ steps: all }) => all.at(-1)?.value ?? -Infinity)); }
+function lastOf({ distributions }) { return Math.max(...distributions.map(({ values }) => values[values.length - 1] ?? -Infinity)); }
 
-/** A distribution function as a line: it begins at 0, and holds to the end. @param {{ value: number, share: number }[]} all @param {number} end */
-function stairs(all, end) {
-  if (all.length === 0) return [];
-  const each = Math.ceil(all.length / MOST_STEPS);
-  const some = all.filter((_, i) => i % each === 0 || i === all.length - 1);
-  return [{ value: all[0].value, share: 0 }, ...some, { value: end, share: all[all.length - 1].share }];
-}
-
-/** Some of many, evenly. @template T @param {T[]} all @param {number} most */
-function thinned(all, most) {
-  const each = Math.ceil(all.length / most);
-  return each > 1 ? all.filter((_, i) => i % each === 0) : all;
+/** A distribution function as a line: it begins at 0, and holds to the end. @param {ChartData["distributions"][number]} distribution @param {number} end */
+function stairs({ values, shares }, end) {
+  if (values.length === 0) return [];
+  const each = Math.ceil(values.length / MOST_STEPS);
+  const some = values.flatMap((value, i) => (i % each === 0 || i === values.length - 1 ? [{ value, share: shares[i] }] : []));
+  return [{ value: values[0], share: 0 }, ...some, { value: end, share: shares[shares.length - 1] }];
 }
 
 /** Writes the numbers of trials to their dots; dots of one box are apart. @param {SVGSVGElement} picture @param {ChartData} chart */
 function markTrials(picture, { kind, points, across, series }) {
   // Boxes are about so wide.
   const room = 0.7 * (Number(picture.getAttribute("width")) - 82) / (Math.max(1, across.values.length) * Math.max(1, series.length));
-  const shown = thinned(points, MOST_DOTS);
   for (const circle of picture.querySelectorAll("g.trials circle, g.trials path")) {
     const datum = /** @type {{ __data__?: number }} */ (/** @type {unknown} */ (circle)).__data__;
-    const point = shown[datum ?? -1];
+    const point = points[datum ?? -1];
     if (!point) continue;
     circle.setAttribute("class", "trial");
     circle.setAttribute("data-trial", String(point.trial));

@@ -93,7 +93,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   showFiles(app, name, [
     { id: "png", title: "Chart", format: "PNG", meaning: "The chart as shown.", name: chartName, content: () => pngPicture(shown().picture, shown().ground, shown().chart.title, SCALE) },
     { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The chart as shown, sharp at any size.", name: chartName, content: () => svgPicture(shown().picture, shown().ground, shown().chart.title) },
-    { id: "table", title: "Table of the chart", format: "CSV", meaning: "The numbers behind the chart.", name: chartName, content: () => csvFile(shown().chart.table.columns, shown().chart.table.rows.map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)))) },
+    { id: "table", title: "Table of the chart", format: "CSV", meaning: "The numbers behind the chart.", name: chartName, content: () => csvFile(shown().chart.columns, shown().chart.rows().map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)))) },
     { id: "rows", title: "Rows of all trials", format: "CSV", meaning: "The rows of \u201cplanarium sweep\u201d.", content: () => session.rows.csv() },
     { id: "times", title: "Times of all trials", format: "CSV", meaning: "Seconds on this machine.", name: () => `${name()}.times`, content: () => session.rows.timesCsv() },
     { id: "document", title: "Experiment", format: "JSON", meaning: "The document, for this page and for \u201cplanarium sweep\u201d.", content: () => json(session.resolved ?? session.document) },
@@ -212,7 +212,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 
   function showTable() {
     if (!tableFold.open || !chart) return;
-    const { columns, rows } = chart.table;
+    const [{ columns }, rows] = [chart, chart.rows()];
     const cut = rows.slice(0, MOST_ROWS);
     tableHost.replaceChildren(make("table", { className: "standings" },
       make("caption", {}, `${chart.title}${cut.length < rows.length ? `: ${cut.length} of ${grouped(rows.length)} rows; the export has all` : ""}`),

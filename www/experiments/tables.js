@@ -14,7 +14,7 @@ import { SOLVED, scaleOf } from "./measures.js";
  * of Wilson's interval.
  * @typedef {{ x: Cell, y?: Cell, series: string, n: number, missing: number, middle: number | null, low: number | null, high: number | null,
  *   least?: number | null, most?: number | null }} Summary
- * @typedef {{ series: string, value: number, share: number }} Step   of a distribution function
+ * @typedef {{ series: string, n: number, missing: number, values: number[], shares: number[] }} Distribution   shares in percent
  * @typedef {{ trial: number, x: Cell, series: string, work: number, value: number }} Point   a trial with a path
  * @typedef {{ series: string, n: number, work: number, middle: number, low: number, high: number }} Bin
  */
@@ -64,51 +64,45 @@ export function cells(rows, across, up, measure) {
   return grouped(rows, [across, up], [across, up]).map(({ trials, place: [x, y] }) => ({ x, y, series: "", ...summary(rows, trials, measure) }));
 }
 
-/** The share of all trials of a series that have a path after so much work. @param {Rows} rows @param {Factor[]} factors @param {string} work @returns {{ series: string, n: number, missing: number, steps: Step[] }[]} */
+/** The share of all trials of a series that have a path after so much work. @param {Rows} rows @param {Factor[]} factors @param {string} work @returns {Distribution[]} */
 export function distributions(rows, factors, work) {
   return grouped(rows, factors, []).map(({ trials, series }) => {
     const { n, missing, values, shares } = ecdf(sampleOf(rows, trials, work));
-    return { series, n, missing, steps: Array.from(values, (value, i) => ({ series, value, share: 100 * shares[i] })) };
+    return { series, n, missing, values, shares: shares.map((one) => 100 * one) };
   });
 }
 
-/** The trials with a path. @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @param {string} work @returns {Point[]} */
-export function points(rows, factors, axis, measure, work) {
+/** Some of the trials with a path, evenly. @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @param {string} work @param {number} most  at most, about @returns {Point[]} */
+export function points(rows, factors, axis, measure, work, most) {
+  const each = Math.ceil(rows.done / most);
   return grouped(rows, factors, [axis]).flatMap(({ trials, series, place: [x] }) => {
-    const [values, works] = [sampleOf(rows, trials, measure), sampleOf(rows, trials, work)];
-    return trials.flatMap((trial, i) => (Number.isNaN(values[i]) ? [] : [{ trial, x, series, work: works[i], value: values[i] }]));
+    const some = trials.filter((_, i) => i % each === 0);
+    const [values, works] = [sampleOf(rows, some, measure), sampleOf(rows, some, work)];
+    return some.flatMap((trial, i) => (Number.isNaN(values[i]) ? [] : [{ trial, x, series, work: works[i], value: values[i] }]));
   });
 }
 
 /**
- * The quartiles of trials with about the same work, by series: those with one value across, or else bins of equally many trials.
- * @param {Point[]} all @param {boolean} isByValue @returns {Bin[]}  by rising work
+ * The quartiles of trials with a path and about the same work, by series: those with one value of the axis, or else equally many.
+ * @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @param {string} work
+ * @returns {Bin[]}  by rising work
  */
-export function bins(all, isByValue) {
-  return parts(all, ({ series }) => series).flatMap(([series, some]) => {
-    const each = isByValue ? parts(some, ({ x }) => x).map(([, part]) => part) : equal(some);
-    return each.map((part) => {
-      const [works, values] = [part.map(({ work }) => work), part.map(({ value }) => value)].map((numbers) => quartiles(Float64Array.from(numbers)).values ?? []);
-      return { series, n: part.length, work: Number(works[2]), low: Number(values[1]), middle: Number(values[2]), high: Number(values[3]) };
-    }).sort((a, b) => a.work - b.work);
-  });
+export function bins(rows, factors, axis, measure, work) {
+  return grouped(rows, factors, [axis]).flatMap(({ trials, series, place: [x] }) => {
+    const values = sampleOf(rows, trials, measure);
+    const solved = trials.filter((_, i) => !Number.isNaN(values[i]));
+    const works = sampleOf(rows, solved, work);
+    const parts = x !== null ? [solved] : equal(solved.map((trial, i) => ({ trial, work: works[i] })));
+    return parts.filter(({ length }) => length > 0).map((part) => {
+      const [at, of] = [work, measure].map((column) => quartiles(sampleOf(rows, part, column)).values ?? []);
+      return { series, n: part.length, work: Number(at[2]), low: Number(of[1]), middle: Number(of[2]), high: Number(of[3]) };
+    });
+  }).sort((a, b) => a.work - b.work);
 }
 
-/** Equally many points with about the same work. @param {Point[]} some */
-function equal(some) {
-  const sorted = some.toSorted((a, b) => a.work - b.work);
+/** Equally many trials with about the same work. @param {{ trial: number, work: number }[]} all */
+function equal(all) {
+  const sorted = all.sort((a, b) => a.work - b.work).map(({ trial }) => trial);
   const count = Math.min(BINS, Math.floor(sorted.length / LEAST));
   return Array.from({ length: count }, (_, i) => sorted.slice(Math.floor((i * sorted.length) / count), Math.floor(((i + 1) * sorted.length) / count)));
-}
-
-/** Items by a key, in their order. @template T, K @param {T[]} all @param {(one: T) => K} key @returns {[K, T[]][]} */
-function parts(all, key) {
-  /** @type {Map<K, T[]>} */
-  const found = new Map();
-  for (const one of all) {
-    const part = found.get(key(one));
-    if (part) part.push(one);
-    else found.set(key(one), [one]);
-  }
-  return [...found];
 }

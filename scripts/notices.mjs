@@ -16,24 +16,31 @@ export function writeNotices(path) {
 }
 
 /**
- * Adds the licence text of every npm package that is part of the pages.
+ * Adds the licence text of every npm package that is part of the pages, with the address of its source.
  * @param {string} path  of the notices of the module @param {string} out @param {string[]} inputs  files that were bundled, from the root on
  */
 export function addPageNotices(path, out, inputs) {
-  const folders = new Set(inputs.flatMap((file) => /^node_modules\/(@[^/]+\/)?[^/]+/.exec(file)?.[0] ?? []));
-  const packages = [...folders].sort().map((folder) => {
-    const info = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
-    const crate = { ...info, authors: [info.author?.name ?? info.author ?? ""].filter(Boolean), repository: info.homepage ?? null };
-    return { crate, text: licenceText(crate, join(root, folder)) };
-  });
+  const packages = bundledPackages(inputs).map((crate) => ({ crate, text: licenceText(crate, join(root, crate.folder)) }));
   writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${joined("The pages contain the npm packages below.\n", packages)}`);
 }
 
-/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license">, text: string }[]} all */
+/** The npm packages among bundled files, by name. @param {string[]} inputs  from the root on */
+export function bundledPackages(inputs) {
+  const folders = new Set(inputs.flatMap((file) => /^node_modules\/(@[^/]+\/)?[^/]+/.exec(file)?.[0] ?? []));
+  return [...folders].sort().map((folder) => {
+    const { name, version, license, author, repository } = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
+    const source = String(repository?.url ?? repository ?? "").replace(/^git\+|\.git$/g, "");
+    return { name: String(name), version: String(version), license: String(license), authors: [author?.name ?? author ?? ""].filter(Boolean), repository: source, source, folder };
+  });
+}
+
+/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license"> & { source?: string }, text: string }[]} all */
 function joined(opening, all) {
   /** @type {Map<string, string[]>} */
   const byText = new Map();
-  for (const { crate: { name, version, license }, text } of all) byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})`]);
+  for (const { crate: { name, version, license, source }, text } of all) {
+    byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})${source ? `, ${source}` : ""}`]);
+  }
   const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
   return [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`);
 }

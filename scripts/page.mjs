@@ -4,7 +4,7 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } f
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
-import { addPageNotices } from "./notices.mjs";
+import { addPageNotices, bundledPackages } from "./notices.mjs";
 import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
@@ -13,6 +13,7 @@ const dist = join(root, "dist");
 const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["experiments", "Experiments"]];
 /** The part of the package that needs no core: each script has what it uses of it. */
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
+const NOTICES = "THIRD-PARTY-NOTICES.txt";
 const ROOMS = PAGES.slice(1).map(([name]) => name);
 
 /**
@@ -37,8 +38,6 @@ export function assemblePage() {
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   const rooms = assembleRooms(inParts);
-  const notices = "THIRD-PARTY-NOTICES.txt";
-  addPageNotices(join(dist, "package", notices), join(out, notices), [planner, rooms].flatMap(includedIn));
   for (const [name] of PAGES) {
     const scripts = ROOMS.includes(name) ? importsOf(rooms, `www/${name}/main.js`) : importsOf(planner, "www/planner/main.js");
     writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/"))));
@@ -51,6 +50,8 @@ export function assemblePage() {
   joinModules(join(page, "app", "offline.js"), join(out, "offline.js"), {
     banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
   });
+  // Not among the files that are stored for use without a network.
+  addPageNotices(join(dist, "package", NOTICES), join(out, NOTICES), [planner, rooms].flatMap(includedIn));
 }
 
 /** The files of which something is in the output. @param {import("esbuild").Metafile} metafile @returns {string[]} */
@@ -116,7 +117,8 @@ export function assembleOneFile() {
   const made = join(dist, "one-file");
   rmSync(made, { recursive: true, force: true });
   const inside = { sourcemap: false, alias: { ...DRAW, planarium: join(dist, "package", "planarium.js") } };
-  joinModules(join(page, "planner", "main.js"), join(made, "main.js"), inside);
+  const main = joinModules(join(page, "planner", "main.js"), join(made, "main.js"), inside);
+  const bundled = bundledPackages(includedIn(main)).map(({ name, version, license, source }) => `${name} ${version} (${license}, ${source})`);
   // The worker receives the compiled module, so the package needs no address.
   joinModules(join(page, "planner", "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
@@ -133,6 +135,7 @@ export function assembleOneFile() {
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
+    .replace("<head>", () => `<head>\n<!-- Contains ${bundled.join(", ")}, and the crates of the npm package, whose ${NOTICES} lists them. -->`)
     .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}
 <script type="module">${UNPACK}</script>
 </body>`);

@@ -1,9 +1,11 @@
-/** Figures as one PNG or SVG, side by side, each under its caption. */
+/** Figures as one PNG, SVG or film, side by side, each under its caption. */
 import { SvgContext } from "../formats/svg.js";
+import { contextOf, even } from "./film.js";
 import { hatch } from "./hatch.js";
 import { IMAGES, SvgLayer, stripes, svgFile } from "./svg-layer.js";
 
 /** @import { Figure } from "./figure.js" */
+/** @import { Film } from "./film.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
 /** Space around and between the figures, and for a caption, CSS pixels. */
@@ -41,24 +43,52 @@ function writeCaption(context, { figure, x, y }) {
   context.fillText(figure.caption.textContent ?? "", x, y - 8);
 }
 
-/** @param {Figure[]} figures @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} @throws {Error} it would be too large */
-export async function pngOf(figures, ratio) {
-  const { places, width, height, ground } = layoutOf(figures);
-  requireSize(width, height, ratio, "make the window smaller");
-  const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
-  const context = /** @type {Context | null} */ (/** @type {unknown} */ (canvas.getContext("2d")));
-  if (!context) throw new Error("This browser has no 2d canvas.");
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+/** Draws the figures side by side. @param {Context} context  of the whole image @param {ReturnType<typeof layoutOf>} layout @param {number} ratio  pixels a CSS pixel */
+function compose(context, { places, ground }, ratio) {
+  const { canvas: { width, height } } = context;
+  context.setTransform(1, 0, 0, 1, 0, 0);
   context.fillStyle = ground;
   context.fillRect(0, 0, width, height);
   for (const place of places) {
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
     writeCaption(context, place);
     context.save();
     context.setTransform(ratio, 0, 0, ratio, place.x * ratio, place.y * ratio);
     place.figure.drawWith(context, ratio, (colour) => hatch(context, colour, ratio));
     context.restore();
   }
-  return canvas.convertToBlob({ type: "image/png" });
+}
+
+/** @param {Figure[]} figures @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} @throws {Error} it would be too large */
+export async function pngOf(figures, ratio) {
+  const layout = layoutOf(figures);
+  const { width, height } = layout;
+  requireSize(width, height, ratio, "make the window smaller");
+  const context = contextOf(Math.round(width * ratio), Math.round(height * ratio));
+  compose(/** @type {Context} */ (/** @type {unknown} */ (context)), layout, ratio);
+  return context.canvas.convertToBlob({ type: "image/png" });
+}
+
+/**
+ * A film of figures, in the colours and sizes that they have now.
+ * @param {Figure[]} figures @param {number} width  pixels @param {number} seconds
+ * @param {(drawings: any[], part: number) => void} place   changes copies of the drawings, in the order of the figures, so that they show a part, 0 to 1
+ * @returns {Film}
+ */
+export function filmOf(figures, width, seconds, place) {
+  const drawings = figures.map(({ drawing }) => Object.create(drawing));
+  const copies = figures.map((figure, i) => Object.create(figure, {
+    drawing: { value: drawings[i] }, palette: { value: figure.palette }, width: { value: figure.width }, height: { value: figure.height },
+  }));
+  const layout = layoutOf(copies);
+  const ratio = width / layout.width;
+  return {
+    width, height: even(layout.height * ratio), seconds,
+    draw(context, part) {
+      place(drawings, part);
+      compose(/** @type {Context} */ (/** @type {unknown} */ (context)), layout, ratio);
+    },
+  };
 }
 
 /** @param {Figure[]} figures @param {string} title @returns {Promise<Blob>} */

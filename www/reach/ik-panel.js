@@ -114,9 +114,8 @@ export class IkPanel {
     const { run } = this.session;
     if (!run?.isRunning) return false;
     run.step(count);
-    // At the end a solution is shown, a collision-free one if there is any.
-    const index = run.isRunning || run.solutions.length === 0 ? -1 : Math.max(0, run.solutions.findIndex(({ isFree }) => isFree));
-    this.choosePose(index, run.solutions[index]?.q ?? run.last.q);
+    const { index, q } = run.pose;
+    this.choosePose(index, q);
     return run.isRunning;
   }
 

@@ -15,7 +15,8 @@ export class IkRun {
    * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings: Settings }} problem
    * @throws {Error} with `code` and `pointer`, if the core refuses it
    */
-  constructor(robot, { target, orientation, start, method, settings }) {
+  constructor(robot, problem) {
+    const { target, orientation, start, method, settings } = this.problem = problem;
     this.robot = robot;
     this.method = method;
     const wish = { ...settings, method: method.id, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
@@ -46,6 +47,13 @@ export class IkRun {
     for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2)) iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
     for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: robot.isFree(q) });
     if (!this.isRunning || solutions.length > 0) this.verdict = run.verdict();
+  }
+
+  /** What the arm shows: the newest iterate; at the end a solution, a collision-free one if there is any. @returns {{ index: number, q: Float64Array }}  -1: no solution */
+  get pose() {
+    const { solutions, isRunning, last } = this;
+    const index = isRunning || solutions.length === 0 ? -1 : Math.max(0, solutions.findIndex(({ isFree }) => isFree));
+    return { index, q: solutions[index]?.q ?? last.q };
   }
 
   /** The newest iterates from the same start, the newest last and of strength 1. @param {number} most */

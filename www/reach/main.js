@@ -19,6 +19,7 @@ import { button, press } from "../widgets/elements.js";
 import { num, tuple } from "../widgets/format.js";
 import { makeSceneGallery } from "../widgets/scene-gallery.js";
 import { showArmPanel } from "./arm-panel.js";
+import { filmsOf } from "./films.js";
 import { watchHandles } from "./handles.js";
 import { IkPanel } from "./ik-panel.js";
 import { isNearlySingular } from "./jacobian.js";
@@ -77,7 +78,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   }, `${name} could not be opened.`));
   showDownloads(app, all, { name: () => `${session.robot.document.name}-reach`, title: () => session.robot.document.title ?? session.robot.document.name }, [
     { id: "scenario", title: "Scenario", format: "JSON", meaning: "Robot and obstacles, with the query from A to B, and for an arm that of the target.", content: () => json(session.document()) },
-  ]);
+  ], filmsOf(session, all));
   session.onChange(show);
   app.rebuild = () => session.changeArm(session.robot.document);
   session.openScene(SCENES[0]);

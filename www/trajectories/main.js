@@ -20,6 +20,7 @@ import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
 import { makeCharts } from "./charts.js";
 import { Experiment, WINDOW, movingAverage } from "./experiment.js";
+import { filmsOf } from "./films.js";
 import { FIRST, Particle } from "./particle.js";
 import { Plane } from "./plane.js";
 
@@ -96,7 +97,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
 
   showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.accepted.length}`, title: () => "Trajectories that do not cross" }, [
     { id: "csv", title: "Table", format: "CSV", meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`, content: tableOf },
-  ]);
+  ], filmsOf(experiment, figure));
   app.rebuild = restart;
   await app.track(useLink(app, stateRule, {
     save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),

@@ -5,6 +5,7 @@
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
+/** @import { Driven } from "../lane.js" */
 /** @import { Session } from "../session.js" */
 
 /** The format of recordings. */
@@ -33,6 +34,8 @@ export class Driving {
     this.tape = null;
     /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
+    /** That control: v, phi and the seconds asked for. @type {[number, number, number]} */
+    this.rolled = [0, 0, 0];
     this.announcement = "";
   }
 
@@ -175,6 +178,33 @@ export class Driving {
     return { format: FORMAT, scenario: shown.scenario.name, start: [...trace.slice(0, 3)], steps, record: drive.record(), pose };
   }
 
+  /** The drive so far once more: a drive of its own that can be put at any part of it. */
+  again() {
+    const recording = this.record();
+    const { shown } = this.session;
+    if (!recording || !shown) return null;
+    const { start, record, steps } = recording;
+    const drive = shown.scenario.drive(start);
+    let rest = [...record];
+    return {
+      seconds: steps * drive.stepSeconds,
+      /** Where the car is. @param {number} part  0 to 1 */
+      at: (part) => {
+        const step = Math.round(part * steps);
+        if (step < drive.state.steps) {
+          drive.replay([], 0);
+          rest = [...record];
+        }
+        this.wind(drive, rest, step);
+        const { pose, phi, blocked } = drive.state;
+        /** @type {Driven} */
+        const driven = { steering: phi, trace: drive.traceSince(0), blocked, rollout: null, drawUnder: drawTrace, drawOver: drawDrive };
+        return { pose: Float64Array.from(pose), driven };
+      },
+      free: () => drive.free(),
+    };
+  }
+
   /** Previews one control. @param {number} v @param {number} phi @param {number} duration @throws {Error} with `code` and `pointer` */
   roll(v, phi, duration) {
     const { state, session: { shown } } = this;
@@ -182,6 +212,7 @@ export class Driving {
     this.rollout = null;
     this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
+    this.rolled = [v, phi, duration];
     const { seconds, blocked } = this.rollout;
     const time = `${seconds.toFixed(2)} s`;
     this.announcement = blocked === null ? `Free for all ${time}.` : `Free for ${time}; then ${reasonOf(blocked)}.`;

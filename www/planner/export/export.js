@@ -2,13 +2,15 @@
 import { json, save } from "../../app/files.js";
 import { byId, make, write } from "../../app/dom.js";
 import { writeNpy } from "../../formats/npy.js";
-import { downloadRow, failureOf } from "../../widgets/downloads.js";
-import { button } from "../../widgets/elements.js";
+import { downloadRow, failureOf } from "../../widgets/download-row.js";
+import { filmRow, select } from "../../widgets/films.js";
+import { Progress } from "../../widgets/progress.js";
 import { PAST } from "../run-log/run-log.js";
 import { NONE } from "../timeline/playback.js";
 import { showSnippets } from "./embed.js";
 import { makeImage } from "./exporter.js";
 import { countersCsv, nameOf } from "./files.js";
+import { filmsOf } from "./films.js";
 import { layoutOfStage } from "./layout.js";
 
 /** @import { Page } from "../page.js" */
@@ -26,24 +28,16 @@ export function showExport(page) {
   const host = byId("export", HTMLElement);
   /** @type {Offer[]} */
   const offers = [];
-  /** Number of the latest image; an older one is cancelled. */
-  let turn = 0;
-
+  const progress = new Progress(() => { if (page.state) reflect(page.state); });
   const scale = select("export-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
-  const frames = select("export-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
-  const width = select("export-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
   const lane = select("export-lane", "Planner", [], "");
   const laneRow = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
-  const bar = make("progress", { max: 1, value: 0, ariaLabel: "Progress" });
-  const progress = make("div", { className: "row", id: "export-progress", hidden: true }, bar, button("export-cancel", "Cancel", () => { turn++; }));
-  const result = make("p", { className: "hint", id: "export-told", role: "status" });
+  const films = filmRow(page.app, progress, { subjects: filmsOf(page), name });
 
   host.append(
     offer("png", "Image", "PNG", "The stage as shown.", always, () => draw("png"), scale),
     offer("svg", "Vector graphic", "SVG", "The stage as shown, sharp at any size.", always, () => draw("svg")),
-    offer("gif", "Animation", "GIF", "The run up to here, in equal steps.", (state) => noRun(state) || (state.clock.now === 0 ? "Nothing has happened yet." : ""),
-      () => draw("gif"), frames, width),
-    progress, result,
+    films.element,
     offer("scenario", "Scenario", "JSON", "For this page, the package and the command line.", always, async () => {
       const { facts } = page;
       if (facts) save(json(facts.document), `${facts.name}.json`);
@@ -67,7 +61,7 @@ export function showExport(page) {
     }),
   );
   showSnippets(page, host);
-  page.onOpen(() => { turn++; });
+  page.onOpen(() => progress.cancel());
   page.onState(reflect);
 
   /**
@@ -90,9 +84,10 @@ export function showExport(page) {
     }
     for (const one of offers) {
       const reason = one.lack(state);
-      one.button.disabled = reason !== "" || (!progress.hidden && /export-(png|svg|gif)/.test(one.button.id));
+      one.button.disabled = reason !== "" || (progress.isBusy && /export-(png|svg)/.test(one.button.id));
       write(one.hint, reason || one.meaning);
     }
+    films.reflect();
   }
 
   /** The run of a lane, with its result. @param {number | string} index */
@@ -114,38 +109,10 @@ export function showExport(page) {
 
   /** Makes and saves an image. @param {ImageRequest["kind"]} kind */
   async function draw(kind) {
-    const mine = ++turn;
-    const file = `${name()}.${kind}`;
-    const began = performance.now();
-    const request = {
-      kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value), width: Number(width.value), frames: Number(frames.value),
-    };
-    bar.value = 0;
-    write(result, "");
-    progress.hidden = false;
-    try {
-      const blob = await makeImage(session, request, (part) => {
-        bar.value = part;
-        return mine === turn;
-      });
-      if (blob) save(blob, file);
-      write(result, blob ? `${file}, ${size(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.` : "Cancelled.");
-    } finally {
-      progress.hidden = true;
-      if (page.state) reflect(page.state);
-    }
+    const request = { kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value) };
+    await progress.save(`${name()}.${kind}`, (onProgress) => makeImage(session, request, onProgress));
   }
 }
 
 /** @param {Float64Array} rows @param {number} dimension */
 function npy(rows, dimension) { return new Blob([writeNpy(rows, [rows.length / dimension, dimension])]); }
-
-/** @param {number} bytes */
-function size(bytes) { return bytes < 1e6 ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`; }
-
-/** @param {string} id @param {string} label @param {[string, string][]} options @param {string} value */
-function select(id, label, options, value) {
-  const element = make("select", { id, ariaLabel: label }, ...options.map(([key, text]) => make("option", { value: key }, text)));
-  element.value = value;
-  return element;
-}

@@ -1,7 +1,7 @@
 /** Images of the stage, made in slices so that planning, playing and cancelling continue meanwhile. */
-import { GifWriter, paletteOf } from "../../formats/gif.js";
 import { SvgContext } from "../../formats/svg.js";
 import { requireSize } from "../../draw/export.js";
+import { contextOf } from "../../draw/film.js";
 import { IMAGES, SvgLayer, stripes, svgFile } from "../../draw/svg-layer.js";
 import { Picture, writeCaption } from "./picture.js";
 
@@ -11,22 +11,22 @@ import { Picture, writeCaption } from "./picture.js";
 
 /**
  * @typedef {object} ImageRequest
- * @property {"png" | "svg" | "gif"} kind
+ * @property {"png" | "svg"} kind
  * @property {Layout} layout
  * @property {string} title
  * @property {number} ratio    of a PNG: pixels a CSS pixel
- * @property {number} width    of a GIF: pixels
- * @property {number} frames   of a GIF, at least 2
  */
 
-/** Milliseconds that an animation lasts, and that its last frame lasts longer. */
-const DURATION = 6000;
-const PAUSE = 2000;
 /** Milliseconds of a slice. */
 const SLICE = 12;
 
-/** @param {string} code @param {string} message */
-function fault(code, message) { return Object.assign(new Error(message), { code }); }
+/** What holds as long as no other run begins. @param {Session} session @returns {() => void} to be called after every pause @throws {Error} `run-replaced` */
+export function sameRun(session) {
+  const { plannings } = session;
+  return () => {
+    if (session.plannings !== plannings) throw Object.assign(new Error("Another run started during the export."), { code: "run-replaced" });
+  };
+}
 
 /**
  * Makes an image of the stage.
@@ -37,14 +37,13 @@ function fault(code, message) { return Object.assign(new Error(message), { code 
  * @throws {Error} `too-large`, `run-replaced`, `no-canvas`
  */
 export async function makeImage(session, request, onProgress) {
-  const { kind, layout: { width, height } } = request;
-  const ratio = kind === "gif" ? request.width / width : request.ratio;
+  const { kind, layout: { width, height }, ratio } = request;
   requireSize(width, height, ratio, "choose a smaller size");
-  const { plannings } = session;
-  const slices = { png: pngOf, svg: svgOf, gif: gifOf }[kind](session, request);
+  const requireSameRun = sameRun(session);
+  const slices = { png: pngOf, svg: svgOf }[kind](session, request);
   for (;;) {
     await new Promise((resolve) => setTimeout(resolve));
-    if (session.plannings !== plannings) throw fault("run-replaced", "Another run started during the export.");
+    requireSameRun();
     const until = performance.now() + SLICE;
     let slice = slices.next();
     while (!slice.done && performance.now() < until) slice = slices.next();
@@ -55,15 +54,14 @@ export async function makeImage(session, request, onProgress) {
 
 /** @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* pngOf(session, { layout: { width, height, sheets }, ratio }) {
-  const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
-  const context = contextOf(canvas);
+  const context = contextOf(Math.round(width * ratio), Math.round(height * ratio));
   // One figure after the other: the layers of all at once take too much memory on some machines.
   for (let i = 0; i < Math.max(1, sheets.length); i++) {
     const picture = new Picture(session, sheets.slice(i, i + 1), ratio, () => new OffscreenCanvas(1, 1));
     for (const _ of picture.draw()) yield i / sheets.length;
     picture.compose(context, i === 0);
   }
-  return () => canvas.convertToBlob({ type: "image/png" });
+  return () => context.canvas.convertToBlob({ type: "image/png" });
 }
 
 /** @param {Session} session @param {ImageRequest} request @returns {Slices} */
@@ -84,44 +82,4 @@ function* svgOf(session, { layout: { width, height, sheets }, title }) {
     })));
     return svgFile(whole, layers, { background: palette.stage, title });
   };
-}
-
-/** Frames, evenly spaced in the time of the run. @param {Session} session @param {ImageRequest} request @returns {Slices} */
-function* gifOf(session, { layout, width, frames }) {
-  const last = session.clock.now;
-  const ratio = width / layout.width;
-  const canvas = new OffscreenCanvas(width, Math.round(layout.height * ratio));
-  const context = contextOf(canvas, true);
-  const picture = new Picture(session, layout.sheets, ratio, () => {
-    const layer = new OffscreenCanvas(1, 1);
-    contextOf(layer, true);
-    return layer;
-  }, true);
-  /** @param {number} time @param {number} progress @returns {Generator<number, Uint8ClampedArray>} */
-  const frame = function* (time, progress) {
-    for (const _ of picture.draw(time)) yield progress;
-    picture.compose(context);
-    return context.getImageData(0, 0, canvas.width, canvas.height).data;
-  };
-  // The last frame has all colours but those of a search in progress.
-  const ends = [];
-  for (const time of [Math.round(last / 2), last]) {
-    ends.push(yield* frame(time, 0));
-    yield 0;
-  }
-  const writer = new GifWriter(canvas.width, canvas.height, paletteOf(ends));
-  yield 0;
-  for (let i = 0; i < frames; i++) {
-    const pixels = yield* frame(Math.round((last * i) / (frames - 1)), i / frames);
-    writer.add(pixels, DURATION / frames + (i === frames - 1 ? PAUSE : 0));
-    yield (i + 1) / frames;
-  }
-  return () => new Blob([writer.finish()], { type: "image/gif" });
-}
-
-/** @param {OffscreenCanvas} canvas @param {boolean} [willReadFrequently] @returns {OffscreenCanvasRenderingContext2D} */
-function contextOf(canvas, willReadFrequently = false) {
-  const context = canvas.getContext("2d", { willReadFrequently });
-  if (!context) throw fault("no-canvas", "The browser cannot create another canvas.");
-  return context;
 }

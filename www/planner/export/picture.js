@@ -9,6 +9,7 @@ import { Frontier } from "../run-log/frontier.js";
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
+/** @import { PathPlayback } from "../../domain/path-playback.js" */
 /** @import { Look } from "../../domain/types.js" */
 /** @import { Layout } from "./layout.js" */
 /** @import { Lane, Shown } from "../lane.js" */
@@ -37,9 +38,9 @@ export class Picture {
     this.palette = look.palette;
     this.ratio = ratio;
     const shown = /** @type {Shown} */ (session.shown);
-    /** @type {Shown} */
-    const still = { ...shown, view: { ...shown.view }, hover: null, overlay: null, rough: false, ...(whole ? { hand: null, check: null } : {}) };
-    const lanes = session.lanes.map((lane) => standIn(lane, still, whole));
+    /** The state that its lanes share. @type {Shown} */
+    this.shown = { ...shown, view: { ...shown.view }, hover: null, overlay: null, rough: false, ...(whole ? { hand: null, check: null, driven: null } : {}) };
+    const lanes = session.lanes.map((lane) => standIn(lane, this.shown, whole));
     /** @type {Drawn[]} */
     this.drawn = sheets.flatMap((layout) => {
       const place = session.stage.at(layout.id);
@@ -56,6 +57,11 @@ export class Picture {
       for (const keeps of Object.values(pane.growth.snapshots)) keeps.spacing = Infinity;
       return [{ layout, pane, layers, lane }];
     });
+  }
+
+  /** Puts the robots on their paths. @param {number} part  0 to 1 */
+  place(part) {
+    for (const { lane: { playback } } of this.drawn) if (playback) playback.at = part;
   }
 
   /** Draws a time, by default that of the stage, in slices. @param {number} [time] @returns {Generator<void>} */
@@ -96,13 +102,15 @@ export class Picture {
 
 /** A copy of a lane that does not follow the stage. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
 function standIn(lane, shown, whole) {
-  const { run, end } = lane;
+  const { run, end, asked } = lane;
+  const still = (/** @type {PathPlayback} */ playback) => Object.create(playback, { drawn: { value: whole ? 1 : playback.drawn }, at: { value: playback.at, writable: true } });
   /** @type {(RunLog & { shown: number }) | null} */
   const its = run && Object.create(run, { shown: { value: run.shown, writable: true } });
   if (run && its) Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
   return Object.create(lane, {
     shown: { value: shown }, run: { value: its },
-    end: { value: end && Object.create(end, { drawn: { value: whole ? 1 : end.drawn }, at: { value: end.at } }) },
+    end: { value: end && still(end) },
+    asked: { value: asked?.playback ? { ...asked, playback: still(asked.playback) } : asked },
   });
 }
 

@@ -133,7 +133,7 @@ test("a moving picture has its frames and ends with what the stage shows, which 
   await page.waitForSelector("body[data-seen]");
   assert.equal(await page.getAttribute("body", "data-seen"), "100 true", "no other iteration was told of meanwhile");
   assert.deepEqual([await growthHash(page, "workspace"), await growthHash(page, "cspace"), JSON.stringify(await counters(page)), await page.inputValue("#time")], before);
-  assert.equal(gif.name, "stones-prm-seed0-100.gif");
+  assert.equal(gif.name, "stones-prm-seed0-100-growth.gif");
   assert.equal(gif.bytes.subarray(0, 6).toString("latin1"), "GIF89a");
   assert.equal(gif.bytes.readUInt16LE(6), 480);
   await decode(page, { png: { bytes: png.bytes, type: "image/png" } });
@@ -181,7 +181,7 @@ test("a moving picture can be cancelled, and is not gone on with when another ru
   await clickWhileMade(page, "reset");
   await page.waitForSelector("#notice[data-code=run-replaced]");
   assert.equal((await click(page, "#step-10")).iterations, 10);
-  assert.match((await take(page, "gif")).name, /-10\.gif$/);
+  assert.match((await take(page, "gif")).name, /-10-growth\.gif$/);
 }));
 
 test("what is missing says why; files hold the numbers of the run; the exported scene plans the same", () => onPausedPage(async (page) => {

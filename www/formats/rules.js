@@ -26,6 +26,8 @@ export const oneOf = (choices) => rule((value) => choices.some((choice) => choic
 export const name = rule((value) => typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype));
 /** @type {Rule<string>} */
 export const text = rule((value) => typeof value === "string" && value.length <= 256);
+/** A text of a form. @param {RegExp} form @param {number} most  characters @returns {Rule<string>} */
+export const formed = (form, most) => rule((value) => typeof value === "string" && value.length <= most && form.test(value));
 /** @type {Rule<boolean>} */
 export const flag = rule((value) => typeof value === "boolean");
 /** @type {Rule<number>} */

@@ -90,6 +90,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
   new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
   const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
+  page.loadDrive = () => drive.get();
   const lessons = new LazyFeature(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
   new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
   const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector)).byButton("link", ({ share }) => share());

@@ -9,6 +9,7 @@ import { robotName } from "../domain/names.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Panel } from "./settings/panel.js" */
+/** @import { DriveControls } from "./driving/controls.js" */
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Plan, ScenarioDocument, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
@@ -44,6 +45,8 @@ export class Page {
     this.race = null;
     /** Loads the race. @type {() => Promise<unknown>} */
     this.loadRace = async () => {};
+    /** Loads the driving controls. @type {() => Promise<DriveControls>} */
+    this.loadDrive = () => Promise.reject(new Error("The driving controls are not loaded yet."));
     /** The scenario whose queries the panel names. @type {ScenarioDocument | undefined} */
     this.named = undefined;
     /** Whether the current refusal has been shown. */

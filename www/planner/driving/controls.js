@@ -1,11 +1,13 @@
 /** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
 import { json, save } from "../../app/files.js";
+import { keysOf } from "../../domain/key-text.js";
 import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 
 /** @import { DriveKey } from "planarium" */
+/** @import { Experiment } from "../link/codec.js" */
 /** @import { Page } from "../page.js" */
 
 /** @type {Record<string, DriveKey>} */
@@ -53,11 +55,14 @@ export class DriveControls {
     this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
     this.byKeys.onchange = () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment()));
     this.rolled = make("p", { className: "hint", role: "status" });
+    /** The fields of one control: v, phi and the duration. @type {HTMLInputElement[]} */
+    this.fields = [];
+    this.more = make("details", { className: "more" }, make("summary", {}, "More"),
+      make("label", { className: "row" }, make("span", { className: "name" }, "Advance time only when a key is pressed"), this.byKeys),
+      this.makeRollout(), this.makeRecord());
     this.bar = make("div", { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" }, pad,
       make("div", { className: "dash" }, numbers, make("div", { className: "buttons" }, keep, this.pause, restart, this.replay, leave)),
-      make("details", { className: "more" }, make("summary", {}, "More"),
-        make("label", { className: "row" }, make("span", { className: "name" }, "Advance time only when a key is pressed"), this.byKeys),
-        this.makeRollout(), this.makeRecord()));
+      this.more);
     this.stage.after(this.bar);
     // Before the page's own keys, some of which are the same.
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event), true);
@@ -75,16 +80,17 @@ export class DriveControls {
       return { input, row: make("label", { className: "row" }, make("span", { className: "name" }, name, make("span", { className: "unit" }, ` ${unit}`)), input) };
     };
     const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "duration", "s", "3")];
+    this.fields = fields.map(({ input }) => input);
     const form = make("form", { noValidate: true, className: "roll", ariaLabel: "Preview of one control" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      const [v, phi, duration] = fields.map(({ input }) => input.valueAsNumber);
-      for (const { input } of fields) input.ariaInvalid = null;
+      const [v, phi, duration] = this.fields.map((input) => input.valueAsNumber);
+      for (const input of this.fields) input.ariaInvalid = null;
       try {
         this.page.run(() => this.driving.roll(v, phi, duration));
       } catch (error) {
         const { pointer = "", message } = /** @type {{ pointer?: string, message: string }} */ (error);
-        fields[["/v", "/phi", "/duration"].indexOf(pointer)]?.input.setAttribute("aria-invalid", "true");
+        this.fields[["/v", "/phi", "/duration"].indexOf(pointer)]?.setAttribute("aria-invalid", "true");
         this.rolled.textContent = message;
       }
     });
@@ -124,14 +130,39 @@ export class DriveControls {
   /** @param {DriveKey} key @param {Event} event */
   press(key, event) { this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp)); }
 
+  /** Begins to drive. @param {number[]} [from]  a configuration, by default the start @throws {Error} it collides */
+  start(from) {
+    const { page } = this;
+    // A car is not edited while it is driven.
+    byId("editor-fold", HTMLDetailsElement).open = false;
+    page.run(() => this.driving.start(page.calm, moment(), from));
+  }
+
+  /**
+   * Drives as a link tells: a recording is replayed; with a control, the motion of that control from the recording's end is shown.
+   * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll @throws {Error} with `code` and `pointer`
+   */
+  restore({ start, keys = "", steps = 0 }, roll) {
+    const { driving } = this;
+    const recording = { record: keysOf(keys), steps };
+    this.start(start);
+    this.page.run(() => {
+      if (roll) {
+        driving.begin(recording.record, steps, moment());
+        driving.paused = true;
+        this.fields.forEach((input, i) => { input.value = String(roll[i]); });
+        this.more.open = true;
+        driving.roll(...roll);
+      } else if (steps > 0) driving.replay(moment(), recording);
+    });
+  }
+
   /** Begins or ends driving. */
   toggle() {
     const { page } = this;
     if (this.on) this.leave();
     else page.app.guard(() => {
-      // A car is not edited while it is driven.
-      byId("editor-fold", HTMLDetailsElement).open = false;
-      page.run(() => this.driving.start(page.calm, moment()));
+      this.start();
       this.stage.focus({ preventScroll: true });
       this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
     }, "This scene cannot be driven.");

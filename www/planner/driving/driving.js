@@ -55,8 +55,8 @@ export class Driving {
     return state !== null && this.runs && (state.v !== 0 || this.tape !== null);
   }
 
-  /** @param {boolean} byKeys @param {number} now */
-  start(byKeys, now) {
+  /** Begins at rest: at a configuration, or where none is given at the start of the query if it is free. @param {boolean} byKeys @param {number} now @param {number[]} [from] @throws {Error} `start-in-collision`, with a pointer */
+  start(byKeys, now, from) {
     const { session } = this;
     const { shown } = session;
     if (!shown) return;
@@ -65,7 +65,9 @@ export class Driving {
     session.byHand.game = { touches: 0, arrived: false };
     const { start, scenario } = shown;
     const isFree = start && scenario.check(start).free;
-    this.drive = scenario.drive(isFree ? start : undefined);
+    const drive = scenario.drive(from ?? (isFree ? start : undefined));
+    this.drive?.free();
+    this.drive = drive;
     this.byKeys = byKeys;
     this.restart(now);
   }
@@ -136,19 +138,19 @@ export class Driving {
     this.show();
   }
 
-  /** Takes all steps that are due. @param {number} at */
+  /** Takes all steps that are due. While the car rests no time passes, unless a recording is replayed. @param {number} at */
   advance(at) {
     const { drive, tape } = this;
     if (!drive) return;
     const due = this.base + Math.floor((at - this.since) / (1000 * drive.stepSeconds) + 1e-6);
-    const { steps } = drive.state;
+    const { steps, v } = drive.state;
     if (tape) {
       this.wind(drive, tape.record, Math.min(due, tape.steps));
       if (due < tape.steps) return;
       this.tape = null;
       this.paused = true;
       this.announcement = "End of the recording; press C to drive on.";
-    } else if (due > steps) drive.tick(Math.min(due - steps, 1e6));
+    } else if (v !== 0 && due > steps) drive.tick(Math.min(due - steps, 1e6));
   }
 
   /** Replays a recording up to a step. @param {Drive} drive @param {KeyPress[]} record @param {number} until */
@@ -165,8 +167,11 @@ export class Driving {
   replay(now, recording = this.record() ?? undefined) {
     if (!recording) return;
     const { record, steps } = recording;
-    this.begin(record, this.byKeys ? steps : 0, now);
-    if (!this.byKeys) this.tape = { record: [...record], steps };
+    this.begin(record, steps, now);
+    if (!this.byKeys) {
+      this.begin([], 0, now);
+      this.tape = { record: [...record], steps };
+    }
     this.announcement = this.byKeys ? "The recording was replayed." : "Replaying the recording.";
   }
 

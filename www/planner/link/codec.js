@@ -5,7 +5,8 @@
  * evaluated, and unpacks to 1 MB at most.
  */
 import { decodeFragment, encodeFragment } from "../../formats/fragment.js";
-import { flag, json, list, must, name, oneOf, record, rule, settings, text, whole, withDefaults } from "../../formats/rules.js";
+import { flag, formed, json, list, must, name, number, oneOf, record, rule, settings, text, whole, withDefaults } from "../../formats/rules.js";
+import { KEY_TEXT } from "../../domain/key-text.js";
 
 /** @import { Allowed, Rule } from "../../formats/rules.js" */
 /** @import { Plan } from "../../domain/types.js" */
@@ -14,6 +15,8 @@ import { flag, json, list, must, name, oneOf, record, rule, settings, text, whol
 /** @typedef {Experiment["view"]} View   absent options are off, and the lens is the workspace */
 
 const LIMITS = { characters: 65535, bytes: 1 << 20 };
+/** Steps of a drive, and characters of its keys, at most. */
+const DRIVE = { steps: 1_000_000, keys: 65_535 };
 
 const experimentRule = withDefaults({
   version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
@@ -30,6 +33,11 @@ const experimentRule = withDefaults({
   }),
   // Of the scene.
   options: settings,
+  // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys as `keyText` writes
+  // them, and the steps made; then one control, v, phi and seconds, whose motion is shown.
+  pose: list(number, 1, 64),
+  drive: record({ start: list(number, 3, 3), keys: formed(KEY_TEXT, DRIVE.keys), steps: whole(DRIVE.steps) }),
+  roll: /** @type {Rule<[number, number, number]>} */ (list(number, 3, 3)),
 }, { version: /** @type {const} */ (1), iteration: 0, view: {} });
 
 /** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */

@@ -3,10 +3,12 @@
  * refuse, are left out, with a sentence for each.
  */
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
+import { keyText } from "../../domain/key-text.js";
 import { axesOf } from "../../domain/names.js";
 import { isProjected } from "../../app/projector.js";
 
 /** @import { Page } from "../page.js" */
+/** @import { Session } from "../session.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../../domain/types.js" */
 /** @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the entry's own */
@@ -22,7 +24,7 @@ const MADE = "make-";
  * @param {Page} page   with an open scenario
  * @returns {Experiment}
  */
-export function experimentOf({ entry, source, facts, state, current, panel, race }) {
+export function experimentOf({ entry, source, facts, state, current, panel, race, session }) {
   if (!source || !facts || !state) throw new Error("No scene is open.");
   const query = panel.query.value;
   const { axes, refused, strobe, poses, raw, slice } = state.view;
@@ -45,7 +47,24 @@ export function experimentOf({ entry, source, facts, state, current, panel, race
   else if (made) experiment.scene = MADE + made.kind;
   else experiment.document = { ...facts.document };
   if (made) experiment.options = changed(made.options, (name) => entry?.generate?.options[name]);
-  return experiment;
+  return { ...experiment, ...inHand(session) };
+}
+
+/** The configuration in hand, or the drive by keys with the control that is shown. @param {Session} session @returns {Pick<Experiment, "pose" | "drive" | "roll">} */
+function inHand({ shown, driving }) {
+  const recording = driving?.record();
+  if (!shown?.hand) return {};
+  if (!driving || !recording) return { pose: [...shown.hand] };
+  const { start, record, steps } = recording;
+  const { tape, rollout, rolled } = driving;
+  return {
+    drive: {
+      start: String(start) === String(shown.start) ? undefined : start,
+      // Of a recording that is being replayed, all of it.
+      keys: keyText([...record, ...(tape?.record ?? [])]), steps: tape?.steps ?? steps,
+    },
+    roll: rollout ? rolled : undefined,
+  };
 }
 
 /** The settings that differ from the usual ones, sorted by name so that equal experiments have equal links. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */

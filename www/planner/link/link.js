@@ -1,4 +1,5 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
+import { errorInfo } from "../../app/error-info.js";
 import { makeShare } from "../../app/link.js";
 import { grouped } from "../../app/dom.js";
 import { axesOf } from "../../domain/names.js";
@@ -6,6 +7,7 @@ import { decodeLink, encodeLink } from "./codec.js";
 import { POSES, experimentOf, find } from "./experiment.js";
 
 /** @import { Page } from "../page.js" */
+/** @import { Session } from "../session.js" */
 /** @import { Projector } from "../../app/projector.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
@@ -24,7 +26,7 @@ export class Link {
       await page.arrived();
       return encodeLink(experimentOf(page));
     };
-    this.share = makeShare(page.app, encode, () => `the scene, the settings and ${timeText(page.session.clock)}`);
+    this.share = makeShare(page.app, encode, () => contentsOf(page.session));
     page.onOpen(() => { this.wanted = null; });
     page.onState(({ clock, playing, refusal, settled, growing }) => {
       const { wanted } = this;
@@ -72,12 +74,39 @@ export class Link {
     this.projector.turn(projector);
     if (page.current.length > 1) page.race?.setPicture(lens);
     this.wanted = iteration;
+    await this.restoreHand(experiment);
     if (faults.length > 0) this.complain();
+  }
+
+  /** The configuration in hand, or the drive by keys. @param {Experiment} experiment */
+  async restoreHand({ pose, drive, roll }) {
+    const { page, faults } = this;
+    const { session, facts } = page;
+    const { plannings } = session;
+    if (drive || roll) {
+      if (facts?.robot !== "car") return void faults.push("This robot cannot be driven.");
+      const controls = await page.loadDrive();
+      // Whoever drives does not plan.
+      await page.arrived();
+      if (session.plannings !== plannings) return;
+      try {
+        controls.restore(drive ?? {}, roll);
+      } catch (error) {
+        faults.push(errorInfo(error).message);
+      }
+    } else if (pose && pose.length !== facts?.dimension) faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
+    else if (pose) page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));
   }
 
   complain() {
     this.page.notice.show("Parts of the link could not be restored.", this.faults.join(" "));
   }
+}
+
+/** What a link stores, in words. @param {Session} session */
+function contentsOf({ clock, shown, driving }) {
+  const hand = driving?.on ? driving.rollout ? "the drive with its control" : "the drive" : shown?.hand ? "the configuration in hand" : "";
+  return hand ? `the scene, the settings, ${timeText(clock)} and ${hand}` : `the scene, the settings and ${timeText(clock)}`;
 }
 
 /** @param {{ now: number, isRace: boolean }} clock */

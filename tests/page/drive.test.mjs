@@ -91,6 +91,35 @@ describe("time", () => {
     assert.deepEqual([driving.state?.steps, driving.moves], [50, false]);
   });
 
+  test("while the car rests no time goes by: a recording begins with its first key", () => {
+    const driving = begun();
+    driving.press("faster", from + 8000);
+    driving.pass(from + 8130);
+    assert.deepEqual([driving.state?.steps, driving.record()?.record], [10, [{ step: 0, key: "faster" }]]);
+  });
+
+  test("a recording is replayed in its own time to the same bits, and shown at any part of it", () => {
+    const driving = begun();
+    for (const [at, key] of keys) driving.press(key, from + at);
+    driving.pass(from + 2030);
+    const { state, trace } = driving;
+    const recording = /** @type {{ record: import("planarium").KeyPress[], steps: number }} */ (driving.record());
+    const again = /** @type {NonNullable<ReturnType<typeof driving.again>>} */ (driving.again());
+    assert.ok(state && Math.abs(again.seconds - recording.steps * scenario.drive().stepSeconds) < 1e-12);
+    for (const part of [0, 0.5, 1, 0.25, 1]) {
+      const { pose, driven } = again.at(part);
+      const direct = scenario.drive().replay(recording.record, Math.round(part * recording.steps));
+      assert.deepEqual([[...pose], driven.steering], [direct.pose, direct.phi]);
+    }
+    assert.deepEqual([...again.at(0).pose], ROAD.queries?.[0].start);
+    again.free();
+    driving.replay(from, recording);
+    driving.pass(from + 16);
+    assert.ok(driving.tape && driving.state && driving.state.steps < recording.steps);
+    for (let at = 100; at < 4000; at += 100) driving.pass(from + at);
+    assert.deepEqual([driving.tape, driving.state?.pose, driving.trace], [null, state.pose, trace]);
+  });
+
   test("while it is paused no time goes by; C goes on", () => {
     const driving = begun();
     driving.press("faster", from);

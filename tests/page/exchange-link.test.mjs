@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
+import { KEY_TEXT, keyText, keysOf } from "../../www/domain/key-text.js";
 import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { root } from "./browser.mjs";
@@ -33,6 +34,12 @@ function randomSettings(random) {
   return Object.fromEntries(Array.from({ length: random.below(9) }, (_, i) => [`${random.pick(["k", "step", "Edge_Check", "x-"])}${i}`, random.pick(values)()]));
 }
 
+/** @param {ReturnType<typeof seeded>} random @returns {import("planarium").KeyPress[]} */
+function randomRecord(random) {
+  let step = 0;
+  return Array.from({ length: random.below(60) }, () => ({ step: step += random.below(300), key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right", "keep"])) }));
+}
+
 /** @param {ReturnType<typeof seeded>} random @returns {Experiment} */
 function randomExperiment(random) {
   /** @type {View} */
@@ -53,6 +60,12 @@ function randomExperiment(random) {
   }
   if (random.chance(0.5)) experiment.query = random.pick(["round", "to the left", "Größe"]);
   if (random.chance(0.4)) experiment.options = randomSettings(random);
+  if (random.chance(0.3)) experiment.pose = Array.from({ length: 1 + random.below(8) }, () => random.next() * 7 - 3.5);
+  else if (random.chance(0.3)) {
+    experiment.drive = { keys: keyText(randomRecord(random)), steps: random.below(1e6) };
+    if (random.chance(0.5)) experiment.drive.start = [random.next(), -random.next(), 7];
+    if (random.chance(0.5)) experiment.roll = [random.next() - 0.5, random.next() - 0.5, 10 * random.next()];
+  }
   return experiment;
 }
 
@@ -88,6 +101,18 @@ test("a whole scenario fits a link, and comes back", async () => {
   const fragment = await encodeLink({ ...rest, document });
   assert.ok(fragment.length < 8000, String(fragment.length));
   assert.deepEqual((await decodeLink(fragment)).experiment, { ...rest, document });
+});
+
+test("keys come back from their text, and a long drive fits a short link", async () => {
+  const random = seeded(4);
+  for (let i = 0; i < 100; i++) {
+    const record = randomRecord(random);
+    assert.match(keyText(record), KEY_TEXT);
+    assert.deepEqual(keysOf(keyText(record)), record);
+  }
+  const long = Array.from({ length: 400 }, (_, i) => ({ step: 40 * i + random.below(40), key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right"])) }));
+  const fragment = await encodeLink({ ...PLAIN, scene: "parking", drive: { keys: keyText(long), steps: 16_000 } });
+  assert.ok(fragment.length < 1500, `${fragment.length} characters for 400 keys`);
 });
 
 test("what is off is left out", async () => {
@@ -130,6 +155,18 @@ test("a fault says which entry is wrong", async () => {
     [`{"scene":"stones",${lanes},"options":[]}`, /experiment\.options is wrong/],
     [`{"scene":"stones",${lanes},"document":null}`, /experiment\.document is wrong/],
     [`{"scene":"stones",${lanes},"document":[]}`, /experiment\.document is wrong/],
+    [`{"scene":"stones",${lanes},"pose":[]}`, /experiment\.pose is wrong/],
+    [`{"scene":"stones",${lanes},"pose":[0,"1"]}`, /experiment\.pose\.1 is wrong/],
+    [`{"scene":"stones",${lanes},"drive":[]}`, /experiment\.drive is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"record":[]}}`, /drive\.record is unknown/],
+    [`{"scene":"stones",${lanes},"drive":{"keys":"5x"}}`, /drive\.keys is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"keys":"w"}}`, /drive\.keys is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"keys":"12345678w"}}`, /drive\.keys is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"keys":"${"1w".repeat(40000)}"}}`, /drive\.keys is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"steps":1000001}}`, /drive\.steps is wrong/],
+    [`{"scene":"stones",${lanes},"drive":{"start":[0,0]}}`, /drive\.start is wrong/],
+    [`{"scene":"stones",${lanes},"roll":[0.3,0.4]}`, /experiment\.roll is wrong/],
+    [`{"scene":"stones",${lanes},"roll":[0.3,0.4,null]}`, /experiment\.roll\.2 is wrong/],
     [`{"document":{"x":[0,{"y":-1e999}]},${lanes}}`, /document\.x\.1\.y is wrong/],
     [`{"document":{"x":${"[".repeat(40)}${"]".repeat(40)}},${lanes}}`, /document\.x\.0\.0.* is wrong/],
     [`{"document":{"x":[{"__proto__":{"free":true}}]},${lanes}}`, /__proto__ is wrong/],

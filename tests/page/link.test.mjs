@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
+import { endsOf, load } from "./library.mjs";
 import {
   PHONE, atRest, choose, choosePlanner, chooseScene, click, counters, finish, isDeep, linkOf, onPage, onPausedPage, openScenario, pictureOf,
   seek, setParameter, unfold, useBrowser,
@@ -135,6 +136,62 @@ test("what is to be seen comes back: axes, crosses, poses, the path as it was fo
   });
 });
 
+test("the configuration in hand comes back, free or in collision", () => onPausedPage(async (page) => {
+  await seek(page, 40);
+  await page.click("#your-turn");
+  const stones = load("stones");
+  const [, second] = endsOf(stones.document().queries[0])[0];
+  const angles = Array.from({ length: 60 }, (_, i) => Number((i / 10 - 3).toFixed(1)));
+  for (const free of [false, true]) {
+    const value = String(angles.find((angle) => stones.check([angle, second]).free === free));
+    await page.fill("#pose-0-number", value);
+    await page.press("#pose-0-number", "Enter");
+    await page.waitForSelector(`#touching[data-free=${free}]:not(:empty)`);
+    const { pose, iteration } = await roundTrip(page, `in hand, ${free}`);
+    assert.deepEqual([pose?.[0], pose?.length, iteration], [Number(value), 2, 40]);
+    assert.match(await page.innerText("#link-told"), /iteration 40 and the configuration in hand/);
+  }
+  assert.equal(await page.innerText("#your-turn"), "Watch again");
+}));
+
+/** @param {Partial<Experiment>} hand @returns {Promise<string>} */
+const drivenOn = async (hand) => `#${await encodeLink({ version: 1, scene: "parking", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 0, view: {}, ...hand })}`;
+
+/** What is told of the drive. @param {Page} page */
+const dash = (page) => page.locator("#drive").evaluate((bar) => ({ .../** @type {HTMLElement} */ (bar).dataset, replaying: "", paused: "" }));
+
+test("a drive comes back: it is replayed at once to the same place", () => onPausedPage(async (page) => {
+  await chooseScene(page, "parking");
+  await page.click("#your-turn");
+  await page.waitForSelector("#drive:not([hidden])");
+  for (const key of ["w", "w", "a", "c", "d", "d"]) await page.keyboard.press(key);
+  await page.waitForSelector("#drive[data-keys='6']");
+  const { drive, roll } = await roundTrip(page, "a drive");
+  assert.deepEqual([drive, roll], [{ keys: "0w25w25a25c25d25d", steps: 150 }, undefined]);
+  const there = await dash(page);
+  await onPage({}, async (fresh) => {
+    await fresh.waitForSelector("#drive[data-replaying=true]", { state: "attached" });
+    await fresh.waitForSelector("#drive[data-replaying=false][data-paused=true]", { state: "attached" });
+    assert.deepEqual(await dash(fresh), there);
+  }, { path: await drivenOn({ drive }) });
+}));
+
+test("the motion of one control comes back, from the start and from the end of a drive", async () => {
+  for (const hand of /** @type {Partial<Experiment>[]} */ ([
+    { roll: [0.3, 0.4, 1.5] }, { drive: { start: [1.2, 0.62, 0.2], keys: "0w25c", steps: 50 }, roll: [-0.2, -0.3, 1] },
+  ])) {
+    await afresh(await drivenOn(hand), async (fresh) => {
+      await fresh.waitForSelector("#drive:not([hidden])");
+      assert.match(await fresh.innerText("#drive .roll .hint"), /^Free for/);
+      assert.deepEqual(await Promise.all(["v", "phi", "duration"].map(async (id) => Number(await fresh.inputValue(`#roll-${id}`)))), hand.roll);
+      assert.equal(await fresh.isVisible("#notice"), false);
+      const { experiment } = await decodeLink(await linkOf(fresh));
+      assert.deepEqual([{ keys: "", steps: 0, ...hand.drive }, experiment?.roll], [experiment?.drive, hand.roll]);
+      assert.match(await fresh.innerText("#link-told"), /the drive with its control/);
+    });
+  }
+});
+
 test("a race comes back with its rivals and its picture, and rests at its own time", () => onPausedPage(async (page) => {
   await unfold(page, "race");
   for (const [algorithm, lens] of [["rrt", "cspace"], ["prm-star", "workspace"]]) {
@@ -241,6 +298,10 @@ test("what the page does not have or cannot read is said, the rest is restored",
     [{ lanes: [{ algorithm: "rrt", settings: {} }], view: { axes: [0, 9] } }, /no coordinates 0 and 9/, { planner: "rrt" }],
     [{ lanes: [{ algorithm: "prm", settings: { samples: 20 } }], iteration: 987654 }, /The run ends at iteration \d+, before 987,654/, { planner: "prm", "parameter-samples": "20" }],
     [{ scene: undefined, document: unreadable, iteration: 0 }, /^The link cannot be opened\.[^]*radius/, { scene: "stones" }],
+    [{ pose: [1, 2, 3] }, /The configuration has 3 numbers; one of this robot has 2/, { scene: "firs" }],
+    [{ drive: { keys: "0w", steps: 9 } }, /This robot cannot be driven/, { scene: "firs" }],
+    [{ scene: "parking", drive: { start: [0, 0, 0] } }, /start/, { scene: "parking" }],
+    [{ scene: "parking", roll: [9, 0, 1] }, /v must lie within/, { scene: "parking" }],
     [{ scene: "passage", options: { width: 99, thickness: 0.2 } }, /99 is above/, { scene: "passage", "option-width": "0.2" }],
   ];
   for (const [given, sentence, restored] of cases) {

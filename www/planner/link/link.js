@@ -92,7 +92,7 @@ export class Link {
       try {
         controls.restore(drive ?? {}, roll);
       } catch (error) {
-        faults.push(errorInfo(error).message);
+        faults.push(errorInfo(error).message.replace(/\.?$/, "."));
       }
     } else if (pose && pose.length !== facts?.dimension) faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
     else if (pose) page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));

@@ -160,7 +160,7 @@ test("another arm ends the film of the one before, in words", () => onReach(asyn
     document.getElementById("export-gif")?.click();
   }));
   await page.waitForSelector("#notice[data-code=run-replaced]");
-  assert.match(await page.innerText("#notice"), /The arm changed/);
+  assert.match(await page.innerText("#notice"), /The robot changed/);
   assert.match((await film(page, "gif")).name, /-between\.gif$/);
 }, SMALL));
 

@@ -286,7 +286,7 @@ test("times, visits and recall, as table, chart and file", () => onNeighbours(as
   assert.match(await page.innerText("#measured"), /other settings/);
 }));
 
-test("a link shows the same again, and says that a list of one's own is not in it", () => onNeighbours(async (page) => {
+test("a link shows the same again", () => onNeighbours(async (page) => {
   await choose(page, "three");
   await put(page, "count-number", 2345);
   await put(page, "seed-number", 12);
@@ -297,7 +297,7 @@ test("a link shows the same again, and says that a list of one's own is not in i
   await put(page, "q2-number", -1.5);
   await put(page, "k-number", 17);
   const [state, fragment] = [await stateOf(page), await linkOf(page)];
-  await page.getByText(/own list is not included/).waitFor();
+  await page.getByText(/It stores the scenario, the sampling, the target and the query\./).waitFor();
   await onNeighbours(async (other) => {
     assert.deepEqual(await stateOf(other), state);
     assert.equal(await other.inputValue("#option-candidates"), "77");
@@ -305,6 +305,36 @@ test("a link shows the same again, and says that a list of one's own is not in i
     assert.equal(await other.isChecked("#free"), false);
   }, DESK, { path: `neighbours.html${fragment}` });
 }, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a link holds a short list of one's own, and says that it leaves out a long one", () => onNeighbours(async (page) => {
+  const rows = Array.from({ length: 60 }, (_, i) => [Math.sin(i), Math.cos(3 * i)]);
+  await pickFile(page, "own.json", JSON.stringify(rows));
+  await page.waitForSelector("body[data-source=file]");
+  await rest(page);
+  await put(page, "k-number", 7);
+  const [state, fragment] = [await stateOf(page), await linkOf(page)];
+  await page.getByText(/It stores the scenario, your list, the target and the query\./).waitFor();
+  assert.deepEqual(numbers(state.found), [...foundBy(state, undefined, rows).indices]);
+  await onNeighbours(async (other) => {
+    assert.deepEqual(await stateOf(other), state);
+    assert.match(await other.innerText("#list-told"), /^own\.json: 60 configurations/);
+    assert.equal(await linkOf(other), fragment);
+  }, DESK, { path: `neighbours.html${fragment}` });
+  await pickFile(page, "long.json", JSON.stringify(Array.from({ length: 400 }, (_, i) => [Math.sin(i), Math.cos(3 * i)])));
+  await page.waitForSelector("body[data-source=file][data-n='400']");
+  await rest(page);
+  const without = await linkOf(page);
+  await page.getByText(/Your list is too long for a link and is not included/).waitFor();
+  await onNeighbours(async (other) => assert.equal((await stateOf(other)).source, "drawn"), DESK, { path: `neighbours.html${without}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a list in a link that is of another robot is refused in words, and one is sampled", async () => {
+  const fragment = await encodeState({ robot: "two", q: [0, 0], k: 3, list: { name: "odd.json", rows: [[1, 2], [1, 2, 3]] } }, () => {});
+  await onNeighbours(async (page) => {
+    assert.match(await page.innerText("#notice"), /odd\.json could not be read.*\n*.*configuration 1 has 3/);
+    assert.deepEqual([(await stateOf(page)).source, (await stateOf(page)).n], ["drawn", "500"]);
+  }, DESK, { path: `neighbours.html#${fragment}` });
+});
 
 /** The state of a page that a fragment opens, and its stage's dots in the workspace. @param {object} state @param {(page: Page, state: Record<string, string>) => Promise<void>} check */
 async function onState(state, check) {

@@ -88,10 +88,23 @@ export function setAddress(fragment) {
 /**
  * Makes the share button, and opens the state in the address, now and whenever the address changes.
  * @param {App} app @param {StateRule} rule
- * @param {{ save: () => object, open: (state: any) => unknown, contents: string }} page  `open` gets null where the address has no state, and may throw
+ * @param {{ save: () => object, spare?: string, open: (state: any) => unknown, contents: string | ((isWhole: boolean) => string) }} page  `spare`: an entry that is
+ *   left out of a link that would be too long with it, which then is not whole; `open` gets null where the address has no state, and may throw
  */
-export async function useLink(app, rule, { save, open, contents }) {
-  const share = makeShare(app, () => encodeState(save(), rule), () => contents);
+export async function useLink(app, rule, { save, spare = "", open, contents }) {
+  let isWhole = true;
+  const encode = async () => {
+    const state = save();
+    isWhole = true;
+    try {
+      return await encodeState(state, rule);
+    } catch (error) {
+      if (!(spare in state)) throw error;
+      isWhole = false;
+      return await encodeState({ ...state, [spare]: undefined }, rule);
+    }
+  };
+  const share = makeShare(app, encode, () => (typeof contents === "string" ? contents : contents(isWhole)));
   byId("link", HTMLElement).addEventListener("click", () => void share());
   addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
   await openAddress();

@@ -62,9 +62,13 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     else void session.read(name, bytes);
   });
   session.onChange(show);
-  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights });
+  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights, list: session.ownList });
   await useLink(app, stateRule, {
-    save: () => stateOf(session), contents: "the scenario, the sampling, the target and the query. Your own list is not included",
+    save: () => stateOf(session), spare: "list",
+    contents: (isWhole) => {
+      if (session.file === null) return "the scenario, the sampling, the target and the query";
+      return isWhole ? "the scenario, your list, the target and the query" : "the scenario, the target and the query. Your list is too long for a link and is not included";
+    },
     open: async (/** @type {State | null} */ state) => {
       if (state) await openState(session, state);
       else if (session.list.version === 0) await session.open(ROBOTS[0]);

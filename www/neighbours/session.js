@@ -17,6 +17,7 @@ import { isPlaced } from "../domain/names.js";
 /** @import { RobotEntry } from "./robots.js" */
 
 /** @typedef {"robot" | "list" | "query" | "result"} Change */
+/** @typedef {{ name: string, rows: number[][] }} OwnList   from a file: its name, and configurations */
 /** @typedef {[translation: number, rotation: number]} Weights   of a metre and of a radian in the distance of two placements */
 
 /** Robots drawn, at most; and up to how many each has its outline and its reference point. */
@@ -76,6 +77,9 @@ export class NeighbourSession extends Observable {
   /** The weights of the metric of a body or a car. @returns {Weights} */
   get weights() { return this.ownWeights ?? weightsOf(this.document) ?? USUAL; }
 
+  /** The list, if it is from a file. @returns {OwnList | null} */
+  get ownList() { return this.file === null ? null : { name: this.file, rows: Array.from({ length: this.count }, (_, i) => [...this.row(i)]) }; }
+
   /** A configuration of the list. @param {number} i */
   row(i) { return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension); }
 
@@ -85,15 +89,24 @@ export class NeighbourSession extends Observable {
     return [...this.exact].filter((i) => !found.has(i));
   }
 
-  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number, weights?: Weights | null }} [query] @returns {Promise<void>} @throws {Error} the core refuses the scenario or the weights */
-  open(entry, { q = entry.q, k = entry.k, weights = null } = {}) {
+  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number, weights?: Weights | null, list?: OwnList | null }} [query] @returns {Promise<void>} @throws {Error} the core refuses the scenario or the weights */
+  open(entry, { q = entry.q, k = entry.k, weights = null, list = null } = {}) {
     this.setWorld(entry, weights);
     Object.assign(this, { k, coordinates: coordinatesOf(this) });
     this.setList({ version: -1, rows: new Float64Array(), tips: new Float64Array() });
     if (!this.isArm) delete this.given.metric;
     this.q = this.fitted(q.length > 0 ? q : this.coordinates.map(({ low, high }) => (low + high) / 2));
+    this.file = null;
     this.update("robot");
-    return this.sample();
+    return list ? this.readOrSample(list) : this.sample();
+  }
+
+  /** Takes a list; where the core refuses it, one is sampled. @param {OwnList} list */
+  async readOrSample({ name, rows }) {
+    const reading = this.read(name, new TextEncoder().encode(JSON.stringify(rows)));
+    const request = this.requests;
+    await reading;
+    if (this.file === null && request === this.requests) await this.sample();
   }
 
   /** @param {RobotEntry} entry @param {Weights | null} weights @throws {Error} the core refuses them, and nothing changes */

@@ -1,6 +1,6 @@
-/** The state that a link stores; a list from a file is not in it, but a scenario is. */
+/** The state that a link stores: also a scenario, and a list from a file if it is short. */
 import { Scenario } from "planarium";
-import { flag, json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
+import { flag, json, list, name, number, oneOf, record, settings, text, whole, withDefaults } from "../formats/rules.js";
 import { sceneDocument } from "../planner/scenes/document.js";
 import { KINDS } from "./measurement.js";
 import { ROBOTS, entryOf } from "./robots.js";
@@ -8,7 +8,7 @@ import { ROBOTS, entryOf } from "./robots.js";
 /** @import { NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Rule } from "../formats/rules.js" */
-/** @import { NeighbourSession, Weights } from "./session.js" */
+/** @import { NeighbourSession, OwnList, Weights } from "./session.js" */
 
 export const stateRule = withDefaults({
   // A scenario, the name of a scene of the planner's page, or a robot of this page; the first of them that there is.
@@ -16,6 +16,8 @@ export const stateRule = withDefaults({
   // The weights of a metre and a radian, where they are not the scenario's.
   weights: /** @type {Rule<Weights>} */ (list(number, 2, 2)),
   draw: record({ n: whole(100_000, 1), seed: whole(999), free: flag }),
+  // A list from a file, in place of the sampled one.
+  list: /** @type {Rule<OwnList>} */ (record({ name: text, rows: list(list(number, 1, 8), 1, 4000) })),
   q: list(number, 1, 8), k: whole(500, 1), index: oneOf(KINDS), given: settings,
   // Whether the target and its neighbours are shown.
   ask: flag,
@@ -24,13 +26,13 @@ export const stateRule = withDefaults({
 /** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
 /** @param {NeighbourSession} session @returns {State} */
-export function stateOf({ entry, ownWeights, sampling, q, k, index, given, isAsking }) {
+export function stateOf({ entry, ownWeights, sampling, q, k, index, given, isAsking, ownList }) {
   const world = ROBOTS.includes(entry) ? { robot: entry.id } : entry.id === "file" ? { document: entry.document } : { scene: entry.id };
-  return { robot: ROBOTS[0].id, ...world, weights: ownWeights ?? undefined, draw: sampling, q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given, ask: isAsking };
+  return { robot: ROBOTS[0].id, ...world, weights: ownWeights ?? undefined, draw: sampling, ...(ownList ? { list: ownList } : {}), q: Array.from(q, (value) => Number(value.toFixed(6))), k, index, given, ask: isAsking };
 }
 
 /** @param {NeighbourSession} session @param {State} state @throws {Error} the core refuses it, or there is no such scene */
-export async function openState(session, { document, scene, robot, weights, draw, q, k, index, given, ask }) {
+export async function openState(session, { document, scene, robot, weights, draw, list: own, q, k, index, given, ask }) {
   const entry = document ? entryOf(document, "file") : scene ? entryOf(await sceneDocument(scene), scene) : ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0];
   // The core checks the options before anything changes.
   const scenario = Scenario.parse(entry.document);
@@ -40,5 +42,5 @@ export async function openState(session, { document, scene, robot, weights, draw
     scenario.free();
   }
   Object.assign(session, { sampling: { ...session.sampling, ...draw }, index, given, isAsking: ask });
-  await session.open(entry, { q, k, weights });
+  await session.open(entry, { q, k, weights, list: own });
 }

@@ -1,7 +1,9 @@
 /** Films: what was filmed is at its start in the first frame and at its end in the last, and both formats can be read and played. */
 import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
 import { test } from "node:test";
-import { chooseScene, click, download, fill, finish, onPage, onPausedPage, unfold, useBrowser } from "./browser.mjs";
+import { chooseScene, click, download, fill, finish, onPage, onPausedPage, pageRoot, root, unfold, useBrowser } from "./browser.mjs";
 import { readGif } from "./gif.mjs";
 import { click as clickRoom, onReach, poseOf, rest } from "./reach.mjs";
 import { readWebm } from "./webm.mjs";
@@ -115,6 +117,10 @@ test("a drive is filmed from the start to where the car is, and one control from
   await page.waitForSelector("#export-webm:enabled");
   const { bytes } = await film(page, "webm");
   assert.ok(readWebm(bytes).frames >= 30);
+  await page.evaluate(() => { VideoEncoder.isConfigSupported = async () => ({ supported: false }); });
+  await page.click("#export-webm");
+  await page.waitForSelector("#notice[data-code=no-encoder]");
+  assert.equal(await page.isVisible("#export-progress"), false);
 }, SMALL));
 
 test("the motion from A to B and a run of inverse kinematics are filmed, and the arm stays where it is", () => onReach(async (page) => {
@@ -192,3 +198,12 @@ test("where the browser has no video encoder there are GIFs alone, and the panel
   await page.selectOption("#export-frames", "24");
   assert.equal(readGif((await film(page, "gif")).bytes).frames.length, 24);
 }, SMALL, { before: async (page) => void await page.addInitScript(() => { Reflect.deleteProperty(window, "VideoEncoder"); }) }));
+
+test("what writes WebM is loaded with the first film only, and its licence is among the notices", () => {
+  const parts = readdirSync(join(pageRoot, "parts")).filter((name) => /^webm-.*\.js$/.test(name));
+  assert.ok(parts.length > 0);
+  for (const name of ["index", "reach", "trajectories"]) assert.doesNotMatch(readFileSync(join(pageRoot, `${name}.html`), "utf8"), /webm-/);
+  const notice = /mediabunny \d[\d.]* \(MPL-2\.0\), https:\/\/\S+$/m;
+  assert.match(readFileSync(join(pageRoot, "THIRD-PARTY-NOTICES.txt"), "utf8"), notice);
+  assert.match(readFileSync(join(root, "dist", "planarium.html"), "utf8").slice(0, 1000), /mediabunny \d[\d.]* \(MPL-2\.0, https:/);
+});

@@ -151,7 +151,8 @@ export class DriveControls {
         driving.begin(recording.record, steps, moment());
         driving.paused = true;
         this.fields.forEach((input, i) => { input.value = String(roll[i]); });
-        this.more.open = true;
+        // On a phone the form would cover the stage.
+        this.more.open = matchMedia("(min-width: 44rem)").matches;
         driving.roll(...roll);
       } else if (steps > 0) driving.replay(moment(), recording);
     });

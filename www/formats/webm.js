@@ -4,8 +4,8 @@
  */
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Output, WebMOutputFormat } from "mediabunny";
 
-/** Encoders in the order of preference: VP9 at level 3.1, which has pictures of up to 983,040 pixels, and VP8. */
-const CODECS = /** @type {const} */ ([["vp09.00.31.08", "vp9"], ["vp8", "vp8"]]);
+/** Pixels of a picture at most, at level 3.1 of VP9; larger ones need level 5. */
+const LEVEL_3 = 983_040;
 /** Bits a second for each pixel: drawings of lines need less, and get what they need. */
 const BITS = 6;
 /** Frames between two that can be decoded by themselves. */
@@ -62,9 +62,10 @@ export async function webmWriter(width, height) {
   };
 }
 
-/** @param {number} width @param {number} height */
+/** VP9 if the browser encodes it, else VP8. @param {number} width @param {number} height */
 async function chooseCodec(width, height) {
-  for (const [codec, name] of CODECS) {
+  const level = width * height <= LEVEL_3 ? "31" : "50";
+  for (const [codec, name] of /** @type {const} */ ([[`vp09.00.${level}.08`, "vp9"], ["vp8", "vp8"]])) {
     const config = { codec, width, height, bitrate: BITS * width * height };
     if ((await VideoEncoder.isConfigSupported(config)).supported) return { config, name };
   }

@@ -92,6 +92,7 @@ export class Link {
       try {
         controls.restore(drive ?? {}, roll);
       } catch (error) {
+        if (errorInfo(error).code === "internal") throw error;
         faults.push(errorInfo(error).message.replace(/\.?$/, "."));
       }
     } else if (pose && pose.length !== facts?.dimension) faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);

@@ -10,6 +10,9 @@ import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 /** The version of wasm-pack that the tests were written with. */
 const WASM_PACK = "0.15.1";
 
+/** The version of Dask that the example for clusters is tested with. */
+const DASK = "dask[distributed]==2026.8.0";
+
 const WASM_TARGET = "wasm32-unknown-unknown";
 
 /** Settings for tools that run for seconds: only the crates that read and write modules are worth optimizing. */
@@ -78,6 +81,23 @@ export async function ensureWasmPack() {
   say(`installing wasm-pack ${WASM_PACK} (once, takes some minutes)`);
   // It only calls other programs. A build without optimization takes a third of the time.
   await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { CARGO_PROFILE_DEV_DEBUG: "0" });
+}
+
+/** A Python with Dask: the one that PLANARIUM_PYTHON names, or one in the target folder. Without one a test is skipped. */
+export async function ensureDask() {
+  if (process.env.PLANARIUM_PYTHON) return process.env.PLANARIUM_PYTHON;
+  const folder = join(targetFolder(), "dask");
+  const python = join(folder, "bin", "python");
+  if (ask(python, ["-c", "import dask.distributed"]) !== undefined) return python;
+  say("installing Dask in the target folder");
+  try {
+    await run("python3", ["-m", "venv", "--clear", folder]);
+    await run(python, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", DASK]);
+    return python;
+  } catch (error) {
+    console.log(`Dask cannot be installed, and its test is skipped: ${error instanceof Error ? error.message : String(error)}`);
+    return undefined;
+  }
 }
 
 /** Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is the fastest browser. */

@@ -10,7 +10,7 @@ import { assembleOneFile, assemblePage, buildPackage } from "./build.mjs";
 import { countsOfHarness, countsOfTap } from "./counts.mjs";
 import { Problem, root, script, watch } from "./run.mjs";
 import {
-  cargoBin, ensureBrowser, ensureNodeModules, ensureRustComponents, ensureTestRunner, ensureWasmPack, ensureWasmTarget, requireCompilers,
+  cargoBin, ensureBrowser, ensureDask, ensureNodeModules, ensureRustComponents, ensureTestRunner, ensureWasmPack, ensureWasmTarget, requireCompilers,
 } from "./setup.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
@@ -45,7 +45,7 @@ const suites = [
 /** The set-up of each group; each step does nothing if it is already done. @type {Record<string, (() => Promise<unknown>)[]>} */
 const needs = {
   check: [ensureRustComponents, ensureWasmTarget, buildPackage],
-  rust: [async () => requireCompilers()],
+  rust: [async () => requireCompilers(), useDask],
   wasm: [ensureWasmTarget, async () => { bindgenFolder = await ensureTestRunner(); }, ensureWasmPack, useBrowser],
   package: [buildPackage, useBrowser],
   page: [buildPackage, async () => { assemblePage(); assembleOneFile(); }, useBrowser],
@@ -116,6 +116,11 @@ async function nodeTests(folder, concurrency) {
 /** A program that was aborted may report no failed test: its exit code is one. @param {Counts | undefined} counts @param {number} code */
 function withExitCode(counts, code) {
   return counts !== undefined && code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
+}
+
+/** Finds or installs Dask and passes its Python to the tests of the command line. */
+async function useDask() {
+  process.env.PLANARIUM_PYTHON = await ensureDask() ?? "";
 }
 
 /** Finds or installs the browser and passes its path to the suites. */

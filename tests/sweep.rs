@@ -1,6 +1,7 @@
 //! `planarium sweep`: the same rows by any number of threads, in shards, after it was killed, and in both formats.
 
 use crate::cli::{file, path, planarium_with, spawn, text_of};
+use crate::common::documents::needed;
 use serde_json::{Value, json};
 use std::process::Command;
 use std::thread::sleep;
@@ -89,6 +90,35 @@ fn rows_are_the_same_by_threads_and_in_shards() {
         assert_eq!(cells[0], i as f64);
         assert!(cells[1] + cells[2] > 0.0, "{line}");
     }
+}
+
+/// The example for clusters, with a cluster of Dask on this machine. `npm test` installs Dask if it may, and sets the variable.
+#[test]
+fn dask_joins_the_rows_of_one_run() {
+    let Some(python) = needed("PLANARIUM_PYTHON") else { return };
+    file("dask.json", document().to_string());
+    swept(&format!("dask.json --out {}", fresh("whole.csv")));
+    for part in 1..=4 {
+        fresh(&format!("dask.part-{part}-of-4.csv"));
+    }
+    let run = || {
+        let done = Command::new(&python)
+            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/cluster/dask_sweep.py"))
+            .args(["dask.json", "dask.csv", "--parts", "4", "--planarium", env!("CARGO_BIN_EXE_planarium")])
+            .current_dir(path(""))
+            .output()
+            .expect("PLANARIUM_PYTHON names a Python");
+        let [out, errors] = [&done.stdout, &done.stderr].map(|text| String::from_utf8_lossy(text));
+        assert!(done.status.success(), "{out}{errors}");
+        assert!(out.contains("4 of 4"), "{out}");
+        assert!(text_of("dask.csv") == text_of("whole.csv"));
+        assert_eq!(text_of("dask.times.csv").lines().count(), 91);
+    };
+    run();
+    // Stopped in one part, it goes on there.
+    let part = text_of("dask.part-2-of-4.csv");
+    file("dask.part-2-of-4.csv", &part[..part.len() / 2]);
+    run();
 }
 
 #[test]

@@ -156,15 +156,22 @@ pub fn rectangular(kind: &str, x: f64, y: f64, fields: &str) -> String {
     format!(r#"{{"type": "{kind}", "shape": {}{comma}{fields}}}"#, rectangle([-x, -y], [x, y]))
 }
 
-/// The JSON files of the folder `PLANARIUM_SCENARIOS` by name; prints a line, past the capture of the test harness, if it is not set.
+/// A variable that a test needs; prints a line, past the capture of the test harness, if it is not set.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn needed(variable: &str) -> Option<std::ffi::OsString> {
+    let value = std::env::var_os(variable).filter(|value| !value.is_empty());
+    if value.is_none() {
+        let test = std::thread::current().name().unwrap_or_default().to_owned();
+        let line = format!("\nSKIPPED {test}: {variable} is not set\n");
+        let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
+    }
+    value
+}
+
+/// The JSON files of the folder `PLANARIUM_SCENARIOS` by name, if it is set.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn shared() -> Option<std::collections::BTreeMap<String, String>> {
-    let Some(folder) = std::env::var_os("PLANARIUM_SCENARIOS").filter(|folder| !folder.is_empty()) else {
-        let test = std::thread::current().name().unwrap_or_default().to_owned();
-        let line = format!("\nSKIPPED {test}: PLANARIUM_SCENARIOS is not set\n");
-        let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
-        return None;
-    };
+    let folder = needed("PLANARIUM_SCENARIOS")?;
     let files = std::fs::read_dir(folder).expect("PLANARIUM_SCENARIOS names a folder");
     let paths = files.map(|file| file.expect("a file").path());
     let json = paths.filter(|path| path.extension().is_some_and(|extension| extension == "json"));

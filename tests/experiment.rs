@@ -161,15 +161,19 @@ fn a_budget_ends_a_trial_with_the_iteration_that_spends_it() {
     assert!(exhausted.iter().any(|row| row["status"] == "exhausted" && row["iterations"] == 20));
 }
 
-/// Experiments whose rows are committed: arms, a body and a car, proven and sampled.
+/// Experiments whose rows and summaries are committed: arms, a body and a car, proven and sampled.
 #[wasm_bindgen_test(unsupported = test)]
-fn rows_are_the_committed_ones_on_every_platform() {
+fn rows_and_summaries_are_the_committed_ones_on_every_platform() {
     golden::check("golden-experiment.json", include_str!("golden-experiment.json"), 2, |case| {
-        let columns = experiment(&case["experiment"]).columns();
-        let rows = rows(&case["experiment"], 16);
+        let (experiment, rows) = (experiment(&case["experiment"]), rows(&case["experiment"], 16));
+        let columns = experiment.columns();
         let texts =
             rows.iter().map(|row| columns.iter().map(|name| cell_text(&row[name])).collect::<Vec<_>>().join(","));
-        json!(texts.collect::<Vec<_>>())
+        let mut summary = Summary::new(&experiment);
+        for (number, row) in (0..).zip(&rows) {
+            summary.add_row(number, |column| row.get(column).map_or(String::new(), cell_text));
+        }
+        json!({ "rows": texts.collect::<Vec<_>>(), "summary": planarium::json::to_string(&summary.document()) })
     });
 }
 

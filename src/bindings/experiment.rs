@@ -1,14 +1,14 @@
 //! Experiments and statistics for JavaScript.
 
-use super::arguments::{count, experiment_document, numbers, text};
+use super::arguments::{count, experiment_document, numbers, records, text};
 use super::clock::{Stepped, Timed, advance};
 use super::records::{object, record};
-use super::types::{ExperimentInput, JsNumber, JsText, JsTrialRow, Measures, Sample};
+use super::types::{ExperimentInput, JsNumber, JsSummary, JsText, JsTrialRow, JsTrialRows, Measures, Sample};
 use super::{digits, types};
 use crate::Error;
 use crate::error::Code;
 use crate::experiment::statistics::{self, Ecdf, Mean, Names, Paired, Quartiles, Share};
-use crate::experiment::{self, TrialRun, Trials};
+use crate::experiment::{self, Summary, TrialRun, Trials, cell_text};
 use crate::problem;
 use serde_json::{Map, Value};
 use std::cell::RefCell;
@@ -44,6 +44,29 @@ impl Experiment {
         }
         let run = self.trials.borrow_mut().start(number)?;
         Ok(Trial(RefCell::new(Timed::new(run))))
+    }
+
+    /// The statistics of rows, in any order: the summary that `planarium sweep` prints of the same rows. Rows may have the columns
+    /// `build_seconds` and `search_seconds` as well. O(trials) of memory.
+    /// @throws {PlanariumError} `other-experiment` for rows of another experiment, `out-of-range` for a trial that it does not have;
+    /// `wrong-type`, `missing-field`
+    pub fn summary(&self, rows: &JsTrialRows) -> Result<JsSummary, Error> {
+        let rows: Vec<Map<String, Value>> = records(rows, "rows")?;
+        let (fingerprint, all) = (digits(self.experiment.fingerprint()), self.experiment.trial_count());
+        let mut summary = Summary::new(&self.experiment);
+        for (i, row) in rows.iter().enumerate() {
+            let cell = |name: &str| row.get(name).map_or(String::new(), cell_text);
+            if cell("experiment") != fingerprint {
+                let sentence = format!("row {i} is not one of experiment {fingerprint}");
+                return Err(Error::new(Code::OtherExperiment, format!("/rows/{i}/experiment"), sentence));
+            }
+            let Some(trial) = cell("trial").parse().ok().filter(|trial| *trial < all) else {
+                let sentence = format!("there are {all} trials, and none is number {}", cell("trial"));
+                return Err(Error::new(Code::OutOfRange, format!("/rows/{i}/trial"), sentence));
+            };
+            summary.add_row(trial, cell);
+        }
+        Ok(object(&summary.document()).into())
     }
 }
 
@@ -207,9 +230,60 @@ export type ExperimentAxis = (number | string | boolean)[] | { from: number; to:
 export type ExperimentSeeds = number[] | { from: number; count: number };
 
 /** A measured number of a trial: a column of rows, or a time. */
-export type Measure = "iterations" | "vertices" | "edges" | "waypoints" | "length" | "configuration_checks" | "motion_checks"
+export type Measure = "iterations" | "vertices" | "edges" | "waypoints" | "length" | "configuration_checks" | "rejected_samples" | "motion_checks"
   | "nearest_queries" | "visited" | "clearance_evaluations" | "unproven_motions" | "build_seconds" | "search_seconds";
 
 /** A row by column. */
 export type TrialRow = Record<string, number | string | boolean | null>;
+
+/** Values of parameters by name. */
+export type ExperimentSettings = Record<string, number | string | boolean>;
+
+/** The statistics of one planner with one setting in worlds of one kind: of the trials that differ in seeds alone. */
+export interface ExperimentGroup {
+  /** The name of the worlds. */
+  world: string;
+  /** The options of the generator that vary. */
+  world_settings: ExperimentSettings;
+  /** The name of the query; null if it is the first of each world. */
+  query: string | null;
+  /** The name of the planner. */
+  planner: string;
+  /** Its parameters that vary. */
+  settings: ExperimentSettings;
+  /** The share of trials that are solved. */
+  solved: Share;
+  /** The share of paths that the verifier accepts; absent if it was not asked. */
+  valid?: Share;
+  /** The statistics of every measure of the document, over the trials that are solved. */
+  measures: Partial<Record<Measure, { quartiles: Quartiles; mean: Mean }>>;
+}
+
+/** One setting compared with the first setting of the first planner, on the same worlds and seeds. */
+export interface ExperimentComparison {
+  /** The index of its group. */
+  group: number;
+  /** The index of the group that it is compared with. */
+  with: number;
+  /** Which of the two is solved, pair by pair: 1 or 0. */
+  solved: Paired;
+  /** Every measure, over the pairs in which both are solved. */
+  measures: Partial<Record<Measure, Paired>>;
+}
+
+/** The summary of an experiment. */
+export interface ExperimentSummary {
+  /** The fingerprint of the experiment. */
+  experiment: string;
+  /** Its title; absent if there is none. */
+  title?: string;
+  /** How many trials it has. */
+  trials: number;
+  /** How many of them are summarised. */
+  rows: number;
+  /** The trials that differ in seeds alone. */
+  groups: ExperimentGroup[];
+  /** Each setting compared with the first. */
+  comparisons: ExperimentComparison[];
+}
 "#;

@@ -31,6 +31,8 @@ plain! {
     ReachOptions = "ReachOptions",
     NeighboursOptions = "NeighboursOptions",
     SampleOptions = "SampleOptions",
+    RolloutOptions = "RolloutOptions",
+    JsWay = "\"short\" | \"sign-of-difference\"",
     CspaceOptions = "CspaceOptions",
     QueryOptions = "QueryOptions",
     TrajectoryOptions = "TrajectoryOptions",
@@ -48,6 +50,8 @@ plain! {
     Measures = "Measure[]",
     Sample = "Float64Array | readonly number[]",
     JsTrialRow = "TrialRow",
+    JsTrialRows = "readonly TrialRow[]",
+    JsSummary = "ExperimentSummary",
 }
 
 /// The status of a run.
@@ -115,6 +119,14 @@ export interface SampleOptions {
   seed?: number;
   /** Whether only free configurations are returned; `false` by default. */
   free?: boolean;
+}
+
+/** Options of `scenario.rollout`. */
+export interface RolloutOptions {
+  /** Along the exact arc (default), or by Euler's explicit method, which turns circles into spirals. */
+  integration?: "exact" | "euler";
+  /** The length of a step, in seconds; the car's own by default. */
+  dt?: number;
 }
 
 /** The size of a picture of the configuration space, in cells. */

@@ -171,6 +171,8 @@ pub enum Measure {
     Length,
     /// Configurations tested for collision.
     ConfigurationChecks,
+    /// Samples drawn in collision.
+    RejectedSamples,
     /// Motions tested for collision.
     MotionChecks,
     /// Queries of the index of neighbours.

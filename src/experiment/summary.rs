@@ -116,6 +116,13 @@ impl<'a> Summary<'a> {
         self.rows += 1;
     }
 
+    /// Adds the row of a trial: each cell as text, by its column or, of a time, by its word as a measure; empty if it is unknown.
+    pub fn add_row(&mut self, trial: u64, cell: impl Fn(&str) -> String) {
+        let number = |measure: &Measure| cell(measure.as_str()).parse().unwrap_or(f64::NAN);
+        let values: Vec<f64> = self.experiment.measures().iter().map(number).collect();
+        self.add(&self.experiment.trial(trial), cell("status") == "solved", cell("valid").parse().ok(), &values);
+    }
+
     /// The summary of the trials that were added.
     pub fn document(&self) -> SummaryDocument {
         let groups: Vec<_> = self.groups.iter().map(|(key, group)| self.group(*key, group)).collect();

@@ -252,6 +252,7 @@ impl Measure {
             Measure::Vertices => stats.vertices,
             Measure::Edges => stats.edges,
             Measure::ConfigurationChecks => stats.configuration_checks,
+            Measure::RejectedSamples => stats.rejected_samples,
             Measure::MotionChecks => stats.motion_checks,
             Measure::NearestQueries => stats.nearest_queries,
             Measure::Visited => stats.visited,

@@ -41,8 +41,9 @@ impl<S: Space> Growth<S> {
         }
     }
 
-    /// Adds an event about a sample that becomes no vertex.
+    /// Adds an event about a sample that becomes no vertex, and counts it if it is rejected.
     pub fn reject(&mut self, kind: EventKind, iteration: u32, state: S::State) {
+        self.counters.rejected_samples += u64::from(kind == EventKind::SampleRejected);
         self.add_event(kind, iteration, None, None, state);
     }
 

@@ -68,6 +68,9 @@ pub struct Stats {
     pub edges: u64,
     /// Configurations tested for collision.
     pub configuration_checks: u64,
+    /// Samples drawn in vain: in collision, or none was found where the sampler looks.
+    #[serde(default)] // Absent in results written before they were counted.
+    pub rejected_samples: u64,
     /// Motions tested for collision.
     pub motion_checks: u64,
     /// Queries of the nearest-neighbour index.

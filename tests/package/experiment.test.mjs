@@ -5,9 +5,9 @@ import { test } from "node:test";
 import { Experiment, ecdf, mean, movingAverage, paired, quartiles, share } from "planarium";
 import { fails } from "./scenes.mjs";
 
-/** @import { ExperimentDocument } from "planarium" */
+/** @import { ExperimentDocument, TrialRow } from "planarium" */
 
-/** @type {{ experiment: ExperimentDocument, outcome: string[] }[]} */
+/** @type {{ experiment: ExperimentDocument, outcome: { rows: string[], summary: string } }[]} */
 const golden = JSON.parse(readFileSync(new URL("../golden-experiment.json", import.meta.url), "utf8"));
 
 /** @type {ExperimentDocument} */
@@ -18,26 +18,47 @@ const small = {
   seeds: { from: 3, count: 4 },
 };
 
-/** The row of a trial as a line of CSV without quotes. @param {Experiment} experiment @param {number} number @param {number} slice */
-function line(experiment, number, slice) {
+/** The row of a trial. @param {Experiment} experiment @param {number} number @param {number} slice */
+function rowOf(experiment, number, slice) {
   const trial = experiment.trial(number);
   while (slice > 0 ? trial.step(slice) : trial.stepFor(1));
   const row = trial.row();
   assert.deepEqual(Object.keys(row).sort(), experiment.columns.toSorted());
   assert.ok(trial.buildSeconds + trial.searchSeconds >= 0 && trial.iterations === row.iterations && trial.status === row.status);
   trial.free();
-  return experiment.columns.map((column) => row[column] ?? "").join(",");
+  return row;
 }
 
-test("rows are the committed ones, however a trial is stepped", () => {
+test("rows and summaries are the committed ones, however a trial is stepped", () => {
   for (const { experiment: document, outcome } of golden) {
     for (const slice of [0, 16, 1e9]) {
       const experiment = Experiment.parse(slice ? document : JSON.stringify(document));
-      assert.equal(experiment.trialCount, outcome.length);
-      outcome.forEach((expected, number) => assert.equal(line(experiment, number, slice), expected));
+      const { columns, trialCount } = experiment;
+      assert.equal(trialCount, outcome.rows.length);
+      const rows = outcome.rows.map((_, number) => rowOf(experiment, number, slice));
+      // As lines of CSV without quotes.
+      assert.deepEqual(rows.map((row) => columns.map((column) => row[column] ?? "").join(",")), outcome.rows);
+      assert.deepEqual(experiment.summary(rows.toReversed()), JSON.parse(outcome.summary), "in any order");
       experiment.free();
     }
   }
+});
+
+test("a summary has the rows that it was given, and times if they have some", () => {
+  const experiment = Experiment.parse({ ...small, measures: ["build_seconds", "rejected_samples"] });
+  assert.deepEqual(experiment.summary([]), { experiment: experiment.fingerprint, trials: 16, rows: 0, groups: [], comparisons: [] });
+  const row = { ...rowOf(experiment, 0, 1e9), build_seconds: 0.25 };
+  assert.equal(row.status, "solved");
+  const { rows, groups: [{ solved, measures }, ...others] } = experiment.summary([row]);
+  assert.deepEqual([rows, others.length, solved.n, solved.missing], [1, 0, 1, 7]);
+  assert.equal(measures.build_seconds?.mean.mean, 0.25);
+  /** @param {object} change */
+  const given = (change) => () => experiment.summary([row, /** @type {TrialRow} */ ({ ...row, ...change })]);
+  fails(given({ experiment: "0" }), "other-experiment", "/rows/1/experiment");
+  fails(given({ trial: 16 }), "out-of-range", "/rows/1/trial");
+  fails(given({ trial: "first" }), "out-of-range", "/rows/1/trial");
+  fails(() => experiment.summary(/** @type {any} */ ([3])), "wrong-type", "/rows/0");
+  fails(() => experiment.summary(/** @type {any} */ ("rows")), "wrong-type", "/rows");
 });
 
 test("an experiment says what it is", () => {

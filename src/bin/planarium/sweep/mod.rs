@@ -8,7 +8,7 @@ use crate::plan::{REDRAW, next_slice, progress_target};
 use crate::{Answer, files};
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
-use planarium::experiment::{Experiment, Measure, Summary, Trials};
+use planarium::experiment::{Experiment, Summary, Trials};
 use planarium::json;
 use planarium::run::Phase;
 use rows::{Row, Rows, Writer};
@@ -141,20 +141,13 @@ fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
 
 /// The statistics of all rows, as JSON.
 fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
-    let at = |name: &str| rows.columns.iter().position(|column| column == name);
-    let (status, valid) = (at("status"), at("valid"));
-    let columns: Vec<_> = experiment.measures().iter().map(|measure| (*measure, at(measure.as_str()))).collect();
     let mut summary = Summary::new(experiment);
     rows.read(|Row { trial, cells, seconds: [build, search] }| {
-        let value = |&(measure, column): &(Measure, Option<usize>)| match (measure, column) {
-            (Measure::BuildSeconds, _) => build,
-            (_, None) => search,
-            (_, Some(column)) => cells[column].parse().unwrap_or(f64::NAN),
-        };
-        let values: Vec<f64> = columns.iter().map(value).collect();
-        let is_valid = valid.and_then(|column| cells[column].parse().ok());
-        let is_solved = status.is_some_and(|column| cells[column] == "solved");
-        summary.add(&experiment.trial(trial), is_solved, is_valid, &values);
+        summary.add_row(trial, |name| match name {
+            "build_seconds" => build.to_string(),
+            "search_seconds" => search.to_string(),
+            _ => rows.columns.iter().position(|column| column == name).map_or(String::new(), |i| cells[i].clone()),
+        });
         Ok(())
     })?;
     Ok(json::to_string(&summary.document()))

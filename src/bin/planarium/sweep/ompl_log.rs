@@ -18,7 +18,7 @@ const TIMEOUT: usize = 4;
 const EXACT: usize = 6;
 
 /// The properties of runs that are columns of rows: OMPL's name and type, and the column.
-const COLUMNS: [(&str, &str); 15] = [
+const COLUMNS: [(&str, &str); 16] = [
     ("world TEXT", "world"),
     ("world seed INTEGER", "world_seed"),
     ("query TEXT", "query"),
@@ -29,6 +29,7 @@ const COLUMNS: [(&str, &str); 15] = [
     ("path waypoints INTEGER", "waypoints"),
     ("solution length REAL", "length"),
     ("configuration checks INTEGER", "configuration_checks"),
+    ("rejected samples INTEGER", "rejected_samples"),
     ("motion checks INTEGER", "motion_checks"),
     ("nearest queries INTEGER", "nearest_queries"),
     ("visited INTEGER", "visited"),

@@ -6,9 +6,11 @@ use crate::common::graphs::{edges, rows, tried};
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish, no_way, options, seeds, worlds,
 };
-use planarium::planner::planners;
+use planarium::geometry::{Point, Segment};
+use planarium::planner::{EdgeCheck, planners};
 use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Options, Status, start};
+use planarium::scenario::Robot;
 use planarium::scenario::generate::generate;
 use planarium::space::angular_distance;
 use std::f64::consts::TAU;
@@ -120,7 +122,7 @@ fn an_unchecked_roadmap_is_stored_as_such() {
     let settings = "samples=100 k=8 edge_check=none";
     let run = finish(begin_with(&world, "prm", 1, settings));
     let document = run.roadmap().expect("a roadmap");
-    assert_eq!(document.edge_samples, Some(0));
+    assert_eq!((document.edge_check, document.edge_samples), (EdgeCheck::None, None));
     assert!(document.to_json().contains(r#""edge_check":"none""#) && !document.to_json().contains("edge_samples"));
     for form in [document.to_json().into_bytes(), document.to_bytes()] {
         assert_eq!(RoadmapDocument::read(&form).expect("it can be read"), document);
@@ -129,8 +131,75 @@ fn an_unchecked_roadmap_is_stored_as_such() {
     let resumed = finish(again("edge_check=none").expect("it continues")).result();
     assert_eq!((resumed.edge_check.as_deref(), resumed.path), (Some("none"), run.path()));
     refuses(again("edge_check=proven"), "out-of-range", "/edge_check");
-    let lie = RoadmapDocument { edge_samples: None, ..document.clone() };
+    let lie = RoadmapDocument { edge_check: EdgeCheck::Proven, ..document.clone() };
     refuses(run::resume(&world, &options("prm", 1, ""), &lie).map(|_| ()), "invalid-roadmap", &first_blocked(&lie));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn joints_on_straight_lines_miss_collisions_and_refuse_free_motions() {
+    // A disc that the first link sweeps and no joint meets.
+    let post = r#"{"type": "disc", "center": [0.5, 0], "radius": 0.1}"#;
+    let world = scenario("", post, &arm(&[1.0, 1.0], 0.0), r#""start": [0.6, 0.1], "goal": [-0.6, -0.1]"#);
+    let inspector = planarium::run::inspect::Inspector::new(&world);
+    let Robot::Arm(robot) = world.robot() else { panic!("an arm") };
+    let crosses = |a: Point, b: Point| {
+        world.world().obstacles.iter().any(|wall| wall.distance_to_segment(&Segment::new(a, b)) <= 0.0)
+    };
+    let passes = |a: &[f64], b: &[f64]| (1..=2).all(|joint| !crosses(robot.joints(a)[joint], robot.joints(b)[joint]));
+    for (planner, settings) in
+        [("prm", "samples=200 k=10"), ("rrt", "extend=until-obstacle"), ("rrt-connect", "step=1")]
+    {
+        let (mut through, mut needless) = (0, 0);
+        for seed in 0..seeds(20) {
+            let settings = format!("{settings} edge_check=joint-lines");
+            let run = finish(begin_with(&world, planner, seed, &settings));
+            let mut sliced = begin_with(&world, planner, seed, &settings);
+            while sliced.step(7) == Status::Running {}
+            assert_eq!((sliced.fingerprint(), sliced.stats()), (run.fingerprint(), run.stats()));
+            let result = run.result();
+            assert_eq!((result.status, result.edge_check.as_deref()), (Status::Solved, Some("joint-lines")));
+            let vertices = rows(&*run);
+            assert!(vertices.iter().all(|q| inspector.check(q).expect("a configuration").is_empty()));
+            let edges = edges(&*run);
+            assert!(edges.iter().all(|&[a, b]| passes(&vertices[a], &vertices[b])));
+            through += u64::from(judged(&world, &result).is_err());
+            let is_proven = |a: &[f64], b: &[f64]| inspector.first_hit(a, b).expect("configurations").is_none();
+            let is_needless =
+                |&&[a, b]: &&[usize; 2]| !passes(&vertices[a], &vertices[b]) && is_proven(&vertices[a], &vertices[b]);
+            needless += tried(&*run).iter().filter(is_needless).count();
+        }
+        assert!(through >= seeds(20) / 4, "{planner}: {through} of {} paths meet the post", seeds(20));
+        assert!(planner != "prm" || needless > 0, "a chord may cross what the joint goes round");
+    }
+    for (other, planner) in [(disc_and_wall(0.3, 0.5), "prm"), (car_and_wall(0.1), "rrt")] {
+        let run = start(&other, &options(planner, 0, "edge_check=joint-lines"));
+        assert!(refuses(run.map(|_| ()), "out-of-range", "/edge_check").contains("arm"));
+    }
+    let settings = "samples=100 k=8 edge_check=joint-lines";
+    let run = finish(begin_with(&world, "prm", 1, settings));
+    let document = run.roadmap().expect("a roadmap");
+    assert_eq!((document.edge_check, document.edge_samples), (EdgeCheck::JointLines, None));
+    for form in [document.to_json().into_bytes(), document.to_bytes()] {
+        assert_eq!(RoadmapDocument::read(&form).expect("it can be read"), document);
+    }
+    let resumed = run::resume(&world, &options("prm", 1, "edge_check=joint-lines"), &document);
+    assert_eq!(finish(resumed.expect("it continues")).path(), run.path());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn interpolation_by_the_sign_of_the_difference_misses_goals_across_the_cut() {
+    let inspector = planarium::run::inspect::Inspector::new(&arm_of(2, false, 0.0));
+    let is_near = |q: &[f64], other: &[f64]| q.iter().zip(other).all(|(a, b)| angular_distance(*a, *b) < 1e-12);
+    for t in [0.0, 0.25, 0.5, 1.0] {
+        let [a, b] = [[-1.0, 0.5], [1.5, -1.0]];
+        let [short, by_sign] = [inspector.interpolate(&a, &b, t), inspector.interpolate_by_sign(&a, &b, t)];
+        assert!(is_near(&short.unwrap(), &by_sign.unwrap()), "less than half a turn");
+        // Six radians apart: 2 pi - 6 the short way, which is downwards.
+        let turn = t * (TAU - 6.0);
+        assert!(is_near(&inspector.interpolate(&[-3.0, 0.5], &[3.0, 0.5], t).unwrap(), &[-3.0 - turn, 0.5]));
+        assert!(is_near(&inspector.interpolate_by_sign(&[-3.0, 0.5], &[3.0, 0.5], t).unwrap(), &[-3.0 + turn, 0.5]));
+    }
+    refuses(inspector.interpolate_by_sign(&[0.0, 0.0], &[1.0, 1.0], 1.5), "out-of-range", "/t");
 }
 
 /// The pointer of the first edge that is not free.

@@ -4,7 +4,7 @@ use crate::common::bodies::{self, p, rectangle, world};
 use crate::common::documents::{self, scenario};
 use crate::common::{begin_with, finish};
 use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
-use planarium::driving::rollout;
+use planarium::driving::{RolloutOptions, rollout};
 use planarium::geometry::{Disc, Point};
 use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
@@ -193,7 +193,8 @@ fn a_rollout_that_scrapes_along_a_wall_ends() {
         let scenario = scenario("[0, 0], [10, 10]", &obstacles, &car, "");
         let control = |steering| Motion { control: Control { speed: 1.0, steering }, duration: 8.0 };
         for steering in [0.0, 1e-12, -1e-9, 1e-3] {
-            let rollout = rollout(&scenario, &[1.0, 1.0, 0.0], control(steering)).expect("a car");
+            let rollout =
+                rollout(&scenario, &[1.0, 1.0, 0.0], control(steering), RolloutOptions::default()).expect("a car");
             assert!(rollout.seconds > 0.0);
         }
     }

@@ -4,7 +4,7 @@ use crate::common;
 use crate::common::bodies::{placed, touches};
 use crate::common::documents::{disc, rectangle, rectangular, refuses, scenario};
 use crate::common::driven::car as car_of;
-use planarium::driving::{Drive, Key, MAX_STEPS, Press, rollout};
+use planarium::driving::{Drive, Integration, Key, MAX_STEPS, Press, RolloutOptions, rollout};
 use planarium::geometry::arc_pose;
 use planarium::problem::{Control, Motion, Touched};
 use planarium::random::{Random, Stream};
@@ -179,7 +179,8 @@ fn a_replay_stops_at_the_given_step() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_rollout_is_the_arc_up_to_what_it_hits() {
     let hold = |speed, steering, duration| {
-        rollout(&road(), &[0.5, 0.5, 0.0], Motion { control: Control { speed, steering }, duration })
+        let motion = Motion { control: Control { speed, steering }, duration };
+        rollout(&road(), &[0.5, 0.5, 0.0], motion, RolloutOptions::default())
     };
     let free = hold(0.5, PI / 4.0, 1.234).expect("a rollout");
     assert_eq!((free.poses.len(), free.seconds, free.blocked), (125, 1.234, None));
@@ -201,8 +202,45 @@ fn a_rollout_is_the_arc_up_to_what_it_hits() {
         assert_eq!(hold(speed, steering, duration).expect_err("bad input").pointer(), pointer);
     }
     let motion = Motion { control: Control { speed: 0.1, steering: 0.0 }, duration: 1.0 };
-    let inside = rollout(&road(), &[1.5, 0.5, 0.0], motion).expect("a rollout that goes nowhere");
-    assert_eq!((inside.poses.len(), inside.blocked), (1, Some(Some(Touched::Obstacle(1)))));
+    for integration in [Integration::Exact, Integration::Euler] {
+        let options = RolloutOptions { integration, step: None };
+        let inside = rollout(&road(), &[1.5, 0.5, 0.0], motion, options).expect("a rollout that goes nowhere");
+        assert_eq!((inside.poses.len(), inside.blocked), (1, Some(Some(Touched::Obstacle(1)))));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn euler_steps_drift_from_the_arc_in_proportion_to_their_length() {
+    let hold = |speed, steering, duration, integration, step| {
+        let motion = Motion { control: Control { speed, steering }, duration };
+        rollout(&road(), &[0.5, 0.5, 0.0], motion, RolloutOptions { integration, step })
+    };
+    let rolled = |step| {
+        let of = |integration| hold(0.5, PI / 4.0, 1.234, integration, Some(step)).expect("a rollout");
+        let [exact, euler] = [of(Integration::Exact), of(Integration::Euler)];
+        assert_eq!((euler.poses.len(), euler.seconds, euler.blocked), (exact.poses.len(), 1.234, None));
+        assert_eq!(exact.poses.len(), (1.234 / step).ceil() as usize + 1);
+        let turn_rate = 0.5 * libm::tan(PI / 4.0) / 0.2;
+        for pair in euler.poses.windows(2).take(euler.poses.len() - 2) {
+            let [from, to] = [pair[0], pair[1]];
+            assert!((to[0] - from[0] - 0.5 * step * libm::cos(from[2])).abs() < 1e-15);
+            assert!((to[1] - from[1] - 0.5 * step * libm::sin(from[2])).abs() < 1e-15);
+            assert!((angular_distance(to[2], from[2]) - turn_rate * step).abs() < 1e-14);
+        }
+        let [arc, spiral] = [exact, euler].map(|rollout| rollout.poses[rollout.poses.len() - 1]);
+        assert!(angular_distance(arc[2], spiral[2]) < 1e-12, "headings are exact");
+        (arc[0] - spiral[0]).hypot(arc[1] - spiral[1])
+    };
+    let [coarse, fine, finest] = [0.1, 0.01, 0.001].map(rolled);
+    assert!(coarse > 5.0 * fine && fine > 5.0 * finest && finest > 1e-6, "{coarse} {fine} {finest}");
+    // Straight ahead there is no error, and the wall is met at the same step.
+    let [exact, euler] = [Integration::Exact, Integration::Euler].map(|way| hold(0.5, 0.0, 10.0, way, None).unwrap());
+    assert_eq!(euler.blocked, Some(Some(Touched::Obstacle(1))));
+    assert!((euler.seconds - exact.seconds).abs() < 0.011 && euler.poses.len() >= exact.poses.len());
+    for step in [0.0, -0.1, 1e-7, f64::NAN] {
+        assert_eq!(hold(0.1, 0.0, 0.0, Integration::Euler, Some(step)).expect_err("bad input").pointer(), "/dt");
+    }
+    refuses(hold(0.1, 0.0, 2.0, Integration::Euler, Some(1e-6)), "out-of-range", "/duration");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -5,7 +5,7 @@ use crate::common::bodies::*;
 use crate::common::documents::{self, arm, rectangular, refusal, refuses, scenario};
 use crate::common::{assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
-use planarium::driving::rollout;
+use planarium::driving::{RolloutOptions, rollout};
 use planarium::geometry::{Disc, Polygon};
 use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
@@ -235,7 +235,9 @@ fn a_car_is_not_driven_in_more_turns_than_can_be_told_apart() {
     // Three million turns a step, a metre round; where they end is off by more than what the proof leaves to rounding.
     let scenario = fast_car("", r#""start": [2, 1, 0], "goal": [2, 1, 1]"#);
     let control = |speed: f64| Motion { control: Control { speed, steering: 0.7 }, duration: 10.0 };
-    let driven = |speed: f64| rollout(&scenario, &[2.0, 1.0, 0.0], control(speed)).expect("a car").poses.len();
+    let driven = |speed: f64| {
+        rollout(&scenario, &[2.0, 1.0, 0.0], control(speed), RolloutOptions::default()).expect("a car").poses.len()
+    };
     assert_eq!([1.0, 50.0, 1e3, 1e6].map(driven), [2, 2, 1, 1]);
 }
 

@@ -8,6 +8,7 @@ use crate::common::{
 };
 use planarium::Error;
 use planarium::error::Code;
+use planarium::planner::EdgeCheck;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
 use planarium::run::{self, Options, Run, Status};
 use planarium::scenario::Scenario;
@@ -397,7 +398,7 @@ fn sampled_edges_are_sampled_again_and_stay_named() {
     let run = run::resume(&thin, &options("prm", 0, "edge_check=sampled edge_samples=4 metric=sum"), &document);
     assert_eq!(finish(run.expect("its samples are free")).result().edge_check.as_deref(), Some("sampled"));
     // Passed off as proven it is refused: some edge jumps through the wall.
-    let lie = RoadmapDocument { edge_samples: None, ..document.clone() };
+    let lie = RoadmapDocument { edge_check: EdgeCheck::Proven, edge_samples: None, ..document.clone() };
     let error = resume(&thin, &lie).err().expect("this is to be refused");
     assert!(error.code() == Code::InvalidRoadmap && error.pointer().starts_with("/edges/"), "{error}");
     let finer = RoadmapDocument { edge_samples: Some(1000), ..document };

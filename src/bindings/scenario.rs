@@ -1,11 +1,11 @@
 //! A scenario for JavaScript.
 
-use super::arguments::{count, document, fields, finite, row, rows, text, text_or_bytes};
+use super::arguments::{choice, count, document, fields, finite, row, rows, text, text_or_bytes};
 use super::records::{Check, QueryCheck, Rollout, object, record, with_configuration};
 use super::types::{
     Booleans, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument, JsNumber, JsPair,
-    JsPoint, JsText, NeighboursOptions, PlannerOptions, ReachOptions, ResumeOptions, RoadmapFile, RobotType, Rows,
-    SampleOptions, ScenarioInput, TwoRanges,
+    JsPoint, JsText, JsWay, NeighboursOptions, PlannerOptions, ReachOptions, ResumeOptions, RoadmapFile, RobotType,
+    RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
 };
 use super::{drive, neighbours, planner, reach};
 use crate::Error;
@@ -134,8 +134,20 @@ impl Scenario {
     }
 
     /// The configuration at the fraction `t`, from 0 to 1, of the straight motion from `a` to `b`; circles the short way round.
-    pub fn interpolate(&self, a: &JsConfiguration, b: &JsConfiguration, t: &JsNumber) -> Result<Vec<f64>, Error> {
-        self.inspector.interpolate(&self.configuration(a, "a")?, &self.configuration(b, "b")?, finite(t, "t")?)
+    /// The way `sign-of-difference` is a faulty one of a course report: as far as the short way, but in the direction of the plain
+    /// difference of the angles as they are given. If that is more than half a turn, the motion ends elsewhere than in `b`.
+    /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-dimension`, `wrong-type`
+    pub fn interpolate(
+        &self,
+        a: &JsConfiguration,
+        b: &JsConfiguration,
+        t: &JsNumber,
+        way: Option<JsWay>,
+    ) -> Result<Vec<f64>, Error> {
+        let way = way.map_or(Ok(0), |way| choice(&way, "way", &["short", "sign-of-difference"]))?;
+        let [a, b] = [self.configuration(a, "a")?, self.configuration(b, "b")?];
+        let interpolate = [Inspector::interpolate, Inspector::interpolate_by_sign][way];
+        interpolate(&self.inspector, &a, &b, finite(t, "t")?)
     }
 
     /// The distance from `a` to `b` in the default metric of the scenario.
@@ -215,18 +227,26 @@ impl Scenario {
     }
 
     /// The motion of the car from `q` under one control: speed `v` (metres per second) and steering angle `phi` (radians, to the left if
-    /// positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven free.
-    /// @throws {PlanariumError} `unsupported` for any robot but a car, `out-of-range`
+    /// positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven free. With the
+    /// integration `euler` the poses are those of Euler's steps, each checked and nothing proven.
+    /// @throws {PlanariumError} `unsupported` for any robot but a car; `out-of-range`, `not-finite`, `unknown-field`
     pub fn rollout(
         &self,
         q: &JsConfiguration,
         v: &JsNumber,
         phi: &JsNumber,
         duration: &JsNumber,
+        options: Option<RolloutOptions>,
     ) -> Result<Ts<Rollout>, Error> {
         let control = Control { speed: finite(v, "v")?, steering: finite(phi, "phi")? };
         let motion = Motion { control, duration: finite(duration, "duration")? };
-        let rollout = driving::rollout(&self.world, &self.configuration(q, "q")?, motion)?;
+        let mut fields = fields(options)?;
+        let options = driving::RolloutOptions {
+            integration: fields.take("integration")?.unwrap_or_default(),
+            step: fields.take("dt")?,
+        };
+        fields.finish("integration, dt")?;
+        let rollout = driving::rollout(&self.world, &self.configuration(q, "q")?, motion, options)?;
         Ok(record(&Rollout::from(rollout)))
     }
 

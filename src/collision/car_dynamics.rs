@@ -3,18 +3,21 @@
 
 use super::body_validity::placement;
 use super::{BodyCollision, BodyMotion, LONGEST_DRIVE};
-use crate::geometry::arc_pose;
+use crate::geometry::{arc_pose, euler_pose};
 use crate::problem::{Control, Dynamics, Motion};
 use crate::random::Random;
 use crate::robot::Car;
 use crate::space::steering::Turn;
 use crate::space::{MotionSpace, Space};
+use serde::Deserialize;
 use std::rc::Rc;
 
 /// The integration of the motion of a car.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Integration {
     /// Exact: constant controls give arcs of circles. Steps are proven free.
+    #[default]
     Exact,
     /// By Euler's explicit method, a step of integration at a time, as in the course reports: circles become spirals. The
     /// motion between two steps is not tested, so nothing is proven.
@@ -41,12 +44,8 @@ impl<const N: usize> CarDynamics<N> {
 
     /// The placements after each step of Euler's method, angles not wrapped. Endless.
     fn euler(&self, from: &[f64; N], control: Control) -> impl Iterator<Item = [f64; 3]> + use<N> {
-        let step = self.car.integration_step();
-        let (along, turn) = (control.speed * step, self.turn_rate(control) * step);
-        let next = move |&[x, y, theta]: &[f64; 3]| {
-            let (sin, cos) = libm::sincos(theta);
-            Some([x + along * cos, y + along * sin, theta + turn])
-        };
+        let (speed, turn_rate, step) = (control.speed, self.turn_rate(control), self.car.integration_step());
+        let next = move |pose: &[f64; 3]| Some(euler_pose(*pose, speed, turn_rate, step));
         std::iter::successors(Some(placement(from)), next).skip(1)
     }
 }

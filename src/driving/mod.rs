@@ -4,8 +4,9 @@
 mod key;
 mod road;
 
+pub use crate::collision::Integration;
 pub use key::{Key, SPEED_PRESS, STEERING_PRESS};
-pub use road::{MAX_STEPS, Rollout, rollout};
+pub use road::{MAX_STEPS, Rollout, RolloutOptions, rollout};
 
 use crate::error::{Code, Error, Number};
 use crate::problem::{Control, Touched};

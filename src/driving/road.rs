@@ -1,8 +1,8 @@
 //! The arcs of a car in its world: whether they are proven free, and the obstacles that they would touch.
 
-use crate::collision::{BodyCollision, BodyMotion, LONGEST_DRIVE};
+use crate::collision::{BodyCollision, BodyMotion, Integration, LONGEST_DRIVE};
 use crate::error::{Code, Error, Number};
-use crate::geometry::arc_pose;
+use crate::geometry::{arc_pose, euler_pose};
 use crate::problem::{Control, Motion, Touched};
 use crate::robot::Car;
 use crate::scenario::Robot;
@@ -15,6 +15,9 @@ pub const MAX_STEPS: u64 = 1_000_000;
 /// How near to an obstacle the car may be driven, as a fraction of the world's longer side: finer than for planners, since only a
 /// few millimetres are proven at a time.
 const TOLERANCE: f64 = 1e-7;
+
+/// The steps that a rollout may be made of, in seconds.
+const STEPS: [f64; 2] = [1e-6, 1e6];
 
 /// Poses checked along a refused step, to find the obstacle, and as many beyond it.
 const POSES: u32 = 8;
@@ -67,6 +70,14 @@ impl Road {
         }
     }
 
+    /// The pose after one step of Euler's method, if it is free; else what it touches.
+    fn by_euler(&self, from: &[f64; 3], control: Control, seconds: f64) -> Result<[f64; 3], Option<Touched>> {
+        let turn_rate = self.car.turn_rate(control.speed, control.steering);
+        let [x, y, theta] = euler_pose(*from, control.speed, turn_rate, seconds);
+        let pose = [x + 0.0, y + 0.0, wrap(theta)];
+        self.collision.contacts(&pose).first().map_or(Ok(pose), |contact| Err(Some(contact.with)))
+    }
+
     /// The first obstacle that a refused arc touches, among poses along it and beyond.
     fn touched(&self, from: &[f64; 3], control: Control, seconds: f64) -> Option<Touched> {
         (0..=2 * POSES).find_map(|i| {
@@ -76,33 +87,49 @@ impl Road {
     }
 }
 
+/// How a control is rolled out.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RolloutOptions {
+    /// Along the exact arc, or by Euler's steps.
+    pub integration: Integration,
+    /// The length of a step, in seconds; by default the car's own.
+    pub step: Option<f64>,
+}
+
 /// The poses of a control held for a duration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rollout {
-    /// The start, the pose after each whole step that is proven free, and after the rest of a step at the end: (x, y, theta)
+    /// The start, the pose after each whole step that is free, and after the rest of a step at the end: (x, y, theta)
     /// in metres and radians.
     pub poses: Vec<[f64; 3]>,
-    /// The duration that is proven free, in seconds: the requested one, unless it was blocked.
+    /// The duration that is free, in seconds: the requested one, unless it was blocked.
     pub seconds: f64,
     /// The obstruction: see [`super::Drive::blocked`].
     pub blocked: Option<Option<Touched>>,
 }
 
-/// The motion from `q`, step by step. Each pose is computed from the start, so that rounding does not accumulate.
-/// O(duration / step).
+/// The motion from `q`, step by step: O(duration / step). Along the arc, each pose is computed from the start, so that rounding does not
+/// accumulate, and all of the arc is proven free. By Euler's steps each pose follows from the one before, and only the poses are checked:
+/// it shows what the method makes of the arc, and proves nothing.
 ///
 /// # Errors
 /// `unsupported` if the robot is not a car; `wrong-dimension`, `not-finite` or `out-of-range` with the pointers `/q`, `/v`,
-/// `/phi` and `/duration`: a control beyond the limits of the car (which may always stand still), a duration that is negative or
-/// longer than [`MAX_STEPS`] steps.
-pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) -> Result<Rollout, Error> {
+/// `/phi`, `/dt` and `/duration`: a control beyond the limits of the car (which may always stand still), a step outside [1e-6, 1e6] s, a
+/// duration that is negative or longer than [`MAX_STEPS`] steps.
+pub fn rollout(
+    scenario: impl Into<PlanningWorld>,
+    q: &[f64],
+    motion: Motion,
+    options: RolloutOptions,
+) -> Result<Rollout, Error> {
     let road = Road::new(&scenario.into())?;
     let start = road.pose(q, "/q")?;
     let Motion { control, duration } = motion;
-    let step = road.car.integration_step();
+    let step = options.step.unwrap_or(road.car.integration_step());
     let ranges = [
         ("/v", "v", control.speed, road.car.speed()),
         ("/phi", "phi", control.steering, road.car.steering()),
+        ("/dt", "dt in seconds", options.step.unwrap_or(1.0), STEPS),
         ("/duration", "the duration in seconds", duration, [0.0, step * MAX_STEPS as f64]),
     ];
     for (pointer, name, value, [low, high]) in ranges {
@@ -128,11 +155,18 @@ pub fn rollout(scenario: impl Into<PlanningWorld>, q: &[f64], motion: Motion) ->
             break;
         }
         let until = duration.min(step * f64::from(i));
-        if let Err(touched) = road.ahead(&from, control, until - rollout.seconds) {
-            rollout.blocked = Some(touched);
-            break;
+        let held = until - rollout.seconds;
+        let next = match options.integration {
+            Integration::Exact => road.ahead(&from, control, held).map(|_| road.after(&start, control, until)),
+            Integration::Euler => road.by_euler(&from, control, held),
+        };
+        match next {
+            Ok(pose) => from = pose,
+            Err(touched) => {
+                rollout.blocked = Some(touched);
+                break;
+            }
         }
-        from = road.after(&start, control, until);
         rollout.poses.push(from);
         rollout.seconds = until;
     }

@@ -14,7 +14,7 @@ mod polygon;
 mod shapes;
 mod triangulation;
 
-pub use angle::{angular_distance, arc_pose, unwind, wrap};
+pub use angle::{angular_distance, arc_pose, euler_pose, unwind, wrap};
 pub use convex_pieces::convex_pieces;
 pub use distance::{
     distance_point_polygon, distance_point_segment, distance_polygon_polygon, distance_segment_polygon,

@@ -90,6 +90,8 @@ crate::choice! {
         Sampled,
         /// Only the configuration at their far end is checked, as in a course report: a path may cross anything.
         None,
+        /// An arm's joints are checked along the straight lines between their places at both ends, as in a course report.
+        JointLines,
     }
 }
 
@@ -127,7 +129,7 @@ impl Choice for Steering {}
 crate::options! {
     /// Options of all planners whose edges are motions of the space.
     pub struct EdgeOptions for crate::options::ALL;
-    /// Proven along the whole edge; sampled: a few points, which may miss a thin wall; none: vertices only, unproven.
+    /// Proven along the whole edge; sampled: at points; none: vertices only; joint-lines: joints of an arm, straight.
     edge_check: EdgeCheck = EdgeCheck::Proven, "Collision checking";
     /// Number of evenly spaced checks on a sampled edge: fewer are faster and miss more.
     edge_samples: u32 = 20, in 1.0..=10_000.0, "Checks per edge";
@@ -142,24 +144,9 @@ crate::options! {
 }
 
 impl EdgeOptions {
-    /// The number of checks per edge; 0 if only vertices are checked, `None` if edges are proven.
-    pub fn checks(&self) -> Option<u32> {
-        match self.edge_check {
-            EdgeCheck::Proven => None,
-            EdgeCheck::Sampled => Some(self.edge_samples),
-            EdgeCheck::None => Some(0),
-        }
-    }
-}
-
-impl EdgeCheck {
-    /// The check of edges with that many checks each, as [`EdgeOptions::checks`] counts them.
-    pub fn of(checks: Option<u32>) -> Self {
-        match checks {
-            None => EdgeCheck::Proven,
-            Some(0) => EdgeCheck::None,
-            Some(_) => EdgeCheck::Sampled,
-        }
+    /// The number of checks per edge, if edges are sampled.
+    pub fn samples(&self) -> Option<u32> {
+        (self.edge_check == EdgeCheck::Sampled).then_some(self.edge_samples)
     }
 }
 

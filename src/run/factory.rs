@@ -4,7 +4,7 @@ use super::goals::goals;
 use super::resume;
 use super::runner::{RunInfo, Runner};
 use super::{Options, Run};
-use crate::collision::{Integration, Sampled};
+use crate::collision::{Integration, JointLines, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::Wanted;
@@ -94,6 +94,11 @@ pub(super) fn launch(
         let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
         return Err(Error::new(Code::OutOfRange, "/steering", sentence));
     }
+    if info.edge_check == EdgeCheck::JointLines && !matches!(scenario.robot(), Robot::Arm(_)) {
+        let kind = scenario.robot().kind();
+        let sentence = format!("only an arm has joints: \"joint-lines\" is not for the robot {kind}");
+        return Err(Error::new(Code::OutOfRange, "/edge_check", sentence));
+    }
     let metric = edges.and_then(|edges| edges.measuring.metric);
     let goals = goals(world, query, index, options.seed)?;
     let events = options.events;
@@ -145,13 +150,18 @@ impl Launch<'_> {
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
         let (validity, dynamics) = fitted().with_dynamics(robot, integration);
 
-        let edge_samples = self.edges.and_then(|edges| edges.checks());
         let checked = {
-            let space = space.clone();
+            let (world, space) = (self.world.clone(), space.clone());
+            let (check, samples) = (self.info.edge_check, self.edges.and_then(|edges| edges.samples()));
             move |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
-                match edge_samples {
-                    Some(samples) => Box::new(Sampled::new(space.clone(), proven, samples)),
-                    None => proven,
+                match (check, world.robot()) {
+                    (EdgeCheck::Sampled | EdgeCheck::None, _) => {
+                        Box::new(Sampled::new(space.clone(), proven, samples.unwrap_or(0)))
+                    }
+                    (EdgeCheck::JointLines, Robot::Arm(arm)) => {
+                        Box::new(JointLines::new(arm, space.product().clone(), world.collision().clone(), proven))
+                    }
+                    (EdgeCheck::Proven | EdgeCheck::JointLines, _) => proven,
                 }
             }
         };
@@ -181,7 +191,7 @@ impl Launch<'_> {
             None => self.planner.begin(&problem, seed)?,
         };
         let connection = planner.roadmap().map(|roadmap| roadmap.connection);
-        let roadmap = connection.map(|connection| self.empty_document(&space, connection, edge_samples));
+        let roadmap = connection.map(|connection| self.empty_document(&space, connection));
         #[cfg(feature = "parallel")]
         {
             problem.checkers = Some(Box::new(move || checked(fitted().validity())));
@@ -190,12 +200,7 @@ impl Launch<'_> {
     }
 
     /// The document of this run's roadmap, without vertices and edges.
-    fn empty_document<const N: usize>(
-        &self,
-        space: &MotionSpace<N>,
-        connection: Connection,
-        edge_samples: Option<u32>,
-    ) -> RoadmapDocument {
+    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>, connection: Connection) -> RoadmapDocument {
         let scenario: &Scenario = self.world.scenario();
         let robot = scenario.robot();
         let metric = match (self.metric, space.steering()) {
@@ -212,7 +217,8 @@ impl Launch<'_> {
             metric,
             k: connection.k as u32,
             radius: connection.radius,
-            edge_samples,
+            edge_check: self.info.edge_check,
+            edge_samples: self.edges.and_then(|edges| edges.samples()),
             tolerance: self.tolerance,
             vertices: Vec::new(),
             edges: Vec::new(),

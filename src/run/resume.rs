@@ -4,7 +4,7 @@ use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
-use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
+use crate::planner::{Grows, Improving, Limits, PlannerOptions, Searching};
 use crate::problem::Validity;
 use crate::random::check_seed;
 use crate::robot::Car;
@@ -103,13 +103,10 @@ fn settings(
         RoadmapMetric::Naive => Some(MetricKind::Naive),
         RoadmapMetric::Placement { .. } | RoadmapMetric::Dubins { .. } | RoadmapMetric::ReedsShepp { .. } => None,
     };
-    let edge_check = EdgeCheck::of(document.edge_samples);
-    let mut all = vec![text("edge_check", edge_check.word()), number("tolerance", document.tolerance)];
+    let mut all = vec![text("edge_check", document.edge_check.word()), number("tolerance", document.tolerance)];
     all.extend(metric.map(|metric| text("metric", metric.word())));
     all.extend(steering.map(|steering| text("steering", steering.word())));
-    all.extend(
-        document.edge_samples.filter(|&samples| samples > 0).map(|samples| number("edge_samples", f64::from(samples))),
-    );
+    all.extend(document.edge_samples.map(|samples| number("edge_samples", f64::from(samples))));
     planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.

@@ -74,7 +74,7 @@ impl PlanningWorld {
     }
 
     /// The obstacles and bounds, prepared.
-    fn collision(&self) -> &CollisionWorld {
+    pub(crate) fn collision(&self) -> &CollisionWorld {
         self.0.collision.get_or_init(|| CollisionWorld::from(self.scenario().world()))
     }
 

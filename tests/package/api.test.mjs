@@ -190,6 +190,10 @@ test("interpolation and distance go the short way round", () => {
   close(Math.abs(middle[0]), Math.PI);
   assert.deepEqual([...scenario.interpolate([0.5, 1], [1, 2], 0)], [0.5, 1]);
   assert.deepEqual([...scenario.interpolate([0.5, 1], [1, 2], 1)], [1, 2]);
+  assert.deepEqual(scenario.interpolate([3, 0], [-3, 0], 0.5, "short"), middle);
+  const [wrong] = scenario.interpolate([-3, 0], [3, 0], 1, "sign-of-difference");
+  close(wrong, 2 * Math.PI - 9);
+  fails(() => scenario.interpolate([0, 0], [1, 1], 0.5, /** @type {any} */ ("long")), "out-of-range", "/way");
 });
 
 test("firstHit is null where the motion is proven, else where the first refused stretch begins", () => {

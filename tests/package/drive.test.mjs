@@ -104,6 +104,24 @@ test("a rollout holds one control, step by step, up to what it hits", () => {
   fails(() => scenario.rollout([0.5, 0.5], 0.1, 0, 1), "wrong-dimension", "/q");
 });
 
+test("Euler's steps turn the circle of a rollout into a spiral", () => {
+  const scenario = Scenario.parse(car);
+  /** How far the last pose is from the circle. @param {"exact" | "euler"} integration @param {number} dt */
+  const off = (integration, dt) => {
+    const { poses, seconds } = scenario.rollout([0.5, 0.5, 0], 0.5, Math.PI / 4, 1, { integration, dt });
+    assert.deepEqual([poses.length / 3, seconds], [Math.round(1 / dt) + 1, 1]);
+    return Math.hypot(poses[poses.length - 3] - 0.5, poses[poses.length - 2] - 0.7) - 0.2;
+  };
+  assert.ok(Math.abs(off("exact", 0.1)) < 1e-12);
+  assert.ok(off("euler", 0.1) > 0.01 && off("euler", 0.01) > 0.001 && off("euler", 0.01) < off("euler", 0.1) / 5);
+  /** @param {any} options */
+  const rolled = (options) => () => scenario.rollout([0.5, 0.5, 0], 0.1, 0, 1, options);
+  fails(rolled({ integration: "heun" }), "out-of-range", "/integration");
+  fails(rolled({ dt: 0 }), "out-of-range", "/dt");
+  fails(rolled({ dt: NaN }), "not-finite", "/dt");
+  fails(rolled({ step: 1 }), "unknown-field", "/step");
+});
+
 test("what is wrong is refused", () => {
   fails(() => Scenario.parse(arm).drive(), "unsupported");
   fails(() => Scenario.parse(arm).rollout([0, 0], 0, 0, 1), "unsupported");

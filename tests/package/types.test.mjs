@@ -74,7 +74,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const box: Box = scenario.extent();
   const tip: Point = scenario.endEffector(q);
   const tips: Float64Array = scenario.endEffectors(new Float64Array(4));
-  const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5);
+  const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5, "sign-of-difference");
   const hit: number | null = scenario.firstHit(q, half);
   const shape: Shape = { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] };
   const metric: Weights = { translation: 0.7, rotation: 0.3 };
@@ -102,7 +102,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const stopped: Obstructed | null = blocked;
   const record: KeyPress[] = drive.record();
   const driven: DriveState = drive.replay(record, 1);
-  const rolled: Rollout = scenario.rollout(q, 0.1, 0, 1);
+  const rolled: Rollout = scenario.rollout(q, 0.1, 0, 1, { integration: "euler", dt: 0.1 });
   const size: CspaceOptions = { width: 8, height: 8 };
   const cells: Uint8Array = scenario.cspace(size);
   const [[low]] = scenario.cspaceRange();

@@ -103,12 +103,23 @@ impl Inspector {
     /// # Errors
     /// Of the configurations (pointers `/a` and `/b`), and `out-of-range` for another `t`.
     pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
-        self.refuse_motion(a, b)?;
-        if !(0.0..=1.0).contains(&t) {
-            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Number(t))));
-        }
+        self.refuse_part(a, b, t)?;
         let space = self.space();
         Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
+    }
+
+    /// A faulty interpolation of a course report, for comparison: each angle turns as far as on the short way, but in the direction of
+    /// the plain difference of the numbers given. Where they differ by more than half a turn, that is the wrong one, and the motion ends
+    /// elsewhere than in `b`.
+    ///
+    /// # Errors
+    /// As of [`Inspector::interpolate`].
+    pub fn interpolate_by_sign(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
+        self.refuse_part(a, b, t)?;
+        let space = self.space();
+        let turn = space.difference(&space.state(a), &space.state(b));
+        let moved: Vec<f64> = (0..a.len()).map(|i| a[i] + t * turn[i].abs().copysign(b[i] - a[i])).collect();
+        Ok(space.coordinates(&space.state(&moved)).to_vec())
     }
 
     /// The distance from `a` to `b` in the default metric: radians summed over joints, or metres.
@@ -205,5 +216,14 @@ impl Inspector {
     fn refuse_motion(&self, a: &[f64], b: &[f64]) -> Result<(), Error> {
         self.configurations.refuse_outside(a, "/a")?;
         self.configurations.refuse_outside(b, "/b")
+    }
+
+    /// The same, or if `t` is no fraction of it.
+    fn refuse_part(&self, a: &[f64], b: &[f64], t: f64) -> Result<(), Error> {
+        self.refuse_motion(a, b)?;
+        if !(0.0..=1.0).contains(&t) {
+            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Number(t))));
+        }
+        Ok(())
     }
 }

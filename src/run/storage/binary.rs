@@ -1,13 +1,14 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
 //! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
-//! per edge (u32, 0 if edges are proven, all bits set if only vertices are checked), radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length,
-//! UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that
-//! (u64). About 8 bytes per coordinate and 8 per edge.
+//! per edge (u32; 0 if edges are proven, all bits set if only vertices are checked, all but the lowest if straight lines of joints are),
+//! radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length, UTF-8), the counts of vertices and edges (u32),
+//! the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that (u64). About 8 bytes per coordinate and 8 per edge.
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
 use crate::graph::Fingerprint;
+use crate::planner::EdgeCheck;
 
 /// The first bytes of the binary form: a byte that no text has, a name, a line break that a transfer as text would change.
 pub const MAGIC: [u8; 8] = *b"\x89PLNMAP\n";
@@ -16,6 +17,8 @@ const VERSION: u32 = 2;
 
 /// The checks per edge of a roadmap whose edges are not checked.
 const UNCHECKED: u32 = u32::MAX;
+/// The checks per edge of a roadmap whose joints are checked along straight lines.
+const JOINT_LINES: u32 = u32::MAX - 1;
 
 impl RoadmapDocument {
     /// The document as bytes. O(size).
@@ -38,9 +41,13 @@ impl RoadmapDocument {
         bytes.extend(self.circles.iter().map(|&is_circle| u8::from(is_circle)));
         bytes.extend(self.fingerprint.to_le_bytes());
         bytes.extend(self.k.to_le_bytes());
-        bytes.extend(
-            self.edge_samples.map_or(0, |samples| if samples == 0 { UNCHECKED } else { samples }).to_le_bytes(),
-        );
+        let checks = match self.edge_check {
+            EdgeCheck::Proven => 0,
+            EdgeCheck::None => UNCHECKED,
+            EdgeCheck::JointLines => JOINT_LINES,
+            EdgeCheck::Sampled => self.edge_samples.unwrap_or(0),
+        };
+        bytes.extend(checks.to_le_bytes());
         [self.radius, self.tolerance].into_iter().for_each(|number| bytes.extend(number.to_le_bytes()));
         for text in [&self.scenario, &self.planner, &self.metric.to_json()] {
             bytes.extend((text.len() as u32).to_le_bytes());
@@ -79,10 +86,11 @@ impl RoadmapDocument {
         let circles = source.take(dimension)?.iter().map(|&byte| byte != 0).collect();
         let fingerprint = u64::from_le_bytes(source.array()?);
         let k = source.count()?;
-        let edge_samples = match source.count()? {
-            0 => None,
-            UNCHECKED => Some(0),
-            samples => Some(samples),
+        let (edge_check, edge_samples) = match source.count()? {
+            0 => (EdgeCheck::Proven, None),
+            UNCHECKED => (EdgeCheck::None, None),
+            JOINT_LINES => (EdgeCheck::JointLines, None),
+            samples => (EdgeCheck::Sampled, Some(samples)),
         };
         let [radius, tolerance] = [f64::from_le_bytes(source.array()?), f64::from_le_bytes(source.array()?)];
         let [scenario, planner, metric] =
@@ -108,6 +116,7 @@ impl RoadmapDocument {
             metric: RoadmapMetric::parse(&metric)?,
             k,
             radius,
+            edge_check,
             edge_samples,
             tolerance,
             vertices,

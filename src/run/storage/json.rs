@@ -50,8 +50,8 @@ impl RoadmapDocument {
             metric: serde_json::to_value(self.metric).expect("words and numbers are JSON"),
             k: self.k,
             radius: self.radius.into(),
-            edge_check: EdgeCheck::of(self.edge_samples),
-            edge_samples: self.edge_samples.filter(|&samples| samples > 0),
+            edge_check: self.edge_check,
+            edge_samples: self.edge_samples,
             tolerance: self.tolerance,
             vertices: self.rows().map(<[f64]>::to_vec).collect(),
             edges: self.edges.clone(),
@@ -98,17 +98,6 @@ impl Document {
             Value::Null => f64::INFINITY,
             radius => json::read(radius).map_err(|error| error.under("/radius"))?,
         };
-        let edge_samples = match (self.edge_check, self.edge_samples) {
-            (EdgeCheck::Proven, None) => None,
-            (EdgeCheck::None, None) => Some(0),
-            (EdgeCheck::Sampled, Some(samples @ 1..)) => Some(samples),
-            _ => {
-                return Err(damaged(
-                    "/edge_samples",
-                    "edges that are sampled, and only they, have edge_samples of 1 or more",
-                ));
-            }
-        };
         if let Some(i) = self.vertices.iter().position(|row| row.len() != dimension) {
             let sentence = format!("a vertex has {dimension} numbers here, not {}", self.vertices[i].len());
             return Err(damaged(format!("/vertices/{i}"), sentence));
@@ -123,7 +112,8 @@ impl Document {
             metric,
             k: self.k,
             radius,
-            edge_samples,
+            edge_check: self.edge_check,
+            edge_samples: self.edge_samples,
             tolerance: self.tolerance,
             vertices: self.vertices.concat(),
             edges: self.edges,

@@ -16,6 +16,7 @@ pub use json::FORMAT;
 pub use metric::RoadmapMetric;
 
 use crate::error::{Code, Error, Number};
+use crate::planner::EdgeCheck;
 use crate::space::steering::Steering;
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace, Space};
 
@@ -39,7 +40,9 @@ pub struct RoadmapDocument {
     pub k: u32,
     /// The largest distance to a neighbour, in the metric; infinite if only the number is limited.
     pub radius: f64,
-    /// The number of checks per edge; 0 if only vertices are checked, `None` if edges are proven.
+    /// How its edges were checked.
+    pub edge_check: EdgeCheck,
+    /// The number of checks per edge: given if, and only if, edges are sampled.
     pub edge_samples: Option<u32>,
     /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.
     pub tolerance: f64,
@@ -139,6 +142,10 @@ impl RoadmapDocument {
             return Err(damaged("/k", format!("k must lie within [1, {MOST_NEIGHBOURS}], not {}", self.k)));
         }
         self.metric.check()?;
+        if self.edge_samples.is_some_and(|samples| samples > 0) != (self.edge_check == EdgeCheck::Sampled) {
+            let sentence = "edges that are sampled, and only they, have edge_samples of 1 or more";
+            return Err(damaged("/edge_samples", sentence));
+        }
         let is_positive = |x: f64| x > 0.0;
         if !is_positive(self.radius) {
             return Err(damaged("/radius", format!("a radius must be positive, not {}", Number(self.radius))));

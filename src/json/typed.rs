@@ -2,11 +2,12 @@
 
 use super::push_field;
 use crate::error::{Code, Error, Number, quoted};
-use serde::de::value::{MapDeserializer, SeqDeserializer};
-use serde::de::{self, Deserialize, Deserializer, Expected, IntoDeserializer, Unexpected, Visitor};
-use serde_json::Value;
-use serde_path_to_error::{Path, Segment};
-use std::fmt;
+use serde::de::value::{BorrowedStrDeserializer, StrDeserializer};
+use serde::de::{
+    self, Deserialize, DeserializeSeed, Deserializer, Expected, MapAccess, SeqAccess, Unexpected, Visitor,
+};
+use serde_json::{Value, map};
+use std::{fmt, slice};
 
 /// Reads a value as a type. Structs are objects, absent options are absent (`null` is none), -0 is 0, and whole numbers below
 /// 2^53 are integers however they were written.
@@ -16,10 +17,7 @@ use std::fmt;
 /// length, `unknown-type` for an unknown `type`, and `out-of-range` for other unknown words, for integers that do not fit, and
 /// for values that a type refuses with a message of its own.
 pub fn read<'de, T: Deserialize<'de>>(value: &'de Value) -> Result<T, Error> {
-    serde_path_to_error::deserialize(Tree(value)).map_err(|error| {
-        let pointer = pointer(error.path());
-        error.into_inner().at(pointer, value)
-    })
+    T::deserialize(Tree(value)).map_err(|fault| fault.at(value))
 }
 
 /// Reads a number that is not negative: for `#[serde(deserialize_with = "not_negative")]`.
@@ -32,22 +30,17 @@ pub fn not_negative<'de, D: Deserializer<'de>>(source: D) -> Result<f64, D::Erro
     if value < 0.0 { Err(sentence()) } else { Ok(value) }
 }
 
-/// The pointer for a path, without segments that have no name or index.
-fn pointer(path: &Path) -> String {
-    let mut pointer = String::new();
-    for segment in path {
-        match segment {
-            Segment::Seq { index } => push_field(&mut pointer, &index.to_string()),
-            Segment::Map { key } => push_field(&mut pointer, key),
-            Segment::Enum { .. } | Segment::Unknown => {}
-        }
-    }
-    pointer
+/// An error of serde, on its way out to the value that is read.
+#[derive(Debug)]
+struct Fault {
+    /// The pointer to the offending value, from where the error is now.
+    pointer: String,
+    reason: Reason,
 }
 
 /// The errors of serde as our codes.
 #[derive(Debug)]
-enum Fault {
+enum Reason {
     /// Another value than expected: a code, and the expected one.
     Other(Code, String),
     /// The field is missing.
@@ -56,19 +49,37 @@ enum Fault {
     Told(Code, String),
 }
 
+impl Reason {
+    #[cold]
+    fn fault(self) -> Box<Fault> {
+        Box::new(Fault { pointer: String::new(), reason: self })
+    }
+}
+
 impl Fault {
-    /// The error about the value at `pointer` in `root`.
-    fn at(self, mut pointer: String, root: &Value) -> Error {
-        let (code, sentence) = match self {
-            Fault::Other(code, wanted) => {
+    /// The same error, seen from the array or object around it.
+    #[cold]
+    fn under(mut self: Box<Self>, name: &str) -> Box<Self> {
+        let mut pointer = String::new();
+        push_field(&mut pointer, name);
+        pointer.push_str(&self.pointer);
+        self.pointer = pointer;
+        self
+    }
+
+    /// The error about a value in `root`.
+    fn at(self, root: &Value) -> Error {
+        let Self { mut pointer, reason } = self;
+        let (code, sentence) = match reason {
+            Reason::Other(code, wanted) => {
                 (code, format!("this must be {wanted}, not {}", root.pointer(&pointer).map_or("this".into(), describe)))
             }
-            Fault::Missing(field) => {
+            Reason::Missing(field) => {
                 push_field(&mut pointer, field);
                 (Code::MissingField, format!("the field {} is missing", quoted(field)))
             }
-            Fault::Told(Code::OutOfRange, sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
-            Fault::Told(code, sentence) => (code, sentence),
+            Reason::Told(Code::OutOfRange, sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
+            Reason::Told(code, sentence) => (code, sentence),
         };
         Error::new(code, pointer, sentence)
     }
@@ -82,24 +93,24 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-impl de::Error for Fault {
+impl de::Error for Box<Fault> {
     fn custom<T: fmt::Display>(sentence: T) -> Self {
-        Fault::Told(Code::OutOfRange, sentence.to_string())
+        Reason::Told(Code::OutOfRange, sentence.to_string()).fault()
     }
 
     fn invalid_type(found: Unexpected, wanted: &dyn Expected) -> Self {
         let wanted = wanted.to_string();
         let is_number = matches!(found, Unexpected::Float(_)) && wanted.starts_with('u');
-        Fault::Other(if is_number { Code::OutOfRange } else { Code::WrongType }, in_words(&wanted))
+        Reason::Other(if is_number { Code::OutOfRange } else { Code::WrongType }, in_words(&wanted)).fault()
     }
 
     fn invalid_value(_: Unexpected, wanted: &dyn Expected) -> Self {
-        Fault::Other(Code::OutOfRange, in_words(&wanted.to_string()))
+        Reason::Other(Code::OutOfRange, in_words(&wanted.to_string())).fault()
     }
 
     fn invalid_length(length: usize, wanted: &dyn Expected) -> Self {
         let count: String = wanted.to_string().chars().filter(char::is_ascii_digit).collect();
-        Fault::Told(Code::WrongDimension, format!("this must have {count} entries, not {length}"))
+        Reason::Told(Code::WrongDimension, format!("this must have {count} entries, not {length}")).fault()
     }
 
     fn unknown_variant(word: &str, known: &'static [&'static str]) -> Self {
@@ -108,11 +119,11 @@ impl de::Error for Fault {
 
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {
         let sentence = format!("the field {} is not known here; known are {}", quoted(field), known.join(", "));
-        Fault::Told(Code::UnknownField, sentence)
+        Reason::Told(Code::UnknownField, sentence).fault()
     }
 
     fn missing_field(field: &'static str) -> Self {
-        Fault::Missing(field)
+        Reason::Missing(field).fault()
     }
 }
 
@@ -148,9 +159,9 @@ fn describe(value: &Value) -> String {
 struct Tree<'de>(&'de Value);
 
 impl<'de> Deserializer<'de> for Tree<'de> {
-    type Error = Fault;
+    type Error = Box<Fault>;
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
         match self.0 {
             Value::Null => visitor.visit_unit(),
             Value::Bool(value) => visitor.visit_bool(*value),
@@ -166,24 +177,27 @@ impl<'de> Deserializer<'de> for Tree<'de> {
             }
             Value::String(value) => visitor.visit_borrowed_str(value),
             Value::Array(items) => {
-                let mut items = SeqDeserializer::new(items.iter().map(Tree));
-                let value = visitor.visit_seq(&mut items)?;
-                items.end().map(|()| value)
+                let mut left = Items(items.iter().enumerate());
+                let value = visitor.visit_seq(&mut left)?;
+                let (count, length) = (items.len() - left.0.len(), items.len());
+                if count == length {
+                    return Ok(value);
+                }
+                let sentence = format!("this must have {count} entries, not {length}");
+                Err(Reason::Told(Code::WrongDimension, sentence).fault())
             }
             Value::Object(fields) => {
                 let kind = fields.get_key_value("type");
-                let others = fields.iter().filter(|(name, _)| *name != "type");
-                let fields = kind.into_iter().chain(others).map(|(name, value)| (name.as_str(), Tree(value)));
-                visitor.visit_map(MapDeserializer::new(fields))
+                visitor.visit_map(Fields { kind, others: fields.iter(), last: None })
             }
         }
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
         visitor.visit_some(self)
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Fault> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Box<Fault>> {
         visitor.visit_newtype_struct(self)
     }
 
@@ -192,11 +206,11 @@ impl<'de> Deserializer<'de> for Tree<'de> {
         _: &'static str,
         fields: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Fault> {
+    ) -> Result<V::Value, Box<Fault>> {
         if self.0.is_object() {
             self.deserialize_any(visitor)
         } else {
-            Err(Fault::Other(Code::WrongType, format!("an object with the fields {}", fields.join(", "))))
+            Err(Reason::Other(Code::WrongType, format!("an object with the fields {}", fields.join(", "))).fault())
         }
     }
 
@@ -205,10 +219,10 @@ impl<'de> Deserializer<'de> for Tree<'de> {
         _: &'static str,
         _: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Fault> {
+    ) -> Result<V::Value, Box<Fault>> {
         match self.0 {
-            Value::String(word) => visitor.visit_enum(word.as_str().into_deserializer()),
-            _ => Err(Fault::Other(Code::WrongType, "a string".into())),
+            Value::String(word) => visitor.visit_enum(StrDeserializer::new(word)),
+            _ => Err(Reason::Other(Code::WrongType, "a string".into()).fault()),
         }
     }
 
@@ -218,11 +232,42 @@ impl<'de> Deserializer<'de> for Tree<'de> {
     }
 }
 
-impl<'de> IntoDeserializer<'de, Fault> for Tree<'de> {
-    type Deserializer = Self;
+/// The items of an array that are not read yet, with their indices.
+struct Items<'de>(std::iter::Enumerate<slice::Iter<'de, Value>>);
 
-    fn into_deserializer(self) -> Self {
-        self
+impl<'de> SeqAccess<'de> for Items<'de> {
+    type Error = Box<Fault>;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Box<Fault>> {
+        let Some((i, item)) = self.0.next() else { return Ok(None) };
+        seed.deserialize(Tree(item)).map(Some).map_err(|fault| fault.under(&i.to_string()))
+    }
+
+    fn size_hint(&self) -> Option<usize> {
+        Some(self.0.len())
+    }
+}
+
+/// The fields of an object that are not read yet, `type` first.
+struct Fields<'de> {
+    kind: Option<(&'de String, &'de Value)>,
+    others: map::Iter<'de>,
+    /// The field whose name was read last.
+    last: Option<(&'de String, &'de Value)>,
+}
+
+impl<'de> MapAccess<'de> for Fields<'de> {
+    type Error = Box<Fault>;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Box<Fault>> {
+        self.last = self.kind.take().or_else(|| self.others.find(|(name, _)| *name != "type"));
+        let Some((name, _)) = self.last else { return Ok(None) };
+        seed.deserialize(BorrowedStrDeserializer::new(name)).map(Some).map_err(|fault: Box<Fault>| fault.under(name))
+    }
+
+    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Box<Fault>> {
+        let (name, value) = self.last.expect("the name of a field is read first");
+        seed.deserialize(Tree(value)).map_err(|fault| fault.under(name))
     }
 }
 

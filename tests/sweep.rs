@@ -271,6 +271,21 @@ fn the_log_for_ompl_has_a_line_for_each_trial() {
     assert_eq!(lines.next(), None);
 }
 
+/// They name the files of their scenarios.
+#[test]
+fn the_documents_of_the_page_are_accepted() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/www/experiments/documents");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("it is there") {
+        let name = entry.expect("a file").path();
+        // The first of more parts than there are trials: every setting is started, and next to nothing is run.
+        let line = format!("{} --out {} --shard 1/10000", name.display(), fresh("of-a-page.csv"));
+        assert!(swept(&line)["rows"].as_u64().expect("a count") <= 1, "{}", name.display());
+        count += 1;
+    }
+    assert!(count >= 11, "{count} documents");
+}
+
 /// The blocks of one kind in the text about experiments.
 fn blocks(kind: &str) -> Vec<String> {
     let text =

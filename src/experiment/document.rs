@@ -169,6 +169,8 @@ pub enum Measure {
     Waypoints,
     /// The length of the path in the metric of the space.
     Length,
+    /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it.
+    ChordLength,
     /// Configurations tested for collision.
     ConfigurationChecks,
     /// Samples drawn in collision.

@@ -243,8 +243,11 @@ impl Measure {
     fn of(self, result: &ResultDocument) -> Value {
         let stats = &result.stats;
         let count = match self {
-            Measure::Waypoints | Measure::Length if result.status != Status::Solved => return Value::Null,
+            Measure::Waypoints | Measure::Length | Measure::ChordLength if result.status != Status::Solved => {
+                return Value::Null;
+            }
             Measure::Length => return result.length.into(),
+            Measure::ChordLength => return result.chord_length.into(),
             Measure::BuildSeconds => return stats.build_seconds.into(),
             Measure::SearchSeconds => return stats.search_seconds.into(),
             Measure::Waypoints => result.path.len() as u64,

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inspect } from "node:util";
 import init, { Scenario, eventKinds, generators, initSync, planners, randomSeed, version } from "planarium";
-import { arm, disc, options as asOptions, scenes } from "./scenes.mjs";
+import { arm, disc, fails, options as asOptions, scenes } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
 

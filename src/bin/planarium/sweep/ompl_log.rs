@@ -18,7 +18,7 @@ const TIMEOUT: usize = 4;
 const EXACT: usize = 6;
 
 /// The properties of runs that are columns of rows: OMPL's name and type, and the column.
-const COLUMNS: [(&str, &str); 16] = [
+const COLUMNS: [(&str, &str); 17] = [
     ("world TEXT", "world"),
     ("world seed INTEGER", "world_seed"),
     ("query TEXT", "query"),
@@ -28,6 +28,7 @@ const COLUMNS: [(&str, &str); 16] = [
     ("graph motions INTEGER", "edges"),
     ("path waypoints INTEGER", "waypoints"),
     ("solution length REAL", "length"),
+    ("chord length REAL", "chord_length"),
     ("configuration checks INTEGER", "configuration_checks"),
     ("rejected samples INTEGER", "rejected_samples"),
     ("motion checks INTEGER", "motion_checks"),

@@ -124,7 +124,8 @@ impl Trial {
         if !timed.run.is_over() {
             return Err(Error::new(Code::Unsupported, "", "the trial is not over: step it until `step` returns false"));
         }
-        let row: Map<String, Value> = timed.run.columns().into_iter().zip(timed.run.row()?).collect();
+        let mut row = Map::new();
+        timed.run.columns().into_iter().zip(timed.run.row()?).for_each(|(name, cell)| drop(row.insert(name, cell)));
         Ok(object(&row).into())
     }
 }

@@ -278,17 +278,18 @@ fn sign_test(smaller: u64, larger: u64) -> f64 {
 
 /// The two-sided p-value of the signed-rank test; 1 without differences.
 fn wilcoxon(differences: &[f64]) -> f64 {
-    let mut differences: Vec<f64> = differences.iter().copied().filter(|value| *value != 0.0).collect();
-    differences.sort_unstable_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let sizes: Vec<f64> = differences.iter().filter(|value| **value != 0.0).map(|value| value.abs()).collect();
+    let (sizes, _) = sorted(&sizes);
     // Twice the ranks, so that mean ranks of equal sizes are whole numbers.
-    let mut ranks = Vec::with_capacity(differences.len());
+    let mut ranks = Vec::with_capacity(sizes.len());
     let mut ties = 0.0;
-    for equal in differences.chunk_by(|a, b| a.abs() == b.abs()) {
+    for equal in sizes.chunk_by(|a, b| a == b) {
         let size = equal.len() as f64;
         ties += size * size * size - size;
         ranks.resize(ranks.len() + equal.len(), 2 * ranks.len() + equal.len() + 1);
     }
-    let positive: usize = differences.iter().zip(&ranks).filter(|(value, _)| **value > 0.0).map(|(_, rank)| rank).sum();
+    let rank = |value: &f64| ranks[sizes.partition_point(|size| size < value)];
+    let positive: usize = differences.iter().filter(|value| **value > 0.0).map(rank).sum();
     if ranks.len() <= EXACT { exact(&ranks, positive) } else { normal(ranks.len() as f64, ties, positive as f64 / 2.0) }
 }
 

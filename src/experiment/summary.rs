@@ -140,7 +140,9 @@ impl<'a> Summary<'a> {
         let experiment = self.experiment;
         let (worlds, planner) = (&experiment.worlds[worlds as usize], &experiment.planners[planner as usize]);
         let varied = |values: Vec<(&str, &Value)>| {
-            values.into_iter().map(|(name, value)| (name.to_owned(), value.clone())).collect::<Map<_, _>>()
+            let mut settings = Map::new();
+            values.into_iter().for_each(|(name, value)| drop(settings.insert(name.to_owned(), value.clone())));
+            settings
         };
         GroupSummary {
             world: worlds.name.clone(),
@@ -159,7 +161,10 @@ impl<'a> Summary<'a> {
 
     /// One value for every measure, by its word.
     fn by_measure<T>(&self, of: impl Fn(usize) -> T) -> BTreeMap<&'static str, T> {
-        self.experiment.measures.iter().enumerate().map(|(i, measure)| (measure.as_str(), of(i))).collect()
+        let mut values = BTreeMap::new();
+        let measures = self.experiment.measures.iter().enumerate();
+        measures.for_each(|(i, measure)| drop(values.insert(measure.as_str(), of(i))));
+        values
     }
 
     fn comparisons(&self, summaries: &[GroupSummary]) -> Vec<Comparison> {

@@ -17,7 +17,7 @@ pub(super) fn find_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
     }
     let mut sweep = Sweep { vertices, edges: Vec::new() };
     let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| left_to_right(vertices[i], vertices[j]));
+    order.sort_unstable_by(|&i, &j| left_to_right(vertices[i], vertices[j]).then(i.cmp(&j)));
     for (at, &vertex) in order.iter().enumerate() {
         if at > 0 && vertices[order[at - 1]] == vertices[vertex] {
             return Some(in_order(order[at - 1], vertex));

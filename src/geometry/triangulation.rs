@@ -29,7 +29,8 @@ pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
     // to check the vertices that are not convex at the beginning.
     let concave = Tree::new((0..n).filter(|&i| !is_convex(corner(&before, &after, i))).map(|i| vertices[i as usize]));
     // Corners that may be ears. A corner that is not an ear cannot become one until a neighbour is cut off.
-    let mut candidates: BTreeSet<u32> = (0..n).collect();
+    let mut candidates = BTreeSet::new();
+    candidates.extend(0..n);
     let mut triangles = Vec::with_capacity(vertices.len() - 2);
     let mut at = 0;
     while triangles.len() + 3 < vertices.len() {

@@ -32,7 +32,7 @@ const PRINTED = {
     /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,
     /^reached true [1-4]\ntrue \[ [\d.]+, [-\d.e]+ \]\n$/,
     /^solved 500 \d+\nFloat64Array\(2\) \[ 0\.0996917333733128, 0\.007845909572784495 \]\n$/,
-    /^\d+ of 20 solved, 0\.\d\d to [01]\.\d\d\nThe length of k = 16 is smaller than that of k = 2 in .*\n$/,
+    /^(k = \d+: \d+ of 20 solved, 0\.\d\d to [01]\.\d\d\n){2}The length of prm \(k=16\) is smaller than that of prm \(k=2\) in .*\n$/,
   ],
 };
 

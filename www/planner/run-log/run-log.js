@@ -230,6 +230,16 @@ export class RunLog {
     return found < 0 ? Infinity : this.history.row(found)[PAST.cost];
   }
 
+  /** The edges of the best path so far of a tree that goes on to shorter ones, from its end to the start; of the iteration shown. @returns {number[]} */
+  get bestEdges() {
+    const found = this.countOf(EVENT.solved);
+    if (this.kind !== "tree" || found === 0) return [];
+    const { data, width } = this.events;
+    const edges = [];
+    for (let edge = this.edgeTo(data[this.kinds[EVENT.solved][found - 1] * width + 2]); edge >= 0; edge = this.edgeTo(this.edges.data[2 * edge])) edges.push(edge);
+    return edges;
+  }
+
   /** The components of a roadmap without a path, or else null. */
   get pieces() {
     if (this.isTree || this.status !== "exhausted" || this.visited === 0) return null;

@@ -8,7 +8,7 @@ import { Growth, countsOf, motionsAlong } from "./growth.js";
 import { hatch } from "../../draw/hatch.js";
 import { LAYERS, Layer } from "../../draw/layer.js";
 import { disc, ring } from "../../draw/marks.js";
-import { tracePen } from "../../draw/pen.js";
+import { strokeLine, tracePen } from "../../draw/pen.js";
 import { VertexIndex } from "./vertex-index.js";
 import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
 import { Strobe } from "./strobe.js";
@@ -153,6 +153,7 @@ export class Pane {
     if (lane.run?.pieces && !lane.asked) this.drawPieces(context, lane.run, palette);
     if (lane.still) this.growth.drawLatest(context);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
+    else if (lane.run) this.drawBest(context, lane.run, palette);
     context.restore();
     this.drawEnds(context, lane, palette);
     const { hover } = lane.shown;
@@ -207,6 +208,17 @@ export class Pane {
     if (!strobe) return null;
     if (this.flashes?.playback !== playback || this.flashes.count !== poses) this.flashes = new Strobe(this, playback, poses);
     return this.flashes;
+  }
+
+  /** The best path so far. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */
+  drawBest(context, run, palette) {
+    context.lineCap = "round";
+    context.lineWidth = 3.4 * this.bold;
+    context.strokeStyle = run.isProven ? palette.path : palette.unproven;
+    for (const edge of run.bestEdges) {
+      const { points, firsts } = this.growth.linesOf(run, edge, edge + 1);
+      strokeLine(context, points, 0, firsts[1]);
+    }
   }
 
   /** The path before shortcutting, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */

@@ -47,6 +47,7 @@ test("rows and summaries are the committed ones, however a trial is stepped", ()
 test("a summary has the rows that it was given, and times if they have some", () => {
   const experiment = Experiment.parse({ ...small, measures: ["build_seconds", "rejected_samples"] });
   assert.deepEqual(experiment.summary([]), { experiment: experiment.fingerprint, trials: 16, rows: 0, groups: [], comparisons: [] });
+  /** @type {TrialRow} */
   const row = { ...rowOf(experiment, 0, 1e9), build_seconds: 0.25 };
   assert.equal(row.status, "solved");
   const { rows, groups: [{ solved, measures }, ...others] } = experiment.summary([row]);

@@ -280,7 +280,7 @@ for (const steering of ["dubins", "reeds-shepp"]) {
 test("planners() says which robots each planner and each parameter is for; the others are refused by name", () => {
   const types = /** @type {(keyof typeof scenes)[]} */ (Object.keys(scenes));
   for (const { id, robots, parameters } of planners()) {
-    assert.deepEqual(robots, PLACING.includes(id) ? types : ["car"], id);
+    assert.deepEqual(robots, ["rrt-control", "sst"].includes(id) ? ["car"] : types, id);
     for (const { name, robots: some } of parameters) assert.ok(some.length > 0 && some.every((type) => types.includes(type)), `${id} ${name}`);
     for (const type of types.filter((one) => !robots.includes(one))) {
       fails(() => Scenario.parse(scenes[type]).planner({ algorithm: id }), "unsupported", "/algorithm", new RegExp(`${id} plans for robots of type car, not ${type}`));

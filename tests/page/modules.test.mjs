@@ -303,10 +303,12 @@ test("whoever is behind goes next: a frame that is too short leaves all nearly l
 
 test("lengths in different metrics are not compared; a tie is one; a path alone is not the shortest", () => {
   assert.deepEqual([[0], [0, 2], [0, 1, 2]].map(letters), ["A", "A and C", "A, B and C"]);
-  const one = { isOver: true, found: 10, cost: 5, metric: "sum" };
+  const one = { isOver: true, found: 10, cost: 5, metric: "sum", collides: false };
   assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), { first: [0, 1], shortest: [], isOver: true, isAlike: false });
   assert.deepEqual(leaders([one, { ...one, found: 9, cost: 6 }, { ...one, isOver: false, found: null, cost: Infinity }]), { first: [1], shortest: [0], isOver: false, isAlike: true });
   assert.deepEqual(leaders([one, { ...one, found: null, cost: Infinity }]).shortest, []);
+  const collides = { ...one, found: 1, cost: 1, collides: true };
+  assert.deepEqual(leaders([collides, one, { ...one, found: 19, cost: 4 }]), { first: [1], shortest: [2], isOver: true, isAlike: true });
   assert.deepEqual(nameAll([{ algorithm: "prm", settings: { seed: 0 } }, { algorithm: "rrt", settings: { seed: 2 } }], (id) => id), ["A prm, seed 0", "B rrt, seed 2"]);
 });
 

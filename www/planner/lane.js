@@ -105,6 +105,7 @@ export class Lane {
       found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
       cost: run ? run.past[PAST.cost] : Infinity,
       metric: scenario.robot === "arm" ? String(plan.settings.metric ?? "sum") : "euclidean",
+      collides: Boolean(this.playback?.flaw),
     };
   }
 

@@ -148,6 +148,14 @@ export function summary(title, run) {
 /** A race. @param {Lane[]} lanes */
 function race(lanes) {
   const standings = lanes.map(({ standing }) => standing);
+  const colliding = standings.flatMap(({ collides }, i) => (collides ? [i] : []));
+  if (colliding.length === 0) return standing(lanes, standings);
+  const faulty = colliding.length > 1 ? `The paths of ${letters(colliding)} collide: they were not proven.` : `The path of ${letters(colliding)} collides: it was not proven.`;
+  return colliding.length === lanes.length ? faulty : `${faulty} ${standing(lanes, standings)}`;
+}
+
+/** Who leads. @param {Lane[]} lanes @param {import("./race/standings.js").Standing[]} standings */
+function standing(lanes, standings) {
   const { first, shortest, isOver } = leaders(standings);
   if (first.length === 0) return isOver ? "No planner found a path." : "All planners get the same budget, measured in clearance evaluations (distance computations).";
   const { found } = standings[first[0]];

@@ -20,12 +20,16 @@ export function writeNotices(path) {
  * @param {string} path  of the notices of the module @param {string} out @param {string[]} inputs  files that were bundled, from the root on
  */
 export function addPageNotices(path, out, inputs) {
-  const packages = bundledPackages(inputs).map((crate) => ({ crate, text: licenceText(crate, join(root, crate.folder)) }));
-  writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${joined("The pages contain the npm packages below.\n", packages)}`);
+  writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${packageNotices(inputs)}`);
+}
+
+/** The licence texts of the npm packages among bundled files. @param {string[]} inputs  from the root on */
+export function packageNotices(inputs) {
+  return joined("The pages contain the npm packages below.\n", bundledPackages(inputs).map((crate) => ({ crate, text: licenceText(crate, join(root, crate.folder)) })));
 }
 
 /** The npm packages among bundled files, by name. @param {string[]} inputs  from the root on */
-export function bundledPackages(inputs) {
+function bundledPackages(inputs) {
   const folders = new Set(inputs.flatMap((file) => /^node_modules\/(@[^/]+\/)?[^/]+/.exec(file)?.[0] ?? []));
   return [...folders].sort().map((folder) => {
     const { name, version, license, author, repository } = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));

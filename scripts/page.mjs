@@ -4,7 +4,7 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } f
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
-import { addPageNotices, bundledPackages } from "./notices.mjs";
+import { addPageNotices, packageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
@@ -118,7 +118,6 @@ export function assembleOneFile() {
   rmSync(made, { recursive: true, force: true });
   const inside = { sourcemap: false, alias: { ...DRAW, planarium: join(dist, "package", "planarium.js") } };
   const main = joinModules(join(page, "planner", "main.js"), join(made, "main.js"), inside);
-  const bundled = bundledPackages(includedIn(main)).map(({ name, version, license, source }) => `${name} ${version} (${license}, ${source})`);
   // The worker receives the compiled module, so the package needs no address.
   joinModules(join(page, "planner", "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
@@ -128,14 +127,14 @@ export function assembleOneFile() {
   const packed = (/** @type {string} */ path) => gzipSync(readFileSync(path), { level: 9 }).toString("base64");
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));
   const parts = [["core", packed(join(dist, "package", "planarium_bg.wasm"))], ["main", packed(join(made, "main.js"))], ["worker", packed(join(made, "worker.js"))],
-    ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
+    ["notices", packageNotices(includedIn(main))], ...scenes.map((name) => [`scene-${basename(name, ".json")}`, JSON.stringify(JSON.parse(text(join(page, "scenes", name))))])];
   const html = documentOf("index", null)
     .replace(/<meta http-equiv="Content-Security-Policy"[^>]*>/, () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`)
     .replace(/href="icon.svg"/, () => `href="${icon}"`)
     .replace(/ *<link rel="(preload|modulepreload)"[^>]*>\n/g, "")
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
     .replace(/ *<script type="module"[^>]*><\/script>\n/, "")
-    .replace("<head>", () => `<head>\n<!-- Contains ${bundled.join(", ")}, and the crates of the npm package, whose ${NOTICES} lists them. -->`)
+    .replace("<head>", () => `<head>\n<!-- Contains npm packages, whose licences are at its end, and the crates of the npm package, whose ${NOTICES} lists them. -->`)
     .replace("</body>", () => `${parts.map(([name, part]) => `<script type="text/plain" id="inline-${name}">${part}</script>`).join("\n")}
 <script type="module">${UNPACK}</script>
 </body>`);

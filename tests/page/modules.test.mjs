@@ -18,7 +18,6 @@ import { nameAll } from "../../www/planner/race/names.js";
 import { leaders, letters } from "../../www/planner/race/standings.js";
 import { thinned } from "../../www/planner/run-log/curve.js";
 import { compete } from "../../www/planner/worker/compete.js";
-import { ticks } from "../../www/widgets/chart.js";
 import { LocalRun, ended, runOf } from "./runs.mjs";
 
 /** The lines that show one motion. @param {number[]} ends @param {boolean[]} circles @param {boolean[]} [short] */
@@ -326,14 +325,5 @@ test("thinning keeps the first path and the end, rises, and costs no more for a 
     const costs = times.map((_, i) => rows[3 * i + 2]);
     assert.equal(costs.filter((cost) => cost < Infinity)[0], run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.cost]);
     assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.cost]);
-  }
-});
-
-test("ticks are round, reach beyond both ends, and are never one", () => {
-  assert.deepEqual(ticks(0, 6694, 4), [0, 2000, 4000, 6000, 8000]);
-  assert.deepEqual(ticks(7.93, 9.16, 4), [7.5, 8, 8.5, 9, 9.5]);
-  for (const [low, high] of [[0, 0], [9.19, 9.19], [0, 1], [1e6, 1e6 + 1], [0, 2.5e7]]) {
-    const marks = ticks(low, high, 4);
-    assert.ok(marks.length >= 2 && marks.length <= 7 && marks[0] <= low && marks[marks.length - 1] >= high, `${marks}`);
   }
 });

@@ -276,7 +276,8 @@ test("times, visits and recall, as table, chart and file", () => onNeighbours(as
   }
   assert.ok(Number(at("visited", "kd-tree", 2000)?.value) < 2000);
   assert.ok(Number(at("visited", "forest", 2000)?.value) >= 400);
-  assert.equal(await page.locator(".chart path.line").count(), 3);
+  await page.waitForSelector(".chart .line");
+  assert.equal(await page.locator(".chart .line").count(), 3);
   assert.match(await page.getAttribute(".chart", "aria-label") ?? "", /Query time with [\d,]+ configurations: /);
   await page.click("#export-fold > summary");
   const lines = (await download(page, "#export-timings")).text.trim().split("\r\n");

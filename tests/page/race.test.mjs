@@ -349,18 +349,18 @@ test("the first and the shortest are named in the table, above the stage and to 
 /** A dot of a chart in its own units, read off its axes. @param {Page} page @param {string} chart @param {string} label */
 async function dot(page, chart, label) {
   return page.locator(`svg.${chart}`).evaluate((picture, name) => {
-    /** @param {string} axis @param {string} place @param {number} at */
-    const value = (axis, place, at) => {
-      const marks = [...picture.querySelectorAll(`text[data-${axis}]`)].map((mark) => [Number(mark.getAttribute(place)), Number(mark.getAttribute(`data-${axis}`))]);
+    /** The place of an element that is moved. @param {Element} element */
+    const placeOf = (element) => (element.getAttribute("transform")?.match(/-?[\d.]+/g) ?? []).map(Number);
+    /** @param {"x" | "y"} axis @param {number} at */
+    const value = (axis, at) => {
+      const marks = [...picture.querySelectorAll(`.${axis}-axis-tick-label text`)].map((mark) => [placeOf(mark)[axis === "x" ? 0 : 1], Number(mark.textContent?.replaceAll(",", ""))]);
       const [[p, a], [q, b]] = [marks[0], marks[marks.length - 1]];
       return { value: a + ((at - p) / (q - p)) * (b - a), pixel: Math.abs((b - a) / (q - p)) };
     };
-    const circle = /** @type {SVGCircleElement} */ (picture.querySelector(`.future circle[data-label="${name}"]`));
+    const labels = [...picture.querySelectorAll(".end")].map(({ textContent }) => textContent);
+    const circle = /** @type {SVGCircleElement} */ (picture.querySelectorAll(".future circle")[name ? labels.toSorted().indexOf(name) : 0]);
     const cursor = /** @type {SVGLineElement} */ (picture.querySelector(".cursor"));
-    return {
-      x: value("across", "x", circle.cx.baseVal.value), y: value("up", "y", circle.cy.baseVal.value + 4),
-      cursor: value("across", "x", cursor.x1.baseVal.value),
-    };
+    return { x: value("x", circle.cx.baseVal.value), y: value("y", circle.cy.baseVal.value), cursor: value("x", cursor.x1.baseVal.value) };
   }, label);
 }
 

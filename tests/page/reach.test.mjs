@@ -110,7 +110,7 @@ for (const [name, options] of /** @type {[string, Options][]} */ ([["on a deskto
     assert.equal(await page.locator("#solutions button").count(), 2);
     await click(page, "#solutions button >> nth=1");
     assert.deepEqual(await poseOf(page), [...run.solutionsSince(1)].slice(0, 2));
-    assert.ok(await page.locator("#charts .line").count() >= 1);
+    await page.waitForSelector("#charts .line path");
     assert.match(await page.getAttribute("#charts svg", "aria-label") ?? "", /iterations/);
   }, options));
 }

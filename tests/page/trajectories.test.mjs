@@ -197,7 +197,10 @@ test("charts, picture, drawing and table hold what the seed decides", () => onSo
   const label = await page.getAttribute("svg.chart.tries", "aria-label") ?? "";
   assert.ok(label.includes(`${mean(tries.slice(0, 20)).toFixed(1)} tries on average over the first 20, ${mean(tries.slice(-20)).toFixed(1)} over the last`), label);
   assert.match(await page.getAttribute("svg.chart.time", "aria-label") ?? "", /1000 accepted, [\d.]+ microseconds on average over the first 20/);
-  for (const id of ["tries", "time"]) assert.equal(await page.locator(`svg.chart.${id} path.average`).count(), 1);
+  for (const id of ["tries", "time"]) {
+    await page.waitForSelector(`svg.chart.${id} .line.average path`);
+    assert.equal(await page.locator(`svg.chart.${id} .line.average`).count(), 1);
+  }
   await page.click("#export-fold > summary");
   const take = (/** @type {string} */ id) => download(page, `#export-${id}`);
   const png = await take("png");

@@ -27,6 +27,18 @@ export function make(tag, { dataset = {}, ...properties } = /** @type {Propertie
   return element;
 }
 
+/**
+ * A new SVG element.
+ * @template {keyof SVGElementTagNameMap} T
+ * @param {T} tag @param {Record<string, string | number>} attributes @param {...(Node | string)} children
+ */
+export function makeSvg(tag, attributes, ...children) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
 /** A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms. @param {number} count */
 export function grouped(count) { return String(count).replace(/\B(?=(\d{3})+$)/g, ","); }
 

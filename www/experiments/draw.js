@@ -1,6 +1,6 @@
 /** The drawing of a chart, by Observable Plot. This module is loaded when the first chart is drawn. */
 import { areaY, barY, cell, dot, lineY, plot, ruleX, scale, text, tickY } from "@observablehq/plot";
-import { svg as element } from "../widgets/chart.js";
+import { makeSvg as element } from "../app/dom.js";
 
 /** @import { Markish, PlotOptions } from "@observablehq/plot" */
 /** @import { Palette } from "../app/palette.js" */

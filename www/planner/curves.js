@@ -4,7 +4,8 @@
  */
 import { letter } from "./race/standings.js";
 import { thinned } from "./run-log/curve.js";
-import { Chart, numberText as words } from "../widgets/chart.js";
+import { Chart } from "../widgets/chart.js";
+import { numberText as words } from "../widgets/format.js";
 import { byId, make } from "../app/dom.js";
 import { pacer } from "../app/paced.js";
 import { labelled } from "../widgets/elements.js";

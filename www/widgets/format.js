@@ -1,6 +1,4 @@
 /** Numbers as text. */
-import { superscript } from "./chart.js";
-
 /** With a true minus, and no minus before zero. @param {number} value @param {number} [digits]  after the point */
 export function num(value, digits = 2) {
   const text = value.toFixed(digits);
@@ -22,3 +20,11 @@ export function small(value) {
 
 /** A time in words. @param {number} seconds */
 export function duration(seconds) { return seconds < 1 ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }
+
+/** The digits of an exponent. @param {number} exponent */
+export function superscript(exponent) {
+  return [...String(exponent)].map((c) => (c === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[Number(c)])).join("");
+}
+
+/** With six digits at most, and commas between thousands. @param {number} value */
+export const numberText = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });

@@ -3,8 +3,7 @@
  *
  * For tests: the play button carries `data-playing`.
  */
-import { svg } from "./chart.js";
-import { grouped, make } from "../app/dom.js";
+import { grouped, make, makeSvg } from "../app/dom.js";
 import { watchKeys } from "../app/keys.js";
 import { button, labelled } from "./elements.js";
 
@@ -144,5 +143,5 @@ export class Transport {
 
 /** @param {string} name @param {string} path */
 function icon(name, path) {
-  return svg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" }, svg("path", { d: path, fill: "currentColor" }));
+  return makeSvg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" }, makeSvg("path", { d: path, fill: "currentColor" }));
 }

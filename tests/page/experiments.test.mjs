@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Experiment, ecdf, quartiles, share } from "planarium";
+import { Experiment, ecdf, paired, quartiles, share } from "planarium";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
 import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
@@ -85,6 +85,15 @@ for (const workers of [1, 3]) {
   });
 }
 
+test("trials of a worker that cannot be loaded are run by the others", () => onExperiment({ document: small }, async (page) => {
+  await done(page);
+  assert.equal((await taken(page, "rows")).text, rowsOf((await taken(page, "document")).text).csv);
+}, { expectErrors: true, before: async (page) => {
+  processors(3)(page);
+  let loaded = 0;
+  await page.route("**/rooms/worker.js", (route) => (loaded++ === 0 ? route.continue() : route.abort()));
+} }));
+
 test("charts have the values of the rows; pictures and files hold them", () => onExperiment({ document: small }, async (page) => {
   await done(page);
   const { rows, csv } = rowsOf((await taken(page, "document")).text);
@@ -121,6 +130,17 @@ test("charts have the values of the rows; pictures and files hold them", () => o
     assert.deepEqual([record.trials, record.median].map(Number), [n, values?.[2] ?? NaN]);
   }
   for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
+
+  // In words: the second and the third setting against the first one, trial by trial.
+  await page.click("#kinds [data-kind=success]");
+  await page.waitForSelector("body[data-chart=success][data-settled=true]");
+  await page.locator("#words-fold > summary").click();
+  const of = (/** @type {string} */ planner, /** @type {number | null} */ k) => Float64Array.from(
+    rows.filter((row) => row.planner === planner && row["planner.k"] === k), ({ status }) => Number(status === "solved"));
+  await page.waitForSelector("#words li:nth-child(2)");
+  assert.deepEqual(await page.locator("#words li").allInnerTexts(), /** @type {const} */ ([["prm", 4, "prm, k = 4"], ["rrt-connect", null, "rrt-connect"]])
+    .map(([planner, k, name]) => paired(of(planner, k), of("prm", 2), name, "prm, k = 2", "success", 2).words));
+  await tableOf(page, "line");
 
   const png = await taken(page, "png");
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);

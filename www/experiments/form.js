@@ -25,10 +25,12 @@ export function watchForm(session) {
   session.onChange((change) => { if (change === "document") build(); });
 
   function build() {
-    const { document } = session;
-    // What is no list of worlds and planners is refused by the core; it has no form.
-    const isReadable = [document.worlds, document.planners].every((list) => Array.isArray(list) && list.every((entry) => typeof entry === "object" && entry));
-    host.replaceChildren(...(isReadable ? [section("Worlds", ...worldRows()), section("Planners", ...plannerRows()), section("What varies", ...variedRows()), section("Trials", ...trialRows())] : []));
+    try {
+      host.replaceChildren(section("Worlds", ...worldRows()), section("Planners", ...plannerRows()), section("What varies", ...variedRows()), section("Trials", ...trialRows()));
+    } catch {
+      // What has not the shape of a document is refused by the core, which says why; it has no form.
+      host.replaceChildren();
+    }
   }
 
   /** Changes the document; a change of its parts makes the form again. @param {Partial<LinkedDocument>} changes @param {boolean} [isForm] */

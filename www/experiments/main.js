@@ -14,7 +14,8 @@ import { once } from "../app/once.js";
 import { pngPicture, svgPicture } from "../draw/picture.js";
 import { csvFile } from "../formats/csv.js";
 import { showFiles } from "../widgets/downloads.js";
-import { KINDS, chartOf } from "./charts.js";
+import { KINDS, chartOf, completed } from "./charts.js";
+import { comparisons } from "./comparisons.js";
 import { watchControls } from "./controls.js";
 import { watchForm } from "./form.js";
 import { stateRule } from "./link.js";
@@ -44,7 +45,7 @@ const app = new App();
 await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => {
   const session = new ExperimentSession(app, worker);
   const [chartHost, tableHost, stage] = ["chart", "table", "stage"].map((id) => byId(id, HTMLElement));
-  const tableFold = byId("table-fold", HTMLDetailsElement);
+  const [tableFold, wordsFold] = ["table-fold", "words-fold"].map((id) => byId(id, HTMLDetailsElement));
   const [run, cancel] = ["run", "cancel"].map((id) => byId(id, HTMLButtonElement));
   const progress = byId("progress", HTMLProgressElement);
   const showControls = watchControls(session);
@@ -67,6 +68,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   new ResizeObserver(() => redraw()).observe(chartHost);
   app.onTheme(redraw);
   tableFold.addEventListener("toggle", () => showTable());
+  wordsFold.addEventListener("toggle", () => showWords());
   app.onFrame(animate);
   // The core of a worker was lost, not the document: it is opened again with the next trial.
   app.rebuild = () => {};
@@ -204,10 +206,20 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
     byId("remark", HTMLElement).textContent = chart ? remark(chart) : "";
     showTable();
+    showWords();
     showTrials();
     Object.assign(document.body.dataset, { chart: chart?.kind ?? "", drawn: rows.done });
     drawnAt = performance.now();
     took = drawnAt - began;
+  }
+
+  /** The comparisons, while no trial runs. */
+  function showWords() {
+    if (!wordsFold.open || session.isBusy) return;
+    const { rows, factors, view, asked } = session;
+    const { kind, measure, work } = completed(view, factors, asked);
+    const sentences = comparisons(rows, factors, kind === "success" ? SOLVED : kind === "ecdf" ? work : measure);
+    byId("words", HTMLElement).replaceChildren(...(sentences.length > 0 ? sentences : ["There are no two settings to compare."]).map((text) => make("li", {}, text)));
   }
 
   function showTable() {

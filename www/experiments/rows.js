@@ -34,12 +34,15 @@ export class Rows {
     this.codes = new Map();
     /** The values of a column in the order of their first rows. @type {Map<string, Cell[]>} */
     this.values = new Map();
+    /** The numbers of these values. @type {Map<string, Map<Cell, number>>} */
+    this.places = new Map();
     const ofNumbers = new Set([...SEEDS, ...measuresOf(columns)]);
     for (const column of [...columns, ...TIMES]) {
       if (ofNumbers.has(column)) this.numbers.set(column, new Float64Array(count));
       else if (!["experiment", "trial", "fingerprint"].includes(column)) {
         this.codes.set(column, new Uint32Array(count));
         this.values.set(column, []);
+        this.places.set(column, new Map());
       }
     }
   }
@@ -60,9 +63,11 @@ export class Rows {
 
   /** The number of a value. @param {string} column @param {Cell} value */
   code(column, value) {
-    const values = this.values.get(column) ?? [];
-    const known = values.indexOf(value);
-    return known >= 0 ? known : values.push(value) - 1;
+    const [values, places] = [this.values.get(column) ?? [], this.places.get(column)];
+    const known = places?.get(value);
+    if (known !== undefined) return known;
+    places?.set(value, values.length);
+    return values.push(value) - 1;
   }
 
   /** A column of numbers. @param {string} column */

@@ -1,5 +1,6 @@
 /** The table of trials: some of those that have ended, each with a link to its run on the planner's page. */
 import { byId, grouped, make } from "../app/dom.js";
+import { errorInfo } from "../app/error-info.js";
 import { button } from "../widgets/elements.js";
 import { capital } from "../widgets/format.js";
 import { nameOfColumn } from "./factors.js";
@@ -49,7 +50,8 @@ export function watchTrials(session) {
       make("tbody", {}, ...trials.map((trial) => {
         const values = [...columns.map((column) => rows.cell(trial, column)), ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id)))];
         const link = make("a", { target: "_blank", rel: "noopener" }, String(trial));
-        void address(trial).then((href) => { link.href = href; });
+        // A scenario may be too large for a link.
+        address(trial).then((href) => { link.href = href; }, (error) => { link.title = errorInfo(error).message; });
         return make("tr", { dataset: { trial } }, make("th", { scope: "row" }, link), ...values.map((value) => make("td", {}, value === null ? "\u2013" : String(value))));
       })),
     );

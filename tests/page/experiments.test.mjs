@@ -218,6 +218,12 @@ test("a link holds the whole experiment and its chart", async () => {
   });
 });
 
+test("a view of what is not there shows something else", () => onExperiment({ document: small, view: { chart: "heat", measure: "nothing", work: "solved", axis: "planner.q" } }, async (page) => {
+  await done(page);
+  assert.deepEqual([await page.getAttribute("body", "data-chart"), await page.inputValue("#view-measure"), await page.inputValue("#view-axis")], ["heat", "solved", "planner.k"]);
+  assert.equal(await page.isHidden("#notice"), true);
+}));
+
 test("what is refused shows code and pointer before any trial, and the page goes on", () => onPage({ reducedMotion: "reduce" }, async (page) => {
   await page.waitForSelector("body[data-phase=ready]");
   for (const [change, code, pointer] of /** @type {const} */ ([

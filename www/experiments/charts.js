@@ -3,6 +3,7 @@
  */
 import { labelOf } from "./factors.js";
 import { OF_PATHS, SOLVED, measureInfo, titled } from "./measures.js";
+import { measuresOf } from "./rows.js";
 import { bins, cells, distributions, points, summaries } from "./tables.js";
 
 /** @import { View } from "./link.js" */
@@ -40,24 +41,25 @@ const DOTS = 2000;
 /** The kinds of charts, with their names. @type {Record<NonNullable<View["chart"]>, string>} */
 export const KINDS = { success: "Success", box: "Boxes", line: "Line", ecdf: "Distribution", cost: "Cost and work", heat: "Heat map" };
 
-/** What is shown where a view leaves it out. @param {View} view @param {Factor[]} factors @param {string[]} measures  of the document */
-export function completed(view, factors, measures) {
+/** What is shown where a view leaves it out, or has what is not there. @param {View} view @param {Factor[]} factors @param {string[]} asked  measures of the document @param {string[]} all  measures */
+export function completed(view, factors, asked, all) {
+  const one = (/** @type {string | undefined} */ id) => (id !== undefined && all.includes(id) ? id : undefined);
   const numeric = factors.filter(({ isNumeric }) => isNumeric);
   const known = (/** @type {string | undefined} */ column) => factors.find((factor) => factor.column === column);
   const axis = known(view.axis) ?? numeric[0] ?? factors[0];
   const second = known(view.second) ?? numeric.find((factor) => factor !== axis) ?? factors.find((factor) => factor !== axis);
   const usual = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
   const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usual;
-  const measure = view.measure ?? (kind === "line" || kind === "heat" ? SOLVED : measures.find((id) => id !== SOLVED) ?? "length");
-  const work = view.work ?? measures.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
+  const measure = one(view.measure) ?? (kind === "line" || kind === "heat" ? SOLVED : asked[0] ?? "length");
+  const work = one(view.work === SOLVED ? undefined : view.work) ?? asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
   // A chart of values has no share.
   const isValue = kind === "box" || kind === "cost";
   return { kind, axis, second: second === axis ? undefined : second, measure: isValue && measure === SOLVED ? "length" : measure, work, isLog: view.isLog ?? false };
 }
 
-/** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} measures @param {string} lengthUnit @returns {ChartData} */
-export function chartOf(rows, factors, view, measures, lengthUnit) {
-  const { kind, axis, second, measure, work, isLog } = completed(view, factors, measures);
+/** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} asked @param {string} lengthUnit @returns {ChartData} */
+export function chartOf(rows, factors, view, asked, lengthUnit) {
+  const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, [SOLVED, ...measuresOf(rows.columns)]);
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   /** @param {Factor | undefined} factor @returns {Scale} */
   const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null] });

@@ -22,7 +22,7 @@ export function watchControls(session) {
 
   function show() {
     const { view, factors, asked, measures, unit } = session;
-    const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked);
+    const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, measures);
     for (const element of kinds) press(element, element.dataset.kind === kind);
     const title = (/** @type {string} */ id) => titled(measureInfo(id, unit));
     /** @param {string} name @param {[string, string][]} choices @param {string | undefined} value @param {boolean} isShown */

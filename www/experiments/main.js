@@ -216,8 +216,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   /** The comparisons, while no trial runs. */
   function showWords() {
     if (!wordsFold.open || session.isBusy) return;
-    const { rows, factors, view, asked } = session;
-    const { kind, measure, work } = completed(view, factors, asked);
+    const { rows, factors, view, asked, measures } = session;
+    const { kind, measure, work } = completed(view, factors, asked, measures);
     const sentences = comparisons(rows, factors, kind === "success" ? SOLVED : kind === "ecdf" ? work : measure);
     byId("words", HTMLElement).replaceChildren(...(sentences.length > 0 ? sentences : ["There are no two settings to compare."]).map((text) => make("li", {}, text)));
   }

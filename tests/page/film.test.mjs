@@ -205,5 +205,5 @@ test("what writes WebM is loaded with the first film only, and its licence is am
   for (const name of ["index", "reach", "trajectories"]) assert.doesNotMatch(readFileSync(join(pageRoot, `${name}.html`), "utf8"), /webm-/);
   const notice = /mediabunny \d[\d.]* \(MPL-2\.0\), https:\/\/\S+$/m;
   assert.match(readFileSync(join(pageRoot, "THIRD-PARTY-NOTICES.txt"), "utf8"), notice);
-  assert.match(readFileSync(join(root, "dist", "planarium.html"), "utf8").slice(0, 1000), /mediabunny \d[\d.]* \(MPL-2\.0, https:/);
+  assert.match(readFileSync(join(root, "dist", "planarium.html"), "utf8"), notice);
 });

@@ -28,7 +28,7 @@ export function assemblePage() {
   const out = join(dist, "page");
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
-  for (const part of ["icon.svg", "scenes", "experiments/documents"]) cpSync(join(page, part), join(out, part), { recursive: true });
+  for (const part of ["icon.svg", "scenes", "experiments/documents", "gallery/worlds"]) cpSync(join(page, part), join(out, part), { recursive: true });
   cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));

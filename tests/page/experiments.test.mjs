@@ -1,6 +1,6 @@
 /** The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it shows. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium";
@@ -53,8 +53,9 @@ function rowsOf(document) {
     trial.free();
     return row;
   });
+  const summary = experiment.summary(rows);
   experiment.free();
-  return { rows, csv: `${[columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))].map((cells) => cells.join(",")).join("\n")}\n` };
+  return { rows, summary, csv: `${[columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))].map((cells) => cells.join(",")).join("\n")}\n` };
 }
 
 /** The table behind a kind of chart. @param {Page} page @param {string} kind @returns {Promise<Record<string, string>[]>} */
@@ -96,8 +97,9 @@ test("trials of a worker that cannot be loaded are run by the others", () => onE
 
 test("charts have the values of the rows; pictures and files hold them", () => onExperiment({ document: small }, async (page) => {
   await done(page);
-  const { rows, csv } = rowsOf((await taken(page, "document")).text);
+  const { rows, csv, summary } = rowsOf((await taken(page, "document")).text);
   assert.equal((await taken(page, "rows")).text, csv);
+  assert.deepEqual(JSON.parse((await taken(page, "summary")).text), summary);
   assert.equal(rows.length, 48);
   /** @param {(row: TrialRow) => boolean} which @param {string} measure */
   const sample = (which, measure) => Float64Array.from(rows.filter(which), (row) => (row.status === "solved" ? Number(row[measure]) : NaN));
@@ -223,6 +225,20 @@ test("a view of what is not there shows something else", () => onExperiment({ do
   assert.deepEqual([await page.getAttribute("body", "data-chart"), await page.inputValue("#view-measure"), await page.inputValue("#view-axis")], ["heat", "solved", "planner.k"]);
   assert.equal(await page.isHidden("#notice"), true);
 }));
+
+test("every ready experiment is accepted, with its worlds", () => onPage({ reducedMotion: "reduce" }, async (page) => {
+  await page.waitForSelector("body[data-phase=ready][data-settled=true]");
+  const ids = await page.locator("#ready option:enabled").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+  const names = readdirSync(join(root, "www", "experiments", "documents")).map((name) => name.replace(".json", ""));
+  assert.deepEqual(ids.toSorted(), names.toSorted());
+  for (const id of ids) {
+    const { title } = JSON.parse(readFileSync(join(root, "www", "experiments", "documents", `${id}.json`), "utf8"));
+    await page.selectOption("#ready", id);
+    await page.waitForFunction((text) => document.getElementById("story")?.textContent?.startsWith(text), title);
+    await page.waitForSelector("body[data-phase=ready][data-settled=true], body[data-phase=refused]");
+    assert.equal(await page.innerText("#notice"), "", id);
+  }
+}, { path: "experiments.html" }));
 
 test("what is refused shows code and pointer before any trial, and the page goes on", () => onPage({ reducedMotion: "reduce" }, async (page) => {
   await page.waitForSelector("body[data-phase=ready]");

@@ -61,7 +61,7 @@ export function drawChart(chart, look) {
 function partsOf(chart, { width, palette }, styleOf) {
   const { kind, across, up, series, summaries, points, bins, distributions } = chart;
   const fill = (/** @type {{ series: string }} */ one) => styleOf(one.series).colour;
-  const y = { label: null, grid: true, type: up.isLog ? /** @type {const} */ ("log") : undefined, zero: !up.isLog, nice: true };
+  const y = { label: null, grid: true, type: up.isLog ? /** @type {const} */ ("log") : undefined, zero: !up.isLog, nice: !up.isLog };
   const x = { label: across.title, labelAnchor: /** @type {const} */ ("center"), labelArrow: /** @type {const} */ ("none"), type: across.isLog ? /** @type {const} */ ("log") : undefined };
   const percent = up.title.endsWith("%") ? { domain: [0, 100], nice: false } : {};
   const color = { type: /** @type {const} */ ("identity") };

@@ -4,6 +4,7 @@
  * For tests, beside what app.js says: `body` carries `data-phase` (a phase of session.js), `data-done` and `data-count` (trials),
  * `data-fingerprint` (of the experiment), `data-chart` (its kind, once it is drawn) and `data-drawn` (trials in the chart).
  */
+import { Experiment } from "planarium";
 import { App } from "../app/app.js";
 import { byId, grouped, make } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
@@ -98,6 +99,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     { id: "table", title: "Table of the chart", format: "CSV", meaning: "The numbers behind the chart.", name: chartName, content: () => csvFile(shown().chart.columns, shown().chart.rows().map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)))) },
     { id: "rows", title: "Rows of all trials", format: "CSV", meaning: "The rows of \u201cplanarium sweep\u201d.", content: () => session.rows.csv() },
     { id: "times", title: "Times of all trials", format: "CSV", meaning: "Seconds on this machine.", name: () => `${name()}.times`, content: () => session.rows.timesCsv() },
+    { id: "summary", title: "Summary", format: "JSON", meaning: "Statistics and comparisons, as \u201cplanarium sweep\u201d prints them.", name: () => `${name()}.summary`, content: summary },
     { id: "document", title: "Experiment", format: "JSON", meaning: "The document, for this page and for \u201cplanarium sweep\u201d.", content: () => json(session.resolved ?? session.document) },
   ]);
 
@@ -109,6 +111,17 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       else if (!session.info) await openReady(READY[0].id);
     },
   });
+
+  /** The statistics of the rows, by the core. */
+  function summary() {
+    if (!session.resolved) throw new Error("There is no experiment.");
+    const experiment = Experiment.parse(session.resolved);
+    try {
+      return json(experiment.summary(session.rows.records()));
+    } finally {
+      experiment.free();
+    }
+  }
 
   /** @param {string} id */
   async function openReady(id) { await open(await loadReady(id), id); }

@@ -90,6 +90,11 @@ export class Rows {
   /** The trials that have ended, in their order. @returns {Generator<number>} */
   * ended() { for (let trial = 0; trial < this.count; trial++) if (this.isKnown[trial]) yield trial; }
 
+  /** The rows as records with their times. @returns {Record<string, Cell>[]} */
+  records() {
+    return Array.from(this.ended(), (trial) => Object.fromEntries([...this.columns, ...TIMES].map((column) => [column, this.cell(trial, column)])));
+  }
+
   /** The rows as the file that `planarium sweep` writes. */
   csv() { return this.file(this.columns); }
 

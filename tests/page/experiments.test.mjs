@@ -22,7 +22,7 @@ const small = {
   format: "planarium-experiment-1", title: "Small",
   worlds: [{ scene: "stones" }, { name: "made", generate: "discs", set: { count: 20 }, seeds: [3] }],
   planners: [{ algorithm: "prm", set: { samples: 40 }, vary: { k: [2, 4] } }, { algorithm: "rrt-connect", set: { max_iterations: 60 } }],
-  seeds: { from: 0, count: 8 },
+  seeds: { from: 0, count: 8 }, verify: true,
 };
 
 /** Runs many trials, one worker or three. @param {number} workers */
@@ -107,9 +107,15 @@ test("charts have the values of the rows; pictures and files hold them", () => o
 
   await fill(page, "#view-axis", "planner.k");
   for (const record of await tableOf(page, "success")) {
-    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "") === record["planner.k"].replace("null", "") && record.series === `${row.planner}, ${row.world}`;
+    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`;
     const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
     assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [one.n, ...[one.share, one.low, one.high].map((value) => 100 * Number(value))]);
+  }
+  await fill(page, "#view-measure", "valid");
+  for (const record of await tableOf(page, "success")) {
+    const some = rows.filter((row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`);
+    const one = share(Array.from(some, ({ valid }) => (valid === null ? NaN : Number(valid))));
+    assert.deepEqual([record.trials, record.missing, record.percent].map(Number), [one.n, one.missing, one.share === null ? NaN : 100 * one.share]);
   }
   for (const record of await tableOf(page, "box")) {
     const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`;

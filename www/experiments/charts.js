@@ -2,8 +2,7 @@
  * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of it in words.
  */
 import { labelOf } from "./factors.js";
-import { OF_PATHS, SOLVED, measureInfo, titled } from "./measures.js";
-import { measuresOf } from "./rows.js";
+import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./measures.js";
 import { bins, cells, distributions, points, summaries } from "./tables.js";
 
 /** @import { View } from "./link.js" */
@@ -48,29 +47,28 @@ export function completed(view, factors, asked, all) {
   const known = (/** @type {string | undefined} */ column) => factors.find((factor) => factor.column === column);
   const axis = known(view.axis) ?? numeric[0] ?? factors[0];
   const second = known(view.second) ?? numeric.find((factor) => factor !== axis) ?? factors.find((factor) => factor !== axis);
-  const usual = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
-  const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usual;
-  const measure = one(view.measure) ?? (kind === "line" || kind === "heat" ? SOLVED : asked[0] ?? "length");
-  const work = one(view.work === SOLVED ? undefined : view.work) ?? asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
-  // A chart of values has no share.
-  const isValue = kind === "box" || kind === "cost";
-  return { kind, axis, second: second === axis ? undefined : second, measure: isValue && measure === SOLVED ? "length" : measure, work, isLog: view.isLog ?? false };
+  const usualKind = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
+  const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usualKind;
+  const measure = one(view.measure) ?? (kind === "success" || kind === "line" || kind === "heat" ? SOLVED : asked[0] ?? "length");
+  const work = one(isShare(view.work ?? "") ? undefined : view.work) ?? asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
+  // Some charts are of shares, others of values.
+  const [fits, usual] = kind === "success" ? [isShare(measure), SOLVED] : [kind === "line" || kind === "heat" || !isShare(measure), "length"];
+  return { kind, axis, second: second === axis ? undefined : second, measure: fits ? measure : usual, work, isLog: view.isLog ?? false };
 }
 
 /** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} asked @param {string} lengthUnit @returns {ChartData} */
 export function chartOf(rows, factors, view, asked, lengthUnit) {
-  const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, [SOLVED, ...measuresOf(rows.columns)]);
+  const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, allMeasures(rows.columns));
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   /** @param {Factor | undefined} factor @returns {Scale} */
   const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null] });
   /** @param {string} id @param {boolean} canBeLog @returns {Scale} */
-  const continuous = (id, canBeLog) => ({ title: title(id), isNumeric: true, values: [], isLog: canBeLog && isLog && id !== SOLVED });
+  const continuous = (id, canBeLog) => ({ title: title(id), isNumeric: true, values: [], isLog: canBeLog && isLog && !isShare(id) });
   const by = kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) ? undefined : axis;
   const others = factors.filter((factor) => factor !== by);
-  const shown = kind === "success" ? SOLVED : measure;
   /** @type {ChartData} */
   const chart = {
-    kind, title: title(shown), across: discrete(axis), up: continuous(shown, true), series: [], isOrdered: false, summaries: [], distributions: [],
+    kind, title: title(measure), across: discrete(axis), up: continuous(measure, true), series: [], isOrdered: false, summaries: [], distributions: [],
     points: [], bins: [], reported: view.reported ?? [], columns: [], rows: () => [], words: "",
   };
   if (kind === "ecdf") {
@@ -91,16 +89,16 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
   } else if (kind === "heat" && axis && second) {
     const all = chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null);
     chart.up = discrete(second);
-    chart.columns = [axis.column, second.column, "trials", "missing", ...statistics(shown)];
-    chart.rows = () => all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, shown)]);
+    chart.columns = [axis.column, second.column, "trials", "missing", ...statistics(measure)];
+    chart.rows = () => all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, measure)]);
     chart.words = describe(all, (one) => `${labelOf([axis, second], [one.x, one.y ?? null])}: ${rounded(one.middle)}`);
   } else {
-    const all = summaries(rows, factors, axis, shown);
+    const all = summaries(rows, factors, axis, measure);
     const isLevel = kind === "line" && axis?.isNumeric;
     chart.summaries = isLevel ? [...all.filter(({ x }) => x !== null), ...levels(all, axis)] : all;
-    if (kind === "box") chart.points = points(rows, factors, axis, shown, "iterations", DOTS);
-    chart.columns = [...(axis ? [axis.column] : []), "series", "trials", "missing", ...statistics(shown)];
-    chart.rows = () => all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, shown)]);
+    if (kind === "box") chart.points = points(rows, factors, axis, measure, "iterations", DOTS);
+    chart.columns = [...(axis ? [axis.column] : []), "series", "trials", "missing", ...statistics(measure)];
+    chart.rows = () => all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, measure)]);
     chart.words = describe(all, (one) => `${[axis ? labelOf([axis], [one.x]) : "", one.series].filter(Boolean).join(", ") || "all trials"}: ${rounded(one.middle)}`);
   }
   chart.series = [...new Set([...chart.summaries, ...chart.distributions, ...chart.points].map(({ series }) => series))];
@@ -126,12 +124,12 @@ function levels(all, { values }) {
 
 /** @param {string} measure */
 function statistics(measure) {
-  return measure === SOLVED ? ["percent", "low", "high"] : ["least", "lower_quartile", "median", "upper_quartile", "most"];
+  return isShare(measure) ? ["percent", "low", "high"] : ["least", "lower_quartile", "median", "upper_quartile", "most"];
 }
 
 /** @param {Summary} one @param {string} measure @returns {Cell[]} */
 function numbers({ least = null, low, middle, high, most = null }, measure) {
-  return measure === SOLVED ? [middle, low, high] : [least, low, middle, high, most];
+  return isShare(measure) ? [middle, low, high] : [least, low, middle, high, most];
 }
 
 /** Some of many in words. @template T @param {T[]} all @param {(one: T) => string} sentence */

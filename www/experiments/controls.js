@@ -3,7 +3,7 @@ import { byId, make } from "../app/dom.js";
 import { press } from "../widgets/elements.js";
 import { KINDS, completed } from "./charts.js";
 import { CHARTS } from "./link.js";
-import { OF_PATHS, SOLVED, measureInfo, titled } from "./measures.js";
+import { OF_PATHS, isShare, measureInfo, titled } from "./measures.js";
 
 /** @import { ExperimentSession } from "./session.js" */
 
@@ -34,14 +34,15 @@ export function watchControls(session) {
       select.dataset.offered = key;
       select.value = value ?? "";
     };
-    const isValue = kind === "box" || kind === "cost";
-    offer("measure", (isValue ? measures.slice(1) : measures).map((id) => [id, title(id)]), measure, kind !== "success" && kind !== "ecdf");
-    offer("work", measures.slice(1).filter((id) => !OF_PATHS.includes(id)).map((id) => [id, title(id)]), work, kind === "ecdf" || kind === "cost");
+    const isMixed = kind === "line" || kind === "heat";
+    const fitting = measures.filter((id) => isMixed || isShare(id) === (kind === "success"));
+    offer("measure", fitting.map((id) => [id, title(id)]), measure, kind !== "ecdf" && fitting.length > 1);
+    offer("work", measures.filter((id) => !isShare(id) && !OF_PATHS.includes(id)).map((id) => [id, title(id)]), work, kind === "ecdf" || kind === "cost");
     const columns = /** @type {[string, string][]} */ (factors.map((factor) => [factor.column, factor.title]));
     const across = kind === "cost" ? columns.filter((_, i) => factors[i].isNumeric) : columns;
     offer("axis", across, axis?.column, kind !== "ecdf" && (kind !== "cost" || across.length > 1));
     offer("second", columns.filter(([column]) => column !== axis?.column), second?.column, kind === "heat");
-    logRow.hidden = kind === "success" || kind === "heat" || (kind === "line" && measure === SOLVED);
+    logRow.hidden = kind === "success" || kind === "heat" || (kind === "line" && isShare(measure));
     log.checked = isLog;
   }
 }

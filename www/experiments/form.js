@@ -7,7 +7,7 @@ import { Options } from "../widgets/options.js";
 import { capital } from "../widgets/format.js";
 import { axisOf, axisText, seedsOf, seedsText } from "./axis-text.js";
 import { nameOf } from "./factors.js";
-import { measureInfo } from "./measures.js";
+import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
 /** @import { ExperimentWorld, Measure } from "planarium" */
@@ -118,7 +118,7 @@ export function watchForm(session) {
     const boxes = make("div", { className: "checks" });
     const fold = make("details", {}, make("summary", {}, "Measures"), boxes);
     // The core has listed them by then.
-    fold.addEventListener("toggle", () => boxes.replaceChildren(...session.measures.slice(1).map((id) => {
+    fold.addEventListener("toggle", () => boxes.replaceChildren(...session.measures.filter((id) => !isShare(id)).map((id) => {
       const box = make("input", { type: "checkbox", id: `measure-${id}`, checked: session.asked.includes(id), onchange: () => edit({ measures: /** @type {Measure[]} */ (box.checked ? [...session.asked, id] : session.asked.filter((other) => other !== id)) }) });
       return make("label", { className: "check" }, box, measureInfo(id, "").title);
     })));

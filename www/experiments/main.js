@@ -231,7 +231,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (!wordsFold.open || session.isBusy) return;
     const { rows, factors, view, asked, measures } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
-    const sentences = comparisons(rows, factors, kind === "success" ? SOLVED : kind === "ecdf" ? work : measure);
+    const sentences = comparisons(rows, factors, kind === "ecdf" ? work : measure);
     byId("words", HTMLElement).replaceChildren(...(sentences.length > 0 ? sentences : ["There are no two settings to compare."]).map((text) => make("li", {}, text)));
   }
 
@@ -248,14 +248,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 
 /** What a chart shows, in a sentence. @param {ChartData} chart */
 function remark({ kind, up, points }) {
-  const of = up.title.startsWith("trials solved") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
+  const of = up.title.endsWith("%") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
   const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
-  if (kind === "success") return `Bars: share of trials with a path. Lines: ${of}.`;
+  const share = up.title.startsWith("valid") ? "share of paths that the verifier accepts" : "share of trials with a path";
+  if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
   if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
   if (kind === "ecdf") return "Share of all trials that had found a path after so much work. Trials without a path stay in the denominator.";
   if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work.${dots}`;
-  if (kind === "heat") return "Medians of trials with a path, or shares of all trials. Trials that differ in anything else are together.";
-  return `Line: ${of.startsWith("W") ? "share of trials with a path" : "median"}; band: ${of}.`;
+  if (kind === "heat") return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
+  return `Line: ${of.startsWith("W") ? share : "median"}; band: ${of}.`;
 }
 
 /** @param {import("./rows.js").Cell} cell */

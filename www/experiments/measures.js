@@ -1,13 +1,22 @@
 /** What is measured of a trial: the titles and units of the core's measures. */
 
+import { measuresOf } from "./rows.js";
+
 /** @typedef {{ id: string, title: string, unit: string }} MeasureInfo */
 
-/** The share of trials with a path. */
+/** The share of trials with a path, and the share of paths that the verifier accepts. */
 export const SOLVED = "solved";
+const VALID = "valid";
+
+/** Whether a measure is a share. @param {string} id */
+export function isShare(id) { return id === SOLVED || id === VALID; }
+
+/** All measures of rows with these columns, shares first. @param {string[]} columns */
+export function allMeasures(columns) { return [SOLVED, ...columns.filter((column) => column === VALID), ...measuresOf(columns)]; }
 
 /** @type {Record<string, [title: string, unit: string]>} */
 const TITLES = {
-  [SOLVED]: ["trials solved", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
+  [SOLVED]: ["trials solved", "%"], [VALID]: ["valid paths", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
   waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["path length by chords", ""],
   rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
   motion_checks: ["motions tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
@@ -27,7 +36,7 @@ export function measureInfo(id, lengthUnit) {
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */
-export function scaleOf(id) { return id.endsWith("_seconds") ? 1000 : id === SOLVED ? 100 : 1; }
+export function scaleOf(id) { return id.endsWith("_seconds") ? 1000 : isShare(id) ? 100 : 1; }
 
 /** A title with its unit, for an axis. @param {{ title: string, unit: string }} info */
 export function titled({ title, unit }) { return unit ? `${title}, ${unit}` : title; }

@@ -9,6 +9,17 @@ const DOCUMENTS = /** @type {any} */ (globalThis).EXPERIMENTS;
 const VIEWS = {
   "more-neighbours": { chart: "line", axis: "planner.k", measure: "solved" },
   blossom: { chart: "box", axis: "world", measure: "iterations", isLog: true },
+  "arm-edge-checks": { chart: "heat", measure: "valid", axis: "planner.samples", second: "planner.edge_check" },
+  "arm-neighbours": { chart: "line", measure: "length", axis: "planner.k" },
+  "arm-planners": { chart: "box", measure: "length", axis: "world" },
+  "body-planners": { chart: "box", measure: "length", axis: "world" },
+  "car-blossom": { chart: "box", measure: "chord_length", axis: "planner.blossom" },
+  "car-mazes": { chart: "box", measure: "vertices", axis: "world", isLog: true },
+  "car-schedule": { chart: "box", measure: "iterations", axis: "world", isLog: true },
+  "forest-approximate": { chart: "box", measure: "visited", axis: "planner" },
+  "forest-searches-2r": { chart: "box", measure: "visited", axis: "planner", isLog: true },
+  "forest-searches-3r": { chart: "box", measure: "visited", axis: "planner", isLog: true },
+  "forest-searches-4r": { chart: "box", measure: "visited", axis: "planner", isLog: true },
   "three-planners": { chart: "ecdf", work: "clearance_evaluations", isLog: true },
 };
 

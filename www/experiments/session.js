@@ -6,8 +6,8 @@ import { Observable } from "../app/observable.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium";
 import { factorsOf, nameOfColumn } from "./factors.js";
-import { SOLVED, USUAL } from "./measures.js";
-import { MOST, Rows, measuresOf } from "./rows.js";
+import { USUAL, allMeasures } from "./measures.js";
+import { MOST, Rows } from "./rows.js";
 import { Pool } from "./pool.js";
 import { lengthUnit, resolved } from "./worlds.js";
 
@@ -60,8 +60,8 @@ export class ExperimentSession extends Observable {
     };
   }
 
-  /** All measures, the share of solved trials first. @returns {string[]} */
-  get measures() { return [SOLVED, ...measuresOf(this.info?.columns ?? [])]; }
+  /** All measures, shares first. @returns {string[]} */
+  get measures() { return allMeasures(this.info?.columns ?? []); }
 
   /** The measures that the document asks for. @returns {string[]} */
   get asked() { return this.document.measures ?? USUAL; }

@@ -4,7 +4,7 @@
  */
 import { ecdf, quartiles, share } from "planarium";
 import { groupsOf, labelOf } from "./factors.js";
-import { SOLVED, scaleOf } from "./measures.js";
+import { SOLVED, isShare, scaleOf } from "./measures.js";
 
 /** @import { Factor } from "./factors.js" */
 /** @import { Cell, Rows } from "./rows.js" */
@@ -28,6 +28,7 @@ export function sampleOf(rows, trials, measure) {
   const solved = (rows.values.get("status") ?? []).indexOf("solved");
   const status = rows.codes.get("status") ?? new Uint32Array();
   if (measure === SOLVED) return Float64Array.from(trials, (trial) => Number(status[trial] === solved));
+  if (isShare(measure)) return Float64Array.from(trials, (trial) => (status[trial] === solved ? Number(rows.cell(trial, measure)) : NaN));
   const [numbers, scale] = [rows.of(measure), scaleOf(measure)];
   return Float64Array.from(trials, (trial) => (status[trial] === solved ? scale * numbers[trial] : NaN));
 }
@@ -49,7 +50,7 @@ export function summaries(rows, factors, axis, measure) {
 /** @param {Rows} rows @param {number[]} trials @param {string} measure */
 function summary(rows, trials, measure) {
   const sample = sampleOf(rows, trials, measure);
-  if (measure === SOLVED) {
+  if (isShare(measure)) {
     const { n, missing, share: middle, low, high } = share(sample);
     const percent = (/** @type {number | null} */ value) => (value === null ? null : 100 * value);
     return { n, missing, middle: percent(middle), low: percent(low), high: percent(high) };

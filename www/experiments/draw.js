@@ -123,9 +123,11 @@ function heatParts({ across, up, summaries }, width, palette) {
   const isWide = across.values.length * 42 < width - 80;
   if (isWide) marks.push(text(some, { x: "x", y: "y", text: (one) => String(Number(one.middle.toPrecision(3))), fill: (one) => (isDark(one) ? palette.stage : palette.ink), fontSize: 11 }));
   const label = { labelArrow: /** @type {const} */ ("none") };
+  const longest = Math.max(...up.values.map((value) => String(value ?? "").length));
   return {
     marks,
     options: {
+      marginLeft: Math.min(width / 3, Math.max(62, LETTER * longest + 20)),
       x: { label: across.title, ...label, labelAnchor: "center", type: "band", domain: across.values.filter((value) => value !== null), ...ticksOf(across, width) },
       y: { label: null, type: "band", domain: up.values.filter((value) => value !== null).toReversed() },
       color: { type: "linear", domain: least < most ? [least, most] : [least - 1, least], range: rampOf(palette), interpolate: "rgb" },

@@ -13,7 +13,6 @@ import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
-import { list, number, settings, whole, withDefaults } from "../formats/rules.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
@@ -21,19 +20,16 @@ import { Transport } from "../widgets/transport.js";
 import { makeCharts } from "./charts.js";
 import { Experiment, WINDOW, movingAverage } from "./experiment.js";
 import { filmsOf } from "./films.js";
-import { FIRST, Particle } from "./particle.js";
+import { Particle } from "./particle.js";
 import { Plane } from "./plane.js";
+import { stateRule } from "./state.js";
 
 /** @import { ParameterInfo, TrajectoryOptions } from "planarium" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Movement } from "./particle.js" */
+/** @import { State } from "./state.js" */
 
-/** The state that a link stores: the settings that differ from the defaults, the tries made, and the single particle. */
-const stateRule = withDefaults({
-  given: settings, tried: whole(1_000_000), one: /** @type {import("../formats/rules.js").Rule<Movement>} */ (list(number, 3, 3)),
-}, { given: {}, tried: 0, one: FIRST });
 /** Settings that are not folded away. */
 const SHOWN = ["seed", "model", "count", "fastest", "greatest_turn_rate", "least_turn_rate"];
 /** Tries of each call on the way to the end. */
@@ -137,7 +133,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return false;
   }
 
-  /** @param {import("../formats/rules.js").Allowed<typeof stateRule> | null} state */
+  /** @param {State | null} state */
   async function open(state) {
     const { given, tried, one } = state ?? stateRule.defaults;
     options = form(given);

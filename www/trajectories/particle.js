@@ -6,20 +6,17 @@ import { Figure } from "../draw/figure.js";
 import { disc, ring, setStroke } from "../draw/marks.js";
 import { num, tuple } from "../widgets/format.js";
 import { Slider } from "../widgets/slider.js";
+import { FIRST } from "./state.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Brush } from "../draw/figure.js" */
-
-/** @typedef {[number, number, number]} Movement   speed, turn rate, duration */
+/** @import { Movement } from "./state.js" */
 
 const PIECES = 240;
 /** Seconds between two marks, and marks at most. */
 const MARK = 0.1;
 const MOST_MARKS = 40;
 const MARGIN = { left: 16, right: 16, top: 16, bottom: 16 };
-
-/** @type {Movement} */
-export const FIRST = [1, Math.PI / 4, 4];
 
 export class Particle {
   /** @param {App} app @param {HTMLElement} host */
@@ -51,10 +48,8 @@ export class Particle {
   }
 
   update() {
-    const [v, w, duration] = this.movement;
-    const times = Array.from({ length: PIECES + 1 }, (_, i) => (duration * i) / PIECES);
-    this.arc = particlePoints({ model: "arc", v, w }, times);
-    this.spiral = particlePoints({ model: "spiral", v, w }, times);
+    const duration = this.movement[2];
+    Object.assign(this, curvesOf(this.movement));
     const [arc, spiral] = [this.arc, this.spiral].map((points) => points.slice(-2));
     const apart = Math.hypot(arc[0] - spiral[0], arc[1] - spiral[1]);
     this.words.textContent = `After ${num(duration)} s the arc ends at ${tuple(arc, 3)} and the spiral at ${tuple(spiral, 3)}, ${num(apart, 3)} m apart. The spiral is the point v\u00b7t in direction w\u00b7t, as if the particle had always had its present heading.`;
@@ -83,4 +78,10 @@ export class Particle {
     setStroke(context, palette.start, 2);
     ring(context, ...at(arc, 0), 5);
   }
+}
+
+/** The points of both curves at equal times. @param {Movement} movement */
+export function curvesOf([v, w, duration]) {
+  const times = Array.from({ length: PIECES + 1 }, (_, i) => (duration * i) / PIECES);
+  return { arc: particlePoints({ model: "arc", v, w }, times), spiral: particlePoints({ model: "spiral", v, w }, times) };
 }

@@ -115,7 +115,8 @@ export class Page {
     if (!given) panel.form.build();
     const plan = given ? panel.planFrom(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
     const dropped = this.race?.offer() ?? [];
-    const wanted = plans?.slice(1) ?? this.race?.beside(plan) ?? this.current.slice(1);
+    // With their defaults, so that their names say what they differ in.
+    const wanted = plans?.slice(1).map(({ algorithm, settings }) => panel.planFrom(algorithm, settings)) ?? this.race?.beside(plan) ?? this.current.slice(1);
     const isServed = (/** @type {Plan} */ { algorithm }) => panel.serves(algorithm);
     const removed = plans ? wanted.map((rival, i) => ({ ...rival, lane: i + 1 })).filter((rival) => !isServed(rival)) : dropped;
     const current = [plan, ...wanted.filter(isServed)];

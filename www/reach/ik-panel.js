@@ -24,7 +24,7 @@ const CURVES = 40;
 /** Milliseconds between two drawings of the chart while it plays. */
 const CHART_PAUSE = 120;
 /** The page's defaults where the core's are others. @type {Settings} */
-const DEFAULTS = { solutions: 8, restarts: 40 };
+export const DEFAULTS = { solutions: 8, restarts: 40 };
 
 export class IkPanel {
   /** @param {ReachSession} session */

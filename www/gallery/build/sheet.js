@@ -1,0 +1,101 @@
+/** What the pictures share: a sheet of panes that is written as SVG, and grounds without pixels. */
+import { View } from "planarium/draw";
+import { coordinatesOf } from "../../domain/coordinates.js";
+import { MARGIN, drawAxes } from "../../draw/angles.js";
+import { SvgLayer, stripes } from "../../draw/svg-layer.js";
+import { traceContours } from "./contours.js";
+import { slim } from "./slim.js";
+
+/** @import { App } from "../../app/app.js" */
+/** @import { Palette } from "../../app/palette.js" */
+/** @import { Scenario } from "../../domain/types.js" */
+/** @import { Brush } from "../../draw/figure.js" */
+
+/** Side of a pane, pixels. */
+export const SIDE = 300;
+/** Cells a side of obstacles in configuration space. */
+const CELLS = 72;
+
+/** The colours by the names that the page's style gives them: the file's own style has their values. */
+export const PALETTE = /** @type {Palette} */ (Object.fromEntries([
+  "stage", "ink", "quiet", "line", "obstacle", "obstacleEdge", "robot", "robotEdge", "start", "goal",
+  "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
+].map((name) => [name, `var(--${name.replace("E", "-e")})`])));
+
+/** The application, as far as a session needs one to compute. */
+export const NO_APP = /** @type {App} */ (/** @type {unknown} */ ({ track: (/** @type {unknown} */ promise) => promise, requestFrame() {} }));
+
+/** A drawing of a pane. @typedef {(brush: Brush) => void} Pane */
+
+/**
+ * Panes beside each other, four in two rows.
+ * @param {Pane[]} panes @param {{ title: string, style: string }} file  `style`: the values of the colours
+ * @param {{ width: number, height: number }} [pane]  its size, pixels
+ * @returns {string}  an SVG file
+ */
+export function sheetOf(panes, { title, style }, { width, height } = { width: SIDE, height: SIDE }) {
+  const columns = panes.length > 3 ? 2 : panes.length;
+  const layer = new SvgLayer(columns * width, Math.ceil(panes.length / columns) * height);
+  const context = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (layer));
+  panes.forEach((draw, i) => {
+    context.save();
+    context.translate((i % columns) * width, Math.floor(i / columns) * height);
+    draw({ context, palette: PALETTE, width, height, ratio: 1, hatch: /** @type {Brush["hatch"]} */ (/** @type {unknown} */ (stripes)) });
+    context.restore();
+  });
+  const file = layer.toString({ background: PALETTE.stage, title });
+  return slim(file.replace(/(<svg[^>]*>)/, (root) => `${root}<style>${style}</style>`));
+}
+
+/** The configuration space of an arm of two joints, with its obstacles. Everything drawn later is clipped to it. @param {Brush} brush @param {Scenario} scenario @returns {View} */
+export function drawSquare({ context, palette, width, height }, scenario) {
+  const coordinates = coordinatesOf({ scenario, document: scenario.document() });
+  const [across, up] = coordinates;
+  const view = new View({ min: [across.low, up.low], max: [across.high, up.high] }, width, height, MARGIN, true);
+  const square = { x: view.x(across.low), y: view.y(up.high), width: (across.high - across.low) * view.scaleX, height: (up.high - up.low) * view.scaleY };
+  fillObstacles(context, scenario, palette, square);
+  context.strokeStyle = palette.obstacleEdge;
+  context.lineWidth = 1;
+  context.strokeRect(square.x, square.y, square.width, square.height);
+  context.fillStyle = palette.quiet;
+  drawAxes(context, view, square, coordinates);
+  context.beginPath();
+  context.rect(square.x, square.y, square.width, square.height);
+  context.clip();
+  return view;
+}
+
+/** Fills the obstacles of two joints in a square. @param {CanvasRenderingContext2D} context @param {Scenario} scenario @param {Palette} palette @param {{ x: number, y: number, width: number, height: number }} square */
+export function fillObstacles(context, scenario, palette, square) {
+  context.save();
+  context.fillStyle = palette.obstacle;
+  context.strokeStyle = palette.obstacleEdge;
+  context.lineWidth = 1;
+  context.beginPath();
+  traceContours(context, scenario.cspace({ width: CELLS, height: CELLS }), CELLS, (x, y) => [square.x + x * square.width, square.y + (1 - y) * square.height]);
+  context.fill();
+  context.stroke();
+  context.restore();
+}
+
+/** Many dots as one path. @param {CanvasRenderingContext2D} context @param {Iterable<[x: number, y: number]>} places @param {string} colour @param {number} size  pixels @param {number} alpha */
+export function drawDots(context, places, colour, size, alpha) {
+  context.save();
+  context.globalAlpha = alpha;
+  context.strokeStyle = colour;
+  context.lineWidth = size;
+  context.lineCap = "round";
+  context.setLineDash([]);
+  context.beginPath();
+  for (const [x, y] of places) {
+    context.moveTo(x, y);
+    context.lineTo(x, y);
+  }
+  context.stroke();
+  context.restore();
+}
+
+/** Items at equal distances in a list. @template T @param {T[]} list @param {number} most @returns {T[]} */
+export function thinned(list, most) {
+  return list.length <= most ? list : Array.from({ length: most }, (_, i) => list[Math.floor((i * list.length) / most)]);
+}

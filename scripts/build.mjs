@@ -175,7 +175,7 @@ if (isMain(import.meta.url)) {
   await script(async () => {
     await buildPackage();
     if (process.argv[2] === "package") return;
-    assemblePage();
+    await assemblePage();
     assembleOneFile();
   });
 }

@@ -4,17 +4,20 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } f
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { gzipSync } from "node:zlib";
+import { assembleGallery } from "./gallery.mjs";
 import { addPageNotices, packageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
 
 /** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
-const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["experiments", "Experiments"]];
+const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["experiments", "Experiments"], ["gallery", "Gallery"]];
 /** The part of the package that needs no core: each script has what it uses of it. */
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const NOTICES = "THIRD-PARTY-NOTICES.txt";
 const ROOMS = PAGES.slice(1).map(([name]) => name);
+/** The page that computes nothing: it needs neither the core nor a script to be read. */
+const GALLERY = "gallery";
 
 /**
  * Assembles the pages around the package: for each a script, with parts that are loaded on demand, and for the planner's page and for
@@ -22,8 +25,9 @@ const ROOMS = PAGES.slice(1).map(([name]) => name);
  *
  * A page is `www/NAME.html`, the contents of the slots of `www/app/shell.html`. A room also has `www/NAME/main.js` and
  * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the planner's page.
+ * The gallery's entries, pictures and links are made here from the data in `www/gallery/`.
  */
-export function assemblePage() {
+export async function assemblePage() {
   const page = join(root, "www");
   const out = join(dist, "page");
   rmSync(out, { recursive: true, force: true });
@@ -38,9 +42,10 @@ export function assemblePage() {
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   const rooms = assembleRooms(inParts);
+  const figures = await assembleGallery(join(out, GALLERY));
   for (const [name] of PAGES) {
     const scripts = ROOMS.includes(name) ? importsOf(rooms, `www/${name}/main.js`) : importsOf(planner, "www/planner/main.js");
-    writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/"))));
+    writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/")), name === GALLERY ? { figures } : {}));
   }
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
@@ -88,8 +93,8 @@ function readyExperiments() {
   return readdirSync(folder).sort().map((name) => ({ id: basename(name, ".json"), title: JSON.parse(readFileSync(join(folder, name), "utf8")).title }));
 }
 
-/** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {string[] | null} scripts   that its script imports: they are fetched at once; null for a single file */
-function documentOf(name, scripts) {
+/** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {string[] | null} scripts   that its script imports: they are fetched at once; null for a single file @param {Record<string, string>} [made]  contents of slots that the build has made */
+function documentOf(name, scripts, made = {}) {
   const links = PAGES.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
   const isRoom = ROOMS.includes(name);
   // A page lists its slots: the name of each in a comment at the start of a line, then its content.
@@ -102,7 +107,9 @@ function documentOf(name, scripts) {
     pages: scripts === null ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,
   };
   for (let i = 0; i < own.length; i += 2) slots[own[i]] = own[i + 1].trim();
-  return readFileSync(join(root, "www", "app", "shell.html"), "utf8").replace(/<!-- (\w+) -->/g, (_, slot) => slots[slot] ?? "");
+  const shell = readFileSync(join(root, "www", "app", "shell.html"), "utf8");
+  return (name === GALLERY ? shell.replace(/ *<(link rel="\w*preload" href="planarium|noscript>).*\n/g, "") : shell)
+    .replace(/<!-- (\w+) -->/g, (_, slot) => made[slot] ?? slots[slot] ?? "");
 }
 
 /**

@@ -10,7 +10,7 @@ await script(async () => {
   // A port in use is reported before the build.
   await requireFreePort(port);
   await buildPackage();
-  assemblePage();
+  await assemblePage();
   const { url } = await serve({ root: join(root, "dist", "page"), port });
   console.log(`\nPlanarium is at ${url} (Ctrl+C stops it)`);
 });

@@ -48,7 +48,7 @@ const needs = {
   rust: [async () => requireCompilers(), useDask],
   wasm: [ensureWasmTarget, async () => { bindgenFolder = await ensureTestRunner(); }, ensureWasmPack, useBrowser],
   package: [buildPackage, useBrowser],
-  page: [buildPackage, async () => { assemblePage(); assembleOneFile(); }, useBrowser],
+  page: [buildPackage, async () => { await assemblePage(); assembleOneFile(); }, useBrowser],
 };
 
 /** The groups that run by default; `quick` is a part of them. */

@@ -121,6 +121,7 @@ const BELOW = {
   formats: "", domain: "", app: "formats", draw: "app domain formats", widgets: "app domain draw formats",
   neighbours: `${KIT} planner/scenes`, trajectories: KIT, reach: `${KIT} planner/link planner/scenes`,
   rooms: "app experiments neighbours reach trajectories", experiments: `${KIT} planner/link planner/scenes`,
+  gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage reach trajectories`,
   planner: `${KIT} planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
   "planner/worker": KIT, "planner/settings": KIT, "planner/scenes": KIT,
   "planner/run-log": `${KIT} planner/worker`, "planner/stage": `${KIT} planner/run-log`, "planner/pose": `${KIT} planner/run-log planner/stage`,

@@ -158,7 +158,9 @@ function drawSpace(brush, run) {
   });
   if (planner) {
     setGrowth(brush);
-    for (const pair of thinned(edgesOf(planner), MOST.edges).flat()) line(pair);
+    // A tree of which edges are missing is hard to read.
+    const isTree = planner.edgeCount < planner.vertexCount;
+    for (const pair of thinned(edgesOf(planner), isTree ? MOST.lines : MOST.edges).flat()) line(pair);
     context.stroke();
     context.globalAlpha = 1;
     drawDots(context, thinned(rowsOf(planner.verticesSince(0), 2), MOST.vertices).map(place), palette.growth, 2.2, 0.8);

@@ -53,7 +53,7 @@ export async function assemblePage() {
     .sort();
   const version = files.reduce((hash, file) => hash.update(file).update(readFileSync(join(out, file))), createHash("sha256")).digest("hex").slice(0, 16);
   joinModules(join(page, "app", "offline.js"), join(out, "offline.js"), {
-    banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files])};` },
+    banner: { js: `globalThis.VERSION=${JSON.stringify(version)};globalThis.FILES=${JSON.stringify(["./", ...files.filter((file) => !/^gallery\/.*\.svg$/.test(file))])};` },
   });
   // Not among the files that are stored for use without a network.
   addPageNotices(join(dist, "package", NOTICES), join(out, NOTICES), [planner, rooms].flatMap(includedIn));

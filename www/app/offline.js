@@ -1,4 +1,7 @@
-/** The service worker: it stores all files of the pages for use without a network. With a network, files are fetched. */
+/**
+ * The service worker: it stores all files of the pages for use without a network, but the pictures of the gallery only when they are seen.
+ * With a network, files are fetched.
+ */
 
 /** The version of the build, and its files. */
 const { VERSION, FILES } = /** @type {{ VERSION: string, FILES: string[] }} */ (/** @type {unknown} */ (globalThis));
@@ -7,6 +10,8 @@ const { VERSION, FILES } = /** @type {{ VERSION: string, FILES: string[] }} */ (
 /** @typedef {ExtendableEvent & { request: Request, respondWith(response: Promise<Response>): void }} FetchEvent */
 
 const NAME = `planarium-${VERSION}`;
+/** Pictures of the gallery. */
+const PICTURE = /\/gallery\/[^/]+\.svg$/;
 
 addEventListener("install", (event) => /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))));
 
@@ -17,7 +22,15 @@ addEventListener("activate", (event) => /** @type {ExtendableEvent} */ (event).w
 addEventListener("fetch", (event) => {
   const { request, respondWith } = /** @type {FetchEvent} */ (event);
   if (request.method !== "GET" || new URL(request.url).origin !== location.origin) return;
-  respondWith.call(event, fetch(request).catch(async (error) => {
+  const fetched = fetch(request).then((response) => {
+    if (response.ok && PICTURE.test(request.url)) {
+      const copy = response.clone();
+      // Where there is no room, the picture is shown all the same.
+      /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.put(request, copy)).catch(() => {}));
+    }
+    return response;
+  });
+  respondWith.call(event, fetched.catch(async (error) => {
     const stored = await caches.match(request, { ignoreSearch: true });
     if (stored) return stored;
     throw error;

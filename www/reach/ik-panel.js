@@ -14,7 +14,7 @@ import { button, press } from "../widgets/elements.js";
 import { small } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
 import { Transport } from "../widgets/transport.js";
-import { IkRun } from "./ik-run.js";
+import { DEFAULTS, IkRun } from "./ik-run.js";
 
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { ReachSession, Change } from "./session.js" */
@@ -23,8 +23,6 @@ import { IkRun } from "./ik-run.js";
 const CURVES = 40;
 /** Milliseconds between two drawings of the chart while it plays. */
 const CHART_PAUSE = 120;
-/** The page's defaults where the core's are others. @type {Settings} */
-export const DEFAULTS = { solutions: 8, restarts: 40 };
 
 export class IkPanel {
   /** @param {ReachSession} session */

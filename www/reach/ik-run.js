@@ -6,6 +6,8 @@ import { withOptions } from "../domain/option-names.js";
 /** @import { Point, Settings } from "../domain/types.js" */
 /** @import { Robot } from "./robot.js" */
 
+/** The page's defaults where the core's are others. @type {Settings} */
+export const DEFAULTS = { solutions: 8, restarts: 40 };
 /** Solutions drawn and listed, at most. */
 const MOST_SHOWN = 24;
 

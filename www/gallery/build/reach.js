@@ -1,8 +1,7 @@
 /** Entries of Reach: the robot and, with two joints, its configuration space. */
 import { encodeState } from "../../app/link.js";
 import { reachMethods } from "planarium";
-import { DEFAULTS } from "../../reach/ik-panel.js";
-import { IkRun } from "../../reach/ik-run.js";
+import { DEFAULTS, IkRun } from "../../reach/ik-run.js";
 import { ReachSession } from "../../reach/session.js";
 import { Square } from "../../reach/square.js";
 import { openState, stateRule } from "../../reach/state.js";

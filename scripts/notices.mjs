@@ -34,16 +34,16 @@ function bundledPackages(inputs) {
   return [...folders].sort().map((folder) => {
     const { name, version, license, author, repository } = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
     const source = String(repository?.url ?? repository ?? "").replace(/^git\+|\.git$/g, "");
-    return { name: String(name), version: String(version), license: String(license), authors: [author?.name ?? author ?? ""].filter(Boolean), repository: source, source, folder };
+    return { name: String(name), version: String(version), license: String(license), authors: [author?.name ?? author ?? ""].filter(Boolean), repository: source, address: source, folder };
   });
 }
 
-/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license"> & { source?: string }, text: string }[]} all */
+/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license"> & { address?: string }, text: string }[]} all */
 function joined(opening, all) {
   /** @type {Map<string, string[]>} */
   const byText = new Map();
-  for (const { crate: { name, version, license, source }, text } of all) {
-    byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})${source ? `, ${source}` : ""}`]);
+  for (const { crate: { name, version, license, address }, text } of all) {
+    byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})${address ? `, ${address}` : ""}`]);
   }
   const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
   return [opening, ...sections].join(`\n${"-".repeat(80)}\n\n`);

@@ -15,7 +15,7 @@ const GROUPS = [
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
   ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],
-  ["Neighbours", ["radius", "neighbour_index", "neighbour_metric"]],
+  ["Neighbours", ["near", "radius", "radius_factor", "neighbour_index", "neighbour_metric"]],
   ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],

@@ -28,6 +28,8 @@ export const defaultColours = {
 
 /** A part thinner than this on the canvas is drawn as a line. */
 const THIN = 1.6;
+/** The kind of the event that a vertex got another parent. */
+const REWIRED = 7;
 /** Longest turn of one joint in one straight piece of a drawn curve, radians. */
 const PIECE = 0.14;
 
@@ -169,7 +171,8 @@ export function drawRobot(context, view, parts, colours) {
 
 /**
  * Draws the edges of a planner from edge `first` on, as curves of the end effector. To draw only what is new, pass the result as `first`
- * in the next frame. Edges of vertices that were removed (an event of `planner.eventsSince`) are drawn, too.
+ * in the next frame. From edge 0 on, an edge of a tree whose end got another parent is left out, as the planner's events tell; so draw a tree that is rewired (RRT*) from 0 in
+ * each frame. Edges of vertices that were removed (an event of `planner.eventsSince`) are drawn, too.
  * @param {Context} context @param {View} view @param {Scenario} scenario @param {Planner} planner
  * @param {number} [first]  0 (default) to `planner.edgeCount`
  * @param {Partial<Colours>} [colours]
@@ -180,17 +183,33 @@ export function drawEdges(context, view, scenario, planner, first = 0, colours) 
   const [vertices, edges, traces] = [planner.verticesSince(0), planner.edgesSince(first), planner.tracesSince(first)];
   /** @type {number[]} */
   const ends = [];
+  const replaced = first === 0 ? replacedEdges(planner, edges) : new Set();
   const curved = new Set();
   for (let at = 0; at < traces.length; at += n + 1) {
     curved.add(traces[at]);
-    if (traces[at + n + 1] === traces[at]) ends.push(...traces.subarray(at + 1, at + 1 + n), ...traces.subarray(at + n + 2, at + 2 * n + 2));
+    if (traces[at + n + 1] === traces[at] && !replaced.has(traces[at])) ends.push(...traces.subarray(at + 1, at + 1 + n), ...traces.subarray(at + n + 2, at + 2 * n + 2));
   }
   for (let i = 0; i < edges.length; i += 2) {
-    if (curved.has(first + i / 2)) continue;
+    if (curved.has(first + i / 2) || replaced.has(i / 2)) continue;
     for (const vertex of edges.subarray(i, i + 2)) ends.push(...vertices.subarray(vertex * n, (vertex + 1) * n));
   }
   strokeMotions(context, view, scenario, ends, { ...defaultColours, ...colours }.growth, 1.2);
   return first + edges.length / 2;
+}
+
+/** The edges of a tree to vertices that a later edge leads to. @param {Planner} planner @param {Uint32Array} edges  all @returns {Set<number>} */
+function replacedEdges(planner, edges) {
+  const replaced = new Set();
+  const events = planner.eventsSince(0);
+  let isRewired = false;
+  for (let at = 0; at < events.length && !isRewired; at += planner.eventWidth) isRewired = events[at] === REWIRED;
+  if (!isRewired) return replaced;
+  const last = new Map();
+  for (let i = 0; i < edges.length; i += 2) {
+    if (last.has(edges[i + 1])) replaced.add(last.get(edges[i + 1]));
+    last.set(edges[i + 1], i / 2);
+  }
+  return replaced;
 }
 
 /** Draws a path as the curve of the end effector; nothing if it is empty. @param {Context} context @param {View} view @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "motions">} result  `planner.result()` @param {Partial<Colours>} [colours] @returns {void} */

@@ -4,7 +4,7 @@ import { copyFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { Scenario } from "planarium";
+import { Scenario, eventKinds } from "planarium";
 import { View, defaultColours, difference, drawEdges, drawPath, drawRobot, drawWorld, motionCurves, wrap } from "planarium/draw";
 import { root } from "../../scripts/run.mjs";
 import { recordingContext } from "./canvas.mjs";
@@ -108,6 +108,18 @@ test("edges are drawn once each, from the first new one on: straight for a disc,
     lines.forEach((line, e) => assertNear([line[0], line[line.length - 1]], [...edges.subarray(2 * e, 2 * e + 2)].map((vertex) => view.place(tips.subarray(2 * vertex)))));
     assert.equal(lines.some((line) => line.length > 2), isArm);
   }
+});
+
+test("of a tree that is rewired only the present edges are drawn", () => {
+  const scenario = Scenario.generate("discs", { robot: "disc", seed: 1 });
+  const planner = scenario.planner({ algorithm: "rrt-star", improveIterations: 300, seed: 1 });
+  while (planner.step(1000) === "running");
+  const events = planner.eventsSince(0);
+  const rewired = Array.from({ length: events.length / planner.eventWidth }, (_, i) => events[i * planner.eventWidth]).filter((kind) => eventKinds[kind] === "rewired").length;
+  assert.ok(rewired > 20, `${rewired}`);
+  const { context, drawn } = recordingContext();
+  assert.equal(drawEdges(context, new View(scenario.extent(), 500, 500), scenario, planner), planner.edgeCount);
+  assert.equal(linesOf(drawn).length, planner.edgeCount - rewired);
 });
 
 test("edges of a car follow their traces, and its path follows its motions", () => {

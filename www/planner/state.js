@@ -78,7 +78,7 @@ function laneState({ plan: { algorithm }, run, playback, scenario, standing, ask
   const stats = run.isNewest ? run.now.stats : null;
   const state = {
     ...NO_RUN, algorithm, standing, status, phase: run.phase, iteration: run.shown, made: run.made,
-    vertices: past[PAST.vertices], edges: past[PAST.edges], checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
+    vertices: past[PAST.vertices], edges: past[PAST.edges] - run.countOf(EVENT.rewired), checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
     cost: past[PAST.cost],
     length: isEnd && status === "solved" ? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
     unit: unitOf(scenario.robot),

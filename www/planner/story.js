@@ -2,7 +2,7 @@
 import { grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
-import { PAST } from "./run-log/run-log.js";
+import { EVENT, PAST } from "./run-log/run-log.js";
 import { turnsAlong } from "../domain/coordinates.js";
 import { capital, duration, num } from "../widgets/format.js";
 
@@ -46,6 +46,7 @@ export function going(run, scene) {
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
+  if (phase === "improving" && run.bestEdges.length > 0) return `A path is found. The tree grows on by motions ${checked}, and its best path gets shorter.`;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
   if (phase === "searching") return `Searching the roadmap from ${String(settings.search).startsWith("bidirectional") ? "both ends" : "the start"}. Vertices already expanded are bold.`;
@@ -74,6 +75,10 @@ export function ending(run, playback) {
   if (run.status === "solved") {
     const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
+    // A tree that grows past its first path finds shorter ones.
+    if (run.kind === "tree" && run.countOf(EVENT.solved) > 1) {
+      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.`;
+    }
     return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}, ${certainty(run.isProven)}.`;
   }
   if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;

@@ -48,7 +48,7 @@ function card(report, { entry, address, width, height }, ids) {
     entry.try && `<b>Try:</b> ${html(entry.try)}`,
     says && `<b>The report:</b> ${html(says)}`,
     `${holdsMark(holds)}${why ? `. ${html(why)}` : ""}`,
-    page === "experiments" && '<span class="hint">The picture shows the first trials; crosses are numbers of the report. \u201cRun\u201d makes all trials.</span>',
+    page === "experiments" && `<span class="hint">The picture shows the first trials${entry.state.view?.reported?.length ? "; crosses are numbers of the report" : ""}. The page makes all of them.</span>`,
     chosen && `<span class="hint"><b>Not in the report:</b> ${html(chosen)}</span>`,
   ].filter(Boolean);
   const beside = [["previous", at - 1], ["next", at + 1]].map(([word, i]) => {

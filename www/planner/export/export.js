@@ -47,7 +47,7 @@ export function showExport(page) {
       const run = await runOf(lane.value);
       save(json(asked() ?? run.result), `${nameOfLane(run.made)}-result.json`);
     }),
-    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path found yet."), async () => {
+    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path yet: it can be saved once the run has ended."), async () => {
       const { path, dimension } = await runOf(lane.value);
       save(npy(Float64Array.from(asked()?.path.flat() ?? path), dimension), `${nameOfLane()}-path.npy`);
     }),

@@ -31,7 +31,7 @@ export function filmsOf(page) {
     },
     {
       id: "path", title: "The robot", meaning: "The robot along its path.",
-      lack: () => (session.travelling ? "" : "No path found yet."),
+      lack: () => (session.travelling ? "" : "No path yet: it can be saved once the run has ended."),
       open: (width) => filmOf(session, width, session.playbacks[0].duration, true, (picture, part) => picture.place(part)),
     },
     {

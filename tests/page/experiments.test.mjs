@@ -4,6 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium";
+import { completed } from "../../www/experiments/charts.js";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
 import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
@@ -232,6 +233,18 @@ test("a view of what is not there shows something else", () => onExperiment({ do
   assert.equal(await page.isHidden("#notice"), true);
 }));
 
+test("what is put across is not up any more: another factor is", () => {
+  const factors = ["planner.k", "world", "planner"].map((column) => ({ column, title: column, unit: "", values: [1, 2], isNumeric: column === "planner.k" }));
+  const shown = (/** @type {string} */ axis, /** @type {string} */ second, all = factors) => {
+    const { kind, axis: across, second: up } = completed({ chart: "heat", axis, second }, all, [], ["solved"]);
+    return [kind, across?.column, up?.column];
+  };
+  assert.deepEqual(shown("world", "planner"), ["heat", "world", "planner"]);
+  assert.deepEqual(shown("world", "world"), ["heat", "world", "planner.k"]);
+  assert.deepEqual(shown("planner.k", "planner.k"), ["heat", "planner.k", "world"]);
+  assert.deepEqual(shown("world", "world", [factors[1]]), ["success", "world", undefined]);
+});
+
 test("every ready experiment is accepted, with its worlds", () => onPage({ reducedMotion: "reduce" }, async (page) => {
   await page.waitForSelector("body[data-phase=ready][data-settled=true]");
   const ids = await page.locator("#ready option:enabled").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
@@ -258,6 +271,7 @@ test("what is refused shows code and pointer before any trial, and the page goes
     await page.waitForSelector(`body[data-phase=refused][data-settled=true] #notice[data-code=${code}]`);
     assert.equal(await page.getAttribute("#notice", "data-pointer"), pointer);
     assert.equal(await page.isDisabled("#run"), true);
+    assert.equal(await page.innerText("#trials caption"), "No trials");
   }
   // A scenario is a world for the experiment that is open; here it has no planner.
   await pickFile(page, "good.json", JSON.stringify(small));
@@ -265,8 +279,10 @@ test("what is refused shows code and pointer before any trial, and the page goes
   assert.equal(await page.isHidden("#notice"), true);
   await pickFile(page, "own.json", readFileSync(join(root, "www", "scenes", "pillar.json"), "utf8"));
   await page.waitForSelector("body[data-phase=ready][data-count='24'][data-settled=true]");
-  await fill(page, "#vary-0-values", "2 to 6 by 2");
+  await page.fill("#vary-0-values", "2 to 6 by 2");
+  await page.press("#vary-0-values", "Enter");
   await page.waitForSelector("body[data-phase=ready][data-count='32']");
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "vary-0-values", "the form is made again, and the focus stays");
   await fill(page, "#vary-0-values", "0");
   await page.waitForSelector("body[data-phase=refused] #notice[data-pointer='/planners/0/vary/k/0']");
 }, { path: "experiments.html" }));

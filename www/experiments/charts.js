@@ -46,14 +46,15 @@ export function completed(view, factors, asked, all) {
   const numeric = factors.filter(({ isNumeric }) => isNumeric);
   const known = (/** @type {string | undefined} */ column) => factors.find((factor) => factor.column === column);
   const axis = known(view.axis) ?? numeric[0] ?? factors[0];
-  const second = known(view.second) ?? numeric.find((factor) => factor !== axis) ?? factors.find((factor) => factor !== axis);
+  // What is across is not up, too.
+  const second = [known(view.second), ...numeric, ...factors].find((factor) => factor !== undefined && factor !== axis);
   const usualKind = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
   const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usualKind;
   const measure = one(view.measure) ?? (kind === "success" || kind === "line" || kind === "heat" ? SOLVED : asked[0] ?? "length");
   const work = one(isShare(view.work ?? "") ? undefined : view.work) ?? asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
   // Some charts are of shares, others of values.
   const [fits, usual] = kind === "success" ? [isShare(measure), SOLVED] : [kind === "line" || kind === "heat" || !isShare(measure), "length"];
-  return { kind, axis, second: second === axis ? undefined : second, measure: fits ? measure : usual, work, isLog: view.isLog ?? false };
+  return { kind, axis, second, measure: fits ? measure : usual, work, isLog: view.isLog ?? false };
 }
 
 /** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} asked @param {string} lengthUnit @returns {ChartData} */

@@ -25,12 +25,16 @@ export function watchForm(session) {
   session.onChange((change) => { if (change === "document") build(); });
 
   function build() {
+    const { activeElement: held } = document;
+    const focused = held && host.contains(held) ? held.id : "";
     try {
       host.replaceChildren(section("Worlds", ...worldRows()), section("Planners", ...plannerRows()), section("What varies", ...variedRows()), section("Trials", ...trialRows()));
     } catch {
       // What has not the shape of a document is refused by the core, which says why; it has no form.
       host.replaceChildren();
     }
+    // The focus stays on the same control.
+    if (focused) document.getElementById(focused)?.focus({ preventScroll: true });
   }
 
   /** Changes the document; a change of its parts makes the form again. @param {Partial<LinkedDocument>} changes @param {boolean} [isForm] */
@@ -123,7 +127,7 @@ export function watchForm(session) {
       return make("label", { className: "check" }, box, measureInfo(id, "").title);
     })));
     return [
-      textRow("seeds", "Seeds", seedsText(Array.isArray(seeds) || seeds ? seeds : [0]), (text) => read(seedsOf(text), (value) => edit({ seeds: value }))),
+      textRow("seeds", "Seeds", seedsText(seeds ?? [0]), (text) => read(seedsOf(text), (value) => edit({ seeds: value }))),
       make("label", { className: "row", htmlFor: "budget" }, make("span", { className: "name" }, "Work at most"), limit),
       ...(budget ? [textRow("budget-value", "", String(Object.values(budget)[0]), (text) => edit({ budget: /** @type {any} */ ({ [kind]: Number(text) }) }))] : []),
       make("label", { className: "row", htmlFor: "verify" }, make("span", { className: "name" }, "Verify every path"), check),

@@ -27,7 +27,7 @@ import { sampleOf } from "./tables.js";
 import { openTrial, watchTrials } from "./trials.js";
 
 /** @import { ChartData } from "./charts.js" */
-/** @import { ExperimentState } from "./link.js" */
+/** @import { ExperimentState, LinkedDocument } from "./link.js" */
 /** @import { ExperimentWorker } from "./pool.js" */
 /** @import { Change } from "./session.js" */
 
@@ -61,6 +61,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   let isStale = true;
   let [drawnAt, took] = [-Infinity, 0];
   let isDrawing = false;
+  /** The document that was opened last: another one is an edited one. @type {LinkedDocument | null} */
+  let opened = null;
 
   session.onChange((change) => {
     if (change !== "phase") isStale = true;
@@ -130,16 +132,18 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   async function open(state, id) {
     app.notice.hide();
     ready.value = id;
+    opened = state.document;
     const isAccepted = await session.open(state);
     if (isAccepted && !app.reducedMotion && (session.info?.trialCount ?? Infinity) <= AT_ONCE) start();
   }
 
   /** @param {string} fileName @param {Uint8Array} bytes */
   async function openFile(fileName, bytes) {
-    const read = JSON.parse(new TextDecoder().decode(bytes));
-    const isScenario = read?.format === "planarium-scenario-1";
+    // The core says what is wrong with anything that is not an experiment.
+    const read = JSON.parse(new TextDecoder().decode(bytes)) ?? {};
+    const isScenario = read.format === "planarium-scenario-1";
     const { document } = session;
-    const title = `${fileName.replace(/\.json$/, "")}`;
+    const title = fileName.replace(/\.json$/, "");
     await open(isScenario ? { document: { ...document, title, worlds: [{ scenario: read }] }, view: {} } : { document: read, view: {} }, "");
   }
 
@@ -162,7 +166,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     byId("progress-text", HTMLElement).textContent = progressText();
     if (change === "checked" && phase === "refused" && refusal) app.notice.show("The experiment is refused.", Object.assign(new Error(refusal.message), refusal));
     else if (change === "checked") app.notice.hide();
-    if (change === "document") ready.value = READY.some(({ id }) => id === ready.value) ? ready.value : "";
+    if (session.document !== opened) ready.value = "";
     app.write({ where: info ? `${grouped(rows.count)} trials${pool.most > 1 ? ` on ${pool.most} workers` : ""}` : "" });
     app.say(sentence(), { isBad: phase === "refused" || phase === "failed", isSilent: change === "rows" });
     if (change === "checked" || change === "view" || change === "document") showControls();

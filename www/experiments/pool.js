@@ -66,7 +66,8 @@ export class Pool {
     this.clear();
     const known = this.workers.filter((worker) => this.opened.get(worker) === epoch - 1);
     for (const worker of known) this.opened.set(worker, epoch);
-    await Promise.all(known.map((worker) => worker.stop()));
+    // A worker that was lost has nothing to stop.
+    await Promise.allSettled(known.map((worker) => worker.stop()));
   }
 
   /**

@@ -164,8 +164,10 @@ export class ExperimentSession extends Observable {
   async cancel() {
     const { info } = this;
     if (!info) return;
-    this.checks++;
+    const check = ++this.checks;
     await this.pool.cancel();
+    // Meanwhile the document may have been changed.
+    if (check !== this.checks) return;
     this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
     this.elapsed = 0;
     this.refusal = null;

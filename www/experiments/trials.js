@@ -45,7 +45,7 @@ export function watchTrials(session) {
       return `${title}${words && `, ${words}`}`;
     })];
     table.replaceChildren(
-      make("caption", {}, `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`),
+      make("caption", {}, rows.count === 0 ? "No trials" : `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`),
       make("thead", {}, make("tr", {}, ...["trial", ...heads].map((title) => make("th", { scope: "col" }, capital(title))))),
       make("tbody", {}, ...trials.map((trial) => {
         const values = [...columns.map((column) => rows.cell(trial, column)), ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id)))];

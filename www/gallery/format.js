@@ -86,4 +86,7 @@
 
 /** @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: Entry[] }} Report   `about`: what it is about, a sentence */
 
-export {};
+/** Whether a report holds, in words. @type {Record<Verdict, string>} */
+export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold" };
+/** The pages, as the links to them are called. @type {Record<PageName, string>} */
+export const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", experiments: "Experiments" };

@@ -7,17 +7,18 @@ import { byId, make } from "../app/dom.js";
 import { makeShare } from "../app/link.js";
 import { Notice } from "../app/notice.js";
 import { watchTheme } from "../app/theme.js";
+import { HOLDS, PAGES } from "./format.js";
 
 /** @import { App } from "../app/app.js" */
 
 /** The filters: the attribute of an entry, the title, and values that are not called by their own names. @type {[key: string, title: string, names: Record<string, string>][]} */
 const FILTERS = [
   ["report", "Report", {}],
-  ["holds", "Holds", { yes: "holds", partly: "in part", no: "does not hold" }],
+  ["holds", "Holds", HOLDS],
   ["robot", "Robot", {}],
   ["planner", "Planner", { "": "without a planner" }],
   ["kind", "Kind", {}],
-  ["page", "Page", { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", experiments: "Experiments" }],
+  ["page", "Page", PAGES],
 ];
 
 const notice = new Notice();
@@ -43,7 +44,8 @@ byId("export", HTMLElement).append(...[["CSV", "rows.csv", "All rows with their 
   make("p", { className: "row" }, make("span", { className: "name hint" }, meaning), make("a", { href: `gallery/${file}`, download: file }, format))));
 
 addEventListener("keydown", ({ key, altKey, ctrlKey, metaKey, target }) => {
-  if (altKey || ctrlKey || metaKey || target instanceof HTMLSelectElement) return;
+  // Arrows also choose, move the cursor, and scroll the table.
+  if (altKey || ctrlKey || metaKey || (target instanceof Element && target.closest("select, input, .scroll"))) return;
   const kind = { ArrowRight: "next", ArrowLeft: "previous", Escape: "close" }[key];
   const link = kind && document.querySelector(`.entry:target .${kind}`);
   if (link instanceof HTMLAnchorElement) link.click();
@@ -74,7 +76,7 @@ function show() {
 
 /** Shows the entry in the address, whatever the filters say, and moves the focus there. */
 function focusEntry() {
-  const entry = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const entry = document.getElementById(location.hash.slice(1));
   if (!entry?.classList.contains("entry")) return;
   if (entry.hidden) all.click();
   entry.querySelector("a")?.focus({ preventScroll: true });

@@ -11,7 +11,7 @@ const visited = (links, reported, see) => ({
   id: `1-visited-${links}r`, title: `Vertices visited, ${links} links`, name: `R = ${links}`, kind: "experiment", robot: "arm",
   page: "experiments", expect: "open",
   state: { document: `forest-searches-${links}r`, view: { chart: "box", measure: "visited", axis: "planner", reported: reported.map(([x, value]) => ({ x, value, label: "the report" })) } },
-  see, try: "Choose \u201cwaypoints\u201d as the measure: who finds the fewest?",
+  see, try: "Choose \u201cwaypoints\u201d as the measure: which search finds the fewest?",
   report: "One run of each search in one random forest.", holds: "partly", why: "One forest decides little: the numbers vary widely from one to the next.",
   chosen: "50 forests, each with 4 roadmaps, on which all searches are run.",
 });

@@ -96,7 +96,7 @@ function groupsOf(rows, axis, measure) {
   return [...groups.values()];
 }
 
-/** Dots and the mean of each group; numbers of the report as rings. @param {Brush} brush @param {Group[]} groups @param {string} measure @param {NonNullable<View["reported"]>} reported */
+/** Dots and the mean of each group; numbers of the report as crosses. @param {Brush} brush @param {Group[]} groups @param {string} measure @param {NonNullable<View["reported"]>} reported */
 function drawGroups(brush, groups, measure, reported) {
   const { context, palette } = brush;
   const [places, series] = [[...new Set(groups.map(({ x }) => x))], [...new Set(groups.map((group) => group.series))]];

@@ -1,13 +1,9 @@
 /** The HTML of the gallery, written when the site is built: it can be read, linked and printed without a script. */
+import { HOLDS, PAGES } from "../format.js";
 
 /** @import { Entry, Report, Row, Verdict } from "../format.js" */
 
 /** An entry with its link and the size of its picture, pixels. @typedef {{ entry: Entry, address: string, width: number, height: number }} Shown */
-
-/** @type {Record<Verdict, string>} */
-const HOLDS = { yes: "holds", partly: "in part", no: "does not hold" };
-/** The pages, as the links to them are called. @type {Record<Entry["page"], string>} */
-const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", experiments: "Experiments" };
 
 /** Text for HTML, with `code` between backticks. @param {string} text */
 function html(text) {

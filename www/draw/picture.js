@@ -1,4 +1,5 @@
 /** An SVG element of the page as a file of its own, SVG or PNG. */
+import { makeSvg } from "../app/dom.js";
 
 /** A copy that stands alone. @param {SVGSVGElement} picture @param {string} ground  the colour behind it @param {string} title */
 function copyOf(picture, ground, title) {
@@ -7,11 +8,7 @@ function copyOf(picture, ground, title) {
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   copy.style.fontFamily = "system-ui, sans-serif";
   copy.setAttribute("color", getComputedStyle(picture).color);
-  const back = copy.ownerDocument.createElementNS("http://www.w3.org/2000/svg", "rect");
-  for (const [name, value] of Object.entries({ width, height, fill: ground })) back.setAttribute(name, String(value));
-  const heading = copy.ownerDocument.createElementNS("http://www.w3.org/2000/svg", "title");
-  heading.textContent = title;
-  copy.prepend(heading, back);
+  copy.prepend(makeSvg("title", {}, title), makeSvg("rect", { width, height, fill: ground }));
   return { text: new XMLSerializer().serializeToString(copy), width, height };
 }
 

@@ -31,6 +31,7 @@ export function filmsOf(session, figures) {
         let again = new IkRun(robot, run.problem);
         const seconds = Math.min(RUN.most, Math.max(RUN.least, iterations / RUN.pace));
         const film = filmOf(figures, width, seconds, (drawings, part) => {
+          requireSame(robot);
           const wanted = Math.round(part * iterations);
           if (wanted < again.run.iterations) {
             again.free();
@@ -45,13 +46,17 @@ export function filmsOf(session, figures) {
     },
   ];
 
+  /** @param {Robot} robot @throws {Error} `run-replaced`: the page has another robot by now, and the core has freed this one */
+  function requireSame(robot) {
+    if (session.robot !== robot) throw Object.assign(new Error("The robot changed during the export."), { code: "run-replaced" });
+  }
+
   /**
    * Has drawings show another configuration, without the session.
    * @param {{ session: ReachSession }[]} drawings @param {Robot} robot @param {ArrayLike<number>} q @param {Partial<ReachSession>} others
-   * @throws {Error} `run-replaced`: the page has another robot by now, and the core has freed this one
    */
   function show(drawings, robot, q, others) {
-    if (session.robot !== robot) throw Object.assign(new Error("The robot changed during the export."), { code: "run-replaced" });
+    requireSame(robot);
     const posed = Object.create(robot, { pose: { value: robot.poseAt(q) } });
     const shown = Object.create(session, Object.fromEntries(Object.entries({ ...others, robot: posed, refusal: null }).map(([name, value]) => [name, { value }])));
     for (const drawing of drawings) drawing.session = shown;

@@ -256,7 +256,10 @@ test("every ready experiment is accepted, with its worlds", () => onPage({ reduc
     await page.waitForFunction((text) => document.getElementById("story")?.textContent?.startsWith(text), title);
     await page.waitForSelector("body[data-phase=ready][data-settled=true], body[data-phase=refused]");
     assert.equal(await page.innerText("#notice"), "", id);
+    assert.equal(await page.inputValue("#ready"), id);
   }
+  await fill(page, "#seeds", "0 to 2");
+  assert.equal(await page.inputValue("#ready"), "", "once it is edited it is one of your own");
 }, { path: "experiments.html" }));
 
 test("what is refused shows code and pointer before any trial, and the page goes on", () => onPage({ reducedMotion: "reduce" }, async (page) => {

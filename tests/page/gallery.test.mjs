@@ -168,6 +168,16 @@ test("filters leave the entries that fit, and an address shows its entry all the
   assert.equal(await page.getAttribute("body", "data-shown"), String(entries.length));
 }, { path: "gallery.html" }));
 
+test("an address that is no entry shows the gallery, and with the table in focus arrows open no other entry", () => onPage({}, async (page) => {
+  await page.waitForSelector("body[data-state=ready]");
+  assert.equal(await page.locator(".entry:target").count(), 0);
+  await page.evaluate((id) => { location.hash = id; }, entries[0].id);
+  await page.waitForSelector(".entry:target");
+  await page.focus("#rows .scroll");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.evaluate(() => location.hash), `#${entries[0].id}`);
+}, { path: "gallery.html#100%" }));
+
 test("axe finds nothing in the gallery, nothing hangs over on a phone, and it can be read without a script", async () => {
   await onPage({ ...PHONE, colorScheme: "dark" }, async (page) => {
     await page.waitForSelector("body[data-state=ready]");

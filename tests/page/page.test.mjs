@@ -9,6 +9,7 @@ import {
 } from "./browser.mjs";
 import { overhang } from "./looks.mjs";
 import { open, ran, sceneOf, textOf } from "./library.mjs";
+import { encodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 /** Scenes that differ from others in their world alone: all end in scenes.test.mjs, and here where all cases are tried. */
@@ -210,6 +211,24 @@ test("the guards of a visibility roadmap stand in rings, links do not", () => on
   await atRest(page);
   assert.equal(await page.isVisible("#legend-guard"), false);
 }));
+
+test("a tree that goes on after its first path shows its best path so far, in the legend, too", async () => {
+  const planner = open(sceneOf("pillar")).planner({ algorithm: "rrt-star", seed: 1 });
+  while (planner.phase !== "improving") planner.step(1);
+  const first = planner.iterations;
+  planner.free();
+  assert.ok(first > 1 && first < 5000, `${first}`);
+  for (const [iteration, isFound] of /** @type {const} */ ([[first - 1, false], [first, true]])) {
+    const fragment = await encodeLink({ version: 1, scene: "pillar", lanes: [{ algorithm: "rrt-star", settings: { seed: 1 } }], iteration, view: {} });
+    await onPage({ reducedMotion: "reduce" }, async (page) => {
+      await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+      const { iterations, status } = await counters(page);
+      assert.deepEqual([iterations, status], [iteration, "running"]);
+      assert.equal(await page.isVisible("#legend-path"), isFound);
+      for (const pane of ["workspace", "cspace"]) assert.equal(await pixelsOf(page, pane, "top", "path") > 40, isFound, `${pane}, ${iteration}`);
+    }, { path: `#${fragment}` });
+  }
+});
 
 test("a sampled path is marked as not proven, its collision in red; a naive roadmap fills the square", () => onPausedPage(async (page) => {
   await page.click("#more summary");

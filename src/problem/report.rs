@@ -64,7 +64,7 @@ pub struct Stats {
     pub iterations: u64,
     /// Vertices of the graph.
     pub vertices: u64,
-    /// Edges of the graph.
+    /// Edges of the graph, those of a tree that rewiring has replaced included.
     pub edges: u64,
     /// Configurations tested for collision.
     pub configuration_checks: u64,

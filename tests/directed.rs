@@ -3,8 +3,8 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Extend, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, RrtConnectOptions, RrtOptions, Searching,
-    Status,
+    Algorithm, Extend, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, Rewiring, RrtConnectOptions, RrtOptions,
+    RrtStarOptions, Searching, Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::space::steering::{Pose, Steering};
@@ -91,6 +91,11 @@ fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car
     begin(&RrtOptions { step: Some(1.0), extend, reaching, ..RrtOptions::default() }, problem, seed)
 }
 
+fn rrt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+    let rewiring = Rewiring { step: Some(2.0), improve_iterations: 150, ..Rewiring::default() };
+    begin(&RrtStarOptions { rewiring, ..RrtStarOptions::default() }, problem, seed)
+}
+
 fn rrt_connect(problem: &Problem<Car>, seed: u64, step: f64) -> Box<dyn Planner<Car>> {
     begin(&RrtConnectOptions { step: Some(step), ..RrtConnectOptions::default() }, problem, seed)
 }
@@ -134,6 +139,7 @@ fn trees_end_at_the_goal_and_are_driven_in_order() {
         for extend in [Extend::Step, Extend::Half, Extend::UntilObstacle] {
             trees.push((format!("rrt {extend:?}"), rrt(&problem, seed, extend), f64::INFINITY));
         }
+        trees.push(("rrt-star".to_owned(), rrt_star(&problem, seed), f64::INFINITY));
         for step in [0.4, 1.0, 5.0] {
             trees.push((format!("rrt-connect {step}"), rrt_connect(&problem, seed, step), step));
         }

@@ -37,7 +37,7 @@ pub use roadmap::{Connection, QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};
-pub use rrt_star::{NearRule, RrtStarOptions};
+pub use rrt_star::{NearRule, Rewiring, RrtStarOptions};
 pub use sst::SstOptions;
 pub use visibility_prm::VisibilityPrmOptions;
 

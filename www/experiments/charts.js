@@ -1,12 +1,13 @@
 /**
  * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of it in words.
  */
+import { grouped } from "../app/dom.js";
 import { labelOf } from "./factors.js";
 import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./measures.js";
 import { bins, cells, distributions, points, summaries } from "./tables.js";
 
 /** @import { View } from "./link.js" */
-/** @import { Factor } from "./factors.js" */
+/** @import { Factor, Words } from "./factors.js" */
 /** @import { Cell, Rows } from "./rows.js" */
 /** @import { Bin, Distribution, Point, Summary } from "./tables.js" */
 
@@ -15,6 +16,7 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
  * @property {string} title
  * @property {boolean} isNumeric
  * @property {Cell[]} values   in order, unless it is continuous
+ * @property {Words} [words]   of values
  * @property {boolean} [isLog]
  *
  * @typedef {object} ChartData
@@ -62,7 +64,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
   const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, allMeasures(rows.columns));
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   /** @param {Factor | undefined} factor @returns {Scale} */
-  const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null] });
+  const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null], words: factor?.words });
   /** @param {string} id @param {boolean} canBeLog @returns {Scale} */
   const continuous = (id, canBeLog) => ({ title: title(id), isNumeric: true, values: [], isLog: canBeLog && isLog && !isShare(id) });
   const by = kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) ? undefined : axis;
@@ -78,7 +80,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
     [chart.across, chart.up] = [continuous(work, true), { ...continuous(SOLVED, false), title: "share of trials solved, %" }];
     chart.columns = ["series", work, "share_percent"];
     chart.rows = () => all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));
-    chart.words = describe(all, ({ series, n, missing }) => `${series || "all trials"}: ${n} of ${n + missing} solved`);
+    chart.words = describe(all, ({ series, n, missing }) => `${series || "all trials"}: ${grouped(n)} of ${grouped(n + missing)} solved`);
   } else if (kind === "cost") {
     chart.title = `${title(measure)} against ${title(work)}`;
     [chart.across, chart.up] = [continuous(work, true), continuous(measure, false)];
@@ -86,7 +88,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
     chart.bins = bins(rows, factors, by, measure, work);
     chart.columns = ["series", "trials", work, "lower_quartile", "median", "upper_quartile"];
     chart.rows = () => chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]);
-    chart.words = `${rows.done} trials`;
+    chart.words = `${grouped(rows.done)} trials`;
   } else if (kind === "heat" && axis && second) {
     const all = chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null);
     chart.up = discrete(second);
@@ -136,7 +138,7 @@ function numbers({ least = null, low, middle, high, most = null }, measure) {
 /** Some of many in words. @template T @param {T[]} all @param {(one: T) => string} sentence */
 function describe(all, sentence) {
   const some = all.slice(0, 12).map(sentence).join("; ");
-  return all.length > 12 ? `${some}; and ${all.length - 12} more in the table` : some;
+  return all.length > 12 ? `${some}; and ${grouped(all.length - 12)} more in the table` : some;
 }
 
 /** @param {number | null} value */

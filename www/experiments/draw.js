@@ -1,6 +1,7 @@
 /** The drawing of a chart, by Observable Plot. This module is loaded when the first chart is drawn. */
 import { areaY, barY, cell, dot, lineY, plot, ruleX, scale, text, tickY } from "@observablehq/plot";
 import { makeSvg as element } from "../app/dom.js";
+import { wordOf } from "./factors.js";
 
 /** @import { Markish, PlotOptions } from "@observablehq/plot" */
 /** @import { Palette } from "../app/palette.js" */
@@ -79,10 +80,13 @@ function partsOf(chart, { width, palette }, styleOf) {
   }
   if (kind === "line") {
     const few = across.values.length <= 12 ? { ticks: /** @type {any} */ (across.values.filter((value) => value !== null)) } : {};
-    const place = across.isNumeric ? { ...few, tickFormat: /** @type {any} */ (String) } : { type: /** @type {const} */ ("point"), domain: across.values, ...ticksOf(across, width) };
-    const marks = series.flatMap((name) => {
+    const place = across.isNumeric ? { ...few, tickFormat: /** @type {any} */ (String) } : { type: /** @type {const} */ ("point"), domain: across.values, padding: 0.5, ...ticksOf(across, width) };
+    const marks = series.flatMap((name, i) => {
       const some = summaries.filter((one) => one.series === name);
       const style = styleOf(name);
+      // No line joins categories; dots of one are side by side.
+      const beside = { dx: 9 * (i - (series.length - 1) / 2) };
+      if (!across.isNumeric) return [ruleX(some, { x: "x", y1: "low", y2: "high", stroke: style.colour, strokeWidth: 2, ...beside }), dot(some, { x: "x", y: "middle", symbol: style.symbol, fill: style.colour, r: 4.4, ...beside })];
       return [
         areaY(some, { x: "x", y1: "low", y2: "high", fill: style.colour, fillOpacity: 0.16 }),
         lineY(some, { x: "x", y: "middle", ...strokeOf(style) }), dot(some, { x: "x", y: "middle", symbol: style.symbol, fill: style.colour, r: 3.4 }),
@@ -114,38 +118,44 @@ function partsOf(chart, { width, palette }, styleOf) {
 }
 
 /** @param {ChartData} chart @param {number} width @param {Palette} palette @returns {{ marks: Markish[], options: PlotOptions }} */
-function heatParts({ across, up, summaries }, width, palette) {
-  const values = summaries.flatMap(({ middle }) => (middle === null ? [] : [middle]));
-  const [least, most] = [Math.min(...values), Math.max(...values)];
+function heatParts(chart, width, palette) {
+  const { across, up, summaries } = chart;
+  const [least, most] = rangeOf(chart);
   const isDark = (/** @type {{ middle: number | null }} */ { middle }) => middle !== null && middle - least > 0.5 * (most - least);
   const some = summaries.filter(({ middle }) => middle !== null);
   const marks = [cell(some, { x: "x", y: "y", fill: "middle", inset: 0.5 })];
   const isWide = across.values.length * 42 < width - 80;
   if (isWide) marks.push(text(some, { x: "x", y: "y", text: (one) => String(Number(one.middle.toPrecision(3))), fill: (one) => (isDark(one) ? palette.stage : palette.ink), fontSize: 11 }));
   const label = { labelArrow: /** @type {const} */ ("none") };
-  const longest = Math.max(...up.values.map((value) => String(value ?? "").length));
+  const longest = Math.max(...up.values.map((value) => wordOf(value, up.words).length));
   return {
     marks,
     options: {
       marginLeft: Math.min(width / 3, Math.max(62, LETTER * longest + 20)),
       x: { label: across.title, ...label, labelAnchor: "center", type: "band", domain: across.values.filter((value) => value !== null), ...ticksOf(across, width) },
-      y: { label: null, type: "band", domain: up.values.filter((value) => value !== null).toReversed() },
+      y: { label: null, type: "band", domain: up.values.filter((value) => value !== null).toReversed(), tickFormat: /** @type {any} */ ((/** @type {Cell} */ value) => wordOf(value, up.words)) },
       color: { type: "linear", domain: least < most ? [least, most] : [least - 1, least], range: rampOf(palette), interpolate: "rgb" },
     },
   };
+}
+
+/** The least and the most of a heat map; shares have the whole range. @param {ChartData} chart @returns {[number, number]} */
+function rangeOf({ title, summaries }) {
+  const values = summaries.flatMap(({ middle }) => (middle === null ? [] : [middle]));
+  return title.endsWith("%") ? [0, 100] : [Math.min(...values), Math.max(...values)];
 }
 
 /** The colours of a heat map, from the least to the most. @param {Palette} palette @returns {[string, string]} */
 function rampOf({ obstacle, start }) { return [obstacle, start]; }
 
 /** What the colours of a heat map mean. @param {ChartData} chart @param {Palette} palette @param {number} width */
-function rampElement({ title, summaries }, palette, width) {
-  const values = summaries.flatMap(({ middle }) => (middle === null ? [] : [middle]));
-  const [least, most] = [Math.min(...values), Math.max(...values)].map((value) => String(Number(value.toPrecision(3))));
+function rampElement(chart, palette, width) {
+  const range = rangeOf(chart);
+  const [least, most] = range.map((value) => String(Number(value.toPrecision(3))));
   const ramp = scale({ color: { type: "linear", domain: [0, STEPS - 1], range: rampOf(palette), interpolate: "rgb" } });
   const left = width - 20 - LETTER * most.length - 8 - 14 * STEPS;
-  return element("g", { "aria-hidden": "true", fill: palette.ink }, ...(values.length === 0 ? [] : [
-    element("text", { x: left - 8, y: 16, "text-anchor": "end" }, `${title}: ${least}`),
+  return element("g", { "aria-hidden": "true", fill: palette.ink }, ...(!Number.isFinite(range[0]) ? [] : [
+    element("text", { x: left - 8, y: 16, "text-anchor": "end" }, `${chart.title}: ${least}`),
     ...Array.from({ length: STEPS }, (_, i) => element("rect", { x: left + 14 * i, y: 6, width: 14, height: 12, fill: ramp.apply(i) })),
     element("text", { x: width - 20, y: 16, "text-anchor": "end" }, most),
   ]));
@@ -162,16 +172,16 @@ function reported({ kind, reported: all, series, across }, palette) {
 }
 
 /** Ticks at words and values, not more than there is room for; long words are cut. @param {Scale} scale @param {number} width */
-function ticksOf({ values }, width) {
+function ticksOf({ values, words }, width) {
   const shown = values.filter((value) => value !== null);
   const room = (width - 90) / Math.max(1, shown.length);
-  const longest = Math.max(1, ...shown.map((value) => String(value).length));
+  const longest = Math.max(1, ...shown.map((value) => wordOf(value, words).length));
   const isWords = shown.some((value) => typeof value === "string");
   const each = isWords ? 1 : Math.max(1, Math.ceil((Math.min(longest, 6) * LETTER + 8) / room));
   const letters = Math.max(3, Math.floor(room / LETTER));
   const cut = (/** @type {Cell} */ value) => {
-    const words = String(value ?? "\u2013");
-    return isWords && words.length > letters ? `${words.slice(0, letters - 1)}\u2026` : words;
+    const whole = wordOf(value, words);
+    return isWords && whole.length > letters ? `${whole.slice(0, letters - 1)}\u2026` : whole;
   };
   return { ticks: /** @type {any} */ (shown.filter((_, i) => i % each === 0)), tickFormat: /** @type {any} */ (cut) };
 }

@@ -3,10 +3,13 @@
  * differ in seeds alone are a group.
  */
 
+import { planners as plannerInfos } from "planarium";
+
 /** @import { ExperimentAxis, ExperimentDocument } from "planarium" */
 /** @import { Cell, Rows } from "./rows.js" */
 
-/** A column with its values in order; null where it does not apply. @typedef {{ column: string, title: string, unit: string, values: Cell[], isNumeric: boolean }} Factor */
+/** A column with its values in order; null where it does not apply. @typedef {{ column: string, title: string, unit: string, values: Cell[], isNumeric: boolean, words?: Words }} Factor */
+/** What values are called, where that is not their text. @typedef {Map<Cell, string>} Words */
 /** Trials that have ended, by number. @typedef {{ values: Cell[], trials: number[] }} Group   `values`: one for each factor */
 /** The title and the unit of an option, by its column. @typedef {(column: string) => { title: string, unit: string }} Naming */
 
@@ -20,6 +23,12 @@ export function valuesOf(axis) {
 
 /** The name of a world or a planner in rows. @param {any} entry */
 export function nameOf({ name, scenario, generate, algorithm }) { return name ?? scenario?.name ?? generate ?? algorithm; }
+
+/** The name of a planner in words: its own, or the title of its algorithm. @param {{ name?: string, algorithm: string }} planner */
+export function plannerTitle({ name, algorithm }) { return name ?? plannerInfos().find(({ id }) => id === algorithm)?.title ?? algorithm; }
+
+/** A value in words. @param {Cell} value @param {Words} [words] */
+export function wordOf(value, words) { return words?.get(value) ?? String(value ?? "\u2013"); }
 
 /** @param {ExperimentDocument} document  that the core has accepted @param {Naming} naming @returns {Factor[]}  those with more than one value */
 export function factorsOf({ worlds, planners }, naming) {
@@ -38,7 +47,7 @@ export function factorsOf({ worlds, planners }, naming) {
     });
   };
   return [
-    plain("planner", "planner", planners.map(nameOf)), ...varied("planner", planners),
+    { ...plain("planner", "planner", planners.map(nameOf)), words: new Map(planners.map((entry) => [nameOf(entry), plannerTitle(entry)])) }, ...varied("planner", planners),
     plain("world", "world", worlds.map(nameOf)), ...varied("world", worlds.map((world) => ("generate" in world ? world : {}))),
     plain("query", "query", [...new Set(queries)]),
   ].filter(({ values }) => values.length > 1);
@@ -75,9 +84,9 @@ export function nameOfColumn(column) { return column.replace(/^\w+\./, "").repla
 
 /** The values of some factors in words. @param {Factor[]} factors @param {Cell[]} values */
 export function labelOf(factors, values) {
-  return factors.flatMap(({ column, unit }, i) => {
+  return factors.flatMap(({ column, unit, words }, i) => {
     const value = values[i];
     if (value === null) return [];
-    return column.includes(".") ? [`${nameOfColumn(column)} = ${value}${unit && ` ${unit}`}`] : [String(value)];
+    return column.includes(".") ? [`${nameOfColumn(column)} = ${value}${unit && ` ${unit}`}`] : [wordOf(value, words)];
   }).join(", ");
 }

@@ -40,6 +40,7 @@ export function watchTrials(session) {
     back.disabled = from === 0;
     on.disabled = from + PAGE >= rows.count;
     const columns = ["seed", ...(rows.columns.includes("world_seed") ? ["world_seed"] : []), ...factors.map(({ column }) => column), "status"];
+    const named = (/** @type {string} */ column, /** @type {Cell} */ value) => factors.find((factor) => factor.column === column)?.words?.get(value) ?? value;
     const heads = [...columns.map(nameOfColumn), ...asked.map((id) => {
       const { title, unit: words } = measureInfo(id, unit);
       return `${title}${words && `, ${words}`}`;
@@ -48,7 +49,7 @@ export function watchTrials(session) {
       make("caption", {}, rows.count === 0 ? "No trials" : `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`),
       make("thead", {}, make("tr", {}, ...["trial", ...heads].map((title) => make("th", { scope: "col" }, capital(title))))),
       make("tbody", {}, ...trials.map((trial) => {
-        const values = [...columns.map((column) => rows.cell(trial, column)), ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id)))];
+        const values = [...columns.map((column) => named(column, rows.cell(trial, column))), ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id)))];
         const link = make("a", { target: "_blank", rel: "noopener" }, String(trial));
         // A scenario may be too large for a link.
         address(trial).then((href) => { link.href = href; }, (error) => { link.title = errorInfo(error).message; });

@@ -5,7 +5,9 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium";
 import { completed } from "../../www/experiments/charts.js";
+import { comparisons } from "../../www/experiments/comparisons.js";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
+import { Rows } from "../../www/experiments/rows.js";
 import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
 
@@ -25,6 +27,9 @@ const small = {
   planners: [{ algorithm: "prm", set: { samples: 40 }, vary: { k: [2, 4] } }, { algorithm: "rrt-connect", set: { max_iterations: 60 } }],
   seeds: { from: 0, count: 8 }, verify: true,
 };
+
+/** The names of its planners. @type {Record<string, string>} */
+const titles = { prm: "PRM", "rrt-connect": "RRT-Connect" };
 
 /** Runs many trials, one worker or three. @param {number} workers */
 const processors = (workers) => (/** @type {Page} */ page) => void page.addInitScript((count) => Object.defineProperty(navigator, "hardwareConcurrency", { value: count }), workers + 1);
@@ -108,18 +113,18 @@ test("charts have the values of the rows; pictures and files hold them", () => o
 
   await fill(page, "#view-axis", "planner.k");
   for (const record of await tableOf(page, "success")) {
-    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`;
+    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`;
     const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
     assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [one.n, ...[one.share, one.low, one.high].map((value) => 100 * Number(value))]);
   }
   await fill(page, "#view-measure", "valid");
   for (const record of await tableOf(page, "success")) {
-    const some = rows.filter((row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`);
+    const some = rows.filter((row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`);
     const one = share(Array.from(some, ({ valid }) => (valid === null ? NaN : Number(valid))));
     assert.deepEqual([record.trials, record.missing, record.percent].map(Number), [one.n, one.missing, one.share === null ? NaN : 100 * one.share]);
   }
   for (const record of await tableOf(page, "box")) {
-    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${row.planner}, ${row.world}`;
+    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`;
     const { n, missing, values } = quartiles(sample(which, "length"));
     assert.deepEqual([record.trials, record.missing].map(Number), [n, missing]);
     if (values) assert.deepEqual(["least", "lower quartile", "median", "upper quartile", "most"].map((column) => Number(record[column])), [...values]);
@@ -128,7 +133,7 @@ test("charts have the values of the rows; pictures and files hold them", () => o
 
   const steps = await tableOf(page, "ecdf");
   const connect = ecdf(sample(({ planner, world }) => planner === "rrt-connect" && world === "made", await page.inputValue("#view-work")));
-  const own = steps.filter(({ series }) => series === "rrt-connect, made");
+  const own = steps.filter(({ series }) => series === "RRT-Connect, made");
   assert.deepEqual(own.map((step) => Number(step["share percent"])), connect.shares.map((one) => 100 * one), "failures stay in the denominator");
 
   await page.click("#kinds [data-kind=heat]");
@@ -140,22 +145,40 @@ test("charts have the values of the rows; pictures and files hold them", () => o
   }
   for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
 
-  // In words: the second and the third setting against the first one, trial by trial.
+  // In words: each setting against the first one that solves at least half of its trials, trial by trial.
   await page.click("#kinds [data-kind=success]");
+  await fill(page, "#view-measure", "solved");
   await page.waitForSelector("body[data-chart=success][data-settled=true]");
   await page.locator("#words-fold > summary").click();
-  const of = (/** @type {string} */ planner, /** @type {number | null} */ k) => Float64Array.from(
-    rows.filter((row) => row.planner === planner && row["planner.k"] === k), ({ status }) => Number(status === "solved"));
+  const settings = /** @type {const} */ ([["prm", 2, "PRM, k = 2"], ["prm", 4, "PRM, k = 4"], ["rrt-connect", null, "RRT-Connect"]]).map(([planner, k, name]) => {
+    const own = rows.filter((row) => row.planner === planner && row["planner.k"] === k);
+    const solved = Float64Array.from(own, ({ status }) => Number(status === "solved"));
+    return { name, solved, lengths: Float64Array.from(own, (row) => Number(row.length ?? NaN)), share: Number(share(solved).share) };
+  });
+  const base = settings.find((one) => one.share >= 0.5);
+  assert.ok(base, "one solves half");
+  const others = settings.filter((one) => one !== base);
   await page.waitForSelector("#words li:nth-child(2)");
-  assert.deepEqual(await page.locator("#words li").allInnerTexts(), /** @type {const} */ ([["prm", 4, "prm, k = 4"], ["rrt-connect", null, "rrt-connect"]])
-    .map(([planner, k, name]) => paired(of(planner, k), of("prm", 2), name, "prm, k = 2", "success", 2).words));
+  assert.equal(await page.innerText("#words-about"), `The baseline is ${base.name}, the first setting that solves at least half of its trials. Trials of a pair have the same world and seed.`);
+  assert.deepEqual((await page.locator("#words li").allInnerTexts()).map((text) => /^(.*) finds? a path (more|equally) often.* (?:A|The) difference is /.exec(text)?.slice(1)), others.map(({ name, solved }) => {
+    const { larger, smaller } = paired(solved, base.solved, name, base.name, "", 2);
+    return larger === smaller ? [`${name} and ${base.name}`, "equally"] : [larger > smaller ? name : base.name, "more"];
+  }));
+  await page.click("#kinds [data-kind=box]");
+  await fill(page, "#view-measure", "length");
+  await page.waitForSelector("body[data-chart=box][data-settled=true]");
+  const [compared, without] = [true, false].map((has) => others.filter(({ lengths }) => lengths.some((length, i) => !Number.isNaN(length - base.lengths[i])) === has));
+  assert.deepEqual(await page.locator("#words li").allInnerTexts(), [
+    ...compared.map(({ name, lengths }) => paired(lengths, base.lengths, name, base.name, "path length", compared.length).words),
+    ...without.map(({ name }) => `No pair has a value of both the baseline and ${name}.`),
+  ]);
   await tableOf(page, "line");
 
   const png = await taken(page, "png");
   assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
   const svg = await taken(page, "svg");
   assert.match(svg.text, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
-  assert.match(svg.text, /motions tested/);
+  assert.match(svg.text, /path length/);
   assert.doesNotMatch(svg.text, /var\(--/);
   const shown = await tableOf(page, "line");
   const lines = (await taken(page, "table")).text.trimEnd().split("\r\n");
@@ -289,6 +312,63 @@ test("what is refused shows code and pointer before any trial, and the page goes
   await fill(page, "#vary-0-values", "0");
   await page.waitForSelector("body[data-phase=refused] #notice[data-pointer='/planners/0/vary/k/0']");
 }, { path: "experiments.html" }));
+
+test("an edited ready experiment is one of the reader's own; by a link it keeps its name", () => onPage({ reducedMotion: "reduce" }, async (page) => {
+  const ready = () => page.waitForSelector("body[data-phase=ready][data-settled=true]");
+  await ready();
+  const id = await page.inputValue("#ready");
+  const link = await linkOf(page);
+  await onPage({ reducedMotion: "reduce" }, async (other) => {
+    await other.waitForSelector("body[data-phase=ready][data-settled=true]");
+    assert.equal(await other.inputValue("#ready"), id);
+  }, { path: `experiments.html${link}` });
+  await page.selectOption("#new-planner", "rrt-star");
+  await page.click("#add-planner");
+  await page.waitForSelector("#planner-1-remove");
+  await ready();
+  assert.deepEqual([await page.inputValue("#ready"), /^[^:]*/.exec(await page.innerText("#story"))?.[0]], ["", "PRM against RRT*"]);
+  assert.equal((await decodeExperiment(await linkOf(page))).state?.document.title, "PRM against RRT*");
+
+  // Text that is no list of seeds says why, and nothing runs.
+  for (const text of ["abc", "5 to 1"]) {
+    await page.fill("#seeds", text);
+    assert.match(await page.innerText("#seeds-reason"), /^\W*Enter whole numbers/);
+    assert.equal(await page.isDisabled("#run"), true, text);
+  }
+  await fill(page, "#seeds", "3");
+  await ready();
+  assert.deepEqual([await page.isHidden("#seeds-reason"), await page.isDisabled("#run")], [true, false]);
+
+  // Only planners for the robots of all worlds can be added.
+  assert.deepEqual(await page.locator("#new-planner option:disabled").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value)), ["rrt-control", "sst"]);
+  // Two things vary: the planner, and k of one; without them there is no heat map.
+  assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), false);
+  await page.click("#planner-0-remove");
+  await ready();
+  assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), true);
+  assert.match(await page.getAttribute("#kinds [data-kind=heat]", "title") ?? "", /needs two/);
+  await pickFile(page, "car.json", JSON.stringify({ ...small, worlds: [{ generate: "clutter", set: { robot: "car" } }], planners: [{ algorithm: "sst" }] }));
+  await page.waitForSelector("#new-planner option[value=sst]:enabled", { state: "attached" });
+  await page.selectOption("#new-world", "scene:stones");
+  await page.setViewportSize({ width: 390, height: 700 });
+  await page.click("#add-world");
+  await page.waitForSelector("body[data-phase=refused] #notice[data-code=unsupported]");
+  const box = await page.locator("#notice").boundingBox();
+  assert.ok(box && box.y >= 0 && box.y + box.height <= 700, "the refusal is in view");
+}, { path: "experiments.html" }));
+
+test("settings without a path are no baseline, and are in one sentence", () => {
+  const rows = new Rows(["planner", "seed", "status", "length"], 12);
+  // Two settings without paths, and two with them.
+  for (let trial = 0; trial < 12; trial++) rows.set(trial, ["abcd"[Math.floor(trial / 3)], trial % 3, trial < 6 ? "failed" : "solved", trial < 6 ? null : trial], [0, 0]);
+  const factor = { column: "planner", title: "planner", unit: "", values: [..."abcd"], isNumeric: false };
+  const { about, sentences } = comparisons(rows, [factor], "length");
+  assert.match(about, /^The baseline is c, the first/);
+  assert.deepEqual(sentences, [
+    paired(Float64Array.of(9, 10, 11), Float64Array.of(6, 7, 8), "d", "c", "path length", 1).words, "No pair has a value of both the baseline and any of a; b.",
+  ]);
+  assert.deepEqual(comparisons(rows, [factor], "solved").sentences.map((text) => text.split(":")[0]), ["c finds a path more often than a", "c finds a path more often than b", "d and c find a path equally often"]);
+});
 
 test("a trial opens on the planner's page with its settings and ends with its fingerprint", () => onExperiment({ document: small, view: { chart: "box" } }, async (page) => {
   await done(page);

@@ -23,7 +23,12 @@ export function watchControls(session) {
   function show() {
     const { view, factors, asked, measures, unit } = session;
     const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, measures);
-    for (const element of kinds) press(element, element.dataset.kind === kind);
+    for (const element of kinds) {
+      press(element, element.dataset.kind === kind);
+      // Factors are known once the core has accepted the document.
+      element.disabled = element.dataset.kind === "heat" && session.info !== null && !second;
+      element.title = element.ariaDescription = element.disabled ? "A heat map needs two of these: planners, worlds and parameters that vary." : "";
+    }
     const title = (/** @type {string} */ id) => titled(measureInfo(id, unit));
     /** @param {string} name @param {[string, string][]} choices @param {string | undefined} value @param {boolean} isShown */
     const offer = (name, choices, value, isShown) => {

@@ -1,16 +1,17 @@
 /** The form of a document: its worlds, its planners, what varies, seeds, budget and measures. Tables of the core say what there is. */
 import { generators, planners } from "planarium";
 import { byId, make } from "../app/dom.js";
+import { robotName } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
 import { button } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { capital } from "../widgets/format.js";
 import { axisOf, axisText, seedsOf, seedsText } from "./axis-text.js";
-import { nameOf } from "./factors.js";
+import { nameOf, plannerTitle } from "./factors.js";
 import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
-/** @import { ExperimentWorld, Measure } from "planarium" */
+/** @import { ExperimentSeeds, ExperimentWorld, Measure } from "planarium" */
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
 /** @import { ExperimentSession } from "./session.js" */
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
@@ -22,7 +23,10 @@ const VARIED = 2;
 export function watchForm(session) {
   const host = byId("form", HTMLElement);
   const [kinds, makers] = [planners(), generators()];
-  session.onChange((change) => { if (change === "document") build(); });
+  session.onChange((change) => {
+    if (change === "document") build();
+    if (change === "document" || change === "checked") offerPlanners();
+  });
 
   function build() {
     const { activeElement: held } = document;
@@ -50,7 +54,7 @@ export function watchForm(session) {
     const rows = worlds.map((world, i) => {
       const maker = "generate" in world ? makers.find(({ id }) => id === world.generate) : undefined;
       const parts = maker && "generate" in world ? [
-        textRow(`world-seeds-${i}`, "Seeds of worlds", seedsText(world.seeds ?? [0]), (text) => read(seedsOf(text), (seeds) => editEntry("worlds", i, { seeds }))),
+        seedsRow(`world-seeds-${i}`, "Seeds of worlds", world.seeds, (seeds) => editEntry("worlds", i, { seeds })),
         settings(`world-${i}`, "Options", maker.options, world, (set) => editEntry("worlds", i, { set })),
       ] : [];
       return entry(maker ? `${capital(titleOf(world))} (generated)` : titleOf(world), parts, worlds.length > 1 && (() => edit({ worlds: worlds.filter((_, j) => j !== i) }, true)), `world-${i}-remove`);
@@ -71,22 +75,58 @@ export function watchForm(session) {
     const { planners: list } = session.document;
     const rows = list.map((planner, i) => {
       const info = kinds.find(({ id }) => id === planner.algorithm);
-      return entry(planner.name ?? info?.title ?? planner.algorithm, info ? [settings(`planner-${i}`, "Parameters", info.parameters, planner, (set) => editEntry("planners", i, { set }))] : [],
+      return entry(plannerTitle(planner), info ? [settings(`planner-${i}`, "Parameters", info.parameters, planner, (set) => editEntry("planners", i, { set }))] : [],
         list.length > 1 && (() => edit({ planners: list.filter((_, j) => j !== i) }, true)), `planner-${i}-remove`);
     });
     const choice = make("select", { id: "new-planner", ariaLabel: "Planner to add" }, ...kinds.map(({ id, title }) => make("option", { value: id }, title)));
     const add = () => {
-      const [{ id }, name] = [kinds[choice.selectedIndex], fresh(kinds[choice.selectedIndex].id, list.map(nameOf))];
-      edit({ planners: [...list, { algorithm: id, ...(name === id ? {} : { name }) }] }, true);
+      const { id, title } = kinds[choice.selectedIndex];
+      const name = fresh(title, list.map(plannerTitle));
+      edit({ planners: [...list, { algorithm: id, ...(name === title ? {} : { name }) }] }, true);
     };
     return [...rows, make("div", { className: "row" }, choice, button("add-planner", "Add", add))];
+  }
+
+  /** A planner that is not for the robots of all worlds would be refused. */
+  function offerPlanners() {
+    const choice = document.querySelector("#new-planner");
+    if (!(choice instanceof HTMLSelectElement)) return;
+    kinds.forEach(({ title, robots }, i) => {
+      const isServed = session.robots.every((robot) => robots.includes(robot));
+      Object.assign(choice.options[i], { disabled: !isServed, textContent: isServed ? title : `${title} (for ${robots.map((robot) => `${robotName(robot)}s`).join(", ")})` });
+    });
+    if (choice.selectedOptions[0]?.disabled) choice.value = kinds.find((_, i) => !choice.options[i].disabled)?.id ?? "";
+  }
+
+  /** Seeds of trials or worlds. @param {string} id @param {string} title @param {ExperimentSeeds | undefined} seeds @param {(seeds: ExperimentSeeds) => void} use */
+  function seedsRow(id, title, seeds, use) { return textRow(id, title, seedsText(seeds ?? [0]), seedsOf, "Enter whole numbers such as 0, 2, 5, or 0 to 19 from the smallest to the largest.", use); }
+
+  /**
+   * A line of text that stands for a value; what cannot be read says why.
+   * @template T @param {string} id @param {string} title @param {string} value @param {(text: string) => T | null} read  null: it cannot be read
+   * @param {string} advice @param {(value: T) => void} use
+   */
+  function textRow(id, title, value, read, advice, use) {
+    const reason = make("p", { className: "reason", id: `${id}-reason`, hidden: true }, advice);
+    const input = make("input", { type: "text", id, value, autocomplete: "off", ariaLabel: title || "Work at most" });
+    input.setAttribute("aria-describedby", reason.id);
+    input.addEventListener("input", () => {
+      reason.hidden = read(input.value) !== null;
+      input.ariaInvalid = reason.hidden ? null : "true";
+      session.update("phase");
+    });
+    input.addEventListener("change", () => {
+      const given = read(input.value);
+      if (given !== null) use(given);
+    });
+    return make("div", {}, make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input), reason);
   }
 
   /** What can vary, and what does. */
   function variedRows() {
     const { planners: list, worlds } = session.document;
     const all = [
-      ...list.map((planner, i) => ({ list: /** @type {const} */ ("planners"), i, entry: planner, title: nameOf(planner), table: kinds.find(({ id }) => id === planner.algorithm)?.parameters ?? [] })),
+      ...list.map((planner, i) => ({ list: /** @type {const} */ ("planners"), i, entry: planner, title: plannerTitle(planner), table: kinds.find(({ id }) => id === planner.algorithm)?.parameters ?? [] })),
       ...worlds.flatMap((world, i) => ("generate" in world ? [{ list: /** @type {const} */ ("worlds"), i, entry: /** @type {Extract<ExperimentWorld, { generate: string }>} */ (world), title: titleOf(world), table: makers.find(({ id }) => id === world.generate)?.options ?? [] }] : [])),
     ];
     const now = all.flatMap((owner) => Object.entries(owner.entry.vary ?? {}).map(([name, axis]) => ({ owner, name, axis })));
@@ -127,9 +167,9 @@ export function watchForm(session) {
       return make("label", { className: "check" }, box, measureInfo(id, "").title);
     })));
     return [
-      textRow("seeds", "Seeds", seedsText(seeds ?? [0]), (text) => read(seedsOf(text), (value) => edit({ seeds: value }))),
+      seedsRow("seeds", "Seeds", seeds, (value) => edit({ seeds: value })),
       make("label", { className: "row", htmlFor: "budget" }, make("span", { className: "name" }, "Work at most"), limit),
-      ...(budget ? [textRow("budget-value", "", String(Object.values(budget)[0]), (text) => edit({ budget: /** @type {any} */ ({ [kind]: Number(text) }) }))] : []),
+      ...(budget ? [textRow("budget-value", "", String(Object.values(budget)[0]), (text) => (/^\d+$/.test(text.trim()) ? Number(text) : null), "Enter a whole number.", (value) => edit({ budget: /** @type {any} */ ({ [kind]: value }) }))] : []),
       make("label", { className: "row", htmlFor: "verify" }, make("span", { className: "name" }, "Verify every path"), check),
       fold,
     ];
@@ -160,19 +200,6 @@ function settings(prefix, title, table, { set = {}, vary = {} }, onChange) {
     const options = new Options(host, fixed, set, () => onChange(options.given), { prefix });
   });
   return fold;
-}
-
-/** @param {string} id @param {string} title @param {string} value @param {(text: string) => boolean | void} onChange  false: it cannot be read */
-function textRow(id, title, value, onChange) {
-  const input = make("input", { type: "text", id, value, autocomplete: "off", ariaLabel: title || "Work at most" });
-  input.addEventListener("change", () => { input.ariaInvalid = onChange(input.value) === false ? "true" : null; });
-  return make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input);
-}
-
-/** @template T @param {T | null} value @param {(value: T) => void} use @returns {boolean} whether there is one */
-function read(value, use) {
-  if (value !== null) use(value);
-  return value !== null;
 }
 
 /** Values to begin with: around the present one. @param {readonly ParameterInfo[]} table @param {string} name @param {Settings | undefined} set */

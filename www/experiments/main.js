@@ -15,13 +15,14 @@ import { once } from "../app/once.js";
 import { pngPicture, svgPicture } from "../draw/picture.js";
 import { csvFile } from "../formats/csv.js";
 import { showFiles } from "../widgets/downloads.js";
+import { capital } from "../widgets/format.js";
 import { KINDS, chartOf, completed } from "./charts.js";
 import { comparisons } from "./comparisons.js";
 import { watchControls } from "./controls.js";
 import { watchForm } from "./form.js";
 import { stateRule } from "./link.js";
 import { SOLVED } from "./measures.js";
-import { READY, loadReady } from "./ready.js";
+import { READY, loadReady, readyOf } from "./ready.js";
 import { ExperimentSession } from "./session.js";
 import { sampleOf } from "./tables.js";
 import { openTrial, watchTrials } from "./trials.js";
@@ -109,7 +110,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     save: () => ({ document: session.document, view: session.view }),
     contents: "the experiment and the chart. The trials run again where it is opened",
     open: async (/** @type {ExperimentState | null} */ state) => {
-      if (state) await open(state, "");
+      if (state) await open(state, await readyOf(state.document));
       else if (!session.info) await openReady(READY[0].id);
     },
   });
@@ -150,6 +151,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   function start() { void app.track(session.start(), "A trial could not be run."); }
 
   function toggle() {
+    if (run.disabled) return;
     if (session.phase === "running") void app.track(session.pause());
     else if (session.phase === "done") void app.track(session.cancel()).then(start);
     else start();
@@ -160,12 +162,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const { phase, rows, info, refusal, pool } = session;
     Object.assign(document.body.dataset, { phase, done: rows.done, count: rows.count, fingerprint: info?.fingerprint ?? "" });
     run.textContent = phase === "running" || phase === "pausing" ? "Pause" : phase === "done" ? "Run again" : rows.done > 0 ? "Go on" : "Run";
-    run.disabled = !["ready", "running", "paused", "failed", "done"].includes(phase);
+    // What cannot be read in the form does not run.
+    run.disabled = !["ready", "running", "paused", "failed", "done"].includes(phase) || (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
     cancel.disabled = !["running", "paused", "failed"].includes(phase);
     progress.value = rows.count > 0 ? rows.done / rows.count : 0;
     byId("progress-text", HTMLElement).textContent = progressText();
-    if (change === "checked" && phase === "refused" && refusal) app.notice.show("The experiment is refused.", Object.assign(new Error(refusal.message), refusal));
-    else if (change === "checked") app.notice.hide();
+    if (change === "checked" && phase === "refused" && refusal) {
+      app.notice.show("The experiment is refused.", Object.assign(new Error(), refusal, { message: sentenceOf(refusal.message) }));
+      app.notice.element.scrollIntoView({ block: "nearest" });
+    } else if (change === "checked") app.notice.hide();
     if (session.document !== opened) ready.value = "";
     app.write({ where: info ? `${grouped(rows.count)} trials${pool.most > 1 ? ` on ${pool.most} workers` : ""}` : "" });
     app.say(sentence(), { isBad: phase === "refused" || phase === "failed", isSilent: change === "rows" });
@@ -174,8 +179,9 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 
   function sentence() {
     const { phase, info, rows, document: { title }, refusal } = session;
-    const begin = title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : ":"} ` : "";
-    if (phase === "refused" || phase === "failed") return `${begin}${phase === "refused" ? "refused" : "stopped"}: ${refusal?.message ?? ""}.`;
+    const about = (/** @type {string} */ end) => (title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : end} ` : "");
+    const begin = about(":");
+    if (phase === "refused" || phase === "failed") return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
     if (!info) return `${begin}Checking the experiment\u2026`;
     const { worlds, planners } = session.document;
     if (rows.done === 0 && phase === "ready") return `${begin}${grouped(info.trialCount)} trials of ${count(planners.length, "planner")} in ${count(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
@@ -235,8 +241,9 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (!wordsFold.open || session.isBusy) return;
     const { rows, factors, view, asked, measures } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
-    const sentences = comparisons(rows, factors, kind === "ecdf" ? work : measure);
-    byId("words", HTMLElement).replaceChildren(...(sentences.length > 0 ? sentences : ["There are no two settings to compare."]).map((text) => make("li", {}, text)));
+    const { about, sentences } = comparisons(rows, factors, kind === "ecdf" ? work : measure);
+    byId("words-about", HTMLElement).textContent = about;
+    byId("words", HTMLElement).replaceChildren(...sentences.map((text) => make("li", {}, text)));
   }
 
   function showTable() {
@@ -251,20 +258,25 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 });
 
 /** What a chart shows, in a sentence. @param {ChartData} chart */
-function remark({ kind, up, points }) {
+function remark({ kind, up, across, points }) {
   const of = up.title.endsWith("%") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
   const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
   const share = up.title.startsWith("valid") ? "share of paths that the verifier accepts" : "share of trials with a path";
+  const whole = "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
   if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
   if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
-  if (kind === "ecdf") return "Share of all trials that had found a path after so much work. Trials without a path stay in the denominator.";
-  if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work.${dots}`;
+  if (kind === "ecdf") return `Share of all trials that had found a path after so much work. Trials without a path stay in the denominator. ${whole}`;
+  if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
   if (kind === "heat") return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
-  return `Line: ${of.startsWith("W") ? share : "median"}; band: ${of}.`;
+  const [marks, intervals] = across.isNumeric ? ["Line", "band"] : ["Dots", "lines"];
+  return `${marks}: ${of.startsWith("W") ? share : "median"}; ${intervals}: ${of}.`;
 }
 
 /** @param {import("./rows.js").Cell} cell */
 function cellText(cell) { return cell === null ? "\u2013" : typeof cell === "number" && !Number.isInteger(cell) ? String(Number(cell.toPrecision(5))) : String(cell); }
+
+/** A message as a sentence, unless it begins with the name of a parameter or a planner. @param {string} message */
+function sentenceOf(message) { return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(message) ? capital(message) : message; }
 
 /** @param {number} n @param {string} one @param {string} [many] */
 function count(n, one, many = `${one}s`) { return `${n} ${n === 1 ? one : many}`; }

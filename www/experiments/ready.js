@@ -1,5 +1,8 @@
 /** Ready experiments: the documents beside this file, and the views of some of them. */
 
+import { plannerTitle } from "./factors.js";
+import { resolved } from "./worlds.js";
+
 /** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
 
 /** The names of the files and the titles of their documents: the build writes them. @type {{ id: string, title: string }[]} */
@@ -35,4 +38,25 @@ export async function loadReady(id) {
   const response = await fetch(`experiments/documents/${id}.json`);
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
   return { document: /** @type {LinkedDocument} */ (await response.json()), view: VIEWS[id] ?? {} };
+}
+
+/** The ready experiment with the same document, or empty; its view may differ. @param {LinkedDocument} document @returns {Promise<string>} */
+export async function readyOf(document) {
+  const id = READY.find(({ title }) => title === document.title)?.id;
+  if (!id) return "";
+  // A link holds the scenarios that a file names.
+  const texts = await Promise.all([document, (await loadReady(id)).document].map(async (one) => JSON.stringify(await resolved(one).catch(() => null))));
+  return texts[0] === texts[1] ? id : "";
+}
+
+/** The title of a changed document: that of a ready experiment becomes one of the planners' names; one of the reader's own stays. @param {LinkedDocument} before @param {LinkedDocument} after @returns {string | undefined} */
+export function retitled({ title, planners: before }, { planners: after }) {
+  return !title || title === namesOf(before) || READY.some((ready) => ready.title === title) ? namesOf(after) : title;
+}
+
+/** "RRT against RRT*". @param {LinkedDocument["planners"]} planners @returns {string | undefined}  undefined: it has not the shape of a document */
+function namesOf(planners) {
+  if (!Array.isArray(planners)) return undefined;
+  const names = planners.map(plannerTitle);
+  return names.length > 2 ? `${names.slice(0, -1).join(", ")} and ${names[names.length - 1]}` : names.join(" against ");
 }

@@ -2,6 +2,7 @@
  * The state of the page: a document, how its rows are shown, what the core says of it, and the rows so far. A changed document is
  * checked by the core before any trial, and begins without rows.
  */
+import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium";
@@ -9,7 +10,8 @@ import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
 import { Pool } from "./pool.js";
-import { lengthUnit, resolved } from "./worlds.js";
+import { retitled } from "./ready.js";
+import { lengthUnit, resolved, robotsOf } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ExperimentDocument } from "planarium" */
@@ -39,6 +41,8 @@ export class ExperimentSession extends Observable {
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
     this.unit = "";
+    /** The types of robots of the worlds; none where they are not known. @type {import("./worlds.js").Robot[]} */
+    this.robots = [];
     /** @type {Phase} */
     this.phase = "checking";
     /** @type {ErrorInfo | null} */
@@ -79,9 +83,11 @@ export class ExperimentSession extends Observable {
   /** Changes the document. @param {LinkedDocument} document @param {boolean} [isForm]  whether its form must be made again */
   edit(document, isForm = false) {
     // As it is in a file: without entries that are undefined.
-    this.document = JSON.parse(JSON.stringify(document));
+    const text = JSON.stringify(document);
+    const isChanged = text !== JSON.stringify(this.document);
+    if (isChanged) this.document = JSON.parse(JSON.stringify({ ...JSON.parse(text), title: retitled(this.document, document) }));
     if (isForm) this.update("document");
-    void this.app.track(this.check());
+    if (isChanged) void this.app.track(this.check());
   }
 
   /** @param {View} view  the changes */
@@ -100,13 +106,14 @@ export class ExperimentSession extends Observable {
     try {
       const document = await resolved(this.document);
       if (check !== this.checks) return false;
+      this.robots = robotsOf(document);
       const info = await this.pool.open(document);
       if (check !== this.checks || !info) return false;
       if (info.trialCount > MOST) {
-        const message = `these are ${info.trialCount} trials; the page runs ${MOST} at most, and \u201cplanarium sweep\u201d any number`;
+        const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
       }
-      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(document), factors: factorsOf(document, this.naming) });
+      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(this.robots), factors: factorsOf(document, this.naming) });
       this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
       this.setPhase("ready");
       this.update("checked");

@@ -8,6 +8,7 @@ import { valuesOf } from "./factors.js";
 
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium" */
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+/** @typedef {Scenario["robot"]} Robot */
 
 /** A document that the core reads. @param {LinkedDocument} document @returns {Promise<ExperimentDocument>} @throws {Error} a scene is unknown */
 export async function resolved(document) {
@@ -49,14 +50,23 @@ export function titleOf(world) {
   return typeof scenario === "string" ? scenario.replace(/^.*\/|\.json$/g, "") : scenario?.title || scenario?.name || "world";
 }
 
-/** The unit of path lengths; empty where it differs, or where metres and radians are weighted together. @param {ExperimentDocument} document  that the core has accepted */
-export function lengthUnit({ worlds }) {
-  const units = new Set(worlds.map((world) => {
-    const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
-    const unit = unitOf(scenario.robot);
-    scenario.free();
-    return unit;
-  }));
+/** The types of robots of all worlds. @param {ExperimentDocument} document @returns {Robot[]}  empty: a world has a fault, which the core names */
+export function robotsOf({ worlds }) {
+  try {
+    return [...new Set(worlds.map((world) => {
+      const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
+      const { robot } = scenario;
+      scenario.free();
+      return robot;
+    }))];
+  } catch {
+    return [];
+  }
+}
+
+/** The unit of path lengths; empty where it differs, or where metres and radians are weighted together. @param {Robot[]} robots */
+export function lengthUnit(robots) {
+  const units = new Set(robots.map(unitOf));
   return units.size === 1 ? [...units][0] : "";
 }
 

@@ -354,6 +354,7 @@ test("an edited ready experiment is one of the reader's own; by a link it keeps 
   await page.click("#add-world");
   await page.waitForSelector("body[data-phase=refused] #notice[data-code=unsupported]");
   const box = await page.locator("#notice").boundingBox();
+  assert.match(await page.innerText("#notice"), /^The experiment is refused\. SST plans for robots of type car, not arm/);
   assert.ok(box && box.y >= 0 && box.y + box.height <= 700, "the refusal is in view");
 }, { path: "experiments.html" }));
 

@@ -19,6 +19,7 @@ import { capital } from "../widgets/format.js";
 import { KINDS, chartOf, completed } from "./charts.js";
 import { comparisons } from "./comparisons.js";
 import { watchControls } from "./controls.js";
+import { plannerTitle } from "./factors.js";
 import { watchForm } from "./form.js";
 import { stateRule } from "./link.js";
 import { SOLVED } from "./measures.js";
@@ -275,8 +276,11 @@ function remark({ kind, up, across, points }) {
 /** @param {import("./rows.js").Cell} cell */
 function cellText(cell) { return cell === null ? "\u2013" : typeof cell === "number" && !Number.isInteger(cell) ? String(Number(cell.toPrecision(5))) : String(cell); }
 
-/** A message as a sentence, unless it begins with the name of a parameter or a planner. @param {string} message */
-function sentenceOf(message) { return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(message) ? capital(message) : message; }
+/** A message as a sentence, with the title of the planner that it begins with; names of parameters stay as they are. @param {string} message */
+function sentenceOf(message) {
+  const named = message.replace(/^[a-z-]+/, (algorithm) => plannerTitle({ algorithm }));
+  return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(named) ? capital(named) : named;
+}
 
 /** @param {number} n @param {string} one @param {string} [many] */
 function count(n, one, many = `${one}s`) { return `${n} ${n === 1 ? one : many}`; }

@@ -6,9 +6,8 @@
 //! Srinivasa 2018, "Informed sampling for asymptotically optimal path planning", also discard vertices that are no longer of use.
 
 use super::Planner;
-use super::groups::{Aim, EdgeOptions, GoalBias, Sampling};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
-use super::rrt_star::{ARRIVE, PARENT, REFUSED, REWIRE, Rewiring, RrtStar, STEER};
+use super::rrt_star::{ARRIVE, PARENT, REFUSED, REWIRE, RrtStar, RrtStarOptions, STEER};
 use crate::error::Error;
 use crate::problem::Problem;
 use crate::space::Space;
@@ -16,14 +15,8 @@ use crate::space::Space;
 crate::options! {
     /// Options of Informed RRT*.
     pub struct InformedRrtStarOptions for crate::options::ALL;
-    /// How the tree is rewired.
-    rewiring: Rewiring;
-    /// When the tree grows towards the goal.
-    reaching: GoalBias;
-    /// Where samples come from.
-    sampling: Sampling;
-    /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
-    edges: EdgeOptions;
+    /// Those of RRT*.
+    tree: RrtStarOptions;
 }
 
 impl PlannerKind for InformedRrtStarOptions {
@@ -51,7 +44,6 @@ impl PlannerKind for InformedRrtStarOptions {
     };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        let aim = Aim::new(self.reaching, &self.sampling, problem.space(), seed);
-        Ok(Box::new(RrtStar::new(problem, self.rewiring, aim, true)?))
+        Ok(Box::new(RrtStar::new(problem, &self.tree, seed, true)?))
     }
 }

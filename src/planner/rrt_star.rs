@@ -92,8 +92,7 @@ impl PlannerKind for RrtStarOptions {
     };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        let aim = Aim::new(self.reaching, &self.sampling, problem.space(), seed);
-        Ok(Box::new(RrtStar::new(problem, self.rewiring, aim, false)?))
+        Ok(Box::new(RrtStar::new(problem, self, seed, false)?))
     }
 }
 
@@ -139,7 +138,13 @@ impl<S: Space> RrtStar<S> {
     ///
     /// # Errors
     /// `out-of-range`, pointer `/step`, for a step that is too short, or `/near`, for a radius along curves.
-    pub(super) fn new(problem: &Problem<S>, options: Rewiring, aim: Aim<S>, is_informed: bool) -> Result<Self, Error> {
+    pub(super) fn new(
+        problem: &Problem<S>,
+        options: &RrtStarOptions,
+        seed: u64,
+        is_informed: bool,
+    ) -> Result<Self, Error> {
+        let RrtStarOptions { rewiring: options, reaching, sampling, .. } = options;
         let space = problem.space();
         let is_straight = space.curve(problem.start(), problem.goal()).is_none();
         if options.near == Some(NearRule::Radius) && !is_straight {
@@ -156,7 +161,7 @@ impl<S: Space> RrtStar<S> {
             step: step_in(options.step, space.extent())?,
             radius: (rule == NearRule::Radius).then(|| options.radius_factor * radius_of_space(space)),
             improve_iterations: options.improve_iterations,
-            aim,
+            aim: Aim::new(*reaching, sampling, space, seed),
             is_informed,
             growth,
             tree: CostTree::of(START),
@@ -173,17 +178,11 @@ impl<S: Space> RrtStar<S> {
         self.best.map_or(f64::INFINITY, |best| best.cost)
     }
 
-    /// A lower bound on the length of the rest of a path: the distance to the nearest goal.
-    fn left(problem: &Problem<S>, state: &S::State) -> f64 {
-        let lefts = problem.goals().iter().map(|goal| problem.space().distance(state, goal));
-        lefts.fold(f64::INFINITY, f64::min)
-    }
-
     /// The radius of neighbours for the vertices so far: the least of Solovey et al., theorem 1, with theta = 1/4 and epsilon
     /// and mu going to 0, where the cost of the shortest path is replaced by a bound on it.
     fn near_radius(&self, problem: &Problem<S>, scale: f64) -> f64 {
         let (d, n) = (problem.space().dimension() as f64, Nearest::<S>::len(&self.index) as f64 + 1.0);
-        let cost = self.best.map_or_else(|| Self::left(problem, problem.start()), |best| best.cost);
+        let cost = self.best.map_or_else(|| problem.distance_to_goal(problem.start()), |best| best.cost);
         // gamma = (2 + theta) (cost |X| / ((d + 1) theta zeta))^(1 / (d + 1)), and |X| / zeta = scale^d.
         let gamma = 2.25 * libm::pow(4.0 * cost / (d + 1.0) * libm::pow(scale, d), 1.0 / (d + 1.0));
         (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0))).min(self.step)
@@ -264,7 +263,7 @@ impl<S: Space> RrtStar<S> {
 
     /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless informed.
     fn may_help(&self, problem: &Problem<S>, cost: f64, state: &S::State) -> bool {
-        !self.is_informed || self.best.is_none_or(|best| cost + Self::left(problem, state) < best.cost)
+        !self.is_informed || self.best.is_none_or(|best| cost + problem.distance_to_goal(state) < best.cost)
     }
 
     /// The next sample that may help; `None`, with an event, if there is none among a few.
@@ -335,7 +334,7 @@ impl<S: Space> RrtStar<S> {
             let parent = self.tree.tree().parent(goal);
             self.growth.add_event(EventKind::SolutionFound, iteration, Some(goal), parent, state);
             self.closest = (goal, 0.0);
-            self.is_done = cost <= SHORTEST * Self::left(problem, problem.start());
+            self.is_done = cost <= SHORTEST * problem.distance_to_goal(problem.start());
         }
     }
 }

@@ -157,7 +157,7 @@ test("the configuration in hand comes back, free or in collision", () => onPause
 /** @param {Partial<Experiment>} hand @returns {Promise<string>} */
 const drivenOn = async (hand) => `#${await encodeLink({ version: 1, scene: "parking", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 0, view: {}, ...hand })}`;
 
-/** What is told of the drive. @param {Page} page */
+/** The state of the drive that the page shows. @param {Page} page */
 const dash = (page) => page.locator("#drive").evaluate((bar) => ({ .../** @type {HTMLElement} */ (bar).dataset, replaying: "", paused: "" }));
 
 test("a drive comes back: it is replayed at once to the same place", () => onPausedPage(async (page) => {

@@ -42,6 +42,9 @@ export function makeSvg(tag, attributes, ...children) {
 /** A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms. @param {number} count */
 export function grouped(count) { return String(count).replace(/\B(?=(\d{3})+$)/g, ","); }
 
+/** A number of things in words. @param {number} count @param {string} one @param {string} [many] */
+export function counted(count, one, many = `${one}s`) { return `${grouped(count)} ${count === 1 ? one : many}`; }
+
 /** @param {HTMLElement} element @param {string} text */
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;

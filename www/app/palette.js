@@ -9,6 +9,9 @@ const NAMES = /** @type {const} */ ([
 
 /** @typedef {Record<typeof NAMES[number], string>} Palette */
 
+/** The colours of the series of a chart, in their order. */
+export const SERIES = /** @type {const} */ (["start", "path", "goal", "unproven", "rejected", "growth", "newest", "collision"]);
+
 /** @param {HTMLElement} root @returns {Palette} */
 export function readPalette(root) {
   const probes = NAMES.map((name) => {

@@ -1,6 +1,7 @@
 /** The drawing of a chart, by Observable Plot. This module is loaded when the first chart is drawn. */
 import { areaY, barY, cell, dot, lineY, plot, ruleX, scale, text, tickY } from "@observablehq/plot";
 import { makeSvg as element } from "../app/dom.js";
+import { SERIES } from "../app/palette.js";
 import { wordOf } from "./factors.js";
 
 /** @import { Markish, PlotOptions } from "@observablehq/plot" */
@@ -18,8 +19,6 @@ const LINE = 20;
 const STEPS = 6;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
-/** @param {Palette} palette */
-const coloursOf = ({ start, path, goal, unproven, rejected, growth, newest, collision }) => [start, path, goal, unproven, rejected, growth, newest, collision];
 
 /** @typedef {{ colour: string, dash: string, symbol: typeof SYMBOLS[number] }} Style   of a series */
 
@@ -30,7 +29,7 @@ const coloursOf = ({ start, path, goal, unproven, rejected, growth, newest, coll
  */
 export function drawChart(chart, look) {
   const { palette, width, bold } = look;
-  const colours = coloursOf(palette);
+  const colours = SERIES.map((name) => palette[name]);
   const ramp = chart.isOrdered ? scale({ color: { type: "linear", domain: [0, chart.series.length - 1], range: [palette.start, palette.path], interpolate: "rgb" } }) : null;
   const styleOf = (/** @type {string} */ series) => {
     const i = Math.max(0, chart.series.indexOf(series));

@@ -6,7 +6,7 @@
  */
 import { Experiment } from "planarium";
 import { App } from "../app/app.js";
-import { byId, grouped, make } from "../app/dom.js";
+import { byId, counted, grouped, make } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { json } from "../app/files.js";
 import { watchKeys } from "../app/keys.js";
@@ -185,7 +185,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (phase === "refused" || phase === "failed") return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
     if (!info) return `${begin}Checking the experiment\u2026`;
     const { worlds, planners } = session.document;
-    if (rows.done === 0 && phase === "ready") return `${begin}${grouped(info.trialCount)} trials of ${count(planners.length, "planner")} in ${count(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
+    if (rows.done === 0 && phase === "ready") return `${begin}${grouped(info.trialCount)} trials of ${counted(planners.length, "planner")} in ${counted(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
     if (phase !== "done") return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
     const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
     return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.`;
@@ -281,9 +281,6 @@ function sentenceOf(message) {
   const named = message.replace(/^[a-z-]+/, (algorithm) => plannerTitle({ algorithm }));
   return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(named) ? capital(named) : named;
 }
-
-/** @param {number} n @param {string} one @param {string} [many] */
-function count(n, one, many = `${one}s`) { return `${n} ${n === 1 ? one : many}`; }
 
 /** @param {number} milliseconds */
 function timeText(milliseconds) {

@@ -111,7 +111,7 @@ export class Pool {
       }
     } catch (error) {
       if (epoch !== this.epoch) return;
-      // What it had is run anew, by any worker.
+      // Its trials are run again, by any worker.
       const job = this.jobs.get(worker);
       if (job) this.left.push({ ...job, isNew: true });
       this.jobs.delete(worker);

@@ -1,5 +1,5 @@
 /** The sentences above the stage. */
-import { grouped } from "../app/dom.js";
+import { counted, grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
 import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
@@ -46,7 +46,7 @@ export function going(run, scene) {
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
-  if (phase === "improving" && run.bestEdges.length > 0) return `A path is found. The tree grows on by motions ${checked}, and its best path gets shorter.`;
+  if (phase === "improving" && run.goesOn) return `A path is found. The tree grows on by motions ${checked}, and its best path gets shorter.`;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
   if (phase === "searching") return `Searching the roadmap from ${String(settings.search).startsWith("bidirectional") ? "both ends" : "the start"}. Vertices already expanded are bold.`;
@@ -69,14 +69,14 @@ function controls({ settings: { blossom = 1 } }) {
 
 /** A run that has ended. @param {RunLog} run @param {PathPlayback | null} playback */
 export function ending(run, playback) {
-  const iterations = `${grouped(run.made)} iteration${run.made === 1 ? "" : "s"}`;
+  const iterations = counted(run.made, "iteration");
   const { robot } = run.scenario;
   const { length, approximate } = run.result;
   if (run.status === "solved") {
     const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
     // A tree that grows past its first path finds shorter ones.
-    if (run.kind === "tree" && run.countOf(EVENT.solved) > 1) {
+    if (run.goesOn && run.countOf(EVENT.solved) > 1) {
       return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.`;
     }
     return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}, ${certainty(run.isProven)}.`;
@@ -94,7 +94,7 @@ export function ending(run, playback) {
 
 /** A roadmap that was asked for another path. @param {Asked} asked @param {Scenario} scenario */
 function answered({ result, visited, seconds, isProven, playback }, scenario) {
-  const work = `${grouped(visited)} ${visited === 1 ? "vertex" : "vertices"} visited in ${duration(seconds)}`;
+  const work = `${counted(visited, "vertex", "vertices")} visited in ${duration(seconds)}`;
   if (!playback) return `The roadmap has no path from this start to this goal: ${work}.`;
   if (playback.flaw) return `The roadmap has a path, but it is not verified: ${collision(scenario, playback.flaw.check)}`;
   return `The roadmap has a path, ${work}: ${costText(result.length, scenario)}, ${certainty(isProven)}.`;

@@ -1,6 +1,6 @@
 /**
  * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each coordinate, and a line through their
- * values. Red stretches of an axis are where that coordinate, changed alone, would lead into collision.
+ * values. An axis is red at the values of its coordinate that would be in collision, the others unchanged.
  */
 import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";

@@ -1,7 +1,9 @@
 /** Entries of Experiments: a document and its view. The picture shows the first trials of each setting: the page runs them all. */
 import { Experiment } from "planarium";
 import { View as Frame } from "planarium/draw";
+import { SERIES } from "../../app/palette.js";
 import { encodeExperiment } from "../../experiments/link.js";
+import { SOLVED, isShare } from "../../experiments/measures.js";
 import { drawLine, setStroke } from "../../draw/marks.js";
 import { drawDots } from "./sheet.js";
 
@@ -19,12 +21,8 @@ const TRIALS = 24;
 const SEEDS = 5;
 const PANE = { width: 600, height: 300 };
 const MARGIN = { left: 20, right: 20, top: 46, bottom: 52 };
-/** Measures that are shares of trials, in percent. */
-const SHARES = ["solved", "valid"];
 /** Width of a letter, about, pixels. */
 const LETTER = 7;
-/** The order of the colours of series. */
-const COLOURS = /** @type {const} */ (["start", "path", "goal", "unproven", "rejected", "growth", "newest", "collision"]);
 
 /** The rows of a document, by its text: several entries may show one. @type {Map<string, TrialRow[]>} */
 const known = new Map();
@@ -42,7 +40,7 @@ export async function openExperiment({ state: { document: name, worlds: kept, vi
 }
 
 /** @param {NonNullable<ExperimentEntry["state"]["view"]>} view @param {{ measures?: string[] }} document */
-function measureOf({ chart, measure }, { measures = [] }) { return chart === "success" ? "solved" : measure ?? measures[0] ?? "length"; }
+function measureOf({ chart, measure }, { measures = [] }) { return chart === "success" ? SOLVED : measure ?? measures[0] ?? "length"; }
 
 /** Runs the first trials of every setting. @param {ExperimentDocument} document @returns {TrialRow[]} */
 function firstRows(document) {
@@ -71,8 +69,8 @@ function first(seeds, count) { return Array.isArray(seeds) ? seeds.slice(0, coun
 
 /** The value that a row has of a measure; NaN without a path. @param {TrialRow} row @param {string} measure */
 function valueOf(row, measure) {
-  if (measure === "solved") return row.status === "solved" ? 100 : 0;
-  return row.status === "solved" ? Number(row[measure] ?? NaN) * (measure === "valid" ? 100 : 1) : NaN;
+  if (measure === SOLVED) return row.status === "solved" ? 100 : 0;
+  return row.status === "solved" ? Number(row[measure] ?? NaN) * (isShare(measure) ? 100 : 1) : NaN;
 }
 
 /** The columns of planners in which rows differ. @param {TrialRow[]} rows */
@@ -101,20 +99,20 @@ function drawGroups(brush, groups, measure, reported) {
   const { context, palette } = brush;
   const [places, series] = [[...new Set(groups.map(({ x }) => x))], [...new Set(groups.map((group) => group.series))]];
   const values = [...groups.flatMap((group) => group.values), ...reported.map(({ value = 0 }) => value)];
-  const isShare = SHARES.includes(measure);
-  const view = frameOf(brush, isShare ? 100 : Math.max(...values, 0) || 1, `${measure.replaceAll("_", " ")}${isShare ? ", %" : ""}`, series);
+  const isOfTrials = isShare(measure);
+  const view = frameOf(brush, isOfTrials ? 100 : Math.max(...values, 0) || 1, `${measure.replaceAll("_", " ")}${isOfTrials ? ", %" : ""}`, series);
   const slot = 1 / places.length;
   context.fillStyle = palette.quiet;
   // Names that begin alike are cut, so that they fit.
   const cut = places.some((place) => place.length * LETTER > slot * view.scaleX) ? /** @type {RegExpExecArray} */ (/^(.*[-_ ])?.*\n(?:\1.*(?:\n|$))*$/.exec(`${places.join("\n")}\n`))[1]?.length ?? 0 : 0;
   places.forEach((place, i) => linesOf(place.slice(cut), slot * view.scaleX).forEach((text, row) => context.fillText(text, view.x((i + 0.5) * slot), view.y(0) + 8 + 14 * row)));
   for (const { x, series: name, values: all } of groups) {
-    const colour = palette[COLOURS[series.indexOf(name) % COLOURS.length]];
+    const colour = palette[SERIES[series.indexOf(name) % SERIES.length]];
     const at = view.x(slot * (places.indexOf(x) + (series.indexOf(name) + 1) / (series.length + 1)));
-    if (!isShare) drawDots(context, all.map((value) => [at, view.y(value)]), colour, 5, 0.5);
+    if (!isOfTrials) drawDots(context, all.map((value) => [at, view.y(value)]), colour, 5, 0.5);
     if (all.length === 0) continue;
     const mean = view.y(all.reduce((sum, value) => sum + value, 0) / all.length);
-    setStroke(context, colour, isShare ? 4 : 2.4);
+    setStroke(context, colour, isOfTrials ? 4 : 2.4);
     const half = Math.min(14, (0.4 * slot * view.scaleX) / series.length);
     drawLine(context, at - half, mean, at + half, mean);
   }
@@ -146,7 +144,7 @@ function drawShares(brush, rows, work) {
   const most = Math.max(...rows.map((row) => valueOf(row, work)).filter((value) => !Number.isNaN(value)), 1);
   const view = frameOf(brush, 100, `solved, %, after ${work.replaceAll("_", " ")}`, [...all.keys()]);
   [...all.values()].forEach((values, i) => {
-    setStroke(context, palette[COLOURS[i % COLOURS.length]], 2);
+    setStroke(context, palette[SERIES[i % SERIES.length]], 2);
     context.beginPath();
     context.lineTo(view.x(0), view.y(0));
     const solved = values.filter((value) => !Number.isNaN(value)).sort((a, b) => a - b);
@@ -174,7 +172,7 @@ function frameOf({ context, palette, width, height }, most, title, series) {
   context.fillStyle = palette.ink;
   let at = view.x(0);
   for (const [i, text] of [title, ...series].entries()) {
-    if (i > 0) context.fillStyle = palette[COLOURS[(i - 1) % COLOURS.length]];
+    if (i > 0) context.fillStyle = palette[SERIES[(i - 1) % SERIES.length]];
     if (at + LETTER * text.length < width) context.fillText(text, at, 26);
     at += LETTER * text.length + 14;
   }

@@ -2,6 +2,7 @@
  * The keyboard car: a drive of the core, in the core's own time steps. A key counts from the moment it was pressed, so the same keys
  * lead to the same configuration at any frame rate. Moments are milliseconds since the epoch.
  */
+import { counted } from "../../app/dom.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
@@ -260,7 +261,7 @@ export class Driving {
   get sentence() {
     const { state } = this;
     if (!state) return "";
-    if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${state.keyCount} ${state.keyCount === 1 ? "key" : "keys"}.`;
+    if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${counted(state.keyCount, "key")}.`;
     if (state.blocked !== null) return `Stopped: ${reasonOf(state.blocked)}. Reverse, or steer another way.`;
     return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
   }

@@ -2,7 +2,7 @@
  * Opens NumPy arrays. By their shape, arrays are polygons, which become obstacles, or configurations, which are marked on the stage; where
  * there is a choice, the reader makes it.
  */
-import { byId, grouped, make } from "../../app/dom.js";
+import { byId, counted, grouped, make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { NpyError } from "../../formats/dtype.js";
 import { readNpy, readNpyPolygons } from "../../formats/npy.js";
@@ -38,11 +38,11 @@ export async function openArray(page, name, bytes) {
   if (isPolygons) polygons = isRows ? maybePolygons(bytes) : readNpyPolygons(bytes);
   if (polygons.length > 0) {
     const vertices = polygons.reduce((sum, polygon) => sum + polygon.length, 0);
-    what = `${name} holds ${count(polygons.length, "polygon")} with ${grouped(vertices)} vertices`;
+    what = `${name} holds ${counted(polygons.length, "polygon")} with ${grouped(vertices)} vertices`;
     choices.push(["add", "Add to the scene"], ["replace", "Replace its obstacles"]);
   }
   if (isRows) {
-    const also = count(shape[0], "configuration");
+    const also = counted(shape[0], "configuration");
     what = what ? `${what}, or ${also}` : also;
     choices.unshift(["mark", "Show as configurations"]);
   }
@@ -93,7 +93,7 @@ async function mark(page, name, bytes) {
     byId("stage", HTMLElement).focus();
   });
   shown.replaceChildren(
-    make("span", {}, `${count(all, "configuration")} of ${name}: `, sign("disc"), ` ${grouped(free)} free, `, sign("cross"), ` ${grouped(all - free)} in collision.`), clear,
+    make("span", {}, `${counted(all, "configuration")} of ${name}: `, sign("disc"), ` ${grouped(free)} free, `, sign("cross"), ` ${grouped(all - free)} in collision.`), clear,
   );
   shown.hidden = false;
 }
@@ -109,6 +109,3 @@ function makeLine(page) {
 
 /** A mark in the text. @param {"disc" | "cross"} kind */
 function sign(kind) { return make("i", { className: kind, ariaHidden: "true" }); }
-
-/** @param {number} many @param {string} noun */
-function count(many, noun) { return `${grouped(many)} ${noun}${many === 1 ? "" : "s"}`; }

@@ -2,6 +2,7 @@
  * The element under the pointer, updated in each frame: a vertex in either pane, a curved edge, or a configuration of the configuration
  * space. Without a pointer, a vertex is chosen by its number. Loaded with the first pointer event.
  */
+import { counted } from "../../app/dom.js";
 import { Passages } from "../stage/passages.js";
 import { gripOf, partAt } from "../stage/grip.js";
 import { coordinatesOf } from "../../domain/coordinates.js";
@@ -110,7 +111,7 @@ export class Pointing {
     if (!run.isTree) {
       let degree = 0;
       adjacency.neighbours(vertex, edges, () => degree++);
-      return `${name}: ${degree} ${degree === 1 ? "edge" : "edges"}.`;
+      return `${name}: ${counted(degree, "edge")}.`;
     }
     const parent = adjacency.parent(vertex, edges);
     if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;

@@ -69,6 +69,8 @@ export class RunLog {
     this.kind = info?.grows ?? "roadmap";
     /** Whether edges are motions under controls; refused ones are then not straight. */
     this.isDriven = info?.driven ?? false;
+    /** Whether the planner goes on after its first path, to shorter ones. */
+    this.goesOn = info?.parameters.some(({ name }) => name === "improve_iterations") ?? false;
     /** The goals; a target may have several. */
     this.goals = rowsIn(this.planner.goals(), scenario.dimension);
     /** The number of roots: the first vertices are the start and the goals, but under controls the goal is a region. */

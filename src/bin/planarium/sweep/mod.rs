@@ -13,7 +13,7 @@ use planarium::json;
 use planarium::run::Phase;
 use rows::{Row, Rows, Writer};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
@@ -142,11 +142,12 @@ fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
 /// The statistics of all rows, as JSON.
 fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
     let mut summary = Summary::new(experiment);
+    let columns: HashMap<&str, usize> = rows.columns.iter().map(String::as_str).zip(0..).collect();
     rows.read(|Row { trial, cells, seconds: [build, search] }| {
         summary.add_row(trial, |name| match name {
             "build_seconds" => build.to_string(),
             "search_seconds" => search.to_string(),
-            _ => rows.columns.iter().position(|column| column == name).map_or(String::new(), |i| cells[i].clone()),
+            _ => columns.get(name).map_or(String::new(), |&i| cells[i].clone()),
         });
         Ok(())
     })?;

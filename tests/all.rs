@@ -42,6 +42,7 @@ mod storage;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod sweep;
 mod targets;
+mod termination;
 #[cfg(all(not(target_arch = "wasm32"), feature = "parallel"))]
 mod threads;
 mod trajectories;

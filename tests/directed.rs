@@ -92,7 +92,7 @@ fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car
 }
 
 fn rrt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
-    let rewiring = Rewiring { step: Some(2.0), improve_iterations: 150, ..Rewiring::default() };
+    let rewiring = Rewiring { step: Some(2.0), ..Rewiring::default() };
     begin(&RrtStarOptions { rewiring, ..RrtStarOptions::default() }, problem, seed)
 }
 
@@ -100,11 +100,17 @@ fn rrt_connect(problem: &Problem<Car>, seed: u64, step: f64) -> Box<dyn Planner<
     begin(&RrtConnectOptions { step: Some(step), ..RrtConnectOptions::default() }, problem, seed)
 }
 
+/// Runs to the end, and a planner that goes on to shorter paths for a while.
 fn finish(planner: &mut dyn Planner<Car>, problem: &Problem<Car>) -> Status {
-    (1..20_000)
-        .map(|i| planner.iterate(problem, i))
-        .find(|&status| status != Status::Running)
-        .unwrap_or(Status::Running)
+    let mut improved = 0;
+    for i in 1..20_000 {
+        let status = planner.iterate(problem, i);
+        improved += u32::from(planner.cost() < f64::INFINITY);
+        if status != Status::Running || improved > 150 {
+            return if improved > 0 { Status::Solved } else { status };
+        }
+    }
+    Status::Running
 }
 
 /// The path is one of the graph's, from start to goal, every edge of it along its arrow and driven in that order.

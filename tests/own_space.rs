@@ -112,7 +112,7 @@ fn run(id: &str, closed: bool, seed: u64) -> Box<dyn Run> {
         _ => PrmOptions { samples: 200, k: Some(8), ..Default::default() }.begin(&problem, seed),
     };
     let wanted = Wanted { reduce: true, shortcuts: 20, ..Wanted::default() };
-    run::start_on(problem, planner.expect("the options fit the space"), 2000, wanted, seed)
+    run::start_on(problem, planner.expect("the options fit the space"), 2000, None, wanted, seed)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -140,7 +140,7 @@ fn other_threads_use_checkers_of_their_own() {
         });
         let planner =
             PrmOptions { samples: 300, k: Some(9), ..Default::default() }.begin(&problem, 1).expect("options");
-        let mut run = start_on(problem, planner, 10_000, Wanted::default(), 1);
+        let mut run = start_on(problem, planner, 10_000, None, Wanted::default(), 1);
         run.set_threads(NonZeroUsize::new(threads).expect("at least one"));
         assert_eq!(run.step(u64::MAX), Status::Solved);
         let stats = run.stats();

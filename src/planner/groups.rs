@@ -178,6 +178,33 @@ impl Overgrowth {
     }
 }
 
+crate::choice! {
+    /// How many of the conditions given end the improvement of a path.
+    pub enum StopWhen {
+        /// One.
+        Any,
+        /// Every one.
+        All,
+    }
+}
+
+crate::options! {
+    /// When a planner that goes on to shorter paths stops. It stops in any case at a path of the length of the straight motion.
+    pub struct Termination for crate::options::ALL;
+    /// Number of further iterations once there is a path, to find shorter ones.
+    improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
+    /// Number of clearance evaluations after which to stop, with or without a path.
+    stop_evaluations: Option<u64>, in 1.0..=1e15, "Evaluations", else "any number";
+    /// Length of a path that is short enough.
+    stop_cost: Option<f64>, in 0.0..=1e9, "Length at most", unit "distance in the metric", else "none is";
+    /// Number of iterations without a shorter path after which to stop.
+    stop_stale: Option<u32>, in 1.0..=1e9, "No shorter for", else "any number";
+    /// Stops when the last half of the iterations since the first path, 500 or more, gained no more than this.
+    stop_converged: Option<f64>, in 0.0..=1.0, "Converged to", unit "of the length", else "never";
+    /// Whether one of the conditions given is enough, or all must hold: iterations, evaluations, length and the rest.
+    stop_when: StopWhen = StopWhen::Any, "Stop when";
+}
+
 /// Selects targets: samples, occasionally a goal; several goals take turns.
 pub(super) struct Aim<S: Space> {
     pub reaching: GoalBias,

@@ -24,7 +24,7 @@ mod visibility_prm;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, Overgrowth, SamplerKind,
-    Sampling, Searching,
+    Sampling, Searching, StopWhen, Termination,
 };
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
@@ -53,9 +53,19 @@ pub trait Planner<S: Space> {
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;
 
-    /// The present phase: by default, that of a tree that grows until there is a path.
+    /// The present phase: by default, that of a tree that grows until there is a path, and may then improve it.
     fn phase(&self) -> Phase {
-        if self.path().is_empty() { Phase::Growing } else { Phase::Done }
+        match self.path().is_empty() {
+            _ if self.cost() < f64::INFINITY => Phase::Improving,
+            true => Phase::Growing,
+            false => Phase::Done,
+        }
+    }
+
+    /// The cost of the path of a planner that goes on to cheaper ones as long as it is stepped; it falls whenever the path changes.
+    /// Infinite without a path, and for planners whose first path stays. O(1).
+    fn cost(&self) -> f64 {
+        f64::INFINITY
     }
 
     /// The graph and the counters so far.

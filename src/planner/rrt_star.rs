@@ -4,11 +4,11 @@
 //! Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*". The goals are vertices from 1 on, in the tree once they are
 //! reached, and have no children.
 
-use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, step_in};
+use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, Termination, step_in};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::prm::prm_star_k;
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{CostTree, EventKind, VertexId};
 use crate::nearest::{Direction, Index, Nearest, Neighbour};
@@ -20,9 +20,6 @@ use crate::space::{MAX_DIMENSION, Space};
 const START: VertexId = VertexId(0);
 /// The first goal.
 const GOAL: u32 = 1;
-
-/// A path this near to the distance from start to goal is the shortest.
-const SHORTEST: f64 = 1.0 + 1e-12;
 
 /// How many samples an informed iteration draws until one may help.
 const DRAWS: u32 = 100;
@@ -52,8 +49,6 @@ crate::options! {
     near: Option<NearRule>, "Neighbour rule", else "radius; k-nearest along curves of a car";
     /// Multiplies the radius: less than 1 is faster, without a guarantee.
     radius_factor: f64 = 1.0, in 0.01..=10.0, "Radius factor";
-    /// Number of further iterations once there is a path, to find shorter ones.
-    improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
 }
 
 crate::options! {
@@ -65,6 +60,8 @@ crate::options! {
     reaching: GoalBias;
     /// Where samples come from.
     sampling: Sampling;
+    /// When it stops.
+    termination: Termination;
     /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
     edges: EdgeOptions;
 }
@@ -109,8 +106,6 @@ pub(super) const ARRIVE: super::PseudocodeLine = line(1, "within a step of the g
 struct Best {
     goal: VertexId,
     cost: f64,
-    /// The iteration that found the first path.
-    since: u32,
 }
 
 /// The planner. An iteration takes one sample.
@@ -118,7 +113,6 @@ pub(super) struct RrtStar<S: Space> {
     step: f64,
     /// The radius of a ball with the measure of the space, times a factor; `None` if the nearest are neighbours.
     radius: Option<f64>,
-    improve_iterations: u32,
     aim: Aim<S>,
     /// Whether samples and vertices that cannot shorten the path are discarded.
     is_informed: bool,
@@ -129,7 +123,6 @@ pub(super) struct RrtStar<S: Space> {
     /// The vertex of the tree nearest to a goal, and its distance.
     closest: (VertexId, f64),
     best: Option<Best>,
-    is_done: bool,
     found: Vec<Neighbour>,
 }
 
@@ -160,7 +153,6 @@ impl<S: Space> RrtStar<S> {
         Ok(Self {
             step: step_in(options.step, space.extent())?,
             radius: (rule == NearRule::Radius).then(|| options.radius_factor * radius_of_space(space)),
-            improve_iterations: options.improve_iterations,
             aim: Aim::new(*reaching, sampling, space, seed),
             is_informed,
             growth,
@@ -168,7 +160,6 @@ impl<S: Space> RrtStar<S> {
             index,
             closest: (START, problem.distance_to_goal(problem.start())),
             best: None,
-            is_done: false,
             found: Vec::new(),
         })
     }
@@ -328,13 +319,11 @@ impl<S: Space> RrtStar<S> {
         let goals = (GOAL..).zip(problem.goals()).map(|(goal, _)| (self.tree.cost(VertexId(goal)), VertexId(goal)));
         let (cost, goal) = goals.min_by(|(a, _), (b, _)| a.total_cmp(b)).expect("a query has a goal");
         if cost < self.bound() {
-            let since = self.best.map_or(iteration, |best| best.since);
-            self.best = Some(Best { goal, cost, since });
+            self.best = Some(Best { goal, cost });
             let state = self.growth.state(goal);
             let parent = self.tree.tree().parent(goal);
             self.growth.add_event(EventKind::SolutionFound, iteration, Some(goal), parent, state);
             self.closest = (goal, 0.0);
-            self.is_done = cost <= SHORTEST * problem.distance_to_goal(problem.start());
         }
     }
 }
@@ -343,16 +332,11 @@ impl<S: Space> Planner<S> for RrtStar<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         self.grow(problem, iteration);
         self.note(problem, iteration);
-        self.is_done |= self.best.is_some_and(|best| iteration - best.since >= self.improve_iterations);
-        if self.is_done { Status::Solved } else { Status::Running }
+        Status::Running
     }
 
-    fn phase(&self) -> Phase {
-        match self.best {
-            _ if self.is_done => Phase::Done,
-            Some(_) => Phase::Improving,
-            None => Phase::Growing,
-        }
+    fn cost(&self) -> f64 {
+        self.bound()
     }
 
     fn growth(&self) -> &Growth<S> {

@@ -6,11 +6,11 @@
 //! path in the metric of the space, along its arcs.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
-use super::groups::{Aim, GoalBias};
+use super::groups::{Aim, GoalBias, Termination};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::removable_index::RemovableIndex;
-use super::{Phase, Planner, Status};
+use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Index, Nearest, Neighbour};
@@ -33,8 +33,6 @@ crate::options! {
     /// Of the vertices within about this distance of each other, only the cheapest grows: large radii prune more.
     pruning_radius: Option<f64>, in 0.0..=1e7, "Pruning radius", unit "distance in the metric",
         else "0.03 times the largest distance in the space";
-    /// Number of further iterations once there is a path, to find shorter ones.
-    improve_iterations: u32 = 0, in 0.0..=1e9, "Improve for";
     /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
     duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
         else "as many as the fastest straight motion of 0.3 times the largest distance takes";
@@ -44,6 +42,8 @@ crate::options! {
     blocked: Blocked = Blocked::Cut, "Blocked motion";
     /// When the tree grows towards the goal.
     reaching: GoalBias;
+    /// When it stops: by default with its first path.
+    termination: Termination = Termination { improve_iterations: 0, ..Default::default() };
     /// Options of all planners by controls.
     driving: ByControls;
 }
@@ -91,21 +91,12 @@ impl PlannerKind for SstOptions {
             witnesses: Index::default(),
             representatives: vec![Some(ROOT)],
             best: None,
-            is_done: false,
             found: Vec::new(),
         };
         sst.active.insert(space, ROOT, problem.start());
         sst.witnesses.insert(space, ROOT, problem.start());
         Ok(Box::new(sst))
     }
-}
-
-/// The cheapest path to the goal region so far.
-#[derive(Debug, Clone, Copy)]
-struct Best {
-    vertex: VertexId,
-    /// The iteration that found the first path.
-    since: u32,
 }
 
 /// The planner. An iteration takes one sample, or the goal, and tries one random control for a random duration.
@@ -131,13 +122,14 @@ struct Sst<S: Space> {
     witnesses: Index,
     /// The representative of each vertex that is a witness.
     representatives: Vec<Option<VertexId>>,
-    best: Option<Best>,
-    is_done: bool,
+    /// The end of the cheapest path to the goal region so far.
+    best: Option<VertexId>,
     found: Vec<Neighbour>,
 }
 
 impl<S: Space> Sst<S> {
-    fn cost(&self, vertex: VertexId) -> f64 {
+    /// The length of the path to a vertex.
+    fn length(&self, vertex: VertexId) -> f64 {
         self.costs[vertex.index()]
     }
 
@@ -147,7 +139,7 @@ impl<S: Space> Sst<S> {
         let (space, states) = (problem.space(), self.tree.growth.graph.states());
         self.active.within(space, states, target, self.selection_radius, &mut self.found);
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
-        let cheapest = near.min_by(|&a, &b| self.cost(a).total_cmp(&self.cost(b)).then(a.cmp(&b)));
+        let cheapest = near.min_by(|&a, &b| self.length(a).total_cmp(&self.length(b)).then(a.cmp(&b)));
         cheapest.unwrap_or_else(|| {
             self.active.nearest(space, states, target).expect("every witness has a representative").vertex
         })
@@ -197,8 +189,7 @@ impl<S: Space> Sst<S> {
     fn prune(&mut self, iteration: u32, vertex: VertexId) {
         let mut leaf = Some(vertex);
         while let Some(vertex) = leaf {
-            let is_best = self.best.is_some_and(|best| best.vertex == vertex);
-            let stays = self.children[vertex.index()] > 0 || self.active.contains(vertex) || is_best;
+            let stays = self.children[vertex.index()] > 0 || self.active.contains(vertex) || self.best == Some(vertex);
             let Some(parent) = self.tree.tree.parent(vertex).filter(|_| !stays) else { return };
             self.is_removed[vertex.index()] = true;
             self.children[parent.index()] -= 1;
@@ -211,10 +202,8 @@ impl<S: Space> Sst<S> {
     /// Makes the vertex the end of the best path.
     fn arrive(&mut self, iteration: u32, vertex: VertexId, state: S::State) {
         self.tree.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), None, state);
-        let earlier = self.best;
-        self.best = Some(Best { vertex, since: earlier.map_or(iteration, |best| best.since) });
-        if let Some(earlier) = earlier {
-            self.prune(iteration, earlier.vertex);
+        if let Some(earlier) = self.best.replace(vertex) {
+            self.prune(iteration, earlier);
         }
     }
 
@@ -231,13 +220,13 @@ impl<S: Space> Sst<S> {
         };
         let (drive, is_there) = up_to_goal(problem, &from, drive, self.options.driving.goal_test);
         let duration = f64::from(drive.steps) * dynamics.step();
-        let cost = self.cost(origin) + dynamics.length(Motion { control, duration });
+        let cost = self.length(origin) + dynamics.length(Motion { control, duration });
         // A path that already costs as much as the best one cannot become better.
-        let is_cheap = self.best.is_none_or(|best| cost < self.cost(best.vertex));
+        let is_cheap = self.best.is_none_or(|best| cost < self.length(best));
         if is_cheap {
             let witness = self.witness(problem, &drive.end);
             let representative = witness.and_then(|witness| self.representatives[witness.index()]);
-            if representative.is_none_or(|vertex| cost < self.cost(vertex)) {
+            if representative.is_none_or(|vertex| cost < self.length(vertex)) {
                 let vertex = self.grow(problem, iteration, origin, drive, cost);
                 if is_there {
                     self.arrive(iteration, vertex, drive.end);
@@ -259,23 +248,17 @@ impl<S: Space> Planner<S> for Sst<S> {
         if self.best.is_none() && problem.is_goal(problem.start()) {
             // No path is shorter.
             self.arrive(iteration, ROOT, *problem.start());
-            self.is_done = true;
-        } else if !self.is_done
-            && let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth)
-        {
+            return Status::Solved;
+        }
+        if let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth) {
             let origin = self.origin(problem, &target);
             self.try_drive(problem, iteration, origin);
         }
-        self.is_done |= self.best.is_some_and(|best| iteration - best.since >= self.options.improve_iterations);
-        if self.is_done { Status::Solved } else { Status::Running }
+        Status::Running
     }
 
-    fn phase(&self) -> Phase {
-        match self.best {
-            _ if self.is_done => Phase::Done,
-            Some(_) => Phase::Improving,
-            None => Phase::Growing,
-        }
+    fn cost(&self) -> f64 {
+        self.best.map_or(f64::INFINITY, |best| self.length(best))
     }
 
     fn growth(&self) -> &Growth<S> {
@@ -283,7 +266,7 @@ impl<S: Space> Planner<S> for Sst<S> {
     }
 
     fn path(&self) -> Vec<VertexId> {
-        self.best.map(|best| self.tree.tree.from_root(best.vertex)).unwrap_or_default()
+        self.best.map(|best| self.tree.tree.from_root(best)).unwrap_or_default()
     }
 
     fn approximate_path(&self) -> Vec<VertexId> {

@@ -10,6 +10,7 @@ use crate::options::Choice;
 use crate::path::Wanted;
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
+    Termination,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Validity};
 use crate::random::check_seed;
@@ -39,15 +40,18 @@ pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Bo
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
-/// and no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own.
+/// and no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own. A planner that
+/// goes on to shorter paths ends as `termination` says, or with the budget of iterations.
 pub fn start_on<S: Space + 'static>(
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
     max_iterations: u32,
+    termination: Option<Termination>,
     improvement: Wanted,
     seed: u64,
 ) -> Box<dyn Run> {
-    let info = RunInfo { planner: "custom", seed, max_iterations, wanted: improvement, ..RunInfo::default() };
+    let wanted = improvement;
+    let info = RunInfo { planner: "custom", seed, max_iterations, wanted, termination, ..RunInfo::default() };
     Box::new(Runner::new(problem, planner, info, None))
 }
 
@@ -84,7 +88,9 @@ pub(super) fn launch(
             shortcuts: improving.shortcut,
             partial_shortcuts: improving.partial_shortcut,
         }),
+        termination: planner.group::<Termination>().copied(),
         edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
+        is_driven: driving.is_some(),
         is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
     };
     if !matches!(scenario.robot(), Robot::Car(_))

@@ -11,7 +11,9 @@
 //! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
 //! | the planner knows that it finds no path | `Exhausted` |
 //! | `max_iterations` are made without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
-//! | `max_iterations` are made by a planner that improves its path itself, or grows past the goal | as if it had just found the path |
+//! | the planner improves its path itself, or grows past the goal | `Running`, if it improves in the phase `Improving` |
+//! | then `max_iterations` are made, or the conditions of [`Termination`](crate::planner::Termination) hold | as if it had just found the path |
+//! | `stop_evaluations` are made without a path | `Exhausted` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
@@ -19,7 +21,8 @@
 //!
 //! # Files
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
-//! - `runner.rs`: the one implementation of [`Run`]; `emitted.rs`: paths and edges as they are reported;
+//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner that goes on to shorter paths;
+//!   `emitted.rs`: paths and edges as they are reported;
 //! - `resume.rs`: a run on a saved roadmap; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
@@ -37,6 +40,7 @@ mod questions;
 mod resume;
 mod runner;
 pub mod storage;
+mod termination;
 
 pub use factory::{start, start_on};
 pub use options::Options;

@@ -1,11 +1,12 @@
 //! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
+use super::termination::Progress;
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::options::Choice;
 use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
-use crate::planner::{EdgeCheck, Phase, Planner, Status};
+use crate::planner::{EdgeCheck, Phase, Planner, Status, Termination};
 use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
@@ -22,7 +23,11 @@ pub(super) struct RunInfo {
     pub seed: u64,
     pub max_iterations: u32,
     pub wanted: Wanted,
+    /// When a planner that goes on to shorter paths is to end; `None` for others.
+    pub termination: Option<Termination>,
     pub edge_check: EdgeCheck,
+    /// Whether motions are those of controls.
+    pub is_driven: bool,
     /// Whether motions are integrated by Euler steps.
     pub is_euler: bool,
 }
@@ -37,6 +42,11 @@ pub(super) struct Runner<S: Space> {
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
+    /// The lengths of the paths so far, if the planner goes on to shorter ones.
+    progress: Option<Progress>,
+    /// The length of the planner's path, and the planner's cost for which it was computed; both are infinite without a path.
+    length: f64,
+    cost: f64,
     /// The path being improved, once the planner has solved the problem.
     improvement: Option<Improvement<S>>,
     /// The rows of recorded iterations that have not been taken yet; `None` if iterations are not recorded.
@@ -52,8 +62,23 @@ impl<S: Space> Runner<S> {
         info: RunInfo,
         roadmap: Option<RoadmapDocument>,
     ) -> Self {
-        let (iteration, status, improvement, history, viewer_work) = (0, Status::Running, None, None, [0; 2]);
-        Self { problem, planner, info, roadmap, iteration, status, improvement, history, viewer_work }
+        // A motion by controls may end before the goal.
+        let least = if info.is_driven { 0.0 } else { problem.distance_to_goal(problem.start()) };
+        let progress = info.termination.map(|termination| Progress::new(termination, least));
+        Self {
+            problem,
+            planner,
+            info,
+            roadmap,
+            iteration: 0,
+            status: Status::Running,
+            progress,
+            length: f64::INFINITY,
+            cost: f64::INFINITY,
+            improvement: None,
+            history: None,
+            viewer_work: [0; 2],
+        }
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -68,9 +93,12 @@ impl<S: Space> Runner<S> {
     fn iterate_planner(&mut self) {
         self.iteration += 1;
         self.status = self.planner.iterate(&self.problem, self.iteration);
+        if self.history.is_some() || self.progress.is_some() {
+            self.measure();
+        }
         match self.status {
             Status::Solved => self.accept(),
-            Status::Running if self.iteration == self.info.max_iterations || self.planner.graph().is_full() => {
+            Status::Running if self.is_over() => {
                 self.status = Status::Exhausted;
                 if self.has_path() {
                     self.accept();
@@ -78,6 +106,30 @@ impl<S: Space> Runner<S> {
             }
             Status::Running | Status::Exhausted => {}
         }
+    }
+
+    /// Computes the length of the planner's path, if that has changed. O(1) if not.
+    fn measure(&mut self) {
+        let cost = self.planner.cost();
+        if cost == self.cost && self.length < f64::INFINITY {
+            return;
+        }
+        let path = self.raw();
+        if path.states.is_empty() {
+            return;
+        }
+        (self.cost, self.length) = (cost, path.length(&self.problem));
+        if let Some(progress) = &mut self.progress {
+            progress.note(self.iteration, self.length);
+        }
+    }
+
+    /// Whether a planner that goes on is to end.
+    fn is_over(&self) -> bool {
+        let has_stopped = |progress: &Progress| progress.is_over(self.iteration, self.stats().clearance_evaluations);
+        self.iteration == self.info.max_iterations
+            || self.planner.graph().is_full()
+            || self.progress.as_ref().is_some_and(has_stopped)
     }
 
     /// Whether the planner has a path already, which it improves or grows past.
@@ -99,8 +151,7 @@ impl<S: Space> Runner<S> {
         if let Some(improvement) = self.improvement.as_ref().filter(|_| self.planner.graph().motions().is_empty()) {
             return path::length(self.problem.space(), improvement.path());
         }
-        let path = self.raw();
-        if path.states.is_empty() { f64::INFINITY } else { path.length(&self.problem) }
+        self.length
     }
 
     /// A row of the history: the present state of the run.

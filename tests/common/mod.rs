@@ -149,6 +149,7 @@ pub const PLANNERS: &[(&str, &str)] = &[
     ("rrt-star", "improve_iterations=100"),
     ("rrt-star", "near=k-nearest improve_iterations=50 goal_every=5"),
     ("informed-rrt-star", "improve_iterations=100"),
+    ("informed-rrt-star", "improve_iterations=40 stop_stale=30 stop_evaluations=2000 stop_when=all"),
 ];
 
 /// Every sampler.

@@ -13,12 +13,13 @@ export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blo
 const GROUPS = [
   ["Samples", ["insertion", "discard", "spread", "goal_every"]],
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
-  ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius", "improve_iterations"]],
+  ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius"]],
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],
   ["Neighbours", ["near", "radius", "radius_factor", "neighbour_index", "neighbour_metric"]],
   ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path shortening", ["reduce", "shortcut", "partial_shortcut"]],
+  ["Termination", ["improve_iterations", "stop_evaluations", "stop_cost", "stop_stale", "stop_converged", "stop_when"]],
 ];
 const REST = "Limits";
 

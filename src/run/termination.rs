@@ -1,0 +1,66 @@
+//! When a run ends whose planner goes on to shorter paths: by conditions that have names, of which one is enough or all must hold.
+//!
+//! They are evaluated after each iteration of the planner, from counts alone, so where a run ends depends on no clock and no slicing.
+
+use crate::planner::{StopWhen, Termination};
+
+/// A path this near to a lower bound on the length of all paths is the shortest.
+const SHORTEST: f64 = 1.0 + 1e-12;
+
+/// The fewest iterations since the first path whose last half tells whether the length has converged.
+const FEWEST: u32 = 1000;
+
+/// The lengths of the paths so far, and the conditions.
+#[derive(Debug, Clone)]
+pub(super) struct Progress {
+    termination: Termination,
+    /// A lower bound on the length of all paths; 0 if there is none.
+    least: f64,
+    /// Each iteration that found a path shorter than all before, and its length.
+    falls: Vec<(u32, f64)>,
+}
+
+impl Progress {
+    /// No path yet.
+    pub fn new(termination: Termination, least: f64) -> Self {
+        Self { termination, least, falls: Vec::new() }
+    }
+
+    /// Notes the length of the path after an iteration, if it is shorter than all before. O(1).
+    pub fn note(&mut self, iteration: u32, length: f64) {
+        if self.falls.last().is_none_or(|&(_, least)| length < least) {
+            self.falls.push((iteration, length));
+        }
+    }
+
+    /// Whether the run ends with this iteration, after so many clearance evaluations. O(log paths).
+    pub fn is_over(&self, iteration: u32, evaluations: u64) -> bool {
+        let Termination { improve_iterations, stop_evaluations, stop_cost, stop_stale, stop_converged, stop_when } =
+            self.termination;
+        let length = self.falls.last().map_or(f64::INFINITY, |&(_, length)| length);
+        let first = self.falls.first().map(|&(first, _)| iteration - first);
+        let last = self.falls.last().map(|&(last, _)| iteration - last);
+        let conditions = [
+            Some(first.is_some_and(|since| since >= improve_iterations)),
+            stop_evaluations.map(|most| evaluations >= most),
+            stop_cost.map(|most| length <= most),
+            stop_stale.map(|most| last.is_some_and(|since| since >= most)),
+            stop_converged.map(|share| self.has_converged(iteration, share)),
+        ];
+        let mut given = conditions.into_iter().flatten();
+        length <= SHORTEST * self.least
+            || match stop_when {
+                StopWhen::Any => given.any(|holds| holds),
+                StopWhen::All => given.all(|holds| holds),
+            }
+    }
+
+    /// Whether the last half of the iterations since the first path shortened it by no more than a share of its length.
+    fn has_converged(&self, iteration: u32, share: f64) -> bool {
+        let (Some(&(first, _)), Some(&(_, now))) = (self.falls.first(), self.falls.last()) else { return false };
+        let half = (iteration - first) / 2;
+        let before = self.falls.partition_point(|&(at, _)| at <= iteration - half);
+        let then = self.falls[before - 1].1;
+        2 * half >= FEWEST && then - now <= share * then
+    }
+}

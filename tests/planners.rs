@@ -3,10 +3,12 @@
 use crate::common::documents::{arm, disc, refuses, scenario};
 use crate::common::graphs::{edges, rows};
 use crate::common::{
-    DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish,
-    fitting, no_way, options, seeds, worlds,
+    DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, body_and_wall, car_and_wall, deep,
+    disc_and_wall, finish, fitting, no_way, options, seeds, thick_arm_and_wall, worlds,
 };
-use planarium::run::{Options, Status, start};
+use planarium::random::{Random, Stream};
+use planarium::run::{Options, PlannerOptions, Status, planners, start};
+use std::collections::BTreeMap;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -82,6 +84,53 @@ fn every_planner_works_with_every_sampler_and_keeps_its_paths_clear() {
             }
         }
     }
+}
+
+/// A deep run makes 100,000 runs.
+#[wasm_bindgen_test(unsupported = test)]
+fn no_path_of_any_planner_crosses_a_wall_however_thin() {
+    let all = if cfg!(target_arch = "wasm32") { 60 } else { 600 };
+    let mut random = Random::new(1, Stream::Scenario);
+    let mut solved: BTreeMap<String, u32> = BTreeMap::new();
+    let mut runs = 0;
+    for seed in 0.. {
+        // From 0.5 to 1e-6, evenly in its logarithm.
+        let thickness = 0.5 * libm::pow(2e-6, random.uniform());
+        let worlds = [
+            arm_and_wall(thickness),
+            thick_arm_and_wall(thickness),
+            disc_and_wall(0.3, thickness),
+            body_and_wall(thickness),
+            car_and_wall(thickness),
+        ];
+        for (world, planner) in worlds.iter().flat_map(|world| planners().map(|planner| (world, planner))) {
+            if planner.check_robot(world.robot().kind()).is_err() {
+                continue;
+            }
+            let run = finish(begin_with(world, planner.info().id, seed, &short(&planner)));
+            runs += 1;
+            if run.status() == Status::Solved {
+                *solved.entry(format!("{} {}", planner.info().id, world.robot().kind())).or_default() += 1;
+                assert_valid(world, &*run);
+            }
+        }
+        if runs >= if deep() { 100_000 } else { all } {
+            break;
+        }
+    }
+    // A planner that solves nothing proves nothing.
+    let missing: Vec<_> =
+        planners().into_iter().filter(|planner| !solved.keys().any(|key| key.starts_with(planner.info().id))).collect();
+    assert!(missing.is_empty(), "{missing:?} in {runs} runs: {solved:?}");
+}
+
+/// Settings for a run that ends soon, with a path that is improved.
+fn short(planner: &PlannerOptions) -> String {
+    let table = planner.table();
+    let settings =
+        [("samples", 100), ("failures", 40), ("improve_iterations", 40), ("shortcut", 10), ("max_iterations", 1500)];
+    let known = settings.iter().filter(|(name, _)| table.iter().any(|option| option.name == *name));
+    known.map(|(name, value)| format!("{name}={value} ")).collect()
 }
 
 #[wasm_bindgen_test(unsupported = test)]

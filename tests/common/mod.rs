@@ -82,11 +82,20 @@ pub fn car_shut_in(thickness: f64) -> Scenario {
 }
 
 fn car_at_wall(thickness: f64, height: f64) -> Scenario {
-    let obstacles = [rectangle([1.0 - thickness, 0.0], [1.0, height]), disc([1.5, 1.3], 0.1)].join(",");
     let limits = r#""wheelbase": 0.2, "speed": [-0.5, 0.5], "steering": [-0.75, 0.75]"#;
-    let region = r#""goal_tolerance": { "translation": 0.1, "rotation": 0.5 }"#;
-    let query = format!(r#""start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0], {region}"#);
-    named("car", "[0, 0], [2, 2]", &obstacles, &rectangular("car", 0.1, 0.05, limits), &query)
+    let region = r#", "goal_tolerance": { "translation": 0.1, "rotation": 0.5 }"#;
+    placed_at_wall("car", limits, region, thickness, height)
+}
+
+/// A rigid body of the same size in the same world.
+pub fn body_and_wall(thickness: f64) -> Scenario {
+    placed_at_wall("rigid_body", "", "", thickness, 1.5)
+}
+
+fn placed_at_wall(kind: &str, fields: &str, region: &str, thickness: f64, height: f64) -> Scenario {
+    let obstacles = [rectangle([1.0 - thickness, 0.0], [1.0, height]), disc([1.5, 1.3], 0.1)].join(",");
+    let query = format!(r#""start": [0.4, 0.3, 0], "goal": [1.6, 0.4, 0]{region}"#);
+    named(kind, "[0, 0], [2, 2]", &obstacles, &rectangular(kind, 0.1, 0.05, fields), &query)
 }
 
 /// Arms, thin and thick, and a disc.

@@ -14,12 +14,13 @@
  * All sides run in turn in every world, each in its own process pinned to the same core, so that disturbances affect all of them
  * alike. Ratios are taken per world. Every run has a new planner, whose set-up is measured separately.
  */
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
-import { Problem, root, script } from "../scripts/run.mjs";
+import { Problem, script } from "../scripts/run.mjs";
 import { aimTable, judge } from "./peers/aims.mjs";
+import { integer, update } from "./peers/arguments.mjs";
 import { arms } from "./peers/arms.mjs";
 import { extras } from "./peers/extras.mjs";
 import { armTable, figureTable, figures, summaryTable } from "./peers/report.mjs";
@@ -97,13 +98,6 @@ await script(async () => {
   }
 });
 
-/** The integer value of an option. @param {string} name @param {string} text @param {number} least */
-function integer(name, text, least) {
-  const value = Number(text);
-  if (!Number.isInteger(value) || value < least) throw new Problem(`--${name} must be an integer of at least ${least}, not ${text}.`);
-  return value;
-}
-
 /**
  * Runs all arms in all worlds. The first arm changes with every world.
  * @param {Map<SideName, Side | undefined>} sides
@@ -137,14 +131,4 @@ async function takeTurns(sides, present, worlds, runs, warm) {
 function headline(sides, count, runs) {
   const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
   return `${titles.join("; ")}${pinned.length > 0 ? "; on one core" : ""}. ${count} worlds per row, ${runs.prm} roadmaps, ${runs["rrt-connect"]} queries of an arm or a body, or ${runs.sst} of a car in each.`;
-}
-
-/** Writes tables between two marks of docs/benchmarks.md. @param {string} mark @param {string} tables */
-function update(mark, tables) {
-  const file = join(root, "docs", "benchmarks.md");
-  const text = readFileSync(file, "utf8");
-  const [start, end] = [`<!-- ${mark} -->\n`, `<!-- /${mark} -->`];
-  const [from, to] = [text.indexOf(start), text.indexOf(end)];
-  if (from < 0 || to < from) throw new Problem(`docs/benchmarks.md has no marks ${start.trim()} and ${end}.`);
-  writeFileSync(file, `${text.slice(0, from + start.length)}${tables}${text.slice(to)}`);
 }

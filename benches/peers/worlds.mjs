@@ -70,7 +70,7 @@ export function writeWorlds(Scenario, { name, generator, options }, first, count
 }
 
 /**
- * The document of an arm on circles, a convex body or a car, among convex polygons and discs, as flat text; polygons
+ * The document of an arm on circles, a disc, a convex body or a car, among convex polygons and discs, as flat text; polygons
  * counter-clockwise.
  * @param {ScenarioDocument} document
  */
@@ -91,7 +91,8 @@ export function flat({ world, robot, queries: [query] }) {
  * @returns {(string | number)[][]}
  */
 function machine(robot) {
-  if (robot.type === "disc" || (robot.type === "arm" && robot.joint_limits !== undefined)) throw new Error("the peers know arms without joint limits, bodies and cars");
+  if (robot.type === "arm" && robot.joint_limits !== undefined) throw new Error("the peers know arms without joint limits, discs, bodies and cars");
+  if (robot.type === "disc") return [["radius", robot.radius]];
   if (robot.type === "arm") return [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links]];
   const shape = ["shape", ...counterClockwise(robot.shape.vertices).flat()];
   if (robot.type === "rigid_body") return [shape];

@@ -6,10 +6,12 @@
 //   FILE body SEED RUNS range resolution limit checker        RRT-Connect for a rigid body; distances in the metric, range 0 for OMPL's default
 //   FILE control SEED RUNS least most limit checker           RRT for a car by controls, held for so many steps of 0.01 s
 //   FILE sst SEED RUNS least most limit checker               SST, likewise
+//   FILE disc SEED RUNS planner most samples                  a disc; what its best path costs, until so many states were checked
 //
 // The space is "flat" or "compound", see below, or "plain": flat, with a checker that compares no boxes. The checker of a body or a
 // car is "boxes" or "plain". Seeds are SEED, SEED + 1, ... Every run has its own planner, space and validity checker; making them
 // is its set-up.
+#include "disc.h"
 #include "outcome.h"
 #include "placed.h"
 #include "world.h"
@@ -209,6 +211,13 @@ static std::string answer(const std::string &job) {
     std::string file, planner, space;
     unsigned seed = 0, runs = 0;
     words >> file >> planner >> seed >> runs;
+    if (planner == "disc") {
+        std::string name;
+        size_t most = 0;
+        unsigned samples = 0;
+        words >> name >> most >> samples;
+        return disc::answer(World(file), seed, runs, name, most, samples);
+    }
     double a = 0, b = 0, c = 0;
     words >> a >> b;
     if (planner != "prm") words >> c;

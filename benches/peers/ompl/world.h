@@ -55,6 +55,9 @@ struct World {
     // The same for the shape placed at (x, y) and turned: by boxes, then by the edges of either polygon as separating lines.
     bool is_placed_free(double x, double y, double turn) const;
 
+    // Whether a disc of the world's radius is free at (x, y): by boxes, then by the distance to a polygon that it is not within.
+    bool is_disc_free(double x, double y) const;
+
 private:
     bool is_link_free(double x0, double y0, double x1, double y1) const;
 };
@@ -156,6 +159,27 @@ inline bool World::is_placed_free(double x, double y, double turn) const {
     return true;
 }
 
+inline bool World::is_disc_free(double x, double y) const {
+    if (x - radius < bounds.left || x + radius > bounds.right || y - radius < bounds.bottom || y + radius > bounds.top) return false;
+    for (const Convex &polygon : polygons) {
+        const Box &box = polygon.box;
+        if (x + radius < box.left || x - radius > box.right || y + radius < box.bottom || y - radius > box.top) continue;
+        bool is_within = true;
+        for (const Line &edge : polygon.edges) is_within = is_within && edge.side(x, y) >= 0;
+        if (is_within) return false;
+        const std::vector<double> &corners = polygon.corners;
+        for (size_t i = 0; i < corners.size(); i += 2) {
+            const size_t next = (i + 2) % corners.size();
+            if (squared_distance(x, y, corners[i], corners[i + 1], corners[next], corners[next + 1]) <= radius * radius) return false;
+        }
+    }
+    for (const Disc &disc : discs) {
+        const double reach = disc.radius + radius, dx = disc.x - x, dy = disc.y - y;
+        if (dx * dx + dy * dy <= reach * reach) return false;
+    }
+    return true;
+}
+
 inline Convex convex(const std::vector<double> &corners) {
     Convex polygon{{corners[0], corners[1], corners[0], corners[1]}, {}, corners};
     for (size_t i = 0; i < corners.size(); i += 2) {
@@ -212,5 +236,5 @@ inline World::World(const std::string &file) {
             throw std::runtime_error("unknown item in " + file + ": " + kind);
         }
     }
-    if (!polygons.empty() && radius > 0) throw std::runtime_error("thick links among polygons are not prepared for");
+    if (!polygons.empty() && radius > 0 && !links.empty()) throw std::runtime_error("thick links among polygons are not prepared for");
 }

@@ -14,7 +14,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
-import { Scenario, historyColumns, optimum } from "planarium";
+import { Scenario, historyColumns } from "planarium";
 import { script } from "../scripts/run.mjs";
 import { integer, update } from "./peers/arguments.mjs";
 import { quantile } from "./peers/report.mjs";
@@ -52,7 +52,7 @@ await script(async () => {
     let worlds = 0;
     for (let seed = first; worlds < count; seed += 1) {
       const scenario = Scenario.generate("clutter", { robot: "disc", seed });
-      const { length } = optimum(scenario);
+      const { length } = scenario.optimum();
       if (length === null) continue;
       worlds += 1;
       console.error(`bench: world ${seed}`);

@@ -4,7 +4,7 @@ use super::motion::LONGEST_TURN;
 use super::obstacles::largest_coordinate;
 use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingArm, Order, Prover, Scene};
-use super::{CollisionWorld, Obstacles, Tolerance};
+use super::{CollisionWorld, Obstacles, Tolerance, blend};
 use crate::geometry::{Aabb, Segment};
 use crate::problem::{Contact, Touched, Validity};
 use crate::robot::Arm;
@@ -105,6 +105,17 @@ impl<const N: usize> ArmValidity<N> {
         prover.first_unproven(&self.scene, state, order)
     }
 
+    /// Whether a straight motion by `delta` is proven free, also off by any part of `aside`, forward or back.
+    fn is_band_free(&self, from: &[f64; N], delta: &[f64; N], aside: &[f64; N]) -> bool {
+        let prover = &mut *self.prover.borrow_mut();
+        let off = self.arm.travel(aside)[self.arm.links().len() - 1];
+        prover.moving.set_radius(self.arm.radius() + off);
+        let state = prover.moving.begin(from, delta);
+        let is_free = prover.first_unproven(&self.scene, state, Order::MiddleFirst).is_none();
+        prover.moving.set_radius(self.arm.radius());
+        is_free
+    }
+
     /// The clearance if it is at most `most`; else something larger.
     fn clearance_within(&self, q: &[f64; N], most: f64) -> f64 {
         let mut least = f64::INFINITY;
@@ -153,6 +164,11 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
 
     fn first_hit(&self, a: &[f64; N], b: &[f64; N]) -> Option<f64> {
         self.first_unproven(a, b, Order::FrontFirst { steps: None })
+    }
+
+    fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
+        let [before, after] = [from, to].map(|end| self.space.difference(corner, end));
+        blend::is_free(corner, &before, &after, |from, delta, aside| self.is_band_free(from, delta, aside))
     }
 
     /// Ordered by link, then by obstacle, the bounds last.

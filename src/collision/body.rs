@@ -103,6 +103,15 @@ impl BodyCollision {
         self.first_unproven(motion, Order::MiddleFirst).is_none()
     }
 
+    /// Whether a straight motion is proven free, also off by any part of `aside`, forward or back.
+    pub(super) fn is_band_free(&self, motion: &BodyMotion, aside: [f64; 3]) -> bool {
+        let [x, y, turn] = aside;
+        self.prover.borrow_mut().moving.grow((x * x + y * y).sqrt() + turn.abs() * self.body.reach());
+        let is_free = self.is_motion_free(motion);
+        self.prover.borrow_mut().moving.grow(0.0);
+        is_free
+    }
+
     /// The start, as a fraction of the motion, of the first interval that cannot be proven free; all before it is proven.
     /// `None` if the whole motion is proven. The result is 0 for motions that are not finite or longer than 1e150, begin
     /// far outside the bounds or at an angle beyond 1e4 radians, or turn by more than 7 on a straight motion.

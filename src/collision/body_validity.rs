@@ -1,6 +1,6 @@
 //! The collision checker of a body over the space of its placements (x, y, theta).
 
-use super::{BodyCollision, BodyMotion, LONGEST_TURN};
+use super::{BodyCollision, BodyMotion, LONGEST_TURN, blend};
 use crate::problem::{Contact, Validity};
 use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
@@ -88,6 +88,16 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
             before += length;
         }
         None
+    }
+
+    fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
+        let product = self.space.product();
+        let [corner, before, after] =
+            [corner, &product.difference(corner, from), &product.difference(corner, to)].map(placement);
+        self.space.steering().is_none()
+            && blend::is_free(&corner, &before, &after, |&from, &delta, &aside| {
+                self.collision.is_band_free(&BodyMotion::Straight { from, delta }, aside)
+            })
     }
 
     fn contacts(&self, state: &[f64; N]) -> Vec<Contact> {

@@ -2,7 +2,7 @@
 //! is left unproven: [`HALVINGS`] + 1 such tests an obstacle find a first hit.
 
 use super::obstacles::largest_coordinate;
-use super::{CollisionWorld, Obstacles, Tolerance};
+use super::{CollisionWorld, Obstacles, Tolerance, blend};
 use crate::geometry::{Aabb, Point, Segment};
 use crate::problem::{Contact, Touched, Validity};
 use crate::robot::DiscRobot;
@@ -32,18 +32,18 @@ impl DiscValidity {
         Self { radius: robot.radius(), obstacles, bounds: world.bounds().copied(), eta, evaluations: Cell::new(0) }
     }
 
-    /// Whether the disc touches obstacle `i` while its centre moves along the segment.
-    fn touches(&self, i: usize, swept: &Segment) -> bool {
-        if self.radius == 0.0 {
+    /// Whether a disc of this radius touches obstacle `i` while its centre moves along the segment.
+    fn touches(&self, i: usize, swept: &Segment, radius: f64) -> bool {
+        if radius == 0.0 {
             self.obstacles.touches_point(i, swept, self.eta)
         } else {
-            self.obstacles.distance(i, swept) - self.radius <= self.eta
+            self.obstacles.distance(i, swept) - radius <= self.eta
         }
     }
 
     /// A box outside which nothing touches the disc while its centre moves along the segment.
-    fn near(&self, swept: &Segment) -> Aabb {
-        swept.aabb().grown(self.radius + self.eta)
+    fn near(&self, swept: &Segment, radius: f64) -> Aabb {
+        swept.aabb().grown(radius + self.eta)
     }
 
     /// Whether the disc lies within the bounds, or touches them from within.
@@ -54,13 +54,15 @@ impl DiscValidity {
 
     /// Whether the disc stays free while its centre moves along the segment. Bounds are convex: both ends inside suffice.
     fn is_swept_free(&self, swept: &Segment) -> bool {
-        if !self.is_inside(swept.a) || !self.is_inside(swept.b) {
-            return false;
-        }
+        self.is_inside(swept.a) && self.is_inside(swept.b) && self.is_clear(swept, self.radius)
+    }
+
+    /// Whether a disc of this radius touches no obstacle while its centre moves along the segment.
+    fn is_clear(&self, swept: &Segment, radius: f64) -> bool {
         let mut evaluations = self.evaluations.get();
-        let touches = self.obstacles.any_near(&self.near(swept), |i| {
+        let touches = self.obstacles.any_near(&self.near(swept, radius), |i| {
             evaluations += 1;
-            self.touches(i, swept)
+            self.touches(i, swept, radius)
         });
         self.evaluations.set(evaluations);
         !touches
@@ -103,10 +105,21 @@ impl<const N: usize> Validity<[f64; N]> for DiscValidity {
         Some(free)
     }
 
+    /// Bounds are convex: a blend is inside if its control points are.
+    fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
+        let [before, after] = [from, to].map(|end| std::array::from_fn(|i| end[i] - corner[i]));
+        [from, corner, to].iter().all(|q| self.is_inside(Point::new(q[0], q[1])))
+            && blend::is_free(corner, &before, &after, |from, delta, aside| {
+                let end = std::array::from_fn::<f64, N, _>(|i| from[i] + delta[i]);
+                let off = Point::new(aside[0], aside[1]).coords.norm();
+                self.is_clear(&segment(from, &end), self.radius + off)
+            })
+    }
+
     fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
-        let (at, near) = (segment(q, q), self.near(&segment(q, q)));
+        let (at, near) = (segment(q, q), self.near(&segment(q, q), self.radius));
         let obstacles = (0..self.obstacles.len()).filter(|&i| self.obstacles.aabb(i).intersects(&near));
-        let touched = obstacles.filter(|&i| self.touches(i, &at)).map(Touched::Obstacle);
+        let touched = obstacles.filter(|&i| self.touches(i, &at, self.radius)).map(Touched::Obstacle);
         let leaves = (!self.is_inside(at.a)).then_some(Touched::Bounds);
         touched.chain(leaves).map(|with| Contact { part: 0, with }).collect()
     }

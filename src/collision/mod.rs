@@ -3,6 +3,8 @@
 //! Motions of arms and bodies are proven in `proof/`, called from `arm.rs` and `body.rs`; `body_validity.rs` splits the curve of a
 //! car into arcs, `car_dynamics.rs` proves controlled motions arc by arc, and `disc.rs` has an exact test of its own.
 //!
+//! A rounded corner of a path is proven in bands, each a straight motion of a robot that is grown for it: `blend.rs`.
+//!
 //! Obstacles are closed and filled: contact is collision. Bounds are closed: contact with them is allowed.
 //!
 //! **Slack.** Every clearance is compared with `eta` = 1e-12 times the largest coordinate plus the reach. It exceeds
@@ -16,6 +18,7 @@
 //! more evaluations than its budget (see `proof/driver.rs`).
 
 mod arm;
+mod blend;
 mod body;
 mod body_validity;
 mod boxes;

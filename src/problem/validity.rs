@@ -23,6 +23,14 @@ pub trait Validity<S> {
         if self.is_motion_free(a, b) { None } else { Some(0.0) }
     }
 
+    /// Whether the parabola with these control points is proven free: the quadratic Bezier curve from the first to the third, which
+    /// leaves towards the second and comes from there. No coordinate turns by half a turn along it. The default is false: corners of
+    /// a path stay as they are.
+    fn is_blend_free(&self, blend: &[S; 3]) -> bool {
+        let _ = blend;
+        false
+    }
+
     /// How many times the clearance of a part has been evaluated so far: a measure of work that is the same on every machine.
     /// The default is 0.
     fn clearance_evaluations(&self) -> u64 {

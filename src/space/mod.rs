@@ -7,11 +7,13 @@
 //! - `product.rs`: [`ProductSpace`], its coordinates and its metrics. LaValle 2006, "Planning Algorithms", chapters 4 (products
 //!   of circles and intervals) and 5.1 (metrics, weights of rotation);
 //! - `motion.rs`: [`MotionSpace`], straight motions or the curves of [`steering`];
+//! - `blend.rs`: lengths of rounded corners;
 //! - `gap.rs`: distances on a line and on a circle, exact enough to bound a kd-tree.
 //!
 //! A state is a small `Copy` value in canonical form: finite, angles of circles in (-pi, pi], never -0. Arrays of `N` numbers
 //! serve every dimension up to `N`: entries past [`Space::dimension`] are 0 and add exactly nothing.
 
+mod blend;
 mod gap;
 mod lanes;
 mod motion;
@@ -223,5 +225,12 @@ pub trait Space: Sync {
     fn curve(&self, a: &Self::State, b: &Self::State) -> Option<Curve> {
         let _ = (a, b);
         None
+    }
+
+    /// By how much the parabola with these control points is shorter than the straight motions from the first to the second and on to
+    /// the third. The default is 0, a lower bound.
+    fn blend_saving(&self, blend: &[Self::State; 3]) -> f64 {
+        let _ = blend;
+        0.0
     }
 }

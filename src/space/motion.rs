@@ -150,4 +150,8 @@ impl<const N: usize> Space for MotionSpace<N> {
     fn curve(&self, a: &[f64; N], b: &[f64; N]) -> Option<Curve> {
         self.steering.map(|steered| self.curve_of(steered, a, b))
     }
+
+    fn blend_saving(&self, blend: &[[f64; N]; 3]) -> f64 {
+        if self.steering.is_some() { 0.0 } else { self.product.blend_saving(blend) }
+    }
 }

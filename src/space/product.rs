@@ -2,7 +2,7 @@
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 
-use super::{Lanes, Space, gap, unwind, wrap};
+use super::{Lanes, Space, blend, gap, unwind, wrap};
 use std::f64::consts::{PI, TAU};
 
 /// The largest angle below 2 pi.
@@ -256,5 +256,15 @@ impl<const N: usize> Space for ProductSpace<N> {
     #[inline(always)]
     fn norm<T: Lanes>(&self, gap: impl FnMut(usize) -> T) -> T {
         self.combine(self.dimension, gap)
+    }
+
+    fn blend_saving(&self, [from, corner, to]: &[[f64; N]; 3]) -> f64 {
+        let (before, after) = (self.difference(from, corner), self.difference(corner, to));
+        let saving = |first: usize, end: usize| blend::saving((first..end).map(|i| [before[i], after[i]]));
+        match self.metric {
+            Metric::Sum => (0..self.dimension).map(|i| saving(i, i + 1)).sum(),
+            Metric::Euclidean => saving(0, self.dimension),
+            Metric::Placement { translation, rotation } => translation * saving(0, 2) + rotation * saving(2, 3),
+        }
     }
 }

@@ -131,6 +131,11 @@ impl<const N: usize> MovingArm<N> {
         }
     }
 
+    /// Gives the links another radius.
+    pub fn set_radius(&mut self, radius: f64) {
+        self.margin = radius + self.eta;
+    }
+
     /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit
     /// vectors along the links in its middle.
     #[inline(always)]

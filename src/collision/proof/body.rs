@@ -30,6 +30,8 @@ pub(in crate::collision) struct MovingBody {
     /// The distance from the origin of the frame to the farthest corner, in metres.
     reach: f64,
     eta: f64,
+    /// By how much the body is grown, and the slack.
+    margin: f64,
     /// The angle last begun from, and its unit vector: roadmaps try many motions from one placement.
     from: f64,
     heading: Vector,
@@ -55,6 +57,7 @@ impl MovingBody {
             ranges,
             reach: body.reach(),
             eta,
+            margin: eta,
             from: 0.0,
             heading: Vector::x(),
             bound: MotionBound::default(),
@@ -62,6 +65,11 @@ impl MovingBody {
             corners: Vec::new(),
             half: 0.0,
         }
+    }
+
+    /// Grows the body by this distance, in all directions.
+    pub fn grow(&mut self, by: f64) {
+        self.margin = by + self.eta;
     }
 
     /// Begins a motion.
@@ -131,14 +139,14 @@ impl Moving for MovingBody {
     #[inline(always)]
     fn swept_box(&self, part: usize) -> Aabb {
         let swept = around(self.part(part).swept_boxes());
-        self.bound.restricted(swept, &self.middle, self.half).grown(self.eta)
+        self.bound.restricted(swept, &self.middle, self.half).grown(self.margin)
     }
 
     #[inline(always)]
     fn depth(&self, part: usize, half: usize, bounds: &Aabb) -> f64 {
         let corners = &self.corners[self.range(part)];
         let depth = |&r: &Plane<Halves>| bounds.depth(Point::from((self.middle.position + r).half(half)));
-        corners.iter().map(depth).fold(f64::INFINITY, f64::min)
+        corners.iter().map(depth).fold(f64::INFINITY, f64::min) - (self.margin - self.eta)
     }
 
     #[inline(always)]
@@ -148,7 +156,7 @@ impl Moving for MovingBody {
 
     #[inline(always)]
     fn margin(&self) -> f64 {
-        self.eta
+        self.margin
     }
 }
 

@@ -22,6 +22,9 @@ pub const ALL: &[&str] = &["arm", "disc", "rigid_body", "car"];
 /// The robot that is moved by controls.
 pub const CAR: &[&str] = &["car"];
 
+/// The robots whose motions are straight in their coordinates.
+pub const STRAIGHT: &[&str] = &["arm", "disc", "rigid_body"];
+
 /// The values that an option takes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Kind {

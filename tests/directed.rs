@@ -257,7 +257,7 @@ fn improved_paths_are_driven_in_order_and_never_longer() {
         assert_eq!(finish(&mut *planner, &problem), Status::Solved);
         let states: Vec<State> = planner.path().iter().map(|&v| *planner.graph().state(v)).collect();
         let before = length(problem.space(), &states);
-        let wanted = Wanted { reduce: true, shortcuts: 60, partial_shortcuts: 20 };
+        let wanted = Wanted { reduce: true, shortcuts: 60, partial_shortcuts: 20, ..Wanted::default() };
         let mut improvement = Improvement::<Car>::new(states, wanted, seed);
         while !improvement.is_done() {
             improvement.attempt(&problem);

@@ -36,13 +36,17 @@ fn planned(case: &Json) -> Json {
     };
     let run = finish(start(&scenario(case), &options).expect("it starts"));
     assert_eq!(run.stats().unproven_motions, 0, "no ordinary motion spends its budget: {case}");
-    json!({
+    let mut outcome = json!({
         "status": run.status().as_str(),
         "fingerprint": format!("{:016x}", run.fingerprint()),
         "length": run.length(),
         "waypoints": run.path().len(),
         "clearance_evaluations": run.stats().clearance_evaluations,
-    })
+    });
+    if let Some(blended) = run.result().blended_length {
+        outcome["blended_length"] = blended.into();
+    }
+    outcome
 }
 
 #[wasm_bindgen_test(unsupported = test)]

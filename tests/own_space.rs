@@ -111,7 +111,7 @@ fn run(id: &str, closed: bool, seed: u64) -> Box<dyn Run> {
         "rrt-connect" => RrtConnectOptions { step: Some(0.3), ..Default::default() }.begin(&problem, seed),
         _ => PrmOptions { samples: 200, k: Some(8), ..Default::default() }.begin(&problem, seed),
     };
-    let wanted = Wanted { reduce: true, shortcuts: 20, ..Wanted::default() };
+    let wanted = Wanted { reduce: true, shortcuts: 20, blend: 0.5, ..Wanted::default() };
     run::start_on(problem, planner.expect("the options fit the space"), 2000, None, wanted, seed)
 }
 
@@ -129,6 +129,8 @@ fn planners_find_free_paths_in_a_space_of_ones_own() {
                 assert!(caps.validity().is_free(&q), "{id} {seed}: {q:?} lies in a cap");
             }
         }
+        // No blend is proven by default, so all corners stay.
+        assert!(run.result().blends.is_none_or(|blends| blends.iter().all(|shares| *shares == [0.0; 2])));
         let length: f64 = path.windows(2).map(|pair| Sphere.distance(&pair[0], &pair[1])).sum();
         assert!((run.length() - length).abs() < 1e-12 && (3.1..8.0).contains(&length), "{id} {seed}: {length}");
     }

@@ -1,7 +1,8 @@
 //! The improvement of a path, one attempt at a time: first its vertices are reduced, then come shortcuts, then shortcuts
-//! of one coordinate alone. Every new motion is checked like an edge; the path never gets longer, and is valid at any
-//! time.
+//! of one coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never gets longer,
+//! and is valid at any time.
 
+use super::blend::Blending;
 use super::reduce::Reduction;
 use super::shortcut::{partial_shortcut, shortcut};
 use crate::problem::Problem;
@@ -9,7 +10,7 @@ use crate::random::{Random, Stream};
 use crate::space::Space;
 
 /// The improvements wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wanted {
     /// Whether vertices that the path does not need are removed.
     pub reduce: bool,
@@ -17,6 +18,8 @@ pub struct Wanted {
     pub shortcuts: u64,
     /// The number of shortcuts of one coordinate to try.
     pub partial_shortcuts: u64,
+    /// How far from a corner its blend may begin, as a fraction of the shorter edge at it: at most 1/2; 0 for no blends.
+    pub blend: f64,
 }
 
 /// A path that is being improved.
@@ -26,6 +29,8 @@ pub struct Improvement<S: Space> {
     random: Random,
     reduction: Option<Reduction>,
     left: Wanted,
+    /// The blends, once the corners are final.
+    blending: Option<Blending<S>>,
     /// The number of attempts made.
     pub attempts: u64,
     /// The number of motions checked.
@@ -37,7 +42,7 @@ impl<S: Space> Improvement<S> {
     pub fn new(path: Vec<S::State>, wanted: Wanted, seed: u64) -> Self {
         let random = Random::new(seed, Stream::Shortcut);
         let reduction = wanted.reduce.then(|| Reduction::new(path.len()));
-        Self { path, random, reduction, left: wanted, attempts: 0, motion_checks: 0 }
+        Self { path, random, reduction, left: wanted, blending: None, attempts: 0, motion_checks: 0 }
     }
 
     /// Whether all improvements wanted are done.
@@ -45,6 +50,7 @@ impl<S: Space> Improvement<S> {
         self.reduction.as_ref().is_none_or(Reduction::is_done)
             && self.left.shortcuts == 0
             && self.left.partial_shortcuts == 0
+            && (self.left.blend == 0.0 || self.path.len() < 3 || self.blending.as_ref().is_some_and(Blending::is_done))
     }
 
     /// Makes one attempt. O(path) and as many motion checks at most.
@@ -58,10 +64,18 @@ impl<S: Space> Improvement<S> {
         } else if self.left.partial_shortcuts > 0 {
             self.left.partial_shortcuts -= 1;
             partial_shortcut(problem, &mut self.path, &mut self.random, &mut self.motion_checks);
+        } else {
+            let blending = self.blending.get_or_insert_with(|| Blending::new(problem.space(), &self.path));
+            blending.attempt(problem, self.left.blend, &mut self.motion_checks);
         }
     }
 
-    /// The path as it is now.
+    /// The path with its blends; `None` before the first corner is tried.
+    pub fn blending(&self) -> Option<&Blending<S>> {
+        self.blending.as_ref()
+    }
+
+    /// The path as it is now, with its corners.
     pub fn path(&self) -> &[S::State] {
         &self.path
     }

@@ -1,11 +1,13 @@
-//! Paths: length, splitting, proven improvements, and the independent verifier.
+//! Paths: length, splitting, proven improvements, blends of corners, and the independent verifier.
 
+mod blend;
 mod improve;
 mod reduce;
 mod result;
 mod shortcut;
 mod verify;
 
+pub use blend::{Blending, blend_saving};
 pub use improve::{Improvement, Wanted};
 pub use result::{Approximate, ResultDocument};
 pub use verify::{Leg, Verdict, verify, verify_legs};

@@ -27,6 +27,13 @@ pub struct ResultDocument {
     /// Of a car, the motion from each waypoint to the next along an exact arc: one fewer than there are waypoints.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motions: Option<Vec<Motion>>,
+    /// Of every waypoint but the first and the last, how its corner may be rounded: the fractions of the edges to it and from it that
+    /// its blend replaces, at most 1/2 each; 0 where the corner stays. The blend of a corner b between a and c is the parabola with the
+    /// Bezier control points b + before (a - b), b, b + after (c - b). It is proven free, as the path with its corners is. Absent if no
+    /// corner was to be rounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[before: number, after: number][]"))]
+    pub blends: Option<Vec<[f64; 2]>>,
     /// `euler` if motions were computed by Euler's steps: the path is an illustration, not proven. Absent if they are exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"euler\""))]
@@ -34,9 +41,12 @@ pub struct ResultDocument {
     /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
     #[serde(deserialize_with = "json::not_negative")]
     pub length: f64,
+    /// The length along the blends, at most `length`. Absent without them.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "optional_length")]
+    pub blended_length: Option<f64>,
     /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it: at most the length
     /// along its arcs. Absent for others.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "chords")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "optional_length")]
     pub chord_length: Option<f64>,
     /// The work done.
     pub stats: Stats,
@@ -97,7 +107,7 @@ impl ResultDocument {
 }
 
 /// Reads a length that may be left out.
-fn chords<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
+fn optional_length<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
     json::not_negative(source).map(Some)
 }
 

@@ -104,6 +104,8 @@ crate::options! {
     shortcut: u64 = 0, in 0.0..=1e6, "Shortcuts";
     /// Number of shortcuts in a single joint or coordinate tried after that: more remove needless turns.
     partial_shortcut: u64 = 0, in 0.0..=1e6, "Partial shortcuts";
+    /// Rounds corners of the path by parabolas that are proven free: how far from a corner they begin; 0 for none.
+    blend: f64 = 0.0, in 0.0..=0.5, "Rounded corners", unit "of the shorter edge", for crate::options::STRAIGHT;
 }
 
 impl Choice for MetricKind {}

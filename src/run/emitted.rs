@@ -18,13 +18,15 @@ pub(super) struct EmittedPath<S: Space> {
     pub states: Vec<S::State>,
     /// Of a car, from each waypoint to the next.
     pub motions: Option<Vec<Motion>>,
+    /// The shares of the blends of its inner waypoints; empty if none were tried.
+    pub blends: Vec<[f64; 2]>,
 }
 
 impl<S: Space> EmittedPath<S> {
     /// The path through these states, if any: curves are split into their segments, straight motions if they turn too far.
     pub fn through(problem: &Problem<S>, states: &[S::State]) -> Self {
         let Some(dynamics) = &problem.dynamics else {
-            return Self { states: path::split(problem.space(), states), motions: None };
+            return Self { states: path::split(problem.space(), states), motions: None, blends: Vec::new() };
         };
         let (mut waypoints, mut motions) = (states.first().copied().into_iter().collect::<Vec<_>>(), Vec::new());
         for pair in states.windows(2) {
@@ -33,7 +35,7 @@ impl<S: Space> EmittedPath<S> {
                 waypoints.push(end);
             }
         }
-        Self { states: waypoints, motions: Some(motions) }
+        Self { states: waypoints, motions: Some(motions), blends: Vec::new() }
     }
 
     /// The path along these vertices of the planner's graph, as it was found.
@@ -44,7 +46,7 @@ impl<S: Space> EmittedPath<S> {
         }
         // Vertex i of a driven tree is the end of edge i - 1.
         let motions = vertices.iter().skip(1).map(|vertex| graph.motions()[vertex.index() - 1]).collect();
-        Self { states, motions: Some(motions) }
+        Self { states, motions: Some(motions), blends: Vec::new() }
     }
 
     /// The length: of a car along its motions, else in the metric of the space.

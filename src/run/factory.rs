@@ -87,6 +87,7 @@ pub(super) fn launch(
             reduce: improving.reduce,
             shortcuts: improving.shortcut,
             partial_shortcuts: improving.partial_shortcut,
+            blend: improving.blend,
         }),
         termination: planner.group::<Termination>().copied(),
         edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
@@ -104,6 +105,10 @@ pub(super) fn launch(
         let kind = scenario.robot().kind();
         let sentence = format!("only an arm has joints: \"joint-lines\" is not for the robot {kind}");
         return Err(Error::new(Code::OutOfRange, "/edge_check", sentence));
+    }
+    if info.wanted.blend > 0.0 && (info.edge_check != EdgeCheck::Proven || matches!(scenario.robot(), Robot::Car(_))) {
+        let sentence = "corners are rounded only between straight, proven motions: not those of a car, nor with another edge_check";
+        return Err(Error::new(Code::Unsupported, "/blend", sentence));
     }
     let metric = edges.and_then(|edges| edges.measuring.metric);
     let goals = goals(world, query, index, options.seed)?;

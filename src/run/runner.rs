@@ -5,7 +5,7 @@ use super::termination::Progress;
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::options::Choice;
-use crate::path::{self, Approximate, Improvement, ResultDocument, Wanted};
+use crate::path::{self, Approximate, Blending, Improvement, ResultDocument, Wanted};
 use crate::planner::{EdgeCheck, Phase, Planner, Status, Termination};
 use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
@@ -179,9 +179,12 @@ impl<S: Space> Runner<S> {
         match &self.improvement {
             // A path of controlled motions is reported as it was found: it cannot be improved.
             Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
-            Some(improvement) if self.status == Status::Solved => {
-                EmittedPath::through(&self.problem, improvement.path())
-            }
+            Some(improvement) if self.status == Status::Solved => match improvement.blending() {
+                Some(Blending { path, shares, .. }) => {
+                    EmittedPath { states: path.clone(), motions: None, blends: shares.clone() }
+                }
+                None => EmittedPath::through(&self.problem, improvement.path()),
+            },
             _ => EmittedPath::through(&self.problem, &[]),
         }
     }
@@ -204,6 +207,9 @@ impl<S: Space> Runner<S> {
 
     fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
         let is_driven = !self.planner.graph().motions().is_empty() && !path.states.is_empty();
+        let length = path.length(&self.problem);
+        let saving = path::blend_saving(self.problem.space(), &path.states, &path.blends);
+        let is_blended = !path.blends.is_empty();
         ResultDocument {
             scenario: self.info.scenario.clone(),
             query: query.to_owned(),
@@ -211,7 +217,9 @@ impl<S: Space> Runner<S> {
             seed: self.info.seed,
             status,
             path: self.rows(&path.states),
-            length: path.length(&self.problem),
+            length,
+            blended_length: is_blended.then_some(length - saving),
+            blends: is_blended.then_some(path.blends),
             chord_length: is_driven.then(|| path::length(self.problem.space(), &path.states)),
             motions: path.motions,
             integration: self.info.is_euler.then(|| "euler".to_owned()),

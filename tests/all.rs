@@ -6,6 +6,7 @@ mod common;
 #[cfg(not(target_arch = "wasm32"))]
 mod arrows;
 mod as_reported;
+mod blend;
 mod body_proof;
 mod budget;
 mod catalogue;

@@ -1,6 +1,7 @@
 //! A car: its motions, recomputed from their controls, and their arcs.
 
 use super::body::{self, Leg};
+use super::moving::Stretch;
 use super::{Examined, LENGTH, Scale, difference};
 use crate::path::ResultDocument;
 use crate::problem::Motion;
@@ -52,12 +53,12 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
             ));
         }
         length += car.weights().translation * distance.abs() + car.weights().rotation * turn.abs();
-        legs.push((i, leg));
+        legs.push((Stretch::Edge(i), leg));
         let chord = difference(2, &ends[0], &ends[1]);
         chords += car.weights().translation * libm::hypot(chord[0], chord[1]) + car.weights().rotation * chord[2].abs();
         // The rest of the path to the waypoint, if it matters, is examined as well.
         if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {
-            legs.push((i, Leg::straight(&leg.at(1.0), &ends[1])));
+            legs.push((Stretch::Edge(i), Leg::straight(&leg.at(1.0), &ends[1])));
         }
     }
     let off = (result.length - length).abs();
@@ -70,7 +71,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         return Err(format!("the chord length is given as {given}, but the waypoints are {chords} apart"));
     }
     if legs.is_empty() {
-        legs.push((0, Leg::straight(&path[0], &path[0])));
+        legs.push((Stretch::Edge(0), Leg::straight(&path[0], &path[0])));
     }
     body::check(world, car.shape(), legs, scale)
 }

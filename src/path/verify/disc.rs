@@ -1,12 +1,21 @@
-//! A translating disc or point: the swept region of an edge is exact.
+//! A translating disc or point: the swept region of an edge is exact; a blend is examined like the motion of an arm, of one link
+//! without length.
 
+use super::blend::Quadratic;
+use super::moving::{Checker, Moving, Stretch};
 use super::{Examined, Scale};
-use crate::geometry::{Point, Segment, intersects_segment_polygon};
+use crate::geometry::{Point, Segment, Vector, intersects_segment_polygon};
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
 
-/// Examines every edge as the segment that the centre moves along.
-pub(super) fn check(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &Scale) -> Result<Examined, String> {
+/// Examines every edge as the segment that the centre moves along, then every blend, given with its waypoint.
+pub(super) fn check(
+    world: &World,
+    disc: &DiscRobot,
+    path: &[Vec<f64>],
+    blends: &[(usize, Quadratic)],
+    scale: &Scale,
+) -> Result<Examined, String> {
     let radius = disc.radius();
     let centers: Vec<Point> = path.iter().map(|q| Point::new(q[0], q[1])).collect();
     if let Some(bounds) = &world.bounds {
@@ -36,6 +45,18 @@ pub(super) fn check(world: &World, disc: &DiscRobot, path: &[Vec<f64>], scale: &
             examined.clearance = examined.clearance.min(clearance.max(0.0));
         }
     }
+    let mut checker = Checker::new(world, scale);
+    for (waypoint, Quadratic { from, rate, bend }) in blends {
+        let points =
+            |t: f64| vec![Point::new(0.0, 0.0) + Vector::from_fn(|i, _| from[i] + t * (rate[i] + t * bend[i])); 2];
+        let speed = |at: f64| libm::hypot(rate[0] + at * bend[0], rate[1] + at * bend[1]);
+        let travel = [speed(0.0).max(speed(2.0)); 2];
+        let bulge = [libm::hypot(bend[0], bend[1]) / 4.0; 2];
+        let stretch = Stretch::Blend(*waypoint);
+        checker.check_edge(&Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius, body: None })?;
+    }
+    examined.samples += checker.examined.samples;
+    examined.clearance = examined.clearance.min(checker.examined.clearance);
     Ok(examined)
 }
 

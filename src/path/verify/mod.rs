@@ -14,6 +14,7 @@
 //! no more than 2e-12 S; joint limits not at all.
 
 mod arm;
+mod blend;
 mod body;
 mod car;
 mod disc;
@@ -22,6 +23,8 @@ mod near;
 
 pub use body::Leg;
 
+use self::blend::{Norm, Quadratic};
+use self::moving::Stretch;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::path::ResultDocument;
@@ -84,8 +87,9 @@ struct Scale {
 /// Verifies a result against its scenario.
 ///
 /// # Errors
-/// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, `unknown-query` (pointer `/query`) if the
-/// scenario has no query of that name. Everything else that is wrong is a [`Verdict::Invalid`].
+/// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, or (pointer into `/blends`) if its blends are too many,
+/// too few, out of range, or those of a car; `unknown-query` (pointer `/query`) if the scenario has no query of that name. Everything
+/// else that is wrong is a [`Verdict::Invalid`].
 ///
 /// # Complexity
 /// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
@@ -97,14 +101,18 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     let query = scenario.queries().iter().find(|query| query.name == result.query).ok_or_else(|| {
         Error::new(Code::UnknownQuery, "/query", format!("the scenario has no query {:?}", result.query))
     })?;
-    Ok(verdict(result.path.len(), check(scenario, query, result)))
+    let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
+    Ok(verdict(result.path.len(), check(scenario, query, result, shares)))
 }
 
 /// Verifies legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
 /// waypoints.
 pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     let scale = Scale::new(world, None, shape.reach());
-    verdict(legs.len(), body::check(world, shape, legs.iter().copied().enumerate(), &scale))
+    verdict(
+        legs.len(),
+        body::check(world, shape, legs.iter().enumerate().map(|(i, &leg)| (Stretch::Edge(i), leg)), &scale),
+    )
 }
 
 fn verdict(waypoints: usize, examined: Result<Examined, String>) -> Verdict {
@@ -114,8 +122,8 @@ fn verdict(waypoints: usize, examined: Result<Examined, String>) -> Verdict {
     }
 }
 
-/// Checks the status, the numbers, the ends, the motion and the length, in this order.
-fn check(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<Examined, String> {
+/// Checks the status, the numbers, the ends, the motion and the lengths, in this order; `shares` are those of the blends.
+fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[[f64; 2]]) -> Result<Examined, String> {
     let (robot, path) = (scenario.robot(), &result.path);
     if result.status != Status::Solved {
         return Err(format!("the status is {}: there is no path to verify", result.status.as_str()));
@@ -126,18 +134,20 @@ fn check(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<
         check_steps(robot, path)?;
     }
     let scale = Scale::of(scenario.world(), robot);
+    let blends = Quadratic::blends(first_circle(robot), path, shares);
     let examined = match robot {
-        Robot::Arm(arm) => arm::check(scenario.world(), arm, path, &scale)?,
-        Robot::Disc(disc) => disc::check(scenario.world(), disc, path, &scale)?,
+        Robot::Arm(arm) => arm::check(scenario.world(), arm, path, &blends, &scale)?,
+        Robot::Disc(disc) => disc::check(scenario.world(), disc, path, &blends, &scale)?,
         Robot::RigidBody(body) => {
             let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
-            let legs = ends.map(|[from, to]| Leg::straight(from, to)).enumerate();
-            body::check(scenario.world(), &body.shape, legs, &scale)?
+            let edges = ends.enumerate().map(|(i, [from, to])| (Stretch::Edge(i), Leg::straight(from, to)));
+            let blends = blends.iter().map(|(waypoint, motion)| (Stretch::Blend(*waypoint), Leg::blend(motion)));
+            body::check(scenario.world(), &body.shape, edges.chain(blends), &scale)?
         }
         // Its length is that of its motions.
         Robot::Car(car) => return car::check(scenario.world(), car, result, &scale),
     };
-    check_length(robot, path, result.length)?;
+    check_length(robot, result, &blends)?;
     Ok(examined)
 }
 
@@ -226,31 +236,39 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
 }
 
 /// Returns an error if the given length is not the sum of the steps, by either metric of an arm, by the weighted one of a
-/// body.
-fn check_length(robot: &Robot, path: &[Vec<f64>], given: f64) -> Result<(), String> {
-    let (mut sum, mut euclidean, mut weighted) = (0.0, 0.0, 0.0);
-    let weights = robot.placed_shape().map(|(_, weights)| weights);
-    for ends in path.windows(2) {
-        let step = difference(first_circle(robot), &ends[0], &ends[1]);
-        if let Some(weights) = weights {
-            let apart = (step[0] * step[0] + step[1] * step[1]).sqrt();
-            weighted += weights.translation * apart + weights.rotation * step[2].abs();
-        }
-        sum += step.iter().map(|d| d.abs()).sum::<f64>();
-        euclidean += step.iter().map(|d| d * d).sum::<f64>().sqrt();
-    }
-    let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
-    let is_right = |measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
-    let measured = match robot {
-        Robot::Arm(_) if is_right(sum) => return Ok(()),
-        Robot::Arm(_) | Robot::Disc(_) => euclidean,
-        Robot::RigidBody(_) | Robot::Car(_) => weighted,
+/// body; or if that along the blends, in the same metric, is not less by what they save.
+fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadratic)]) -> Result<(), String> {
+    let path = &result.path;
+    let length = |step: &[f64]| step.iter().map(|d| d * d).sum::<f64>().sqrt();
+    let sum = |step: &[f64]| step.iter().map(|d| d.abs()).sum::<f64>();
+    let own = |step: &[f64]| match robot.placed_shape() {
+        Some((_, weights)) => weights.translation * length(&step[..2]) + weights.rotation * step[2].abs(),
+        None => length(step),
     };
-    if is_right(measured) {
-        return Ok(());
+    let steps: Vec<_> = path.windows(2).map(|ends| difference(first_circle(robot), &ends[0], &ends[1])).collect();
+    let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
+    let is_right = |given: f64, measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
+    let norms: &[(Norm, &str)] =
+        if matches!(robot, Robot::Arm(_)) { &[(&sum, " (sum of the joints) or "), (&own, "")] } else { &[(&own, "")] };
+    let (mut whole, mut along) = (String::new(), String::new());
+    for (norm, or) in norms {
+        let measured = steps.iter().map(|step| norm(step)).sum::<f64>();
+        whole += &format!("{measured}{or}");
+        if !is_right(result.length, measured) {
+            continue;
+        }
+        let Some(given) = result.blended_length else { return Ok(()) };
+        let blended = measured - blends.iter().map(|(_, motion)| motion.saving(norm)).sum::<f64>();
+        if is_right(given, blended) {
+            return Ok(());
+        }
+        along = format!("the blended length is given as {given}, but with its blends the path measures {blended}");
     }
-    let or = if matches!(robot, Robot::Arm(_)) { format!("{sum} (sum of the joints) or ") } else { String::new() };
-    Err(format!("the length is given as {given}, but the path measures {or}{measured}"))
+    Err(if along.is_empty() {
+        format!("the length is given as {}, but the path measures {whole}", result.length)
+    } else {
+        along
+    })
 }
 
 /// The index from which on all coordinates are circles.

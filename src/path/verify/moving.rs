@@ -1,4 +1,4 @@
-//! A robot of segments: samples along every edge, and the swept hull of every segment between two samples.
+//! A robot of segments: samples along every edge and blend, and the swept hull of every segment between two samples.
 //!
 //! Over an interval of an edge a point whose acceleration is bounded by a (per whole edge squared) leaves the chord
 //! between its two positions by at most a h^2 / 8, h the interval as a fraction of the edge; a point of a segment, a
@@ -16,10 +16,28 @@ const BLOCK: u64 = 64;
 /// The most samples in between that may be taken for one path.
 const MOST_REFINEMENTS: u64 = 10_000_000;
 
-/// A robot along one edge of the path: a chain of points, every two neighbours the ends of a segment with a radius.
+/// A part of the path, in words.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Stretch {
+    /// The edge with this index.
+    Edge(usize),
+    /// The blend of the waypoint with this index.
+    Blend(usize),
+}
+
+impl std::fmt::Display for Stretch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Edge(i) => write!(f, "edge {i}"),
+            Self::Blend(i) => write!(f, "the blend of waypoint {i}"),
+        }
+    }
+}
+
+/// A robot along one stretch of the path: a chain of points, every two neighbours the ends of a segment with a radius.
 pub(super) struct Moving<'a> {
-    /// The index of the edge in the path.
-    pub edge: usize,
+    /// Which part of the path this is.
+    pub stretch: Stretch,
     /// The points of the chain at a fraction of the edge, at least two, always as many.
     pub points: &'a dyn Fn(f64) -> Vec<Point>,
     /// An upper bound on how far each point travels along the whole edge, in metres.
@@ -36,7 +54,7 @@ impl Moving<'_> {
     /// The name of the segment from point `i` on, and of the edge.
     fn name(&self, i: usize) -> String {
         let part = if self.body.is_some() { "the body".into() } else { format!("link {i}") };
-        format!("edge {}, {part}", self.edge)
+        format!("{}, {part}", self.stretch)
     }
 }
 
@@ -137,7 +155,7 @@ impl<'a> Checker<'a> {
     ) -> Result<(), String> {
         let clearance = obstacle.distance(here) - robot.radius;
         if clearance <= self.scale.slack {
-            return Err(format!("{} touches obstacle {} at {t} of the edge", robot.name(i), obstacle.index));
+            return Err(format!("{} touches obstacle {} at t = {t}", robot.name(i), obstacle.index));
         }
         self.examined.clearance = self.examined.clearance.min(clearance);
         Ok(())
@@ -159,7 +177,7 @@ impl<'a> Checker<'a> {
         let travel = robot.travel[i].max(robot.travel[i + 1]);
         if travel * (u - t) <= self.scale.slack || middle <= t || middle >= u {
             let (name, index) = (robot.name(i), obstacle.index);
-            return Err(format!("{name} comes too near to obstacle {index} between {t} and {u} of the edge"));
+            return Err(format!("{name} comes too near to obstacle {index} between t = {t} and {u}"));
         }
         let here = segment(&self.sample_between(robot, middle)?, i);
         self.check_segment(robot, i, obstacle, &here, middle)?;
@@ -170,7 +188,7 @@ impl<'a> Checker<'a> {
     /// Returns an error if the robot is not wholly within the bounds at `t`.
     fn check_inside(&self, robot: &Moving, points: &[Point], t: f64) -> Result<(), String> {
         match (0..points.len()).find(|&k| self.depth(robot, points[k]) < -self.scale.overstep) {
-            Some(k) => Err(format!("{} leaves the bounds at {t} of the edge", robot.name(k.saturating_sub(1)))),
+            Some(k) => Err(format!("{} leaves the bounds at t = {t}", robot.name(k.saturating_sub(1)))),
             None => Ok(()),
         }
     }
@@ -190,7 +208,7 @@ impl<'a> Checker<'a> {
         let Some(k) = (0..before.len()).find(|&k| !stays(k)) else { return Ok(()) };
         let middle = 0.5 * (t + u);
         if middle <= t || middle >= u {
-            return Err(format!("{} leaves the bounds at {t} of the edge", robot.name(k.saturating_sub(1))));
+            return Err(format!("{} leaves the bounds at t = {t}", robot.name(k.saturating_sub(1))));
         }
         let points = self.sample_between(robot, middle)?;
         self.check_inside(robot, &points, middle)?;
@@ -206,10 +224,8 @@ impl<'a> Checker<'a> {
     /// The points at one more sample; an error if there have been too many.
     fn sample_between(&mut self, robot: &Moving, t: f64) -> Result<Vec<Point>, String> {
         if self.refinements == MOST_REFINEMENTS {
-            let (edge, samples) = (robot.edge, self.examined.samples);
-            return Err(format!(
-                "edge {edge} cannot be distinguished from contact at {t} of the edge after {samples} samples"
-            ));
+            let (stretch, samples) = (robot.stretch, self.examined.samples);
+            return Err(format!("{stretch} cannot be distinguished from contact at t = {t} after {samples} samples"));
         }
         self.refinements += 1;
         self.examined.samples += 1;

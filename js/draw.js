@@ -32,6 +32,8 @@ const THIN = 1.6;
 const REWIRED = 7;
 /** Longest turn of one joint in one straight piece of a drawn curve, radians. */
 const PIECE = 0.14;
+/** Straight pieces of a drawn blend. */
+const BLEND = 16;
 
 /** A map between a box of the plane, in metres with y up, and a canvas, in its units with y down. */
 export class View {
@@ -212,9 +214,28 @@ function replacedEdges(planner, edges) {
   return replaced;
 }
 
-/** Draws a path as the curve of the end effector; nothing if it is empty. @param {Context} context @param {View} view @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "motions">} result  `planner.result()` @param {Partial<Colours>} [colours] @returns {void} */
-export function drawPath(context, view, scenario, { path, motions }, colours) {
-  const rows = path.flatMap((q, i) => {
+/**
+ * A path with its corners rounded: in place of a waypoint that has a blend, 17 configurations along that; the other waypoints as they are.
+ * @param {Scenario} scenario
+ * @param {Pick<ResultDocument, "path" | "blends">} result  `planner.result()`
+ * @returns {number[][]} configurations, angles in (-pi, pi] on circles
+ */
+export function blendedPath(scenario, { path, blends }) {
+  const circles = scenario.circles();
+  return path.flatMap((q, i) => {
+    const [before, after] = blends?.[i - 1] ?? [0, 0];
+    if (before + after === 0) return [q];
+    return Array.from({ length: BLEND + 1 }, (_, k) => q.map((at, j) => {
+      const [from, to] = [path[i - 1], path[i + 1]].map((end) => difference(at, end[j], circles[j]));
+      const bent = at + before * (1 - k / BLEND) ** 2 * from + after * (k / BLEND) ** 2 * to;
+      return circles[j] ? wrap(bent) : bent;
+    }));
+  });
+}
+
+/** Draws a path, its corners rounded as its blends say, as the curve of the end effector; nothing if it is empty. @param {Context} context @param {View} view @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "motions" | "blends">} result  `planner.result()` @param {Partial<Colours>} [colours] @returns {void} */
+export function drawPath(context, view, scenario, { path, motions, blends }, colours) {
+  const rows = blendedPath(scenario, { path, blends }).flatMap((q, i) => {
     const motion = motions?.[i];
     if (!motion) return [q];
     const { poses } = scenario.rollout(q, ...motion.control, motion.duration);

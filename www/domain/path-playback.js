@@ -1,7 +1,8 @@
 /**
  * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
- * metric of the path.
+ * metric of the path. Corners that have blends are rounded.
  */
+import { blendedPath } from "planarium/draw";
 import { rowsOf, sizeOf, turnsAlong } from "./coordinates.js";
 import { firstIndex } from "./search.js";
 
@@ -143,12 +144,12 @@ export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;
   if (run.status === "solved") {
     const raw = run.rawLength > run.result.length ? run.rawPath : null;
-    return new PathPlayback(scenario, run.path, { isProven, raw, course: courseOf(run.result, placed) });
+    return new PathPlayback(scenario, rowsAlong(scenario, run.result), { isProven, raw, course: courseOf(run.result, placed) });
   }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no path to show.
   if (!approximate || approximate.path.length < 2) return null;
-  return new PathPlayback(scenario, Float64Array.from(approximate.path.flat()), { isProven, isMiss: true, course: courseOf(approximate, placed) });
+  return new PathPlayback(scenario, rowsAlong(scenario, approximate), { isProven, isMiss: true, course: courseOf(approximate, placed) });
 }
 
 /**
@@ -156,8 +157,11 @@ export function playbackOf(scenario, run, placed = null) {
  * @param {Scenario} scenario @param {boolean} isProven @param {ResultDocument} result @param {Placed | null} placed   of a body or a car
  */
 export function playbackOfResult(scenario, isProven, result, placed) {
-  return result.path.length > 0 ? new PathPlayback(scenario, Float64Array.from(result.path.flat()), { isProven, course: courseOf(result, placed) }) : null;
+  return result.path.length > 0 ? new PathPlayback(scenario, rowsAlong(scenario, result), { isProven, course: courseOf(result, placed) }) : null;
 }
+
+/** @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "blends">} result */
+function rowsAlong(scenario, result) { return Float64Array.from(blendedPath(scenario, result).flat()); }
 
 /** @param {Pick<ResultDocument, "motions">} result @param {Placed | null} placed @returns {Course | null} */
 function courseOf({ motions }, placed) {

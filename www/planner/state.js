@@ -80,7 +80,7 @@ function laneState({ plan: { algorithm }, run, playback, scenario, standing, ask
     ...NO_RUN, algorithm, standing, status, phase: run.phase, iteration: run.shown, made: run.made,
     vertices: past[PAST.vertices], edges: past[PAST.edges] - run.countOf(EVENT.rewired), checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
     cost: past[PAST.cost],
-    length: isEnd && status === "solved" ? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
+    length: isEnd && status === "solved" ? run.result.blended_length ?? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
     unit: unitOf(scenario.robot),
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,

@@ -71,7 +71,7 @@ function controls({ settings: { blossom = 1 } }) {
 export function ending(run, playback) {
   const iterations = counted(run.made, "iteration");
   const { robot } = run.scenario;
-  const { length, approximate } = run.result;
+  const { length, blends, blended_length: blended, approximate } = run.result;
   if (run.status === "solved") {
     const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
@@ -79,7 +79,9 @@ export function ending(run, playback) {
     if (run.goesOn && run.countOf(EVENT.solved) > 1) {
       return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.`;
     }
-    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}, ${certainty(run.isProven)}.`;
+    const round = blends?.filter(([before]) => before > 0).length ?? 0;
+    const rounded = blends && blended !== undefined ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, robot)}` : "";
+    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.`;
   }
   if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
   if (run.pieces) {

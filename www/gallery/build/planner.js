@@ -184,7 +184,7 @@ function setGrowth({ context, palette }) {
   context.beginPath();
 }
 
-/** The path found, or the one to the vertex nearest to the goal. @param {Run} run @param {Brush["palette"]} palette @returns {{ playback: PathPlayback | null, path: Pick<ResultDocument, "path" | "motions">, colour: string }} */
+/** The path found, or the one to the vertex nearest to the goal. @param {Run} run @param {Brush["palette"]} palette @returns {{ playback: PathPlayback | null, path: Pick<ResultDocument, "path" | "motions" | "blends">, colour: string }} */
 function pathOf({ scenario, placed, settings, result }, palette) {
   const isProven = (settings.edge_check ?? "proven") === "proven" && settings.integration !== "euler";
   const colour = isProven ? palette.path : palette.unproven;

@@ -24,6 +24,7 @@ mod json;
 mod limits;
 mod nearest;
 mod neighbours;
+mod optimum;
 mod own_space;
 mod pieces;
 mod planners;

@@ -38,6 +38,8 @@ pub enum Command {
     Reach(Reach),
     /// Verify a result against its scenario, independently of the planners
     Verify(Verify),
+    /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints
+    Optimum(Optimum),
     /// Run the trials of an experiment, a row each, and print their statistics
     Sweep(Sweep),
     /// Find the configurations nearest to a target, in a list or among random ones
@@ -211,6 +213,37 @@ pub struct Verify {
 
     /// The result document; - reads it from standard input
     pub result: String,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"length\", \"path\", \"method\", \"exact\", \"resolution\", ...}. Of a disc or a point, the length is the infimum of all free
+paths, and null if there is none. Of an arm of two joints, and of a rigid body whose query keeps its angle, it is the length of a proven path on
+a grid, made shorter by shortcuts. With a result document it prints as well by how much its path is longer: \"gap\", in percent.
+Exit codes: 0 there is a path; 1 none was found; 2 the input is wrong.
+
+Examples:
+  planarium optimum discs.json --query across
+  planarium plan discs.json --planner rrt-star | planarium optimum discs.json --result -")]
+pub struct Optimum {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The query, by name [default: that of the result, else the first of the scenario]
+    #[arg(long, value_name = "NAME")]
+    pub query: Option<String>,
+
+    /// The metric of an arm: sum, euclidean or naive [default: sum]
+    #[arg(long, value_name = "NAME")]
+    pub metric: Option<String>,
+
+    /// A result document to compare; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    pub result: Option<String>,
+
+    /// Write the document to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
 }
 
 #[derive(Args)]

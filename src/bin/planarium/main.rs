@@ -1,4 +1,4 @@
-//! The command line: plan, verify, sweep, nearest, list, generate, reach, trajectories.
+//! The command line: plan, optimum, verify, sweep, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -10,6 +10,7 @@ mod generate;
 mod list;
 mod nearest;
 mod npy;
+mod optimum;
 mod plan;
 mod reach;
 mod sweep;
@@ -53,6 +54,7 @@ fn run(command: &Command) -> Answer {
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Optimum(arguments) => optimum::optimum(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),
         Command::List(arguments) => list::list(arguments),

@@ -1,0 +1,53 @@
+//! `planarium optimum`: the shortest path of a query, and how much longer that of a result is.
+
+use crate::arguments;
+use crate::{Answer, files};
+use planarium::error::Code;
+use planarium::optimum::{self, Optimum};
+use planarium::path::ResultDocument;
+use planarium::run::Value;
+use planarium::{Error, json};
+use serde::Serialize;
+
+/// The printed document.
+#[derive(Serialize)]
+struct Compared {
+    #[serde(flatten)]
+    optimum: Optimum,
+    /// By how much the path of the result is longer, in percent; null if either has no path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap: Option<Option<f64>>,
+}
+
+/// Prints the shortest path; true if there is one.
+pub fn optimum(arguments: &arguments::Optimum) -> Answer {
+    let other = arguments.result.as_deref().map(|name| ("result", name));
+    let scenario = files::scenario(&arguments.file, other)?;
+    let result = arguments.result.as_deref().map(|name| ResultDocument::parse(&files::read(name)?)).transpose()?;
+    if let Some(result) = result.as_ref().filter(|result| result.scenario != scenario.name()) {
+        let sentence = format!("the result is of the scenario {:?}, not {:?}", result.scenario, scenario.name());
+        return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
+    }
+    let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
+    let metric: Vec<_> = arguments.metric.iter().map(|name| ("metric".to_owned(), Value::Text(name.clone()))).collect();
+    let optimum = optimum::optimum(&scenario, query, &metric)?;
+    let gap = result.map(|result| {
+        let length = optimum.length.filter(|_| !result.path.is_empty())?;
+        (length > 0.0).then(|| 100.0 * (result.length / length - 1.0))
+    });
+    files::say(&message(&optimum, gap.flatten()));
+    let is_found = optimum.length.is_some();
+    files::write(&json::to_string(&Compared { optimum, gap }), arguments.out.as_deref())?;
+    Ok(is_found)
+}
+
+/// The result for people.
+fn message(optimum: &Optimum, gap: Option<f64>) -> String {
+    let Some(length) = optimum.length else {
+        let why = if optimum.exact { "there is no free path" } else { "the grid has no free path" };
+        return why.to_owned();
+    };
+    let kind = if optimum.exact { "shortest path" } else { "short path, a reference" };
+    let gap = gap.map_or(String::new(), |gap| format!("; the result is {gap:.3} % longer"));
+    format!("{kind}: length {length:.6}{gap}")
+}

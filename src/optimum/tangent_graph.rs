@@ -1,0 +1,300 @@
+//! The shortest path of a disc, or of a point, among polygons and discs: exact.
+//!
+//! The centre of a disc moves as a point among obstacles that are larger by its radius (Lozano-Perez and Wesley 1979, "An algorithm
+//! for planning collision-free paths among polyhedral obstacles"). Their corners are arcs, so a shortest path consists of lines
+//! tangent to two circles and of arcs between them (Chew 1985, "Planning the shortest path for a disc in O(n^2 log n) time"; Liu and
+//! Arimoto 1992, "Path planning using a tangent graph for mobile robots among polygonal and curved obstacles"). The graph has two vertices for
+//! each end of a tangent, one for either direction in which its circle is passed, and is searched by Dijkstra's algorithm.
+//!
+//! # Rounding
+//! The infimum is the length of a path that touches obstacles, and between two obstacles that touch each other there is no way. So
+//! all is computed for a disc that is larger by [`LARGER`] of the slack of a proof, and whatever comes nearer to an obstacle
+//! by less than [`ROUNDING`] of that still counts as free. By the envelope theorem the length of a shortest path grows with
+//! the radius of an arc at the rate of its angle, so with arcs measured at their true radius the error is of second order.
+//!
+//! O(n^2) tangents for n corners and discs, a query of the box tree each.
+
+use super::circles::{Circle, Tangent, Turn, along_arc, at, crossings_disc, crossings_line, tangent, turn_left};
+use crate::collision::{Obstacles, Tolerance};
+use crate::error::{Code, Error, Number};
+use crate::geometry::{Aabb, Disc, Point, Segment, Vector, orientation};
+use crate::graph::search::{BestFirst, Expansion, View, Walker};
+use crate::graph::{Adjacency, VertexId};
+use crate::scenario::{Obstacle, World};
+use std::sync::Arc;
+
+/// How much larger the disc is, in slacks of a proof.
+const LARGER: f64 = 1.0 / 16.0;
+
+/// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
+const ROUNDING: f64 = 0.25;
+
+/// Corners and discs at most: their pairs take some seconds.
+const MOST: usize = 4000;
+
+/// The largest turn of one chord of an arc in the path, in radians.
+const CHORD: f64 = 0.05;
+
+/// The world as the centre of the disc sees it.
+struct Grown {
+    obstacles: Obstacles,
+    bounds: Aabb,
+    radius: f64,
+    /// How much larger than its radius the disc is.
+    larger: f64,
+}
+
+impl Grown {
+    /// Whether the centre may move along the segment. Bounds are convex: both ends within them suffice.
+    fn is_free(&self, segment: &Segment) -> bool {
+        let radius = self.radius + self.larger;
+        let rounding = ROUNDING * self.larger;
+        let is_within = |p: Point| self.bounds.depth(p) >= self.radius - rounding;
+        let touches = |i| self.obstacles.distance(i, segment) < radius - rounding;
+        is_within(segment.a) && is_within(segment.b) && !self.obstacles.any_near(&segment.aabb().grown(radius), touches)
+    }
+
+    /// The circles at the convex corners of all polygons and around all discs.
+    fn circles(&self, shapes: &[Obstacle]) -> Vec<Circle> {
+        let radius = self.radius + self.larger;
+        let mut circles = Vec::new();
+        for shape in shapes {
+            match shape {
+                Obstacle::Disc(disc) => {
+                    let disc = Disc { radius: disc.radius + radius, ..*disc };
+                    circles.push(Circle { disc, normals: None });
+                }
+                Obstacle::Polygon(polygon) => {
+                    let edges: Vec<Segment> = polygon.edges().collect();
+                    let before = edges.iter().cycle().skip(edges.len() - 1);
+                    let corners = before.zip(&edges).filter(|(to, from)| orientation(to.a, from.a, from.b) > 0.0);
+                    circles.extend(corners.map(|(to, from)| Circle {
+                        disc: Disc { center: from.a, radius },
+                        normals: Some([normal(to), normal(from)]),
+                    }));
+                }
+            }
+        }
+        circles
+    }
+
+    /// The angles at which a circle may become free or blocked, in any order.
+    fn crossings(&self, circle: &Disc, shapes: &[Obstacle]) -> Vec<f64> {
+        let mut found = Vec::new();
+        for (axis, sides) in [(Vector::x(), [self.bounds.min.x, self.bounds.max.x]), (Vector::y(), [self.bounds.min.y, self.bounds.max.y])] {
+            crossings_line(circle, &axis, sides[0] + self.radius, &mut found);
+            crossings_line(circle, &axis, sides[1] - self.radius, &mut found);
+        }
+        let radius = self.radius + self.larger;
+        let near = circle.aabb().grown(radius);
+        self.obstacles.any_near(&near, |i| {
+            match &shapes[i] {
+                Obstacle::Disc(disc) => {
+                    let disc = Disc { radius: disc.radius + radius, ..*disc };
+                    crossings_disc(circle, &disc, &mut found);
+                }
+                Obstacle::Polygon(polygon) => {
+                    for edge in polygon.edges().filter(|edge| edge.aabb().intersects(&near)) {
+                        crossings_disc(circle, &Disc { center: edge.a, radius }, &mut found);
+                        crossings_disc(circle, &Disc { center: edge.b, radius }, &mut found);
+                        let normal = normal(&edge);
+                        let height = normal.dot(&edge.a.coords);
+                        crossings_line(circle, &normal, height + radius, &mut found);
+                        crossings_line(circle, &normal, height - radius, &mut found);
+                    }
+                }
+            }
+            false
+        });
+        found
+    }
+}
+
+/// The unit normal to the right of an edge. Scaled first, so that squares of a very short edge do not underflow.
+fn normal(edge: &Segment) -> Vector {
+    let along = edge.b - edge.a;
+    let along = (along / along.amax()).normalize();
+    Vector::new(along.y, -along.x)
+}
+
+/// An end of a tangent on its circle.
+struct End {
+    circle: usize,
+    angle: f64,
+    point: Point,
+}
+
+/// The tangents and arcs that are free.
+struct TangentGraph {
+    circles: Vec<Circle>,
+    /// How much larger than the true ones the radii are.
+    larger: f64,
+    ends: Vec<End>,
+    edges: Vec<[VertexId; 2]>,
+}
+
+/// The circles of radius 0: start and goal, which one vertex each belongs to.
+const START: usize = 0;
+const GOAL: usize = 1;
+
+impl TangentGraph {
+    fn new(grown: &Grown, shapes: &[Obstacle], start: Point, goal: Point) -> Result<Self, Error> {
+        let point = |center| Circle { disc: Disc { center, radius: 0.0 }, normals: None };
+        let mut circles = vec![point(start), point(goal)];
+        circles.extend(grown.circles(shapes));
+        if circles.len() > MOST {
+            let count = circles.len() - 2;
+            let sentence = format!("the obstacles have {count} convex corners and discs; at most {MOST} are compared");
+            return Err(Error::new(Code::TooLarge, "", sentence));
+        }
+        let mut graph = Self { circles, larger: grown.larger, ends: Vec::new(), edges: Vec::new() };
+        graph.add_tangents(grown);
+        graph.add_arcs(grown, shapes);
+        Ok(graph)
+    }
+
+    fn add_tangents(&mut self, grown: &Grown) {
+        for a in 0..self.circles.len() {
+            for b in a + 1..self.circles.len() {
+                let pair = [&self.circles[a], &self.circles[b]];
+                let turns = |circle: usize| &Turn::BOTH[..if circle <= GOAL { 1 } else { 2 }];
+                for from in turns(a) {
+                    for to in turns(b) {
+                        let found = tangent(pair, [*from, *to]).filter(|found| grown.is_free(&found.segment));
+                        if let Some(Tangent { segment, angles }) = found {
+                            let first = self.ends.len();
+                            self.ends.push(End { circle: a, angle: angles[0], point: segment.a });
+                            self.ends.push(End { circle: b, angle: angles[1], point: segment.b });
+                            let there = [self.vertex(first, *from), self.vertex(first + 1, *to)];
+                            let back = [self.vertex(first + 1, to.reversed()), self.vertex(first, from.reversed())];
+                            self.edges.extend([there, back]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The arcs between neighbouring ends of tangents: a piece between two neighbouring angles at which it may become free or
+    /// blocked is free if its middle is.
+    fn add_arcs(&mut self, grown: &Grown, shapes: &[Obstacle]) {
+        let mut on_circle: Vec<Vec<usize>> = vec![Vec::new(); self.circles.len()];
+        self.ends.iter().enumerate().for_each(|(end, at)| on_circle[at.circle].push(end));
+        for (circle, ends) in on_circle.iter().enumerate().skip(GOAL + 1).filter(|(_, ends)| ends.len() > 1) {
+            let circle = self.circles[circle];
+            let mut stops: Vec<(f64, Option<usize>)> = ends.iter().map(|&end| (self.ends[end].angle, Some(end))).collect();
+            stops.extend(grown.crossings(&circle.disc, shapes).into_iter().map(|angle| (angle, None)));
+            stops.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let first = stops.iter().position(|(_, end)| end.is_some()).expect("there are ends");
+            stops.rotate_left(first);
+            stops.push(stops[0]);
+            let (mut last, mut is_free) = (stops[0].1, true);
+            for pair in stops.windows(2) {
+                let (from, to) = (pair[0].0, pair[1].0);
+                let middle = circle.at(from + 0.5 * turn_left(from, to));
+                is_free = is_free && grown.is_free(&Segment::new(middle, middle));
+                if let Some(end) = pair[1].1 {
+                    if let Some(before) = last.filter(|_| is_free) {
+                        self.edges.push([self.vertex(before, Turn::Left), self.vertex(end, Turn::Left)]);
+                        self.edges.push([self.vertex(end, Turn::Right), self.vertex(before, Turn::Right)]);
+                    }
+                    (last, is_free) = (Some(end), true);
+                }
+            }
+        }
+    }
+
+    /// The vertex for passing the circle at the end of a tangent with a turn.
+    fn vertex(&self, end: usize, turn: Turn) -> VertexId {
+        let circle = self.ends[end].circle;
+        VertexId(if circle <= GOAL { circle } else { 2 + 2 * end + usize::from(turn == Turn::Right) } as u32)
+    }
+
+    /// The end of a tangent and the turn that belong to a vertex; `None` of start and goal.
+    fn place(&self, vertex: VertexId) -> Option<(&End, Turn)> {
+        let number = vertex.index().checked_sub(2)?;
+        Some((&self.ends[number / 2], Turn::BOTH[number % 2]))
+    }
+
+    fn point(&self, vertex: VertexId) -> Point {
+        self.place(vertex).map_or_else(|| self.circles[vertex.index()].disc.center, |(end, _)| end.point)
+    }
+
+    /// The circle of the arc that joins two vertices, at its true radius, with the angles from one to the other; `None` if a tangent
+    /// joins them.
+    fn arc(&self, from: VertexId, to: VertexId) -> Option<(Disc, [f64; 2], Turn)> {
+        let ((a, turn), (b, _)) = (self.place(from)?, self.place(to)?);
+        let Disc { center, radius } = self.circles[a.circle].disc;
+        (a.circle == b.circle).then(|| (Disc { center, radius: radius - self.larger }, [a.angle, b.angle], turn))
+    }
+
+    fn cost(&self, from: VertexId, to: VertexId) -> f64 {
+        match self.arc(from, to) {
+            Some((circle, [a, b], Turn::Left)) => circle.radius * turn_left(a, b),
+            Some((circle, [a, b], Turn::Right)) => circle.radius * turn_left(b, a),
+            None => (self.point(to) - self.point(from)).norm(),
+        }
+    }
+
+    /// The vertices of the shortest path from the start to the goal; empty if there is none.
+    fn search(&self) -> Vec<VertexId> {
+        let vertices = 2 + 2 * self.ends.len();
+        let adjacency = Adjacency::new(vertices, &self.edges, &[], true);
+        let view = View { adjacency: &adjacency, cost: &|a, b| self.cost(a, b), heuristic: &|_| 0.0 };
+        let [start, goal] = [START, GOAL].map(|i| VertexId(i as u32));
+        let mut search = BestFirst::new(vertices, start, goal..VertexId(goal.0 + 1));
+        while let Expansion::Vertex(_) = search.step(&view) {}
+        search.path()
+    }
+
+    /// The points of a path, arcs as chords of their true circles.
+    fn points(&self, path: &[VertexId]) -> Vec<Point> {
+        let mut points = vec![self.point(path[0])];
+        for pair in path.windows(2) {
+            match self.arc(pair[0], pair[1]) {
+                Some((circle, [from, to], turn)) => {
+                    points.pop();
+                    points.extend(along_arc(from, to, turn, CHORD).map(|angle| at(&circle, angle)));
+                }
+                None => points.push(self.point(pair[1])),
+            }
+        }
+        points.dedup();
+        points
+    }
+}
+
+/// The length of the shortest path of a disc between two positions, and its points: arcs are replaced by chords of at most 0.05
+/// radians. `None` if there is no path. O(n^2 log n) for n convex corners and discs.
+///
+/// # Errors
+/// `too-large` for more than 4000 of them; `start-in-collision`, `goal-in-collision` if a position is nearer to an obstacle than
+/// rounding allows.
+pub(super) fn shortest(
+    world: &World,
+    bounds: Aabb,
+    radius: f64,
+    [start, goal]: [Point; 2],
+) -> Result<Option<(f64, Vec<Point>)>, Error> {
+    let obstacles = Obstacles::new(Arc::clone(&world.obstacles));
+    let largest = |aabb: &Aabb| aabb.min.coords.amax().max(aabb.max.coords.amax());
+    let scale = obstacles.largest_coordinate().max(largest(&bounds)) + radius;
+    let grown = Grown { obstacles, bounds, radius, larger: LARGER * Tolerance::new(scale, 0.0).eta };
+    for (what, at, code) in [("start", start, Code::StartInCollision), ("goal", goal, Code::GoalInCollision)] {
+        if !grown.is_free(&Segment::new(at, at)) {
+            let least = Number(radius + grown.larger);
+            let sentence = format!("the {what} [{}, {}] is nearer to an obstacle than {least} m", Number(at.x), Number(at.y));
+            return Err(Error::new(code, format!("/{what}"), sentence));
+        }
+    }
+    if start == goal {
+        return Ok(Some((0.0, vec![start])));
+    }
+    let graph = TangentGraph::new(&grown, &world.obstacles, start, goal)?;
+    let path = graph.search();
+    if path.is_empty() {
+        return Ok(None);
+    }
+    let length = path.windows(2).map(|pair| graph.cost(pair[0], pair[1])).sum();
+    Ok(Some((length, graph.points(&path))))
+}

@@ -1,0 +1,302 @@
+//! The shortest path of a query: closed forms, an independent visibility graph on random worlds, ways that only touch, and references.
+
+use crate::common::documents::{BODY, CAR, DISC, arm, disc, judged, polygon, reaching, rectangle, refuses, scenario, with};
+use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, parse, seeds};
+use planarium::geometry::{Point, Polygon, Vector, orientation};
+use planarium::optimum::{Method, Optimum, optimum};
+use planarium::random::{Random, Stream};
+use planarium::run::inspect::Inspector;
+use planarium::scenario::Scenario;
+use std::f64::consts::{PI, TAU};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const ROOM: &str = "[0, 0], [10, 10]";
+
+/// A disc of the given radius among obstacles, in a box of side 10 unless another is given.
+fn room(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2]; 2]) -> Scenario {
+    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
+    scenario(bounds, &obstacles.join(","), &robot, &format!(r#""start": {start:?}, "goal": {goal:?}"#))
+}
+
+fn of(world: &Scenario) -> Optimum {
+    optimum(world, None, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The exact length of the shortest path.
+fn shortest(world: &Scenario) -> f64 {
+    let found = of(world);
+    assert_eq!((found.method, found.exact, found.resolution), (Method::TangentGraph, true, None));
+    found.length.expect("there is a path")
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, scale: f64) {
+    assert!((found - expected).abs() <= 1e-12 * scale, "{found} is not {expected}: {:e}", found - expected);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn lengths_with_a_closed_form() {
+    for (scale, radius) in [(1.0, 0.0), (1.0, 0.5), (1e-3, 0.25), (1e5, 0.125), (1.0, 1e-9)] {
+        let bounds = format!("[{0:?}, {0:?}], [{1:?}, {1:?}]", -5.0 * scale, 5.0 * scale);
+        let r = radius * scale;
+        let s = |x: f64| x * scale;
+        let world = |obstacles: &[String], a: f64, b: f64| room(&bounds, obstacles, r, [[s(a), 0.0], [s(b), 0.0]]);
+
+        assert_close(shortest(&world(&[], -4.0, 3.0)), s(7.0), s(5.0));
+
+        // Around a disc: two tangents and an arc.
+        let rho = s(1.0) + r;
+        let half = libm::sqrt(s(4.0) * s(4.0) - rho * rho);
+        let around = 2.0 * half + rho * (PI - 2.0 * libm::acos(rho / s(4.0)));
+        assert_close(shortest(&world(&[disc([0.0; 2], s(1.0))], -4.0, 4.0)), around, s(5.0));
+
+        // Over a square, whose corners are arcs.
+        let square = rectangle([s(-1.0), s(-1.0)], [s(1.0), s(1.0)]);
+        let turn = PI / 4.0 + libm::asin(radius / libm::sqrt(2.0));
+        let over = 2.0 * libm::sqrt(s(1.0) * s(2.0) - r * r) + s(2.0) + 2.0 * r * turn;
+        // A rectangle of two that share a side, and an L whose inner corner the path does not touch, are no other obstacle.
+        let halves = [rectangle([s(-1.0), s(-1.0)], [0.0, s(1.0)]), rectangle([0.0, s(-1.0)], [s(1.0), s(1.0)])];
+        for obstacles in [&[square][..], &halves] {
+            assert_close(shortest(&world(obstacles, -2.0, 2.0)), over, s(5.0));
+        }
+
+        // Over one disc and under the next one, as walls to the border demand.
+        let walls = [
+            disc([s(-2.0), 0.0], s(1.0)),
+            rectangle([s(-2.1), s(-5.0)], [s(-1.9), 0.0]),
+            disc([s(2.0), 0.0], s(1.0)),
+            rectangle([s(1.9), 0.0], [s(2.1), s(5.0)]),
+        ];
+        let phi = libm::asin(rho / s(2.5)) + libm::asin(rho / s(2.0));
+        let wave = 2.0 * (libm::sqrt(s(2.5) * s(2.5) - rho * rho) + rho * phi) + 2.0 * libm::sqrt(s(2.0) * s(2.0) - rho * rho);
+        assert_close(shortest(&world(&walls, -4.5, 4.5)), wave, s(5.0));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_way_that_only_touches_is_none() {
+    let ends = [[1.0, 5.0], [9.0, 5.0]];
+    for radius in [0.0, 0.5] {
+        let through = |gap: f64| {
+            let walls = [rectangle([4.0, 0.0], [6.0, 5.0 - gap / 2.0]), rectangle([4.0, 5.0 + gap / 2.0], [6.0, 10.0])];
+            of(&room(ROOM, &walls, radius, ends)).length
+        };
+        assert_eq!(through(2.0 * radius), None, "a disc of radius {radius}");
+        assert_close(through(2.0 * radius + 1e-9).expect("a gap"), 8.0, 10.0);
+        // Between a wall and the bounds, which may be touched.
+        let below = |gap: f64| {
+            let walls = [rectangle([4.0, gap], [6.0, 10.0])];
+            of(&room(ROOM, &walls, radius, ends)).length
+        };
+        assert_eq!(below(2.0 * radius), None);
+        assert!(below(2.0 * radius + 1e-9).is_some());
+        // Polygons that share only a corner, and a disc that touches a wall.
+        let diagonal = [rectangle([0.0, 5.0], [5.0, 10.0]), rectangle([5.0, 0.0], [10.0, 5.0])];
+        assert_eq!(of(&room(ROOM, &diagonal, radius, [[2.0, 2.0], [8.0, 8.0]])).length, None);
+        let ring = [disc([5.0, 4.0], 4.0), rectangle([4.0, 8.0], [6.0, 10.0])];
+        let walled = of(&room(ROOM, &ring, 0.75, [[1.0, 9.0], [9.0, 9.0]]));
+        assert_eq!((walled.length, walled.exact, walled.path.len()), (None, true, 0));
+    }
+    let here = of(&room(ROOM, &[], 0.5, [[2.0, 3.0]; 2]));
+    assert_eq!((here.length, here.path), (Some(0.0), vec![vec![2.0, 3.0]]));
+}
+
+/// The corners of a polygon about a point, in this order, at random distances up to `size`; at equal ones it is convex.
+fn about(random: &mut Random, size: f64, is_convex: bool) -> Vec<Point> {
+    let center = Vector::new(2.0 + 6.0 * random.uniform(), 2.0 + 6.0 * random.uniform());
+    let corners = 3 + random.below(5);
+    let corner = |i: u64, random: &mut Random| {
+        let angle = TAU * (i as f64 + 0.7 * random.uniform()) / corners as f64;
+        let distance = if is_convex { size } else { size * (0.3 + 0.7 * random.uniform()) };
+        Point::from(center + distance * Vector::new(libm::cos(angle), libm::sin(angle)))
+    };
+    (0..corners).map(|i| corner(i, random)).collect()
+}
+
+fn obstacle(corners: &[Point]) -> String {
+    polygon(&corners.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>())
+}
+
+/// The shortest path of a point among polygons in general position by all pairs of corners: O(n^3), and Dijkstra's algorithm by scans.
+/// Corners outside the box, given by its lowest and highest coordinate, are not passed.
+fn by_corners(polygons: &[Vec<Point>], [low, high]: [f64; 2], ends: [Point; 2]) -> Option<f64> {
+    let shapes: Vec<Polygon> = polygons.iter().map(|corners| Polygon::new(corners).expect("a polygon")).collect();
+    let is_inside = |p: &Point| [p.x, p.y].iter().all(|x| (low..=high).contains(x));
+    let mut points = ends.to_vec();
+    points.extend(shapes.iter().flat_map(|shape| shape.vertices().iter().copied()).filter(is_inside));
+    let is_side = |shape: &Polygon, p: Point, q: Point| shape.edges().any(|edge| [edge.a, edge.b] == [p, q] || [edge.a, edge.b] == [q, p]);
+    let crosses = |shape: &Polygon, p: Point, q: Point| {
+        let apart = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
+        shape.edges().any(|edge| {
+            apart(orientation(p, q, edge.a), orientation(p, q, edge.b)) && apart(orientation(edge.a, edge.b, p), orientation(edge.a, edge.b, q))
+        })
+    };
+    let is_visible = |p: Point, q: Point| {
+        let middle = middle_of(p, q);
+        shapes.iter().all(|shape| !crosses(shape, p, q) && (is_side(shape, p, q) || !shape.contains(middle)))
+    };
+    let mut cost = vec![f64::INFINITY; points.len()];
+    let mut is_done = vec![false; points.len()];
+    cost[0] = 0.0;
+    loop {
+        let open = (0..points.len()).filter(|&i| !is_done[i] && cost[i] < f64::INFINITY);
+        let i = open.min_by(|&i, &j| cost[i].total_cmp(&cost[j]))?;
+        if i == 1 {
+            return Some(cost[1]);
+        }
+        is_done[i] = true;
+        for j in 0..points.len() {
+            let through = cost[i] + (points[j] - points[i]).norm();
+            if !is_done[j] && through < cost[j] && is_visible(points[i], points[j]) {
+                cost[j] = through;
+            }
+        }
+    }
+}
+
+fn middle_of(p: Point, q: Point) -> Point {
+    Point::from(0.5 * (p.coords + q.coords))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn points_go_as_a_visibility_graph_says() {
+    let (mut found, mut bent) = (0, 0);
+    for seed in 0..cases(400) as u64 {
+        let mut random = Random::new(seed, Stream::Samples);
+        // Many overlap.
+        let polygons: Vec<_> = (0..2 + seed % 9).map(|i| about(&mut random, 1.5, i % 2 == 0)).collect();
+        let obstacles: Vec<_> = polygons.iter().map(|corners| obstacle(corners)).collect();
+        let ends = [[0.4, 0.4 + random.uniform()], [9.6, 9.6 - random.uniform()]];
+        let expected = by_corners(&polygons, [0.0, 10.0], ends.map(|[x, y]| Point::new(x, y)));
+        let length = of(&room(ROOM, &obstacles, 0.0, ends)).length;
+        assert_eq!(length.is_some(), expected.is_some(), "seed {seed}");
+        if let Some((length, expected)) = length.zip(expected) {
+            assert_close(length, expected, 10.0);
+            found += 1;
+            bent += usize::from(length > 1.001 * (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]));
+        }
+    }
+    assert!(found > 0 && 2 * bent > found, "{bent} of {found} paths turn at corners");
+}
+
+/// The corners of a regular polygon of radius 1.
+fn regular(corners: u32) -> impl Iterator<Item = Vector> {
+    let angle = move |i| TAU * f64::from(i) / f64::from(corners);
+    (0..corners).map(move |i| Vector::new(libm::cos(angle(i)), libm::sin(angle(i))))
+}
+
+/// The convex hull, counter-clockwise.
+fn hull(mut points: Vec<Point>) -> Vec<Point> {
+    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    points.dedup();
+    let mut hull: Vec<Point> = Vec::new();
+    for pass in [points.clone(), points.into_iter().rev().collect()] {
+        let first = hull.len();
+        for p in pass {
+            while hull.len() > first + 1 && orientation(hull[hull.len() - 2], hull[hull.len() - 1], p) <= 0.0 {
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+    }
+    hull
+}
+
+/// Obstacles grown by regular polygons within and around the disc bound its shortest path from both sides.
+#[wasm_bindgen_test(unsupported = test)]
+fn discs_go_between_two_visibility_graphs() {
+    const SIDES: u32 = 20;
+    let outer = 1.0 / libm::cos(PI / f64::from(SIDES));
+    for seed in 0..cases(80) as u64 {
+        let mut random = Random::new(seed, Stream::Samples);
+        let radius = 0.1 + 0.4 * random.uniform();
+        // A polygon and its radius: a disc is grown from a point.
+        let mut shapes: Vec<(Vec<Point>, f64)> = (0..3).map(|_| (about(&mut random, 1.2, true), 0.0)).collect();
+        shapes.extend((0..2).map(|_| {
+            let [x, y] = [0, 1].map(|_| 2.0 + 6.0 * random.uniform());
+            (vec![Point::new(x, y)], 0.3 + random.uniform())
+        }));
+        let written = |(corners, round): &(Vec<Point>, f64)| match corners[..] {
+            [center] => disc([center.x, center.y], *round),
+            _ => obstacle(corners),
+        };
+        let ends = [[0.6, 0.6], [9.4, 9.4]];
+        let obstacles: Vec<_> = shapes.iter().map(written).collect();
+        let length = of(&room(ROOM, &obstacles, radius, ends)).length.expect("a way along the border");
+        let grown = |factor: f64| {
+            let grow = |(corners, round): &(Vec<Point>, f64)| {
+                hull(corners.iter().flat_map(|p| regular(SIDES).map(move |side| p + factor * (radius + round) * side)).collect())
+            };
+            let polygons: Vec<_> = shapes.iter().map(grow).collect();
+            by_corners(&polygons, [radius, 10.0 - radius], ends.map(|[x, y]| Point::new(x, y)))
+        };
+        let [low, high] = [grown(1.0), grown(outer)].map(|length| length.expect("the same way"));
+        assert!(low <= length && length <= high && high < 1.02 * low, "seed {seed}: {length} in [{low}, {high}]");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_run_is_shorter_and_the_path_is_that_long() {
+    for seed in 0..seeds(40) {
+        let mut random = Random::new(seed, Stream::Samples);
+        let radius = if seed % 2 == 0 { 0.2 } else { 0.0 };
+        let mut obstacles: Vec<_> = (0..5).map(|i| obstacle(&about(&mut random, 1.2, i > 2))).collect();
+        obstacles.push(disc([5.0, 5.0], 1.0));
+        let world = room(ROOM, &obstacles, radius, [[0.5, 0.5], [9.5, 9.5]]);
+        let found = of(&world);
+        let length = found.length.expect("a way along the border");
+        let run = finish(begin_with(&world, "rrt-connect", seed, "shortcut=200 reduce=true"));
+        assert!(run.length() >= length * (1.0 - 1e-13) && run.length() < 1.3 * length, "{} {length}", run.length());
+        // Chords of at most 0.05 radians are shorter than their arcs by less than 0.05^2 / 24 of them.
+        let inspector = Inspector::new(&world);
+        let drawn: f64 = found.path.windows(2).map(|pair| inspector.distance(&pair[0], &pair[1]).expect("points")).sum();
+        assert!(drawn <= length * (1.0 + 1e-13) && drawn > length * (1.0 - 1.1e-4), "{drawn} {length}");
+        assert_eq!([&found.path[0], &found.path[found.path.len() - 1]], [&vec![0.5, 0.5], &vec![9.5, 9.5]]);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
+    let shelf = rectangle([0.2, 0.55], [1.4, 0.65]);
+    let sliding = scenario(
+        "[0, 0], [2, 2]",
+        &shelf,
+        &crate::common::documents::rectangular("rigid_body", 0.1, 0.05, ""),
+        r#""start": [0.5, 0.3, 1], "goal": [0.5, 1.0, 7.283185307179586]"#,
+    );
+    for (world, settings) in [(arm_and_wall(0.1), ""), (arm_and_wall(0.1), "metric=euclidean"), (arm_of(2, true, 0.02), ""), (sliding, "")] {
+        let found = optimum(&world, None, &given(settings)).expect("a reference");
+        assert_eq!((found.method, found.exact), (Method::Grid, false));
+        let mut result = finish(begin_with(&world, "rrt-connect", 1, "")).result();
+        (result.path, result.length) = (found.path, found.length.expect("a path"));
+        if settings.is_empty() {
+            judged(&world, &result).expect("a valid path");
+        }
+        let run = finish(begin_with(&world, "rrt-connect", 1, &format!("{settings} shortcut=300 partial_shortcut=300")));
+        assert!(result.length < 1.01 * run.length(), "{} {}", result.length, run.length());
+    }
+    // From 0.6 to -0.6 the long way round, in a straight line: with two joints that move, the sum is the same for all orders.
+    let found = of(&no_way());
+    assert_eq!((found.length, found.exact, found.path.len()), (None, false, 0));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_has_no_optimum_is_refused() {
+    let refused = |text: &str, code: &str, pointer: &str| refuses(optimum(&parse(text), None, &[]), code, pointer);
+    for text in [CAR, BODY, &reaching()] {
+        assert!(refused(text, "unsupported", "").contains("served are discs"), "{text}");
+    }
+    let three = arm(&[1.0, 0.5, 0.5], 0.0);
+    refuses(optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, &[]), "unsupported", "");
+    refused(&with(DISC, "[1.8, 1.8]", "[1, 1]"), "goal-in-collision", "/queries/0/goal");
+    let world = parse(DISC);
+    refuses(optimum(&world, Some("other"), &[]), "unknown-query", "/query");
+    refuses(optimum(&world, None, &given("metric=sum")), "out-of-range", "/metric");
+    refuses(optimum(&world, None, &given("step=1")), "unknown-parameter", "/step");
+    // A point that is free by an exact test, but nearer than rounding.
+    let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
+    refuses(optimum(&beside, None, &[]), "start-in-collision", "/queries/0/start");
+    let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
+    refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, &[]), "too-large", "");
+}

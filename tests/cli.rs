@@ -140,6 +140,30 @@ fn a_seed_determines_all_but_the_seconds() {
 }
 
 #[test]
+fn the_optimum_is_printed_and_a_result_compared_with_it() {
+    let planned = planarium("plan room.json --seed 3");
+    let finished = planarium_with("optimum room.json --result -", &planned.stdout);
+    let found = finished.json();
+    // Tangents to the arcs about the corners of the wall's top, and what lies between them.
+    let corner = |x: f64| ((x * x + 1.0 - 0.01).sqrt(), 0.1 * (1.0_f64.atan2(x) + (0.1 / (x * x + 1.0).sqrt()).asin()));
+    let [(left, turn_left), (right, turn_right)] = [corner(0.5), corner(0.9)];
+    let length = found["length"].as_f64().expect("a length");
+    assert!((length - (left + turn_left + 0.1 + turn_right + right)).abs() < 1e-12, "{length}");
+    let gap = 100.0 * (planned.json()["length"].as_f64().expect("a length") / length - 1.0);
+    assert!((found["gap"].as_f64().expect("a gap") - gap).abs() < 1e-9 && gap > 0.0, "{gap}");
+    assert_eq!((finished.code, &found["exact"], &found["method"]), (0, &json!(true), &json!("tangent-graph")));
+    assert!(finished.stderr.starts_with("shortest path: length 2.") && finished.stderr.contains(" % longer"));
+
+    let none = planarium("optimum room.json --query cut-off");
+    assert_eq!((none.code, &none.json()["length"], none.json().get("gap")), (1, &Value::Null, None));
+    let firs = planarium("optimum firs.json --metric euclidean").json();
+    assert_eq!((&firs["method"], &firs["exact"]), (&json!("grid"), &json!(false)));
+    planarium("optimum room.json --query in-wall").refuses("goal-in-collision", "/queries/2/goal");
+    planarium("optimum arm.json").refuses("unknown-query", "/query");
+    planarium_with("optimum firs.json --result -", &planned.stdout).refuses("invalid-result", "/scenario");
+}
+
+#[test]
 fn parameters_reach_the_planner() {
     let plain = "plan room.json --planner prm --set samples=150 --set k=7";
     let result = planarium(&format!("{plain} --set shortcut=40")).ended(0, "solved");

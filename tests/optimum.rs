@@ -1,6 +1,8 @@
 //! The shortest path of a query: closed forms, an independent visibility graph on random worlds, ways that only touch, and references.
 
-use crate::common::documents::{BODY, CAR, DISC, arm, disc, judged, polygon, reaching, rectangle, refuses, scenario, with};
+use crate::common::documents::{
+    BODY, CAR, DISC, arm, disc, judged, polygon, reaching, rectangle, refuses, scenario, with,
+};
 use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, parse, seeds};
 use planarium::geometry::{Point, Polygon, Vector, orientation};
 use planarium::optimum::{Method, Optimum, optimum};
@@ -68,7 +70,8 @@ fn lengths_with_a_closed_form() {
             rectangle([s(1.9), 0.0], [s(2.1), s(5.0)]),
         ];
         let phi = libm::asin(rho / s(2.5)) + libm::asin(rho / s(2.0));
-        let wave = 2.0 * (libm::sqrt(s(2.5) * s(2.5) - rho * rho) + rho * phi) + 2.0 * libm::sqrt(s(2.0) * s(2.0) - rho * rho);
+        let wave =
+            2.0 * (libm::sqrt(s(2.5) * s(2.5) - rho * rho) + rho * phi) + 2.0 * libm::sqrt(s(2.0) * s(2.0) - rho * rho);
         assert_close(shortest(&world(&walls, -4.5, 4.5)), wave, s(5.0));
     }
 }
@@ -124,11 +127,14 @@ fn by_corners(polygons: &[Vec<Point>], [low, high]: [f64; 2], ends: [Point; 2]) 
     let is_inside = |p: &Point| [p.x, p.y].iter().all(|x| (low..=high).contains(x));
     let mut points = ends.to_vec();
     points.extend(shapes.iter().flat_map(|shape| shape.vertices().iter().copied()).filter(is_inside));
-    let is_side = |shape: &Polygon, p: Point, q: Point| shape.edges().any(|edge| [edge.a, edge.b] == [p, q] || [edge.a, edge.b] == [q, p]);
+    let is_side = |shape: &Polygon, p: Point, q: Point| {
+        shape.edges().any(|edge| [edge.a, edge.b] == [p, q] || [edge.a, edge.b] == [q, p])
+    };
     let crosses = |shape: &Polygon, p: Point, q: Point| {
         let apart = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
         shape.edges().any(|edge| {
-            apart(orientation(p, q, edge.a), orientation(p, q, edge.b)) && apart(orientation(edge.a, edge.b, p), orientation(edge.a, edge.b, q))
+            apart(orientation(p, q, edge.a), orientation(p, q, edge.b))
+                && apart(orientation(edge.a, edge.b, p), orientation(edge.a, edge.b, q))
         })
     };
     let is_visible = |p: Point, q: Point| {
@@ -226,7 +232,12 @@ fn discs_go_between_two_visibility_graphs() {
         let length = of(&room(ROOM, &obstacles, radius, ends)).length.expect("a way along the border");
         let grown = |factor: f64| {
             let grow = |(corners, round): &(Vec<Point>, f64)| {
-                hull(corners.iter().flat_map(|p| regular(SIDES).map(move |side| p + factor * (radius + round) * side)).collect())
+                hull(
+                    corners
+                        .iter()
+                        .flat_map(|p| regular(SIDES).map(move |side| p + factor * (radius + round) * side))
+                        .collect(),
+                )
             };
             let polygons: Vec<_> = shapes.iter().map(grow).collect();
             by_corners(&polygons, [radius, 10.0 - radius], ends.map(|[x, y]| Point::new(x, y)))
@@ -250,7 +261,8 @@ fn no_run_is_shorter_and_the_path_is_that_long() {
         assert!(run.length() >= length * (1.0 - 1e-13) && run.length() < 1.3 * length, "{} {length}", run.length());
         // Chords of at most 0.05 radians are shorter than their arcs by less than 0.05^2 / 24 of them.
         let inspector = Inspector::new(&world);
-        let drawn: f64 = found.path.windows(2).map(|pair| inspector.distance(&pair[0], &pair[1]).expect("points")).sum();
+        let drawn: f64 =
+            found.path.windows(2).map(|pair| inspector.distance(&pair[0], &pair[1]).expect("points")).sum();
         assert!(drawn <= length * (1.0 + 1e-13) && drawn > length * (1.0 - 1.1e-4), "{drawn} {length}");
         assert_eq!([&found.path[0], &found.path[found.path.len() - 1]], [&vec![0.5, 0.5], &vec![9.5, 9.5]]);
     }
@@ -265,7 +277,9 @@ fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
         &crate::common::documents::rectangular("rigid_body", 0.1, 0.05, ""),
         r#""start": [0.5, 0.3, 1], "goal": [0.5, 1.0, 7.283185307179586]"#,
     );
-    for (world, settings) in [(arm_and_wall(0.1), ""), (arm_and_wall(0.1), "metric=euclidean"), (arm_of(2, true, 0.02), ""), (sliding, "")] {
+    for (world, settings) in
+        [(arm_and_wall(0.1), ""), (arm_and_wall(0.1), "metric=euclidean"), (arm_of(2, true, 0.02), ""), (sliding, "")]
+    {
         let found = optimum(&world, None, &given(settings)).expect("a reference");
         assert_eq!((found.method, found.exact), (Method::Grid, false));
         let mut result = finish(begin_with(&world, "rrt-connect", 1, "")).result();
@@ -273,7 +287,8 @@ fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
         if settings.is_empty() {
             judged(&world, &result).expect("a valid path");
         }
-        let run = finish(begin_with(&world, "rrt-connect", 1, &format!("{settings} shortcut=300 partial_shortcut=300")));
+        let run =
+            finish(begin_with(&world, "rrt-connect", 1, &format!("{settings} shortcut=300 partial_shortcut=300")));
         assert!(result.length < 1.01 * run.length(), "{} {}", result.length, run.length());
     }
     // From 0.6 to -0.6 the long way round, in a straight line: with two joints that move, the sum is the same for all orders.
@@ -288,7 +303,11 @@ fn what_has_no_optimum_is_refused() {
         assert!(refused(text, "unsupported", "").contains("served are discs"), "{text}");
     }
     let three = arm(&[1.0, 0.5, 0.5], 0.0);
-    refuses(optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, &[]), "unsupported", "");
+    refuses(
+        optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, &[]),
+        "unsupported",
+        "",
+    );
     refused(&with(DISC, "[1.8, 1.8]", "[1, 1]"), "goal-in-collision", "/queries/0/goal");
     let world = parse(DISC);
     refuses(optimum(&world, Some("other"), &[]), "unknown-query", "/query");
@@ -297,6 +316,6 @@ fn what_has_no_optimum_is_refused() {
     // A point that is free by an exact test, but nearer than rounding.
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, &[]), "start-in-collision", "/queries/0/start");
-    let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
+    let many: Vec<_> = (0..1001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
     refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, &[]), "too-large", "");
 }

@@ -4,14 +4,15 @@ use super::arguments::{choice, count, document, fields, finite, row, rows, text,
 use super::records::{Check, QueryCheck, Rollout, object, record, with_configuration};
 use super::types::{
     Booleans, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument, JsNumber, JsPair,
-    JsPoint, JsText, JsWay, NeighboursOptions, PlannerOptions, ReachOptions, ResumeOptions, RoadmapFile, RobotType,
-    RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
+    JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ReachOptions, ResumeOptions,
+    RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
 };
 use super::{drive, neighbours, planner, reach};
 use crate::Error;
 use crate::driving;
 use crate::geometry::Point;
 use crate::ik::{self, Solver, SolverOptions, Target, arm_of};
+use crate::optimum::{self, Optimum};
 use crate::problem::{Control, Motion};
 use crate::robot::Part;
 use crate::run::inspect::{Clearance, Inspector};
@@ -196,6 +197,16 @@ impl Scenario {
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
         run::resume(&self.world, &self::options(options)?, &document).map(planner::Planner::new)
+    }
+
+    /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body whose query
+    /// keeps its angle, a reference, which is the length of a proven path on a fine grid.
+    /// @throws {PlanariumError} `unsupported` for other robots and for a query with a target; `unknown-query`, `unknown-parameter`,
+    /// `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than 1000 corners and discs
+    pub fn optimum(&self, options: Option<OptimumOptions>) -> Result<Ts<Optimum>, Error> {
+        let mut fields = fields(options)?;
+        let query: Option<String> = fields.take("query")?;
+        optimum::optimum(&self.world, query.as_deref(), &fields.parameters()).map(|optimum| record(&optimum))
     }
 
     /// Makes an empty index of configurations of the robot; `neighbourIndexes()` lists the indexes and their options. It outlives the

@@ -31,6 +31,7 @@ plain! {
     ReachOptions = "ReachOptions",
     NeighboursOptions = "NeighboursOptions",
     SampleOptions = "SampleOptions",
+    OptimumOptions = "OptimumOptions",
     RolloutOptions = "RolloutOptions",
     JsWay = "\"short\" | \"sign-of-difference\"",
     CspaceOptions = "CspaceOptions",
@@ -119,6 +120,14 @@ export interface SampleOptions {
   seed?: number;
   /** Whether only free configurations are returned; `false` by default. */
   free?: boolean;
+}
+
+/** Options of `scenario.optimum`. */
+export interface OptimumOptions {
+  /** The name of the query; the first by default. */
+  query?: string;
+  /** The metric of an arm; `sum` by default. */
+  metric?: "sum" | "euclidean" | "naive";
 }
 
 /** Options of `scenario.rollout`. */

@@ -62,13 +62,13 @@ pub struct Optimum {
 /// The shortest path of a query of the scenario, of the first one if none is named. Parameters are those of runs that are about the
 /// metric: `metric`, of arms.
 ///
-/// Exact for a disc in O(n^2 log n) for n corners and discs. Else a reference, in at most 130,000 proofs of short motions and 20,000
-/// of longer ones.
+/// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in at most a million proofs of motions to a neighbour
+/// on the grid, and 20,000 shortcuts.
 ///
 /// # Errors
 /// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without exactly
 /// two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for more
-/// than 4000 corners and discs.
+/// than 1000 corners and discs.
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,
@@ -100,7 +100,8 @@ pub fn optimum(
     if let Robot::Disc(disc) = world.robot() {
         let ends = [start, goal].map(|q| Point::new(q[0], q[1]));
         let bounds = *world.bounds();
-        let shortest = tangent_graph::shortest(world.scenario().world(), bounds, disc.radius(), ends).map_err(at_query)?;
+        let shortest =
+            tangent_graph::shortest(world.scenario().world(), bounds, disc.radius(), ends).map_err(at_query)?;
         let (length, points) = shortest.unzip();
         let path = points.unwrap_or_default().iter().map(|p| vec![p.x, p.y]).collect();
         return Ok(found(Method::TangentGraph, length, path));

@@ -29,8 +29,8 @@ const LARGER: f64 = 1.0 / 16.0;
 /// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
 const ROUNDING: f64 = 0.25;
 
-/// Corners and discs at most: their pairs take some seconds.
-const MOST: usize = 4000;
+/// Corners and discs at most: if all of them see each other, their tangents take a quarter of a gigabyte.
+const MOST: usize = 1000;
 
 /// The largest turn of one chord of an arc in the path, in radians.
 const CHORD: f64 = 0.05;
@@ -81,7 +81,10 @@ impl Grown {
     /// The angles at which a circle may become free or blocked, in any order.
     fn crossings(&self, circle: &Disc, shapes: &[Obstacle]) -> Vec<f64> {
         let mut found = Vec::new();
-        for (axis, sides) in [(Vector::x(), [self.bounds.min.x, self.bounds.max.x]), (Vector::y(), [self.bounds.min.y, self.bounds.max.y])] {
+        for (axis, sides) in [
+            (Vector::x(), [self.bounds.min.x, self.bounds.max.x]),
+            (Vector::y(), [self.bounds.min.y, self.bounds.max.y]),
+        ] {
             crossings_line(circle, &axis, sides[0] + self.radius, &mut found);
             crossings_line(circle, &axis, sides[1] - self.radius, &mut found);
         }
@@ -142,8 +145,8 @@ impl TangentGraph {
         let point = |center| Circle { disc: Disc { center, radius: 0.0 }, normals: None };
         let mut circles = vec![point(start), point(goal)];
         circles.extend(grown.circles(shapes));
-        if circles.len() > MOST {
-            let count = circles.len() - 2;
+        let count = circles.len() - 2;
+        if count > MOST {
             let sentence = format!("the obstacles have {count} convex corners and discs; at most {MOST} are compared");
             return Err(Error::new(Code::TooLarge, "", sentence));
         }
@@ -182,7 +185,8 @@ impl TangentGraph {
         self.ends.iter().enumerate().for_each(|(end, at)| on_circle[at.circle].push(end));
         for (circle, ends) in on_circle.iter().enumerate().skip(GOAL + 1).filter(|(_, ends)| ends.len() > 1) {
             let circle = self.circles[circle];
-            let mut stops: Vec<(f64, Option<usize>)> = ends.iter().map(|&end| (self.ends[end].angle, Some(end))).collect();
+            let mut stops: Vec<(f64, Option<usize>)> =
+                ends.iter().map(|&end| (self.ends[end].angle, Some(end))).collect();
             stops.extend(grown.crossings(&circle.disc, shapes).into_iter().map(|angle| (angle, None)));
             stops.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let first = stops.iter().position(|(_, end)| end.is_some()).expect("there are ends");
@@ -268,7 +272,7 @@ impl TangentGraph {
 /// radians. `None` if there is no path. O(n^2 log n) for n convex corners and discs.
 ///
 /// # Errors
-/// `too-large` for more than 4000 of them; `start-in-collision`, `goal-in-collision` if a position is nearer to an obstacle than
+/// `too-large` for more than 1000 of them; `start-in-collision`, `goal-in-collision` if a position is nearer to an obstacle than
 /// rounding allows.
 pub(super) fn shortest(
     world: &World,
@@ -283,7 +287,8 @@ pub(super) fn shortest(
     for (what, at, code) in [("start", start, Code::StartInCollision), ("goal", goal, Code::GoalInCollision)] {
         if !grown.is_free(&Segment::new(at, at)) {
             let least = Number(radius + grown.larger);
-            let sentence = format!("the {what} [{}, {}] is nearer to an obstacle than {least} m", Number(at.x), Number(at.y));
+            let sentence =
+                format!("the {what} [{}, {}] is nearer to an obstacle than {least} m", Number(at.x), Number(at.y));
             return Err(Error::new(code, format!("/{what}"), sentence));
         }
     }

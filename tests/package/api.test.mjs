@@ -237,3 +237,19 @@ test("console.log shows what an object is, also once it is freed", () => {
   planner.free();
   assert.match(inspect(planner), /^Planner \(freed\)$/);
 });
+
+test("optimum returns the shortest path of a query, exact or a reference", () => {
+  // Tangents to the arcs about the corners of the wall's top, and what lies between them.
+  const [x, y, radius] = [2.9, 6, 0.4];
+  const half = Math.sqrt(x * x + y * y - radius * radius) + radius * (Math.atan2(y, x) + Math.asin(radius / Math.hypot(x, y)));
+  const scenario = Scenario.parse(disc);
+  const { length, path, ...others } = scenario.optimum({ query: "across" });
+  close(length ?? NaN, 2 * half + 0.2);
+  assert.deepEqual([path[0], path.at(-1)], [[2, 2], [8, 2]]);
+  assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null });
+  const reference = Scenario.parse(arm).optimum({ metric: "euclidean" });
+  assert.ok(reference.method === "grid" && !reference.exact && reference.length !== null && reference.length > 0);
+  fails("unknown-query", () => scenario.optimum({ query: "other" }));
+  fails("out-of-range", () => scenario.optimum({ metric: "sum" }));
+  fails("unsupported", () => Scenario.generate("forest", { links: 3, seed: 2 }).optimum());
+});

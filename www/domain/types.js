@@ -34,6 +34,7 @@
  * @property {number} poses       how many, 3 to 24
  * @property {boolean} raw        the path before shortcutting
  * @property {boolean} slice      the obstacles in the plane of the two axes, with the other coordinates as they are now
+ * @property {boolean} optimum    the shortest path, where it is known
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *

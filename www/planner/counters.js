@@ -1,5 +1,6 @@
 /** The counters of the run, as text and as data attributes. */
 import { byId, grouped, write } from "../app/dom.js";
+import { gapText } from "./optimum.js";
 import { duration } from "../widgets/format.js";
 
 /** @import { LaneState } from "../domain/types.js" */
@@ -16,12 +17,14 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show({ status, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, unit, segments, fingerprint }, settled) {
+  show({ status, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, segments, fingerprint }, settled) {
     this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
+    byId("gap", HTMLElement).hidden = optimum === null;
     this.write({
       phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
+      gap: gap === null ? "" : gapText(gap),
       segments: segments === null ? "" : grouped(segments),
       checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",

@@ -1,7 +1,8 @@
 /**
- * Charts of the number of vertices and the path length against iterations, or in a race against clearance evaluations. They have few
- * points, so that a long run costs no more than a short one.
+ * Charts of the number of vertices and the path length against iterations, or in a race against clearance evaluations, and of the gap to
+ * the shortest path where that is known. They have few points, so that a long run costs no more than a short one.
  */
+import { gapOf } from "./optimum.js";
 import { letter } from "./race/standings.js";
 import { thinned } from "./run-log/curve.js";
 import { Chart } from "../widgets/chart.js";
@@ -19,21 +20,25 @@ const PAUSE = 250;
 const ROWS = 10;
 /** Numbers in a row: time, vertices, cost. */
 const WIDTH = 3;
+/** The least gap on a logarithmic axis, in percent: smaller ones are drawn there. */
+const LEAST = 0.01;
 
 /** @param {Page} page */
 export function watchCurves(page) {
   const fold = byId("curves-fold", HTMLDetailsElement);
   const vertices = new Chart("vertices", "Vertices", { isTimeline: true });
   const cost = new Chart("cost", "Path length", { isTimeline: true });
-  const charts = [vertices, cost];
+  const gap = new Chart("gap", "Gap to the shortest path", { isTimeline: true });
+  const charts = [vertices, cost, gap];
   const table = make("table", { className: "standings" });
   const scroll = labelled("region", "Curves as a table", make("div", { className: "scroll", tabIndex: 0 }, table));
   const numbers = make("details", {}, make("summary", {}, "As a table"), scroll);
-  byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element), numbers);
+  byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element, gap.element), numbers);
 
   /** Identifies the drawn curves. */
   let drawn = "";
   const isDue = pacer(PAUSE);
+  page.session.optima.viewers.push(() => fold.open);
 
   page.onState(() => update());
   fold.addEventListener("toggle", () => update());
@@ -44,7 +49,7 @@ export function watchCurves(page) {
     const { state, session: { plannings, clock, lanes } } = page;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
-    const key = `${plannings} ${clock.head} ${lanes.map(({ run }) => run?.ended)}`;
+    const key = `${plannings} ${clock.head} ${lanes.map(({ run, optimum }) => [run?.ended, optimum?.length])}`;
     if (key === drawn || !isDue(state.settled)) return;
     drawn = key;
     draw();
@@ -54,32 +59,46 @@ export function watchCurves(page) {
     const { state, names, session } = page;
     if (!fold.open || !state) return;
     const { head, isRace, column: clock } = session.clock;
-    const lanes = thinned(session.lanes.flatMap(({ run }) => run ?? []), clock, head);
+    const runs = session.lanes.flatMap(({ run }) => run ?? []);
+    const lanes = thinned(runs, clock, head);
     // While the runs of other planners begin.
     if (lanes.length > 0 && lanes.length !== names.length) return;
     const time = isRace ? "clearance evaluations" : "iterations";
     const unit = state.lanes[0].unit;
-    const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: isRace ? letter(i) : "", points: column(rows, which) })));
+    const label = (/** @type {number} */ i) => (isRace ? letter(i) : "");
+    const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: label(i), points: column(rows, which) })));
+    const optima = session.lanes.map(({ optimum }) => optimum);
+    const [optimum] = optima;
+    const isExact = optima.every((one) => one?.isExact !== false);
+    const gaps = thinned(runs, clock, head, true).map((rows, i) => ({ label: label(i), points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))) }));
     cost.title.textContent = unit ? `Path length, ${unit}` : "Path cost";
     const across = { title: time, low: 0, high: Math.max(1, head) };
     vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
-    cost.draw(costs, across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}`);
+    /** @type {Line[]} */
+    const truth = optimum && optima.every((one) => one?.length === optimum.length)
+      ? [{ label: isExact ? "shortest" : "reference", points: [[0, optimum.length], [across.high, optimum.length]], className: "optimum" }] : [];
+    cost.draw([...costs, ...truth], across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`);
+    gap.element.hidden = optima.every((one) => !one);
+    gap.title.textContent = `Gap to the ${isExact ? "shortest path" : "reference"}, %`;
+    const drawn = gaps.map(({ label, points }) => ({ label, points: points.map(([at, percent]) => /** @type {[number, number]} */ ([at, Math.max(LEAST, percent)])) }));
+    if (!gap.element.hidden) gap.draw(drawn, { title: time, isLog: true, low: 1, high: Math.max(2, head) }, { title: "gap", isLog: true }, `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`);
     for (const chart of charts) chart.show(state.clock.now);
-    if (numbers.open) list(grown, costs, names, time);
+    if (numbers.open) list([["vertices", grown], ["path length", costs], ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gaps])])], names, time);
   }
 
-  /** The same as a table, at some times, with those of all first paths. @param {Line[]} grown @param {Line[]} costs @param {string[]} names @param {string} time */
-  function list(grown, costs, names, time) {
+  /** The same as a table, at some times, with those of all first paths. @param {[string, Line[]][]} curves @param {string[]} names @param {string} time */
+  function list(curves, names, time) {
+    const [[, grown], [, costs]] = curves;
     const all = [...new Set(grown.flatMap(({ points }) => points.map(([at]) => at)))].sort((a, b) => a - b);
     const each = Math.max(1, Math.ceil(all.length / ROWS));
     const firsts = new Set(costs.flatMap(({ points }) => points.slice(0, 1).map(([at]) => at)));
     const times = all.filter((at, i) => i % each === 0 || i === all.length - 1 || firsts.has(at));
-    const heads = names.flatMap((name) => [`${name}: vertices`, `${name}: path length`]);
+    const heads = names.flatMap((name) => curves.map(([title]) => `${name}: ${title}`));
     table.replaceChildren(
       make("caption", {}, "Vertices and path length"),
       make("thead", {}, make("tr", {}, ...[time, ...heads].map((title) => make("th", { scope: "col" }, title)))),
       make("tbody", {}, ...times.map((at) => make("tr", {}, make("th", { scope: "row" }, words(at)),
-        ...grown.flatMap((line, i) => [make("td", {}, valueAt(line, at)), make("td", {}, valueAt(costs[i], at))])))),
+        ...names.flatMap((_, i) => curves.map(([, lines]) => make("td", {}, valueAt(lines[i], at))))))),
     );
   }
 }
@@ -91,6 +110,9 @@ function column(rows, which) {
   for (let i = 0; i < rows.length; i += WIDTH) if (rows[i + which] < Infinity) points.push([rows[i], rows[i + which]]);
   return points;
 }
+
+/** A point, if its value is known. @param {number} at @param {number | null} value @returns {[number, number][]} */
+function pairOf(at, value) { return value === null ? [] : [[at, value]]; }
 
 /** @param {Line} line @param {number} at */
 function valueAt({ points }, at) {

@@ -6,6 +6,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
 /** @import { Editor } from "./editor/editor.js" */
+/** @import { Optimum } from "./optimum.js" */
 /** @import { Pane } from "./stage/pane.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
@@ -65,6 +66,8 @@ export class Lane {
     this.end = null;
     /** A further query of the roadmap that stands. @type {Asked | null} */
     this.asked = null;
+    /** The shortest path of the query, if it is shown and known. @type {Optimum | null} */
+    this.optimum = null;
     /** Whether the run is paused before its end. */
     this.still = false;
   }
@@ -96,15 +99,18 @@ export class Lane {
     this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 
+  /** The metric of its costs. */
+  get metric() { return this.scenario.robot === "arm" ? String(this.plan.settings.metric ?? "sum") : "euclidean"; }
+
   /** Its standing in a race. @returns {Standing} */
   get standing() {
-    const { run, plan, scenario } = this;
+    const { run } = this;
     const at = run ? run.foundBy() : -1;
     return {
       isOver: run?.status !== "running",
       found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
       cost: run ? run.past[PAST.cost] : Infinity,
-      metric: scenario.robot === "arm" ? String(plan.settings.metric ?? "sum") : "euclidean",
+      metric: this.metric,
       collides: Boolean(this.playback?.flaw),
     };
   }

@@ -10,6 +10,7 @@ import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
 import { Lane } from "./lane.js";
+import { Optima } from "./optimum.js";
 import { axesOf } from "../domain/names.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
@@ -60,7 +61,9 @@ export class Session {
     /** The name of the current query. @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false, optimum: false };
+    this.optima = new Optima(app, () => this.markDirty());
+    this.optima.viewers.push(() => this.view.optimum);
     /** The scene's sentence about its own planner. */
     this.story = { algorithm: "", isProven: true, sentence: "" };
     /** Why the core refused to plan, and the lane. @type {{ error: unknown, lane: number } | null} */
@@ -348,6 +351,7 @@ export class Session {
     this.byHand.hover(shown);
     for (const lane of lanes) {
       lane.run?.frontier.follow();
+      lane.optimum = this.optima.of(lane);
       lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     }
     stage.frame(lanes, now, began + (clock.playing ? DRAWING.playing : DRAWING.paused), clock.playing);

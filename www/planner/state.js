@@ -2,6 +2,7 @@
 import { errorInfo } from "../app/error-info.js";
 import { unitOf } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
+import { gapOf } from "./optimum.js";
 import { poseSentence, sentenceOf, summary, turnsSentence } from "./story.js";
 
 /** @import { Session } from "./session.js" */
@@ -49,6 +50,10 @@ const NO_RUN = {
   cost: Infinity,
   /** Once solved and at rest. @type {number | null} */
   length: null,
+  /** By how much the best path so far is longer than the shortest one, in percent, if that is shown and known. @type {number | null} */
+  gap: null,
+  /** Whether the shortest path is shown and known: no free path is shorter, or a reference. @type {"shortest" | "reference" | null} */
+  optimum: null,
   unit: "",
   /** At rest at the newest iteration. */
   fingerprint: "",
@@ -71,15 +76,16 @@ const NO_RUN = {
 };
 
 /** @param {Lane} lane */
-function laneState({ plan: { algorithm }, run, playback, scenario, standing, asked }) {
-  if (!run) return { ...NO_RUN, algorithm, standing };
+function laneState({ plan: { algorithm }, run, playback, scenario, standing, asked, optimum: truth }) {
+  const optimum = truth && (truth.isExact ? "shortest" : "reference");
+  if (!run) return { ...NO_RUN, algorithm, standing, optimum };
   const { past, status, kind, isProven } = run;
   const isEnd = run.isNewest && run.hasResult;
   const stats = run.isNewest ? run.now.stats : null;
   const state = {
-    ...NO_RUN, algorithm, standing, status, phase: run.phase, iteration: run.shown, made: run.made,
+    ...NO_RUN, algorithm, standing, optimum, status, phase: run.phase, iteration: run.shown, made: run.made,
     vertices: past[PAST.vertices], edges: past[PAST.edges] - run.countOf(EVENT.rewired), checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
-    cost: past[PAST.cost],
+    cost: past[PAST.cost], gap: gapOf(past[PAST.cost], truth),
     length: isEnd && status === "solved" ? run.result.blended_length ?? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
     unit: unitOf(scenario.robot),
     fingerprint: isEnd ? run.result.fingerprint : "",

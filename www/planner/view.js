@@ -1,5 +1,6 @@
-/** The options of the stage: rejected samples and motions, configurations along the path, the path before shortcutting, the axes. */
+/** The options of the stage: rejected samples and motions, configurations along the path, the path before shortcutting, the shortest path, the axes. */
 import { byId, make, write } from "../app/dom.js";
+import { hasOptimum } from "./optimum.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { SceneFacts, State } from "../domain/types.js" */
@@ -28,15 +29,18 @@ export function watchView(page) {
     return select;
   });
   const lengths = make("p", { className: "hint", id: "view-lengths" });
-  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice") };
+  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"), optimum: toggle("optimum") };
   const plane = make("div", { id: "view-plane" }, row("Horizontal axis", selects[0]), row("Vertical axis", selects[1]),
     row("Obstacle slice", switches.slice, "Configurations of this plane that collide, with the other coordinates as they are now."));
   const raw = row("Path before shortcutting", switches.raw);
   raw.append(lengths);
+  const shortest = row("Shortest path", switches.optimum);
+  const about = make("p", { className: "hint" });
+  shortest.append(about);
   const number = inspector();
   byId("view", HTMLElement).append(
     row("Show rejected", switches.refused, "Colliding samples as crosses, blocked motions as dashed lines up to the collision."),
-    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, plane,
+    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, shortest, plane,
     row("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
   );
 
@@ -44,8 +48,10 @@ export function watchView(page) {
   page.onState(reflect);
 
   /** @param {SceneFacts} facts */
-  function build({ dimension, coordinates }) {
+  function build({ robot, dimension, coordinates }) {
     const many = dimension > 2;
+    shortest.hidden = !hasOptimum({ robot, dimension });
+    write(about, robot === "disc" ? "Dashed: no free path is shorter." : "Dashed: a reference, found on a fine grid. A run may find a shorter path.");
     plane.hidden = !many;
     for (const select of selects) select.replaceChildren(...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)));
   }
@@ -53,7 +59,7 @@ export function watchView(page) {
   /** @param {State} state */
   function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice"])) switches[option].checked = view[option];
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum"])) switches[option].checked = view[option];
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     write(lengths, found !== null && length !== null
@@ -73,7 +79,7 @@ export function watchView(page) {
     });
   }
 
-  /** @param {"refused" | "strobe" | "raw" | "slice"} option */
+  /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum"} option */
   function toggle(option) {
     /** @type {HTMLInputElement} */
     const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, onchange: () => page.setView({ [option]: input.checked }) });

@@ -47,8 +47,8 @@ export class Pane {
     this.hatchOnObstacle = null;
     /** @type {{ playback: PathPlayback, lines: Lines } | null} */
     this.pathLines = null;
-    /** @type {{ raw: Float64Array, lines: Lines } | null} */
-    this.rawLines = null;
+    /** Thin lines by their configurations. @type {Map<Float64Array, Lines>} */
+    this.thinLines = new Map();
     /** @type {Strobe | null} */
     this.flashes = null;
     /** @type {VertexIndex | null} */
@@ -116,7 +116,8 @@ export class Pane {
   /** Drops what was computed for another layout or run. */
   forget() {
     this.glow.clear();
-    this.pathLines = this.rawLines = this.flashes = this.found = null;
+    this.pathLines = this.flashes = this.found = null;
+    this.thinLines.clear();
   }
 
   /** The index of vertices in pixels; null without a run or a view. @returns {VertexIndex | null} */
@@ -154,6 +155,7 @@ export class Pane {
     if (lane.still) this.growth.drawLatest(context);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
     else if (lane.run) this.drawBest(context, lane.run, palette);
+    if (lane.optimum && lane.shown.view.optimum) this.drawThin(context, lane.optimum.rows, palette.ink, [7, 4]);
     context.restore();
     this.drawEnds(context, lane, palette);
     const { hover } = lane.shown;
@@ -221,17 +223,18 @@ export class Pane {
     }
   }
 
-  /** The path before shortcutting, a thin line. @param {CanvasRenderingContext2D} context @param {PathPlayback} playback */
-  drawRaw(context, { raw, scenario }) {
-    if (!raw) return;
-    if (this.rawLines?.raw !== raw) this.rawLines = { raw, lines: this.lines(motionsAlong(raw, scenario.dimension)) };
-    const { points, firsts } = this.rawLines.lines;
+  /** A thin line along configurations: the path before shortcutting, or dashed the shortest one. @param {CanvasRenderingContext2D} context @param {Float64Array} rows @param {string} colour @param {number[]} [dash] */
+  drawThin(context, rows, colour, dash = []) {
+    const { dimension } = /** @type {Lane} */ (this.lane).scenario;
+    const lines = this.thinLines.get(rows) ?? this.lines(motionsAlong(rows, dimension));
+    this.thinLines.set(rows, lines);
     context.save();
     context.lineWidth = 1.5;
     context.lineJoin = "round";
-    context.strokeStyle = /** @type {Palette} */ (this.palette).path;
+    context.setLineDash(dash);
+    context.strokeStyle = colour;
     context.beginPath();
-    tracePen(context, points, 0, firsts[firsts.length - 1]);
+    tracePen(context, lines.points, 0, lines.firsts[lines.firsts.length - 1]);
     context.stroke();
     context.restore();
   }
@@ -240,7 +243,7 @@ export class Pane {
   drawPath(context, playback, palette) {
     const { samples: { rows, parts }, scenario } = playback;
     if (this.pathLines?.playback !== playback) this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
-    if (/** @type {Lane} */ (this.lane).shown.view.raw) this.drawRaw(context, playback);
+    if (playback.raw && /** @type {Lane} */ (this.lane).shown.view.raw) this.drawThin(context, playback.raw, palette.path);
     const { lines } = this.pathLines;
     let pieces = 0;
     while (pieces + 1 < parts.length && parts[pieces + 1] <= playback.drawn) pieces++;

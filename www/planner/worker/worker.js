@@ -10,6 +10,7 @@ import { Stepper } from "./stepper.js";
 import { drawThumbnail } from "../../draw/thumbnail.js";
 
 /** @import { Look, Plan, Scenario, ScenarioDocument, Source } from "../../domain/types.js" */
+/** @import { OptimumOptions } from "planarium" */
 /** @import { Painting } from "./obstacles.js" */
 /** @import { Growth } from "./stepper.js" */
 
@@ -57,6 +58,8 @@ const commands = {
   },
   /** Queries the roadmap of the first planner. @param {number[]} start @param {number[]} goal */
   ask: (start, goal) => steppers[0].ask(start, goal),
+  /** The shortest path of a query. @param {ScenarioDocument} document @param {OptimumOptions} options */
+  optimum: (document, options) => within({ document }, (opened) => opened.optimum(options)),
   /** @param {Painting} painting @returns {ImageBitmap} */
   obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */

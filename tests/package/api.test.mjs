@@ -249,7 +249,7 @@ test("optimum returns the shortest path of a query, exact or a reference", () =>
   assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null });
   const reference = Scenario.parse(arm).optimum({ metric: "euclidean" });
   assert.ok(reference.method === "grid" && !reference.exact && reference.length !== null && reference.length > 0);
-  fails("unknown-query", () => scenario.optimum({ query: "other" }));
-  fails("out-of-range", () => scenario.optimum({ metric: "sum" }));
-  fails("unsupported", () => Scenario.generate("forest", { links: 3, seed: 2 }).optimum());
+  fails(() => scenario.optimum({ query: "other" }), "unknown-query", "/query");
+  fails(() => scenario.optimum({ metric: "sum" }), "out-of-range", "/metric");
+  fails(() => Scenario.generate("forest", { links: 3, seed: 2 }).optimum(), "unsupported", "");
 });

@@ -381,9 +381,12 @@ test("the path's curve begins where the path was found; the cursor is at the tim
     assert.ok(Math.abs(y.value - first[PAST.cost]) <= y.pixel, `${label} is ${y.value} long, not ${first[PAST.cost]}`);
     assert.ok(Math.abs(cursor.value - 2000) <= cursor.pixel, `cursor at ${cursor.value}`);
   }
+  // The reference that both are compared with is a line as well.
+  await page.waitForSelector("svg.gap .end");
   const dashes = await page.locator("svg.cost .future path").evaluateAll((paths) => paths.map((path) => getComputedStyle(path).strokeDasharray));
-  assert.equal(new Set(dashes).size, 2, "lines differ by more than colour");
-  assert.deepEqual(await page.locator("svg.cost .end").allTextContents().then((labels) => labels.toSorted()), ["A", "B"]);
+  assert.equal(new Set(dashes).size, 3, "lines differ by more than colour");
+  assert.deepEqual(await page.locator("svg.cost .end").allTextContents().then((labels) => labels.toSorted()), ["A", "B", "reference"]);
+  const { length } = open(sceneOf("stones")).optimum();
   const label = await page.getAttribute("svg.vertices", "aria-label") ?? "";
   assert.match(label, /^Vertices against clearance evaluations.*A PRM.*262.*B RRT-Connect/);
   await page.getByText("As a table").click();
@@ -393,9 +396,11 @@ test("the path's curve begins where the path was found; the cursor is at the tim
   for (const [at, ...values] of rows) {
     runs.forEach((run, i) => {
       const row = /** @type {number[]} */ (run.rows.findLast((one, k) => k === 0 || (one[PAST.evaluations] <= Number(at) && Number(at) > 0)));
-      assert.equal(Number(values[2 * i]), row === run.rows[0] ? Number(values[2 * i]) : row[PAST.vertices], `vertices at ${at}`);
-      if (row[PAST.cost] === Infinity) assert.equal(values[2 * i + 1], "\u2013");
-      else assert.ok(Math.abs(Number(values[2 * i + 1]) - row[PAST.cost]) < 1e-4 * row[PAST.cost], `length at ${at}`);
+      const [vertices, cost, gap] = values.slice(3 * i);
+      assert.equal(Number(vertices), row === run.rows[0] ? Number(vertices) : row[PAST.vertices], `vertices at ${at}`);
+      if (row[PAST.cost] === Infinity) return assert.deepEqual([cost, gap], ["\u2013", "\u2013"]);
+      assert.ok(Math.abs(Number(cost) - row[PAST.cost]) < 1e-4 * row[PAST.cost], `length at ${at}`);
+      assert.ok(Math.abs(Number(gap) - 100 * (row[PAST.cost] / (length ?? NaN) - 1)) < 0.01, `gap at ${at}`);
     });
   }
 }));

@@ -329,3 +329,25 @@ test("the way round that each joint took is told of a path, and of an arm in han
   await finish(page);
   assert.equal(await page.innerText("#turns"), "");
 }));
+
+test("the shortest path is drawn on request, with the gap of the path found, and a reference for two joints", () => onPausedPage(async (page) => {
+  await chooseScene(page, "rings");
+  await finish(page);
+  const gap = async () => Number((await page.locator("#count-gap").innerText()).replace(" %", "").replace("\u2212", "-"));
+  assert.equal(await page.isVisible("#gap"), false);
+  const before = await pixelsOf(page, "workspace", "top", "ink");
+  await see(page, "view-optimum", true);
+  await page.waitForSelector("#legend-optimum:not([hidden])");
+  assert.ok(await pixelsOf(page, "workspace", "top", "ink") > before + 200);
+  assert.equal(await page.innerText("#legend-optimum-name"), "shortest path");
+  const { scenario, planner } = planned("rings");
+  const { length } = scenario.optimum();
+  assert.ok(Math.abs(await gap() - 100 * (planner.result().length / (length ?? NaN) - 1)) < 0.51);
+
+  await chooseScene(page, "stones");
+  await page.waitForFunction(() => document.getElementById("legend-optimum-name")?.textContent === "reference");
+  await finish(page);
+  assert.ok(await gap() > 0);
+  await chooseScene(page, "shelf");
+  assert.deepEqual([await page.isVisible("#view-optimum"), await page.isVisible("#gap"), await page.isVisible("#legend-optimum")], [false, false, false]);
+}));

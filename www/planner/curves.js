@@ -76,7 +76,7 @@ export function watchCurves(page) {
     vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
     /** @type {Line[]} */
     const truth = optimum && optima.every((one) => one?.length === optimum.length)
-      ? [{ label: isExact ? "shortest" : "reference", points: [[0, optimum.length], [across.high, optimum.length]], className: "optimum" }] : [];
+      ? [{ label: isExact ? "shortest" : "reference", points: [[0, optimum.length], [across.high, optimum.length]], isLevel: true, className: "optimum" }] : [];
     cost.draw([...costs, ...truth], across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`);
     gap.element.hidden = optima.every((one) => !one);
     gap.title.textContent = `Gap to the ${isExact ? "shortest path" : "reference"}, %`;

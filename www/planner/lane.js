@@ -6,7 +6,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
 /** @import { Editor } from "./editor/editor.js" */
-/** @import { Optimum } from "./optimum.js" */
+/** @import { Metric, Optimum } from "./optimum.js" */
 /** @import { Pane } from "./stage/pane.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { PathPlayback } from "../domain/path-playback.js" */
@@ -99,8 +99,8 @@ export class Lane {
     this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 
-  /** The metric of its costs. */
-  get metric() { return this.scenario.robot === "arm" ? String(this.plan.settings.metric ?? "sum") : "euclidean"; }
+  /** The metric of its costs. @returns {Metric} */
+  get metric() { return this.scenario.robot === "arm" ? /** @type {Metric | undefined} */ (this.plan.settings.metric) ?? "sum" : "euclidean"; }
 
   /** Its standing in a race. @returns {Standing} */
   get standing() {

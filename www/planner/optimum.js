@@ -9,6 +9,7 @@ import { errorInfo } from "../app/error-info.js";
 /** @import { Lane } from "./lane.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
 
+/** @typedef {NonNullable<import("planarium").OptimumOptions["metric"]>} Metric */
 /** @typedef {{ length: number, rows: Float64Array, isExact: boolean }} Optimum   `rows` of configurations; not exact: a reference, which a run may surpass */
 
 /** Whether the shortest path of such a robot is known, or a reference. @param {{ robot: string, dimension: number }} scenario */
@@ -35,7 +36,7 @@ export class Optima {
     this.document = null;
     /** @type {string | undefined} */
     this.query = undefined;
-    /** By metric; null while it is awaited, and if there is none. @type {Map<string, Optimum | null>} */
+    /** By metric; null while it is awaited, and if there is none. @type {Map<Metric, Optimum | null>} */
     this.found = new Map();
   }
 
@@ -52,7 +53,7 @@ export class Optima {
     return this.found.get(metric) ?? null;
   }
 
-  /** @param {ScenarioDocument} document @param {string} metric */
+  /** @param {ScenarioDocument} document @param {Metric} metric */
   async ask(document, metric) {
     const { found, query } = this;
     this.worker ??= /** @type {PlannerWorker} */ (this.app.hire());

@@ -5,7 +5,7 @@
 import { make, makeSvg } from "../app/dom.js";
 import { once } from "../app/once.js";
 
-/** @typedef {{ label: string, points: [number, number][], isDots?: boolean, className?: string }} Line   x rising */
+/** @typedef {{ label: string, points: [number, number][], isDots?: boolean, isLevel?: boolean, className?: string }} Line   x rising; a level has no dot */
 /** @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   it reaches at least from `low` to `high` */
 
 const drawing = once(() => import("./plot.js"));

@@ -24,14 +24,15 @@ export function drawLines(lines, across, up, { width, height, isTimeline }) {
   const [x, y] = [optionsOf(values(0), across, width / 90), optionsOf(values(1), up, height / 45)];
   const holds = (/** @type {Axis} */ { isLog }, /** @type {number} */ value) => Number.isFinite(value) && (!isLog || value > 0);
   const placed = lines.map(({ points }) => thinned(points).filter(([a, b]) => holds(across, a) && holds(up, b)));
-  const marks = lines.flatMap(({ isDots, className = "" }, i) => {
+  const marks = lines.flatMap(({ isDots, isLevel, className = "" }, i) => {
     const points = placed[i];
     const dots = (/** @type {[number, number][]} */ some, /** @type {number} */ r) => dot(some, { x: "0", y: "1", r, fill: "currentColor", className: `shape dot ${className}` });
     if (points.length === 0) return [];
     if (isDots) return [dots(points, 2.2)];
     // On a timeline a dot marks the first value of what begins late.
     const end = isTimeline ? dots(points.slice(0, 1), up.low === undefined ? 3.5 : 0) : dots(points.slice(-1), 3);
-    return [lineY(points, { x: "0", y: "1", curve: isTimeline ? "step-after" : "linear", strokeWidth: 2, className: `shape line dash-${i % 4} ${className}` }), end];
+    const line = lineY(points, { x: "0", y: "1", curve: isTimeline ? "step-after" : "linear", strokeWidth: 2, className: `shape line dash-${i % 4} ${className}` });
+    return isLevel ? [line] : [line, end];
   });
   const made = /** @type {import("@observablehq/plot").Plot & SVGSVGElement} */ (plot({
     width, height, marginTop: ROOM.top, marginRight: ROOM.right, marginBottom: ROOM.bottom, marginLeft: ROOM.left, className: "plot", marks,

@@ -10,7 +10,7 @@ const SHORTEST: f64 = 1.0 / 128.0;
 
 /// Whether the blend of `corner` is proven free. It begins at `corner + before` and ends at `corner + after`. `is_band_free` tells
 /// whether the straight motion from its first argument by its second one is proven free, also off by any part of the third one, forward
-/// or back. O(64) of these at most.
+/// or back; it is called fewer than 200 times.
 pub(super) fn is_free<const N: usize>(
     corner: &[f64; N],
     before: &[f64; N],

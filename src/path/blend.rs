@@ -45,7 +45,7 @@ impl<S: Space> Blending<S> {
         let space = problem.space();
         let [a, b, c] = [0, 1, 2].map(|i| self.path[self.tried + i]);
         let [before, after] = [space.distance(&a, &b), space.distance(&b, &c)];
-        let distance = largest * before.min(after);
+        let distance = largest.min(0.5) * before.min(after);
         let whole = [distance / before, distance / after];
         let tries = if distance > 0.0 { HALVINGS + 1 } else { 0 };
         let shares = (0..tries).map(|i| whole.map(|share| share / f64::from(1u32 << i)));

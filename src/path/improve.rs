@@ -18,7 +18,8 @@ pub struct Wanted {
     pub shortcuts: u64,
     /// The number of shortcuts of one coordinate to try.
     pub partial_shortcuts: u64,
-    /// How far from a corner its blend may begin, as a fraction of the shorter edge at it: at most 1/2; 0 for no blends.
+    /// How far from a corner its blend may begin, as a fraction of the shorter edge at it; 0 for no blends, and no
+    /// more than 1/2 counts.
     pub blend: f64,
 }
 

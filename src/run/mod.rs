@@ -135,7 +135,7 @@ pub trait Run {
     /// reach it, in that order. If the planner begins with them as vertices, they are those from 1 on.
     fn goals(&self) -> Vec<Vec<f64>>;
 
-    /// The path from start to goal, split so that no step turns a circle joint by more than 3 radians; empty until solved.
+    /// The path from start to goal, with its corners, split so that no step turns a circle joint by more than 3 radians; empty until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
     /// The path as the planner found it, before any improvement, split likewise; empty until it is found. Available while

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Scenario, eventKinds } from "planarium";
-import { View, defaultColours, difference, drawEdges, drawPath, drawRobot, drawWorld, motionCurves, wrap } from "planarium/draw";
+import { View, blendedPath, defaultColours, difference, drawEdges, drawPath, drawRobot, drawWorld, motionCurves, wrap } from "planarium/draw";
 import { root } from "../../scripts/run.mjs";
 import { recordingContext } from "./canvas.mjs";
 import { emptyFolder } from "./packed.mjs";
@@ -144,6 +144,30 @@ test("edges of a car follow their traces, and its path follows its motions", () 
   for (const q of result.path) assert.ok(points.some(([x, y]) => Math.hypot(x - view.x(q[0]), y - view.y(q[1])) < 1e-6), `${q}`);
   const longest = points.slice(1).reduce((most, [x, y], i) => Math.max(most, Math.hypot(x - points[i][0], y - points[i][1])), 0);
   assert.ok(longest < 10, `a jump of ${longest}`);
+});
+
+test("a path with blends is drawn round its corners, which are free and across which angles go the short way", () => {
+  const scenario = Scenario.parse(WALL);
+  const planner = scenario.planner({ seed: 2, blend: 0.5 });
+  while (planner.step(1000) === "running");
+  const result = planner.result();
+  const { path, blends = [] } = result;
+  const rounded = blends.filter(([before]) => before > 0).length;
+  assert.ok(rounded > 0 && blends.length === path.length - 2);
+  const rows = blendedPath(scenario, result);
+  assert.equal(rows.length, path.length + 16 * rounded);
+  assert.ok(rows.every((q) => scenario.check(q).free));
+  const length = rows.slice(1).reduce((sum, q, i) => sum + scenario.distance(rows[i], q), 0);
+  assert.ok(Math.abs(length - (result.blended_length ?? NaN)) < 1e-3 * length && length < result.length, `${length}, ${result.blended_length}`);
+  const view = new View(scenario.extent(), 500, 500);
+  const { context, drawn } = recordingContext();
+  drawPath(context, view, scenario, result);
+  assertNear(linesOf(drawn).flat(), rows.slice(1).flatMap((q, i) => [view.place(rows[i]), view.place(q)]));
+
+  const arm = Scenario.generate("forest", { links: 1 });
+  const across = blendedPath(arm, { path: [[3], [-3], [2.9]], blends: [[0.5, 0.25]] });
+  assert.deepEqual([across.length, across[0], across[18]], [19, [3], [2.9]]);
+  for (const [[from], [to]] of across.slice(1).map((q, i) => [across[i], q])) assert.ok(Math.abs(wrap(to - from)) < 0.3 && Math.abs(to) <= Math.PI);
 });
 
 test("without a path nothing is drawn", () => {

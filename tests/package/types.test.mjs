@@ -196,7 +196,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
 const drawer = `
 import { Scenario, type ResultDocument } from "planarium";
 import {
-  View, defaultColours, difference, drawEdges, drawObstacles, drawPath, drawRobot, drawWorld, isThin, motionCurves, obstaclePath, partPath, wrap,
+  View, blendedPath, defaultColours, difference, drawEdges, drawObstacles, drawPath, drawRobot, drawWorld, isThin, motionCurves, obstaclePath, partPath, wrap,
   type Colours, type Context, type Curves,
 } from "planarium/draw";
 
@@ -213,11 +213,13 @@ export function draw(context: CanvasRenderingContext2D, canvas: OffscreenCanvas,
   for (const obstacle of scenario.document().world.obstacles) obstaclePath(context, view, obstacle);
   for (const part of parts) if (!isThin(view, part)) partPath(context, view, part);
   drawPath(context, view, scenario, result, colours);
+  const [before, after]: [number, number] = result.blends?.[0] ?? [0, 0];
+  const round: number[][] = blendedPath(scenario, { path: result.path, blends: [[before, after]] });
   const { points, firsts }: Curves = motionCurves(scenario, new Float64Array(4), [true, false]);
   const [x, y]: [number, number] = view.toPlane(...view.place(points));
   // @ts-expect-error: not a colour
   drawRobot(context, view, parts, { robto: "red" });
-  return drawEdges(context, view, scenario, planner, firsts[0], colours) + wrap(x) + difference(x, y, true);
+  return drawEdges(context, view, scenario, planner, firsts[0], colours) + round.length + wrap(x) + difference(x, y, true);
 }
 `;
 

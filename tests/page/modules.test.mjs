@@ -311,6 +311,15 @@ test("lengths in different metrics are not compared; a tie is one; a path alone 
   assert.deepEqual(nameAll([{ algorithm: "prm", settings: { seed: 0 } }, { algorithm: "rrt", settings: { seed: 2 } }], (id) => id), ["A prm, seed 0", "B rrt, seed 2"]);
 });
 
+test("a path with blends is played round its corners, and the story tells how many there are", () => {
+  const { scenario, run } = runOf("stones", "rrt-connect", { seed: 0, shortcut: 10, blend: 0.5 });
+  const playback = playbackOf(scenario, run);
+  const { length, blended_length: blended = NaN, blends = [] } = run.result;
+  assert.ok(playback && blended < length && Math.abs(playback.length - blended) < 1e-3 * length, `${playback?.length}, ${blended} of ${length}`);
+  const rounded = blends.filter(([before]) => before > 0).length;
+  assert.match(ending(run, playback), new RegExp(`, ${rounded} of ${blends.length} corners rounded: ${blended.toFixed(2)} rad, proven`));
+});
+
 test("thinning keeps the first path and the end, rises, and costs no more for a long run", () => {
   const run = ended(new LocalRun(load("stones"), "prm", { samples: 5000, k: 9, seed: 0, shortcut: 200 }));
   for (const column of [-1, PAST.evaluations]) {

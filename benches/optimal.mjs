@@ -115,6 +115,7 @@ function ownRun(scenario, options) {
 /** @param {import("./peers/sides.mjs").Side} ompl @param {Scenario} scenario @param {string} file @param {string} planner @param {number} seeds @returns {Promise<Run[]>} */
 async function peerRuns(ompl, scenario, file, planner, seeds) {
   const judge = scenario.planner({ algorithm: "rrt" });
+  /** @type {Run[][]} */
   const all = [];
   for (const samples of isBatch(planner) ? SAMPLES : [0]) {
     const runs = await ompl.ask(`${file} disc 0 ${seeds} ${planner} ${LAST} ${samples}`);

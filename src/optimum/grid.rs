@@ -12,7 +12,7 @@ use crate::space::{MotionSpace, Space};
 const LINES: usize = 360;
 
 /// One round of improvement, and the gain below which it is the last.
-const ROUND: Wanted = Wanted { reduce: true, shortcuts: 500, partial_shortcuts: 500 };
+const ROUND: Wanted = Wanted { reduce: true, shortcuts: 500, partial_shortcuts: 500, blend: 0.0 };
 const GAIN: f64 = 1e-6;
 
 /// Rounds at most.

@@ -62,8 +62,8 @@ pub struct Optimum {
 /// The shortest path of a query of the scenario, of the first one if none is named. Parameters are those of runs that are about the
 /// metric: `metric`, of arms.
 ///
-/// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in at most a million proofs of motions to a neighbour
-/// on the grid, and 20,000 shortcuts.
+/// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in some million proofs of motions to a neighbour
+/// on a grid at most, and some thousand shortcuts.
 ///
 /// # Errors
 /// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without exactly

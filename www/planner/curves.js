@@ -81,7 +81,7 @@ export function watchCurves(page) {
     gap.element.hidden = optima.every((one) => !one);
     gap.title.textContent = `Gap to the ${isExact ? "shortest path" : "reference"}, %`;
     const drawn = gaps.map(({ label, points }) => ({ label, points: points.map(([at, percent]) => /** @type {[number, number]} */ ([at, Math.max(LEAST, percent)])) }));
-    if (!gap.element.hidden) gap.draw(drawn, { title: time, isLog: true, low: 1, high: Math.max(2, head) }, { title: "gap", isLog: true }, `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`);
+    if (!gap.element.hidden) gap.draw(drawn, { title: time, isLog: true, low: Math.max(1, head), high: Math.max(2, head) }, { title: "gap", isLog: true }, `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`);
     for (const chart of charts) chart.show(state.clock.now);
     if (numbers.open) list([["vertices", grown], ["path length", costs], ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gaps])])], names, time);
   }

@@ -5,6 +5,9 @@ use crate::problem::{Problem, Stats};
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
+/// How many samples are drawn until one lies on a path short enough.
+const DRAWS: u32 = 100;
+
 /// A graph that grows, with the work so far.
 #[derive(Debug, Clone)]
 pub struct Growth<S: Space> {
@@ -78,6 +81,28 @@ impl<S: Space> Growth<S> {
             }
         }
         Some(state)
+    }
+
+    /// The first of a few draws by way of which a path from start to goal may be shorter than `bound`; `None`, with an event, if there is
+    /// none. A draw that finds nothing is the last.
+    pub fn draw_within(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        bound: f64,
+        mut draw: impl FnMut(&mut Self) -> Option<S::State>,
+    ) -> Option<S::State> {
+        let mut useless = None;
+        for _ in 0..DRAWS {
+            let target = draw(self)?;
+            let by_way = || problem.space().distance(problem.start(), &target) + problem.distance_to_goal(&target);
+            if bound == f64::INFINITY || by_way() < bound {
+                return Some(target);
+            }
+            useless = Some(target);
+        }
+        self.reject(EventKind::SampleDiscarded, iteration, useless?);
+        None
     }
 
     /// Whether the motion is proven free; counts the check.

@@ -3,11 +3,13 @@
 //! A planner sees a space and its free states, never a robot or an obstacle. It owns its graph and its generator, so
 //! stepping in slices of any size gives the same result.
 
+mod best_tree;
 mod driven_tree;
 mod groups;
 mod growth;
 mod info;
 mod informed_rrt_star;
+mod near;
 mod neighbours;
 mod prm;
 mod query;
@@ -29,6 +31,7 @@ pub use groups::{
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
 pub use informed_rrt_star::InformedRrtStarOptions;
+pub use near::{NearRule, Nearness};
 pub use neighbours::{NeighbourIndex, NeighbourMetric, Neighbouring};
 pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
 pub use query::{Algorithm, Cost, Heuristic};
@@ -37,7 +40,7 @@ pub use roadmap::{Connection, QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};
-pub use rrt_star::{NearRule, Rewiring, RrtStarOptions};
+pub use rrt_star::{Rewiring, RrtStarOptions};
 pub use sst::SstOptions;
 pub use visibility_prm::VisibilityPrmOptions;
 

@@ -1,0 +1,126 @@
+//! Which vertices are neighbours of a state in planners whose paths approach the shortest: all within a radius that falls as vertices
+//! grow in number, or the k nearest, with a k that grows. The paper of each rule is beside it.
+
+use super::growth::Growth;
+use super::prm::prm_star_k;
+use crate::error::Error;
+use crate::nearest::{Direction, Index, Neighbour};
+use crate::options::out_of_range;
+use crate::problem::Problem;
+use crate::random::{Random, Stream};
+use crate::space::{MAX_DIMENSION, Space};
+
+/// How many directions measure a ball of the space.
+const DIRECTIONS: usize = 1024;
+/// Their length, as a fraction of the side of the space.
+const LENGTH: f64 = 1e-3;
+
+crate::choice! {
+    /// Which vertices may become the parent of a new one, or its children.
+    pub enum NearRule {
+        /// Those within a radius that falls as vertices grow in number.
+        Radius,
+        /// The nearest, the more the more vertices there are.
+        KNearest,
+    }
+}
+
+crate::options! {
+    /// Which vertices are neighbours.
+    pub struct Nearness for crate::options::ALL;
+    /// Neighbours of a new vertex: radius (near-optimal in the limit), or the k nearest, fewer and faster.
+    near: Option<NearRule>, "Neighbour rule", else "radius; k-nearest along curves of a car";
+    /// Multiplies the radius: less than 1 is faster, without a guarantee.
+    radius_factor: f64 = 1.0, in 0.01..=10.0, "Radius factor";
+}
+
+/// The rule for neighbours in a space.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Near {
+    /// The radius of a ball with the measure of the space; `None` if the nearest are neighbours.
+    scale: Option<f64>,
+    factor: f64,
+    dimension: usize,
+}
+
+/// The neighbours of a state.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reach {
+    /// All within this distance.
+    Within(f64),
+    /// As many of the nearest.
+    Nearest(usize),
+}
+
+impl Near {
+    /// The rule that was chosen, or the default one where motions are straight.
+    ///
+    /// # Errors
+    /// `out-of-range`, pointer `/near`, for a radius along curves.
+    pub fn new<S: Space>(problem: &Problem<S>, options: Nearness, default: NearRule) -> Result<Self, Error> {
+        let space = problem.space();
+        let is_straight = space.curve(problem.start(), problem.goal()).is_none();
+        if options.near == Some(NearRule::Radius) && !is_straight {
+            let sentence = "near must be k-nearest along curves: their balls have no measure to take a radius from";
+            return Err(out_of_range("near", sentence.to_owned()));
+        }
+        let rule = options.near.unwrap_or(if is_straight { default } else { NearRule::KNearest });
+        let scale = (rule == NearRule::Radius).then(|| radius_of_space(space));
+        Ok(Self { scale, factor: options.radius_factor, dimension: space.dimension() })
+    }
+
+    /// Neighbours among the `n` vertices of RRT* whose path, or the distance to the goal if it has none, is so long: the radius
+    /// of Solovey, Janson, Schmerling, Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*", theorem 1, with
+    /// theta = 1/4 and epsilon and mu going to 0, where the cost of the shortest path is replaced by a bound on it; at most `most`.
+    /// The k of Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
+    pub fn in_tree(&self, n: usize, cost: f64, most: f64) -> Reach {
+        let Some(scale) = self.scale else { return Reach::Nearest(prm_star_k(n, self.dimension)) };
+        let (d, n) = (self.dimension as f64, n as f64);
+        // gamma = (2 + theta) (cost |X| / ((d + 1) theta zeta))^(1 / (d + 1)), and |X| / zeta = scale^d.
+        let gamma = 2.25 * libm::pow(4.0 * cost / (d + 1.0) * libm::pow(scale, d), 1.0 / (d + 1.0));
+        Reach::Within((self.factor * (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0)))).min(most))
+    }
+}
+
+impl Reach {
+    /// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with itself.
+    pub fn find<S: Space>(
+        self,
+        problem: &Problem<S>,
+        growth: &mut Growth<S>,
+        index: &Index,
+        direction: Direction,
+        state: &S::State,
+        found: &mut Vec<Neighbour>,
+    ) {
+        growth.counters.nearest_queries += 1;
+        let (space, states) = (problem.space(), growth.graph.states());
+        match self {
+            Self::Within(radius) => index.within_by(space, states, direction, state, radius, found),
+            Self::Nearest(k) => index.k_nearest_by(space, states, direction, state, k, found),
+        };
+    }
+}
+
+/// The radius of a ball whose measure is that of the space, if balls of every size are as they are about the middle of the space: so a
+/// ball of radius r has the share (r / radius)^d of the space. O(1): short motions in many directions are measured.
+///
+/// The share of a ball of radius r is s^d E[(r g / rho)^d] for points drawn in a cube of side s about the middle, where g is how far
+/// out in the cube a point is, 0 to 1, and rho its distance: along the direction of each point, the ball ends r g / rho out.
+fn radius_of_space<S: Space>(space: &S) -> f64 {
+    let (d, middle) = (space.dimension(), space.at(&[0.5; MAX_DIMENSION][..space.dimension()]));
+    let mut random = Random::new(0, Stream::Samples);
+    let mut sum = 0.0;
+    for _ in 0..DIRECTIONS {
+        let mut unit = [0.0; MAX_DIMENSION];
+        let mut out = 0.0f64;
+        for x in &mut unit[..d] {
+            let offset = 2.0 * random.uniform() - 1.0;
+            out = out.max(offset.abs());
+            *x = 0.5 + LENGTH / 2.0 * offset;
+        }
+        let distance = space.distance(&middle, &space.at(&unit[..d]));
+        sum += libm::pow(LENGTH * out / distance, d as f64);
+    }
+    libm::pow(sum / DIRECTIONS as f64, -1.0 / d as f64)
+}

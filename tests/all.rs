@@ -24,13 +24,13 @@ mod json;
 mod limits;
 mod nearest;
 mod neighbours;
+mod optimal;
 mod optimum;
 mod own_space;
 mod pieces;
 mod planners;
 mod proof;
 mod roadmap;
-mod rrt_star;
 mod sampling;
 mod scenario;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]

@@ -1,8 +1,8 @@
 //! The table of planners: short descriptions, and pseudo-code that every iteration of every planner highlights.
 
 use crate::common::{
-    DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, fitting, no_way,
-    options, parse,
+    DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_pillar, disc_and_wall, finish,
+    fitting, no_way, options, parse,
 };
 use planarium::graph::EventKind;
 use planarium::options::Kind;
@@ -69,6 +69,8 @@ fn settings() -> Vec<(&'static str, String)> {
         ("rrt-connect", ""),
         ("rrt-star", ""),
         ("informed-rrt-star", ""),
+        ("fmt-star", samples),
+        ("bit-star", ""),
     ];
     for (planner, few) in few {
         all.push((planner, format!("{few} sampler=bridge max_iterations=400")));
@@ -114,7 +116,7 @@ fn every_planner_has_a_few_short_lines() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_iteration_lights_a_line_and_every_mark_is_met() {
-    let worlds = [arm_and_wall(0.1), disc_and_wall(0.3, 0.5), no_way()];
+    let worlds = [arm_and_wall(0.1), disc_and_wall(0.3, 0.5), disc_and_pillar(), no_way()];
     let cars = [car_and_wall(0.1), car_shut_in(0.1)];
     let mut met: BTreeSet<(&str, String)> = BTreeSet::new();
     for (planner, words) in settings() {

@@ -3,8 +3,8 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, Extend, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, Rewiring, RrtConnectOptions, RrtOptions,
-    RrtStarOptions, Searching, Status,
+    Algorithm, BitStarOptions, Extend, FmtStarOptions, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, Rewiring,
+    RrtConnectOptions, RrtOptions, RrtStarOptions, Searching, Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::space::steering::{Pose, Steering};
@@ -96,6 +96,14 @@ fn rrt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
     begin(&RrtStarOptions { rewiring, ..RrtStarOptions::default() }, problem, seed)
 }
 
+fn fmt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+    begin(&FmtStarOptions { samples: 150, ..FmtStarOptions::default() }, problem, seed)
+}
+
+fn bit_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+    begin(&BitStarOptions { batch_size: 60, ..BitStarOptions::default() }, problem, seed)
+}
+
 fn rrt_connect(problem: &Problem<Car>, seed: u64, step: f64) -> Box<dyn Planner<Car>> {
     begin(&RrtConnectOptions { step: Some(step), ..RrtConnectOptions::default() }, problem, seed)
 }
@@ -146,6 +154,8 @@ fn trees_end_at_the_goal_and_are_driven_in_order() {
             trees.push((format!("rrt {extend:?}"), rrt(&problem, seed, extend), f64::INFINITY));
         }
         trees.push(("rrt-star".to_owned(), rrt_star(&problem, seed), f64::INFINITY));
+        trees.push(("fmt-star".to_owned(), fmt_star(&problem, seed), f64::INFINITY));
+        trees.push(("bit-star".to_owned(), bit_star(&problem, seed), f64::INFINITY));
         for step in [0.4, 1.0, 5.0] {
             trees.push((format!("rrt-connect {step}"), rrt_connect(&problem, seed, step), step));
         }

@@ -40,6 +40,29 @@ impl CostTree {
         self.costs.get(vertex.index()).copied().unwrap_or(f64::INFINITY)
     }
 
+    /// Whether no vertex has this one as its parent. O(1).
+    pub fn is_leaf(&self, vertex: VertexId) -> bool {
+        self.children.get(vertex.index()).is_none_or(Vec::is_empty)
+    }
+
+    /// Removes a vertex without children; returns its parent, `None` if it was not in the tree. O(children of the parent).
+    ///
+    /// # Panics
+    /// In debug builds, if the vertex has children.
+    pub fn remove(&mut self, vertex: VertexId) -> Option<VertexId> {
+        debug_assert!(self.is_leaf(vertex), "its children would have no parent");
+        let parent = self.parent(vertex)?;
+        self.children[parent.index()].retain(|&child| child != vertex);
+        self.costs[vertex.index()] = f64::INFINITY;
+        self.tree.remove(vertex);
+        Some(parent)
+    }
+
+    /// The parent of a vertex; `None` of the root and outside of the tree.
+    fn parent(&self, vertex: VertexId) -> Option<VertexId> {
+        self.tree.contains(vertex).then(|| self.tree.parent(vertex)).flatten()
+    }
+
     /// Puts a vertex below a parent by an edge of this cost, from which the costs of all its descendants follow. Returns the former
     /// parent of a vertex that was in the tree. O(children of the former parent + descendants).
     ///
@@ -48,7 +71,7 @@ impl CostTree {
     pub fn attach(&mut self, vertex: VertexId, parent: VertexId, edge: f64) -> Option<VertexId> {
         debug_assert!(self.cost(parent) + edge < self.cost(vertex), "a vertex gets no worse parent");
         self.make_room(vertex);
-        let former = self.tree.contains(vertex).then(|| self.tree.parent(vertex)).flatten();
+        let former = self.parent(vertex);
         if let Some(former) = former {
             self.children[former.index()].retain(|&child| child != vertex);
         }

@@ -32,6 +32,11 @@ impl Tree {
         self.parents[vertex.index()] = parent.0;
     }
 
+    /// Removes a vertex, which has no children.
+    pub(super) fn remove(&mut self, vertex: VertexId) {
+        self.parents[vertex.index()] = NONE;
+    }
+
     /// Whether the vertex belongs to it.
     #[inline]
     pub fn contains(&self, vertex: VertexId) -> bool {

@@ -46,6 +46,14 @@ impl<S: Space> BestTree<S> {
         }
     }
 
+    /// Counts the expansion of a vertex, with an event, and returns its state.
+    pub fn expand(&mut self, iteration: u32, vertex: VertexId) -> S::State {
+        let state = self.growth.state(vertex);
+        self.growth.counters.visited += 1;
+        self.growth.add_event(EventKind::VertexExpanded, iteration, Some(vertex), None, state);
+        state
+    }
+
     /// Adds the event that a motion is not free.
     pub fn refuse(&mut self, iteration: u32, from: VertexId, to: Option<VertexId>, state: S::State) {
         self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), to, state);
@@ -70,6 +78,13 @@ impl<S: Space> BestTree<S> {
             self.refuse(iteration, parent.vertex, Some(vertex), to);
         }
         is_free
+    }
+
+    /// Removes a vertex without children, in the tree or not; returns its parent.
+    pub fn remove(&mut self, iteration: u32, vertex: VertexId) -> Option<VertexId> {
+        let state = self.growth.state(vertex);
+        self.growth.add_event(EventKind::VertexRemoved, iteration, Some(vertex), None, state);
+        self.tree.remove(vertex)
     }
 
     /// Notes the best path, if it has become cheaper.

@@ -72,7 +72,13 @@ impl<S: Space> Growth<S> {
         iteration: u32,
         sampler: &mut dyn Sampler<S>,
     ) -> Option<S::State> {
-        let Sample { state, known } = self.draw(problem, iteration, sampler)?;
+        let sample = self.draw(problem, iteration, sampler)?;
+        self.if_free(problem, iteration, sample)
+    }
+
+    /// The state of a sample if it is free; else `None`, with an event.
+    pub fn if_free(&mut self, problem: &Problem<S>, iteration: u32, sample: Sample<S::State>) -> Option<S::State> {
+        let Sample { state, known } = sample;
         if known == Known::Nothing {
             self.counters.configuration_checks += 1;
             if !problem.validity().is_free(&state) {

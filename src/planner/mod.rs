@@ -4,7 +4,9 @@
 //! stepping in slices of any size gives the same result.
 
 mod best_tree;
+mod bit_star;
 mod driven_tree;
+mod fmt_star;
 mod groups;
 mod growth;
 mod info;
@@ -23,7 +25,9 @@ mod rrt_star;
 mod sst;
 mod visibility_prm;
 
+pub use bit_star::BitStarOptions;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
+pub use fmt_star::FmtStarOptions;
 pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, Overgrowth, SamplerKind,
     Sampling, Searching, StopWhen, Termination,

@@ -9,11 +9,15 @@ use crate::options::out_of_range;
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
 use crate::space::{MAX_DIMENSION, Space};
+use std::f64::consts::E;
 
 /// How many directions measure a ball of the space.
 const DIRECTIONS: usize = 1024;
 /// Their length, as a fraction of the side of the space.
 const LENGTH: f64 = 1e-3;
+
+/// By how much radii and k of batches are above the critical ones, which have to be exceeded.
+const EXCESS: f64 = 1.1;
 
 crate::choice! {
     /// Which vertices may become the parent of a new one, or its children.
@@ -29,7 +33,7 @@ crate::options! {
     /// Which vertices are neighbours.
     pub struct Nearness for crate::options::ALL;
     /// Neighbours of a new vertex: radius (near-optimal in the limit), or the k nearest, fewer and faster.
-    near: Option<NearRule>, "Neighbour rule", else "radius; k-nearest along curves of a car";
+    near: Option<NearRule>, "Neighbour rule", else "radius; k-nearest in FMT* and along curves of a car";
     /// Multiplies the radius: less than 1 is faster, without a guarantee.
     radius_factor: f64 = 1.0, in 0.01..=10.0, "Radius factor";
 }
@@ -79,6 +83,34 @@ impl Near {
         // gamma = (2 + theta) (cost |X| / ((d + 1) theta zeta))^(1 / (d + 1)), and |X| / zeta = scale^d.
         let gamma = 2.25 * libm::pow(4.0 * cost / (d + 1.0) * libm::pow(scale, d), 1.0 / (d + 1.0));
         Reach::Within((self.factor * (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0)))).min(most))
+    }
+
+    /// Neighbours among the `n` vertices of FMT*: the radius of Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast
+    /// marching sampling-based method for optimal motion planning in many dimensions", theorem 4.1; or e times as many as a ball of
+    /// that radius holds on average, and so all of them with a probability that goes to 1.
+    pub fn in_march(&self, n: usize) -> Reach {
+        let d = self.dimension as f64;
+        self.in_batch(n, 1.0, 1.0 / d, libm::pow(2.0, d) / d)
+    }
+
+    /// Neighbours among `n` vertices and samples of BIT* that fill a share of the space: radius and k of Gammell, Barfoot and Srinivasa
+    /// 2020, "Batch Informed Trees (BIT*): informed asymptotically optimal anytime search".
+    pub fn in_informed_set(&self, n: usize, share: f64) -> Reach {
+        let each = 1.0 + 1.0 / self.dimension as f64;
+        self.in_batch(n, share, each, each)
+    }
+
+    /// Neighbours among `n` vertices that fill a share of the space: within 2 (by_radius |X| ln n / (zeta n))^(1 / d), or
+    /// the e by_number ln n nearest, and a bit more.
+    fn in_batch(&self, n: usize, share: f64, by_radius: f64, by_number: f64) -> Reach {
+        let (d, n) = (self.dimension as f64, n as f64);
+        match self.scale {
+            None => Reach::Nearest(libm::ceil(EXCESS * E * by_number * libm::log(n)) as usize),
+            Some(scale) => {
+                let volume = by_radius * share * libm::log(n) / n;
+                Reach::Within(self.factor * (EXCESS * 2.0 * scale * libm::pow(volume, 1.0 / d)))
+            }
+        }
     }
 }
 

@@ -15,6 +15,8 @@ registry! {
     RrtConnect(super::rrt_connect::RrtConnectOptions),
     RrtStar(super::rrt_star::RrtStarOptions),
     InformedRrtStar(super::informed_rrt_star::InformedRrtStarOptions),
+    FmtStar(super::fmt_star::FmtStarOptions),
+    BitStar(super::bit_star::BitStarOptions),
     RrtControl(super::rrt_control::RrtControlOptions),
     Sst(super::sst::SstOptions),
 }

@@ -52,6 +52,12 @@ pub fn disc_and_wall(radius: f64, thickness: f64) -> Scenario {
     named("disc-and-wall", "[0, 0], [10, 10]", &walls, &robot, r#""start": [1, 1], "goal": [9, 1]"#)
 }
 
+/// A disc whose straight way is barely blocked.
+pub fn disc_and_pillar() -> Scenario {
+    let query = r#""start": [1, 5], "goal": [9, 5]"#;
+    named("disc-and-pillar", "[0, 0], [10, 10]", &disc([5.0, 5.0], 0.05), r#"{"type": "disc", "radius": 0.05}"#, query)
+}
+
 /// An arm whose start and goal are free but cut off from each other by two walls that it cannot pass.
 pub fn no_way() -> Scenario {
     let walls = [rectangle([0.3, -0.1], [0.5, 0.1]), disc([-0.4, 0.0], 0.1)].join(",");
@@ -158,6 +164,10 @@ pub const PLANNERS: &[(&str, &str)] = &[
     ("rrt-star", "improve_iterations=100"),
     ("rrt-star", "near=k-nearest improve_iterations=50 goal_every=5"),
     ("informed-rrt-star", "improve_iterations=100"),
+    ("fmt-star", "samples=150"),
+    ("fmt-star", "samples=40 near=radius"),
+    ("bit-star", "batch_size=40 improve_iterations=300"),
+    ("bit-star", "near=k-nearest improve_iterations=100"),
     ("informed-rrt-star", "improve_iterations=40 stop_stale=30 stop_evaluations=2000 stop_when=all"),
 ];
 

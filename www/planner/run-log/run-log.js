@@ -150,7 +150,8 @@ export class RunLog {
   take({ history, vertices, edges, events, traces, motions, status, phase, stats, result, path, rawPath }) {
     this.history.add(history);
     this.vertices.add(vertices);
-    this.sides.add(new Uint8Array(this.vertices.count - this.sides.count));
+    // The samples of a tree may join it later.
+    this.sides.add(new Uint8Array(this.vertices.count - this.sides.count).fill(this.kind === "tree" ? SIDE.start : SIDE.none));
     const [firstEdge, firstEvent] = [this.edges.count, this.events.count];
     this.edges.add(edges);
     if (this.isTree && edges.length > 0) this.inheritSides(firstEdge);

@@ -7,7 +7,7 @@ import { Fields } from "../../widgets/options.js";
 /** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
 /** The main parameters. */
-export const FIRST = new Set(["k", "k_rule", "samples", "failures", "step", "blossom", "goal_bias", "sampler", "seed"]);
+export const FIRST = new Set(["k", "k_rule", "samples", "failures", "batch_size", "step", "blossom", "goal_bias", "sampler", "seed"]);
 
 /** The groups of the others; parameters of no group come last. @type {[string, string[]][]} */
 const GROUPS = [

@@ -16,6 +16,7 @@ const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
   Planner: "scenario.planner(options) or scenario.resume(roadmap, options)",
   Reach: "scenario.reach(options)",
+  Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",
   Drive: "scenario.drive(q)",
   Experiment: "Experiment.parse",

@@ -13,13 +13,14 @@
 //! - [`path::verify()`] checks a finished path by an independent method;
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
+//! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
 //! - [`driving::Drive`] drives a car by keys, [`trajectories::Trajectories`] adds trajectories that do not cross.
 //!
 //! # Modules, from the ground up
 //! `error`, `json`, `options`, `random`, [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
 //! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
-//! them [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
+//! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
 //! scenario or a shape. The core reads no clock, prints nothing, has no global state and takes no callbacks. A test
 //! enforces this. Modules hidden from this page are public for the tests and benches only; they may change at any time.
@@ -29,6 +30,7 @@
 #[cfg(target_arch = "wasm32")]
 #[allow(missing_docs, unsafe_code)]
 pub mod bindings;
+pub mod certificate;
 pub mod driving;
 pub mod experiment;
 pub mod geometry;

@@ -10,6 +10,7 @@ mod blend;
 mod body_proof;
 mod budget;
 mod catalogue;
+mod certificate;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod cli;
 mod control;

@@ -180,6 +180,34 @@ fn an_impossible_query_exhausts_its_budget() {
 }
 
 #[test]
+fn a_certificate_is_printed_and_verified() {
+    for (line, code, verdict, says) in [
+        ("--query cut-off", 0, "infeasible", "infeasible: no path exists; "),
+        ("--query around --clearance 0.25", 0, "connected", "connected: a path with clearance above 0.25 m exists; "),
+        (
+            "--query around --clearance 0.35",
+            0,
+            "infeasible",
+            "infeasible: no path with clearance above 0.35 m exists; ",
+        ),
+        ("--query around --cells 1", 1, "unknown", "unknown: "),
+    ] {
+        let finished = planarium(&format!("certify room.json {line}"));
+        assert_eq!((finished.code, finished.json()["verdict"].as_str()), (code, Some(verdict)), "{}", finished.stderr);
+        assert!(finished.stderr.starts_with(says), "{}", finished.stderr);
+        let verified = planarium_with("verify room.json -", &finished.stdout);
+        assert_eq!((verified.code, verified.json()), (0, json!({ "valid": true })), "{}", verified.stderr);
+    }
+    planarium("certify room.json --query cut-off --out cut-off.json");
+    let holed = text_of("cut-off.json").replacen(r#""part":0"#, r#""part":1"#, 1);
+    let refused = planarium_with("verify room.json -", &holed);
+    assert_eq!((refused.code, &refused.json()["valid"]), (1, &json!(false)), "{}", refused.stderr);
+    planarium("certify room.json --query in-wall").refuses("goal-in-collision", "/goal");
+    planarium("certify room.json --clearance -1").refuses("out-of-range", "/clearance");
+    planarium("verify arm.json cut-off.json").refuses("invalid-result", "/scenario");
+}
+
+#[test]
 fn time_stops_a_run_and_the_result_contains_the_iterations() {
     let cut_off = "plan room.json --query cut-off";
     // A busy machine may stop the program while it runs; one try in five must keep to its time.

@@ -132,9 +132,19 @@ fn a_query_without_a_path_is_never_solved() {
             assert_eq!((finished.code, &finished.json()["status"]), (1, &json!("exhausted")), "{name} {planner}");
         }
     }
+    // Certificates prove it: of the second at any clearance above 0, at 0 only that a path would keep next to none.
+    let certify = |text: &str, more: &str| {
+        let finished = planarium_with(&format!("certify - {more}"), text).json();
+        (finished["verdict"].clone(), finished["clearance_at_most"].as_f64())
+    };
+    assert_eq!(certify(&shared["forest-2r-1"], ""), (json!("infeasible"), Some(0.0)));
+    assert_eq!(certify(&shared["forest-2r-2"], "--clearance 0.0001"), (json!("infeasible"), Some(0.0001)));
+    let (verdict, most) = certify(&shared["forest-2r-2"], "--cells 20000");
+    assert!(verdict == "unknown" && most > Some(0.0) && most < Some(0.001), "{verdict} {most:?}");
     // With the first link a millimetre shorter there is a path.
     let mut shorter: Value = serde_json::from_str(&shared["forest-2r-2"]).expect("JSON");
     shorter["robot"]["links"][0] = 0.999.into();
+    assert_eq!(certify(&shorter.to_string(), "").0, "connected");
     for planner in PLANNERS {
         assert_eq!(solved(&shorter.to_string(), "report", (planner, &[]), 3), 3, "{planner}");
     }

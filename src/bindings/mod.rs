@@ -38,6 +38,7 @@ mod planner;
 mod reach;
 mod records;
 mod scenario;
+mod subdivision;
 mod trajectories;
 mod types;
 

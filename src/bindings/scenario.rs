@@ -3,12 +3,13 @@
 use super::arguments::{choice, count, document, fields, finite, row, rows, text, text_or_bytes};
 use super::records::{Check, QueryCheck, Rollout, object, record, with_configuration};
 use super::types::{
-    Booleans, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument, JsNumber, JsPair,
-    JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ReachOptions, ResumeOptions,
-    RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
+    Booleans, CertifyOptions, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument,
+    JsNumber, JsPair, JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ReachOptions,
+    ResumeOptions, RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
 };
-use super::{drive, neighbours, planner, reach};
+use super::{drive, neighbours, planner, reach, subdivision};
 use crate::Error;
+use crate::certificate;
 use crate::driving;
 use crate::geometry::Point;
 use crate::ik::{self, Solver, SolverOptions, Target, arm_of};
@@ -95,7 +96,7 @@ impl Scenario {
     #[wasm_bindgen(js_name = checkQuery)]
     pub fn check_query(&self, name: Option<JsText>) -> Result<Ts<QueryCheck>, Error> {
         let name = name.map(|name| text(&name, "query")).transpose()?;
-        let (_, query) = Options { query: name, ..Options::default() }.find_query(self.scenario())?;
+        let (_, query) = self.scenario().find_query(name.as_deref())?;
         let check = |q: &[f64]| self.inspector.check(q).map(Check::from);
         let goal = query.configuration().map(check).transpose()?;
         Ok(record(&QueryCheck::new(query.name.clone(), check(&query.start)?, goal)))
@@ -207,6 +208,22 @@ impl Scenario {
         let mut fields = fields(options)?;
         let query: Option<String> = fields.take("query")?;
         optimum::optimum(&self.world, query.as_deref(), &fields.parameters()).map(|optimum| record(&optimum))
+    }
+
+    /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query keeps more
+    /// than a clearance. It outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for another robot, and for a query with a target; `unknown-query`, `out-of-range`,
+    /// `not-finite`, `wrong-type`, `unknown-field`; `start-in-collision`, `goal-in-collision`
+    pub fn certify(&self, options: Option<CertifyOptions>) -> Result<subdivision::Subdivision, Error> {
+        let mut fields = fields(options)?;
+        let defaults = certificate::Options::default();
+        let options = certificate::Options {
+            query: fields.take("query")?,
+            clearance: fields.take("clearance")?.unwrap_or(defaults.clearance),
+            cells: fields.take("cells")?.unwrap_or(defaults.cells),
+        };
+        fields.finish("query, clearance, cells")?;
+        certificate::Subdivision::new(&self.world, &options).map(subdivision::Subdivision::new)
     }
 
     /// Makes an empty index of configurations of the robot; `neighbourIndexes()` lists the indexes and their options. It outlives the

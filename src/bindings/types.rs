@@ -29,6 +29,7 @@ plain! {
     ResumeOptions = "ResumeOptions",
     GenerateOptions = "GenerateOptions",
     ReachOptions = "ReachOptions",
+    CertifyOptions = "CertifyOptions",
     NeighboursOptions = "NeighboursOptions",
     SampleOptions = "SampleOptions",
     OptimumOptions = "OptimumOptions",
@@ -47,6 +48,7 @@ plain! {
     Booleans = "boolean[]",
     JsBox = "Box",
     JsVerdict = "ReachVerdict",
+    JsVerdictOrNull = "CertificateVerdict | null",
     ExperimentInput = "string | ExperimentDocument",
     Measures = "Measure[]",
     Sample = "Float64Array | readonly number[]",
@@ -128,6 +130,16 @@ export interface OptimumOptions {
   query?: string;
   /** The metric of an arm; `sum` by default. */
   metric?: "sum" | "euclidean" | "naive";
+}
+
+/** Options of `scenario.certify`. */
+export interface CertifyOptions {
+  /** The name of the query; the first of the scenario by default. */
+  query?: string;
+  /** The clearance that paths have to exceed, in metres, at least 0 (default). */
+  clearance?: number;
+  /** The number of cells after which it ends undecided, 1 to 1,000,000; 50,000 by default. */
+  cells?: number;
 }
 
 /** Options of `scenario.rollout`. */

@@ -40,6 +40,7 @@ pub use disc::DiscValidity;
 pub use joint_lines::JointLines;
 pub use motion::{BodyMotion, LONGEST_DRIVE, LONGEST_TURN};
 pub use obstacles::Obstacles;
+pub(crate) use obstacles::largest_coordinate;
 pub use sampled::Sampled;
 pub use tolerance::Tolerance;
 pub use world::CollisionWorld;

@@ -66,6 +66,11 @@ impl Obstacles {
         self.shapes.is_empty()
     }
 
+    /// Obstacle `i`.
+    pub(crate) fn shape(&self, i: usize) -> &Obstacle {
+        &self.shapes[i]
+    }
+
     /// The box around obstacle `i`.
     pub fn aabb(&self, i: usize) -> &Aabb {
         &self.boxes[i]
@@ -109,7 +114,7 @@ impl Obstacles {
 }
 
 /// The largest coordinate of the box, in metres.
-pub(super) fn largest_coordinate(aabb: &Aabb) -> f64 {
+pub(crate) fn largest_coordinate(aabb: &Aabb) -> f64 {
     let of = |p: Point| p.x.abs().max(p.y.abs());
     of(aabb.min).max(of(aabb.max))
 }

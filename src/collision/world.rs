@@ -23,7 +23,7 @@ impl CollisionWorld {
     }
 
     /// The obstacles as they are.
-    pub(super) fn obstacles(&self) -> Arc<Obstacles> {
+    pub(crate) fn obstacles(&self) -> Arc<Obstacles> {
         Arc::clone(&self.0.obstacles)
     }
 

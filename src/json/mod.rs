@@ -12,7 +12,7 @@ pub use tree::parse;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use tree::{in_javascript, read_tree};
 pub(crate) use typed::by_type;
-pub use typed::{not_negative, read};
+pub use typed::{not_negative, read, some_not_negative};
 pub use write::to_string;
 
 /// The longest text that is read, in bytes.

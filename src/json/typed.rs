@@ -30,6 +30,14 @@ pub fn not_negative<'de, D: Deserializer<'de>>(source: D) -> Result<f64, D::Erro
     if value < 0.0 { Err(sentence()) } else { Ok(value) }
 }
 
+/// Reads a number that is not negative and may be left out.
+///
+/// # Errors
+/// Those of [`not_negative`].
+pub fn some_not_negative<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
+    not_negative(source).map(Some)
+}
+
 /// An error of serde, on its way out to the value that is read.
 #[derive(Debug)]
 struct Fault {

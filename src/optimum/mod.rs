@@ -18,7 +18,6 @@ use crate::options::{Options as _, Value};
 use crate::path::{length, split};
 use crate::planner::MetricOptions;
 use crate::problem::Problem;
-use crate::run;
 use crate::scenario::{Query, Robot};
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
@@ -75,8 +74,7 @@ pub fn optimum(
     parameters: &[(String, Value)],
 ) -> Result<Optimum, Error> {
     let world = scenario.into();
-    let options = run::Options { query: query.map(str::to_owned), ..run::Options::default() };
-    let (index, query) = options.find_query(world.scenario())?;
+    let (index, query) = world.scenario().find_query(query)?;
     let at_query = |error: Error| match error.code() {
         Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),
         _ => error,

@@ -42,11 +42,11 @@ pub struct ResultDocument {
     #[serde(deserialize_with = "json::not_negative")]
     pub length: f64,
     /// The length along the blends, at most `length`. Absent without them.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "optional_length")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub blended_length: Option<f64>,
     /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it: at most the length
     /// along its arcs. Absent for others.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "optional_length")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub chord_length: Option<f64>,
     /// The work done.
     pub stats: Stats,
@@ -104,11 +104,6 @@ impl ResultDocument {
     pub fn to_json(&self) -> String {
         json::to_string(self)
     }
-}
-
-/// Reads a length that may be left out.
-fn optional_length<'de, D: Deserializer<'de>>(source: D) -> Result<Option<f64>, D::Error> {
-    json::not_negative(source).map(Some)
 }
 
 /// Reads a share, from 0 to 1.

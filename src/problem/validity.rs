@@ -1,6 +1,6 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
 /// [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
@@ -56,7 +56,7 @@ pub struct Contact {
 }
 
 /// An obstacle or the bounds, touched by a part of the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Touched {
     /// The bounds of the world: the part is not wholly inside.

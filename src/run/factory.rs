@@ -63,7 +63,7 @@ pub(super) fn launch(
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let scenario = world.scenario();
-    let (index, query) = options.find_query(scenario)?;
+    let (index, query) = scenario.find_query(options.query.as_deref())?;
     planner.check_robot(scenario.robot().kind())?;
     // A path of controlled motions ends near its goal, never exactly there.
     let driving = planner.group::<ByControls>();

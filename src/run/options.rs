@@ -1,9 +1,8 @@
 //! The options of a run.
 
 use super::Value;
-use crate::error::{Code, Error, quoted};
 use crate::planner::default_planner;
-use crate::scenario::{Query, Scenario};
+use crate::scenario::Scenario;
 
 /// Planner, query, seed and parameters of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,25 +32,5 @@ impl Options {
     /// The id of the planner.
     pub fn planner_for(&self, scenario: &Scenario) -> &str {
         self.planner.as_deref().unwrap_or(default_planner(scenario.robot().kind()))
-    }
-
-    /// The query and its index in the scenario.
-    ///
-    /// # Errors
-    /// `unknown-query`, pointer `/query`, naming those that exist.
-    pub fn find_query<'a>(&self, scenario: &'a Scenario) -> Result<(usize, &'a Query), Error> {
-        let queries = scenario.queries();
-        let is_meant = |query: &Query| self.query.as_ref().is_none_or(|name| query.name == *name);
-        let found = queries.iter().enumerate().find(|(_, query)| is_meant(query));
-        found.ok_or_else(|| {
-            let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
-            let sentence = match &self.query {
-                Some(name) => {
-                    format!("unknown query {}; the queries of this scenario are [{}]", quoted(name), known.join(", "))
-                }
-                None => "this scenario has no query".to_owned(),
-            };
-            Error::new(Code::UnknownQuery, "/query", sentence)
-        })
     }
 }

@@ -1,5 +1,6 @@
 //! A checked scenario and its parts.
 
+use crate::error::{Code, Error, quoted};
 use crate::geometry::{
     Aabb, Disc, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
     distance_segment_polygon,
@@ -55,6 +56,25 @@ impl Scenario {
     /// The queries in the order of the document; names are distinct.
     pub fn queries(&self) -> &[Query] {
         &self.0.queries
+    }
+
+    /// The query of that name, or the first, and its index.
+    ///
+    /// # Errors
+    /// `unknown-query`, pointer `/query`, naming those that exist.
+    pub fn find_query(&self, name: Option<&str>) -> Result<(usize, &Query), Error> {
+        let queries = self.queries();
+        let found = queries.iter().enumerate().find(|(_, query)| name.is_none_or(|name| query.name == name));
+        found.ok_or_else(|| {
+            let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
+            let sentence = match name {
+                Some(name) => {
+                    format!("unknown query {}; the queries of this scenario are [{}]", quoted(name), known.join(", "))
+                }
+                None => "this scenario has no query".to_owned(),
+            };
+            Error::new(Code::UnknownQuery, "/query", sentence)
+        })
     }
 
     /// The normalised document as text, on one line: fields in a fixed order, defaults written out, polygons

@@ -1,7 +1,7 @@
 /** Bad input: always an error with a stable code, a sentence with the offending value, and a pointer to it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, Neighbours, Planner, Reach, Scenario, Trajectories } from "planarium";
+import { Drive, Neighbours, Planner, Reach, Scenario, Subdivision, Trajectories } from "planarium";
 import { arm, body, car, disc, fails, finish, options, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
@@ -218,7 +218,7 @@ test("what a scenario makes outlives it", () => {
 });
 
 test("handles come from the package alone", () => {
-  for (const Class of /** @type {any[]} */ ([Scenario, Planner, Neighbours, Reach, Drive])) {
+  for (const Class of /** @type {any[]} */ ([Scenario, Planner, Neighbours, Reach, Drive, Subdivision])) {
     fails(() => new Class(), "illegal-constructor");
     fails(() => new Class(Symbol("planarium"), {}), "illegal-constructor");
   }

@@ -12,10 +12,10 @@ function inCamelCase(options) {
 /**
  * The outcomes of all cases, in the order of the files.
  * @param {Pick<typeof import("planarium"), "Scenario" | "Trajectories">} planarium
- * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches", any[]> & { scenes: Record<string, string> }} cases
+ * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates", any[]> & { scenes: Record<string, string> }} cases
  *   as stored in their files, and the scenes' texts by name
  */
-export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, scenes }) {
+export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, certificates, scenes }) {
   /** @param {any} given */
   const opened = ({ scene, scenario = scenes[scene], generate, options }) =>
     generate ? Scenario.generate(generate, options) : Scenario.parse(scenario);
@@ -24,6 +24,7 @@ export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajec
     neighbours.map((given) => nearest(opened(given), given)),
     trajectories.map(({ options, seed }) => tried(new Trajectories({ ...inCamelCase(options), seed }))),
     reaches.map((given) => reached(opened(given), given)),
+    certificates.map((given) => certified(opened(given), given)),
   ];
 }
 
@@ -77,4 +78,15 @@ function reached(scenario, { reach }) {
     status, verdict, iterations, solutions: solutions.length, rejected: rejected.length, fingerprint,
     nearest: { configuration: [...configuration], distance: away }, followed: { configuration: [...q], distance },
   };
+}
+
+/** @param {import("planarium").Scenario} scenario @param {any} given */
+function certified(scenario, { clearance }) {
+  const subdivision = scenario.certify({ clearance, cells: 3000 });
+  while (subdivision.step(10) === "running");
+  const { verdict, clearance_at_most = null, cells, wall, channel } = subdivision.certificate();
+  const kinds = subdivision.cellsSince(0).filter((_, i) => i % 5 === 4);
+  subdivision.free();
+  scenario.free();
+  return { verdict, clearance_at_most, cells, blocked: kinds.filter((kind) => kind === 2).length, wall: wall.length, channel: channel.length };
 }

@@ -2,6 +2,7 @@
 
 use crate::sweep::rows::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use planarium::certificate::DEFAULT_CELLS;
 use planarium::random::{MAX_SEED, random_seed};
 use planarium::run::Value;
 use std::num::NonZeroUsize;
@@ -34,9 +35,11 @@ pub struct Arguments {
 pub enum Command {
     /// Plan a path for one query of a scenario and print the result document
     Plan(Plan),
+    /// Prove that no path keeps more than a clearance, or that one does, and print the certificate
+    Certify(Certify),
     /// Find joint angles that bring the tip of an arm to a target and print the result document
     Reach(Reach),
-    /// Verify a result against its scenario, independently of the planners
+    /// Verify a result or a certificate against its scenario, by other code than that which made it
     Verify(Verify),
     /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints
     Optimum(Optimum),
@@ -128,6 +131,37 @@ pub struct Plan {
 
 #[derive(Args)]
 #[command(after_help = "\
+For an arm of two links and for a disc. The verdict is \"infeasible\" (no path keeps more than the clearance), \"connected\" (a
+path does), or \"unknown\" once there are too many cells; then no path keeps more than \"clearance_at_most\", if that is there.
+Exit codes: 0 infeasible or connected; 1 unknown; 2 the input is wrong.
+
+Examples:
+  planarium certify arm.json --out certificate.json
+  planarium verify arm.json certificate.json
+  planarium certify arm.json --query report --clearance 0.01 --cells 200000")]
+pub struct Certify {
+    /// The scenario, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The query, by name [default: the first of the scenario]
+    #[arg(long, value_name = "NAME")]
+    pub query: Option<String>,
+
+    /// The clearance that paths have to exceed, in metres
+    #[arg(long, value_name = "E", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub clearance: f64,
+
+    /// The most cells, divided ones too
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_CELLS, allow_negative_numbers = true)]
+    pub cells: usize,
+
+    /// Write the certificate to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
 If the target is out of reach, the result contains the reason and the nearest point that can be reached.
 Exit codes: 0 reached; 1 not reached; 2 the input is wrong.
 
@@ -200,7 +234,7 @@ pub enum RoadmapFormat {
 
 #[derive(Args)]
 #[command(after_help = "\
-Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}.
+Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}; of a certificate without counts.
 Clearance is the smallest distance to an obstacle found, in metres; null without obstacles.
 Exit codes: 0 valid; 1 not valid; 2 the input is wrong.
 
@@ -211,7 +245,7 @@ pub struct Verify {
     /// The scenario, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// The result document; - reads it from standard input
+    /// The result document, or the certificate; - reads it from standard input
     pub result: String,
 }
 

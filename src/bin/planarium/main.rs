@@ -1,10 +1,11 @@
-//! The command line: plan, optimum, verify, sweep, nearest, list, generate, reach, trajectories.
+//! The command line: plan, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
 #![deny(unsafe_code)]
 
 mod arguments;
+mod certify;
 mod files;
 mod generate;
 mod list;
@@ -52,6 +53,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Answer {
     match command {
         Command::Plan(arguments) => plan::plan(arguments),
+        Command::Certify(arguments) => certify::certify(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),

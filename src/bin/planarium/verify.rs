@@ -1,15 +1,25 @@
-//! `planarium verify`: the independent verifier.
+//! `planarium verify`: the independent verifiers.
 
 use crate::arguments::Verify;
 use crate::{Answer, files};
+use planarium::certificate::{self, Certificate};
+use planarium::json;
 use planarium::path::{self, ResultDocument, Verdict};
 use serde_json::json;
 
-/// Verifies and prints the verdict; true if the result is valid.
+/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format.
 pub fn verify(arguments: &Verify) -> Answer {
     let scenario = files::scenario(&arguments.file, Some(("result", &arguments.result)))?;
-    let result = ResultDocument::parse(&files::read(&arguments.result)?)?;
-    let verdict = path::verify(&scenario, &result)?;
+    let text = files::read(&arguments.result)?;
+    let is_certificate = json::parse(&text)?.get("format").is_some();
+    if is_certificate {
+        let why = certificate::verify(&scenario, &Certificate::parse(&text)?)?;
+        files::say(&why.as_ref().map_or("valid".to_owned(), |why| format!("not valid: {why}")));
+        let document = why.as_ref().map_or(json!({ "valid": true }), |why| json!({ "valid": false, "why": why }));
+        files::print(&document.to_string())?;
+        return Ok(why.is_none());
+    }
+    let verdict = path::verify(&scenario, &ResultDocument::parse(&text)?)?;
     let (message, document) = match &verdict {
         Verdict::Valid { waypoints, samples, clearance } => {
             // JSON has no infinity: without obstacles the clearance is null.

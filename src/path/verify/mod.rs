@@ -98,9 +98,7 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
         let sentence = format!("the result belongs to scenario {:?}, not to {:?}", result.scenario, scenario.name());
         return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
     }
-    let query = scenario.queries().iter().find(|query| query.name == result.query).ok_or_else(|| {
-        Error::new(Code::UnknownQuery, "/query", format!("the scenario has no query {:?}", result.query))
-    })?;
+    let (_, query) = scenario.find_query(Some(&result.query))?;
     let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
     Ok(verdict(result.path.len(), check(scenario, query, result, shares)))
 }

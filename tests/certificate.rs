@@ -1,0 +1,328 @@
+//! Certificates: what they say against planners, against known worlds, and against checks by other code; and the refusal of false ones.
+
+use crate::common::documents::{arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario};
+use crate::common::{
+    arm_and_wall, begin_with, car_and_wall, cases, disc_and_wall, finish, golden, no_way, parse, seeds,
+};
+use planarium::certificate::{Certificate, Kind, Options, Subdivision, Verdict, verify};
+use planarium::random::{Random, Stream};
+use planarium::run::Status;
+use planarium::run::inspect::Inspector;
+use planarium::scenario::Scenario;
+use planarium::scenario::generate::generate;
+use serde_json::{Value, json};
+use std::f64::consts::PI;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn options(clearance: f64, cells: usize) -> Options {
+    Options { clearance, cells, ..Options::default() }
+}
+
+/// The certificate of the first query, which is confirmed, and reads back as it was written.
+#[track_caller]
+fn certify(scenario: &Scenario, clearance: f64, cells: usize) -> Certificate {
+    let mut subdivision = Subdivision::new(scenario, &options(clearance, cells)).expect("a subdivision");
+    subdivision.step(u64::MAX);
+    let certificate = subdivision.certificate();
+    assert_eq!(verify(scenario, &certificate).expect("of this scenario"), None, "{}", certificate.to_json());
+    assert_eq!(Certificate::parse(&certificate.to_json()).as_ref(), Ok(&certificate));
+    certificate
+}
+
+fn verdict(scenario: &Scenario, clearance: f64) -> Verdict {
+    certify(scenario, clearance, 20_000).verdict
+}
+
+/// A disc in a box of side 4 among obstacles, from the left to the right.
+fn room(radius: f64, obstacles: &[String]) -> Scenario {
+    let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
+    scenario("[0, 0], [4, 4]", &obstacles.join(","), &robot, r#""start": [0.6, 2], "goal": [3.4, 2]"#)
+}
+
+/// A wall across the room from below to above, with a kink, of the given thickness.
+fn wall(random: &mut Random, thickness: f64) -> String {
+    let mut at = |low: f64, high: f64| low + random.uniform() * (high - low);
+    let (x, y, z, height) = (at(1.6, 2.4), at(1.6, 2.4), at(1.6, 2.4), at(1.0, 3.0));
+    let t = thickness;
+    polygon(&[[x, 0.0], [x + t, 0.0], [y + t, height], [z + t, 4.0], [z, 4.0], [y, height]])
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn steps_may_be_divided_in_any_way() {
+    for (world, clearance) in [(no_way(), 0.0), (arm_and_wall(0.1), 0.1), (disc_and_wall(0.3, 0.5), 0.19)] {
+        let [mut one, mut seven, mut all] =
+            [(); 3].map(|()| Subdivision::new(&world, &options(clearance, 5000)).unwrap());
+        while one.step(1) == Status::Running {}
+        while seven.step(7) == Status::Running {}
+        all.step(u64::MAX);
+        assert_eq!(one.certificate(), all.certificate());
+        assert_eq!(seven.certificate(), all.certificate());
+        assert!(one.cells_since(0).eq(all.cells_since(0)) && seven.cells_since(9).eq(all.cells_since(9)));
+        assert_eq!(all.step(1), all.status());
+        assert_eq!(one.divisions(), all.divisions());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_closed_wall_leaves_no_path_and_a_gap_leaves_one() {
+    let mut random = Random::new(7, Stream::Samples);
+    for thickness in [0.5, 0.1, 0.02].into_iter().chain((0..cases(40)).map(|i| 0.05 + 0.01 * i as f64)) {
+        let closed = wall(&mut random, thickness);
+        let stones = [disc([1.0, 3.0], 0.3), rectangle([2.9, 0.5], [3.3, 1.2])];
+        for radius in [0.0, 0.2] {
+            let world = room(radius, &[&[closed.clone()], &stones[..]].concat());
+            assert_eq!(verdict(&world, 0.0), Verdict::Infeasible, "{closed}");
+            assert_eq!(verdict(&room(radius, &stones), 0.0), Verdict::Connected);
+        }
+    }
+    // A gap of width 1 beside the disc of radius 0.3 leaves 0.2 on both sides.
+    let gap = disc_and_wall(0.3, 0.5);
+    for (clearance, expected) in [(0.0, Verdict::Connected), (0.199, Verdict::Connected), (0.201, Verdict::Infeasible)]
+    {
+        assert_eq!(verdict(&gap, clearance), expected, "{clearance}");
+    }
+    // Round the back, where joints wrap; with limits there is no such way.
+    assert_eq!(verdict(&arm_and_wall(0.1), 0.0), Verdict::Connected);
+    let query = r#""start": [0.6, 0.2], "goal": [-0.6, -0.2]"#;
+    let robot = limited_arm(&[1.0, 0.8], 0.0, &[[-2.0, 2.0], [-2.5, 2.5]]);
+    let limited = scenario("", &rectangle([0.7, -0.1], [3.0, 0.1]), &robot, query);
+    assert_eq!(verdict(&limited, 0.0), Verdict::Infeasible);
+    // Nor within bounds that keep the arm from going round.
+    let bounded = scenario("[-0.5, -2], [3, 2]", &rectangle([0.7, -0.1], [2.9, 0.1]), &arm(&[1.0, 0.8], 0.0), query);
+    let certificate = certify(&bounded, 0.0, 20_000);
+    assert_eq!(certificate.verdict, Verdict::Infeasible);
+    assert!(certificate.to_json().contains(r#""obstacle":"bounds""#), "the bounds are a part of the wall");
+    assert_eq!(verdict(&no_way(), 0.0), Verdict::Infeasible);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_way_that_only_a_touch_leaves_is_neither_at_zero_and_none_above() {
+    // A gap exactly as wide as the disc; and an elbow that can pass below a corner only by touching it.
+    let gap = room(0.5, &[rectangle([1.9, 0.0], [2.1, 1.5]), rectangle([1.9, 2.5], [2.1, 4.0])]);
+    let walls = [polygon(&[[-0.5, 1.0], [0.0, 1.0], [-0.25, 1.5]]), rectangle([-0.1, -0.9], [0.1, -0.6])];
+    let elbow = scenario("", &walls.join(","), &arm(&[1.0, 0.3], 0.0), r#""start": [0.5, 1], "goal": [2.5, 1]"#);
+    assert_eq!(verdict(&gap, 0.0), Verdict::Infeasible, "what touches is in collision");
+    for world in [elbow] {
+        let mut before = f64::INFINITY;
+        for cells in [2000, 8000] {
+            let undecided = certify(&world, 0.0, cells);
+            let most = undecided.clearance_at_most.expect("a bound");
+            assert_eq!(undecided.verdict, Verdict::Unknown);
+            assert!(0.0 < most && most < before && most < 0.05, "{} {most}", world.robot().kind());
+            before = most;
+        }
+        assert_eq!(verdict(&world, 0.001), Verdict::Infeasible);
+    }
+}
+
+/// A random world of an arm of two links or of a disc; `None` if its start or goal is in collision.
+fn random_world(seed: u64) -> Option<Scenario> {
+    if seed.is_multiple_of(2) {
+        return generate("discs", &json!({ "placement": "overlapping", "count": 70, "seed": seed })).ok();
+    }
+    generate("clutter", &json!({ "robot": "arm", "count": 20, "seed": seed })).ok()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn verdicts_agree_with_planners() {
+    let mut counts = [0; 2];
+    for seed in 0..seeds(200) {
+        let Some(world) = random_world(seed) else { continue };
+        let decided = verdict(&world, 0.0);
+        let iterations = if decided == Verdict::Connected { 100_000 } else { 2000 };
+        let run = finish(begin_with(&world, "rrt-connect", seed, &format!("max_iterations={iterations}")));
+        if run.status() == Status::Solved {
+            assert_ne!(decided, Verdict::Infeasible, "{}", world.to_json_string());
+            // The verifier's clearance of an arm is that at samples, a thousandth of its size apart.
+            let slack = if seed.is_multiple_of(2) { 0.0 } else { 0.002 };
+            let clearance = 0.999 * judged(&world, &run.result()).expect("valid") - slack;
+            if clearance > 0.0 && clearance.is_finite() {
+                assert_ne!(verdict(&world, clearance), Verdict::Infeasible, "{}", world.to_json_string());
+            }
+        } else {
+            assert_ne!(decided, Verdict::Connected, "{}", world.to_json_string());
+        }
+        counts[usize::from(decided == Verdict::Connected)] += 1;
+    }
+    assert!(counts[1] > 0, "{counts:?}");
+}
+
+/// The certificate for the clearance that half of them do not leave: walls in open worlds.
+fn certificates() -> Vec<(Scenario, Certificate)> {
+    let open =
+        (0..seeds(40)).filter_map(random_world).chain([no_way(), disc_and_wall(0.3, 0.5), golden::scene("firs")]);
+    open.flat_map(|world| [0.0, 0.05, 0.3].map(|clearance| (world.clone(), certify(&world, clearance, 3000)))).collect()
+}
+
+/// The configurations of a cell: low and high of both coordinates.
+fn ranges(world: &Scenario, [depth, column, row]: [u32; 3]) -> [[f64; 2]; 2] {
+    let inspector = Inspector::new(world);
+    let whole = inspector.configuration_space_range().unwrap_or_else(|_| {
+        let planarium::scenario::Robot::Disc(disc) = world.robot() else { panic!("an arm has a range") };
+        let (extent, r) = (inspector.extent(), disc.radius());
+        [[extent.min.x + r, extent.max.x - r], [extent.min.y + r, extent.max.y - r]]
+    });
+    let side = f64::from(1u32 << depth);
+    [(column, whole[0]), (row, whole[1])]
+        .map(|(at, [low, high])| [0, 1].map(|end| low + f64::from(at + end) / side * (high - low)))
+}
+
+/// Whether the cells of a wall, as pixels of the depth of the smallest, keep the pixel of the start apart from that of the goal.
+fn keeps_apart(world: &Scenario, cells: &[[u32; 3]], wraps: bool) -> bool {
+    let depth = cells.iter().map(|cell| cell[0]).max().unwrap_or(0);
+    let side = 1usize << depth;
+    let mut pixels = vec![false; side * side];
+    for &[deep, column, row] in cells {
+        let scale = 1usize << (depth - deep);
+        for y in row as usize * scale..(row as usize + 1) * scale {
+            pixels[y * side + column as usize * scale..][..scale].fill(true);
+        }
+    }
+    let [x, y] = ranges(world, [0, 0, 0]);
+    let pixel = |q: &[f64]| {
+        let angle = |a: f64| if wraps { a - 2.0 * PI * (a / (2.0 * PI)).round() } else { a };
+        let at = [(q[0], x), (q[1], y)]
+            .map(|(a, [low, high])| (((angle(a) - low) / (high - low) * side as f64) as usize).min(side - 1));
+        at[1] * side + at[0]
+    };
+    let query = &world.queries()[0];
+    let (start, goal) = (pixel(&query.start), pixel(query.configuration().expect("a goal")));
+    if pixels[start] || pixels[goal] {
+        return true;
+    }
+    let mut open = vec![start];
+    while let Some(at) = open.pop() {
+        if at == goal {
+            return false;
+        }
+        let (column, row) = (at % side, at / side);
+        for (dx, dy) in [(1, 0), (side - 1, 0), (0, 1), (0, side - 1)] {
+            let leaves = |a: usize, d: usize| (d == 1 && a == side - 1) || (d == side - 1 && a == 0);
+            if !wraps && (leaves(column, dx) || leaves(row, dy)) {
+                continue;
+            }
+            let next = (row + dy) % side * side + (column + dx) % side;
+            if !std::mem::replace(&mut pixels[next], true) {
+                open.push(next);
+            }
+        }
+    }
+    true
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn walls_keep_start_and_goal_apart_and_channels_are_free_by_other_means() {
+    let mut random = Random::new(3, Stream::Samples);
+    let mut seen = [0; 2];
+    for (world, certificate) in certificates() {
+        let inspector = Inspector::new(&world);
+        let mut draw = |cell: [u32; 3]| ranges(&world, cell).map(|[low, high]| low + random.uniform() * (high - low));
+        let clearance = |q: &[f64]| {
+            inspector.clearance(q).expect("a configuration").map_or(f64::NEG_INFINITY, |near| near.distance)
+        };
+        if let Some(most) = certificate.clearance_at_most {
+            let cells: Vec<[u32; 3]> = certificate.wall.iter().map(|blocked| blocked.cell.into()).collect();
+            for &cell in &cells {
+                let q = draw(cell);
+                assert!(clearance(&q) <= most + 1e-9, "{q:?} keeps {} of {most}", clearance(&q));
+            }
+            if cells.iter().all(|cell| cell[0] <= 10) {
+                assert!(keeps_apart(&world, &cells, inspector.circles()[0]), "{}", certificate.to_json());
+                seen[0] += 1;
+            }
+        }
+        for cell in &certificate.channel {
+            let q = draw((*cell).into());
+            assert!(
+                inspector.check(&q).expect("a configuration").is_empty() && clearance(&q).abs() > certificate.clearance
+            );
+        }
+        seen[1] += certificate.channel.len();
+    }
+    assert!(seen[0] > 5 && seen[1] > 50, "{seen:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_false_certificate_is_refused() {
+    let refused = |world: &Scenario, certificate: &Certificate, word: &str| {
+        let why = verify(world, certificate).expect("of this scenario").expect("refused");
+        assert!(why.contains(word), "{why}");
+    };
+    let world = no_way();
+    let certificate = certify(&world, 0.0, 20_000);
+    // Without any one of its cells a wall has a hole.
+    for i in 0..certificate.wall.len() {
+        let mut open = certificate.clone();
+        open.wall.remove(i);
+        refused(&world, &open, "separate");
+    }
+    let with = |change: &dyn Fn(&mut Certificate)| {
+        let mut changed = certificate.clone();
+        change(&mut changed);
+        changed
+    };
+    refused(&world, &with(&|c| c.wall.clear()), "separate");
+    refused(&world, &with(&|c| c.wall[0].cell.depth = 31), "not within the square");
+    refused(&world, &with(&|c| c.wall[0].cell.column = u32::MAX), "not within the square");
+    refused(&world, &with(&|c| c.wall[0].part = 2), "does not have");
+    refused(&world, &with(&|c| c.wall[0].along = 1.5), "does not have");
+    refused(&world, &with(&|c| c.wall[0].with = planarium::problem::Touched::Obstacle(9)), "does not exist");
+    refused(&world, &with(&|c| c.wall.iter_mut().for_each(|cell| cell.along = 0.0)), "not proven");
+    refused(&world, &with(&|c| c.wall[0].with = planarium::problem::Touched::Bounds), "not proven");
+    refused(&world, &with(&|c| c.wall[0].cell = [1, 0, 0].into()), "not proven");
+    refused(&world, &with(&|c| c.clearance_at_most = None), "without a clearance");
+    refused(&world, &with(&|c| c.clearance_at_most = Some(0.1)), "but the wall is for");
+    refused(&world, &with(&|c| c.verdict = Verdict::Connected), "empty");
+    // The same wall where there is none.
+    let empty = scenario("", &disc([5.0, 5.0], 0.1), &arm(&[1.0, 1.0], 0.0), r#""start": [1.5, 0], "goal": [-1.5, 0]"#);
+    refused(&empty, &with(&|c| (c.scenario, c.query) = ("s".into(), "q".into())), "not proven");
+    refuses(verify(&empty, &certificate), "invalid-result", "/scenario");
+    refuses(verify(&world, &with(&|c| c.query = "other".into())), "unknown-query", "/query");
+
+    let world = arm_and_wall(0.1);
+    let path = certify(&world, 0.0, 20_000);
+    for i in [0, path.channel.len() / 2, path.channel.len() - 1] {
+        let mut broken = path.clone();
+        broken.channel.remove(i);
+        let why = verify(&world, &broken).expect("of this scenario").expect("refused");
+        assert!(why.contains("do not touch") || why.contains("does not contain"), "{why}");
+    }
+    let mut wide = path.clone();
+    wide.clearance = 0.5;
+    refused(&world, &wide, "not proven to keep");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_cannot_be_decided_is_refused() {
+    let begin = |world: &Scenario, options: &Options| Subdivision::new(world, options);
+    let usual = Options::default();
+    refuses(begin(&car_and_wall(0.1), &usual), "unsupported", "/robot");
+    refuses(begin(&crate::common::arm_of(3, false, 0.0), &usual), "unsupported", "/robot");
+    refuses(begin(&parse(&reaching()), &usual), "unsupported", "/query");
+    refuses(begin(&no_way(), &options(-0.5, 10)), "out-of-range", "/clearance");
+    refuses(begin(&no_way(), &options(f64::NAN, 10)), "not-finite", "/clearance");
+    refuses(begin(&no_way(), &options(0.0, 0)), "out-of-range", "/cells");
+    refuses(begin(&no_way(), &options(0.0, 1_000_001)), "out-of-range", "/cells");
+    refuses(begin(&no_way(), &Options { query: Some("x".into()), ..Options::default() }), "unknown-query", "/query");
+    refuses(begin(&room(0.1, &[disc([0.6, 2.0], 0.3)]), &usual), "start-in-collision", "/start");
+    refuses(begin(&room(0.1, &[disc([3.4, 2.0], 0.3)]), &usual), "goal-in-collision", "/goal");
+    refuses(Certificate::parse("{}"), "missing-field", "/format");
+    // A start that is nearer than the clearance cannot be left.
+    assert_eq!(verdict(&room(0.1, &[disc([0.6, 3.0], 0.3)]), 0.7), Verdict::Infeasible);
+}
+
+/// The cells do not change between platforms: the package is tested against the same file.
+#[wasm_bindgen_test(unsupported = test)]
+fn certificates_are_the_golden_ones() {
+    golden::check("golden-certificates.json", include_str!("golden-certificates.json"), 4, |case| {
+        let world = golden::scene(case["scene"].as_str().expect("a scene"));
+        let clearance = case["clearance"].as_f64().expect("a number");
+        let mut subdivision = Subdivision::new(&world, &options(clearance, 3000)).expect("a subdivision");
+        subdivision.step(u64::MAX);
+        let blocked = subdivision.cells_since(0).filter(|(_, kind)| *kind == Kind::Blocked).count();
+        let certificate: Value = serde_json::from_str(&subdivision.certificate().to_json()).expect("JSON");
+        let count = |list: &str| certificate[list].as_array().map(Vec::len);
+        json!({ "verdict": certificate["verdict"], "clearance_at_most": certificate["clearance_at_most"], "cells": certificate["cells"],
+                "blocked": blocked, "wall": count("wall"), "channel": count("channel") })
+    });
+}

@@ -122,11 +122,11 @@ const BELOW = {
   neighbours: `${KIT} planner/scenes`, trajectories: KIT, reach: `${KIT} planner/link planner/scenes`,
   rooms: "app experiments neighbours reach trajectories", experiments: `${KIT} planner/link planner/scenes`,
   gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage reach trajectories`,
-  planner: `${KIT} planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
+  planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
   "planner/worker": KIT, "planner/settings": KIT, "planner/scenes": KIT,
   "planner/run-log": `${KIT} planner/worker`, "planner/stage": `${KIT} planner/run-log`, "planner/pose": `${KIT} planner/run-log planner/stage`,
   "planner/race": `${KIT} planner/settings`, "planner/link": KIT, "planner/lessons": `${KIT} planner/scenes`, "planner/timeline": `${KIT} planner/run-log`,
-  "planner/editor": `${KIT} planner/stage`, "planner/driving": `${KIT} planner/stage`,
+  "planner/certificate": `${KIT} planner/stage`, "planner/editor": `${KIT} planner/stage`, "planner/driving": `${KIT} planner/stage`,
   "planner/export": `${KIT} planner/link planner/race planner/run-log planner/stage planner/timeline`,
 };
 

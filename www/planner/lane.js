@@ -5,6 +5,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /** @import { Catalogue } from "./run-log/run-log.js" */
 /** @import { Standing } from "./race/standings.js" */
 /** @import { Marked } from "./stage/marked.js" */
+/** @import { Certifying } from "./certificate/certifying.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Metric, Optimum } from "./optimum.js" */
 /** @import { Pane } from "./stage/pane.js" */
@@ -29,6 +30,7 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {Marked | null} marked         configurations from a file
  * @property {boolean} rough                during a gesture: images may be coarse
  * @property {Editor | null} overlay        drawn on the panes
+ * @property {Certifying | null} certifying   while it is decided whether a path exists
  * @property {Placed | null} placed         for a body or a car
  * @property {Driven | null} driven         while the car is driven
  */

@@ -5,7 +5,7 @@ import { byId, write } from "../app/dom.js";
 /** @import { LaneState, State } from "../domain/types.js" */
 
 /** @param {Page} page @param {State} state */
-export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad }) {
+export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad, certificate }) {
   const some = (/** @type {(lane: LaneState) => boolean} */ is) => lanes.some(is);
   const waits = growing && !playing && clock.now > 0;
   const flashes = growing && !calm;
@@ -20,6 +20,7 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
     rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath || hasBest, poses: hasPath && view.strobe,
     piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
     optimum: view.optimum && some(({ optimum }) => optimum !== null),
+    blocked: certificate !== null, free: certificate !== null,
     raw: view.raw && some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;

@@ -27,6 +27,7 @@ import { Projector } from "../app/projector.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
 import { watchAsking } from "./ask.js";
+import { offerCertificate } from "./certificate/controls.js";
 import { Counters } from "./counters.js";
 import { showLegend } from "./legend.js";
 import { Page } from "./page.js";
@@ -78,6 +79,7 @@ const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ wor
   watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
   watchAnnouncements(page);
   watchAsking(page);
+  offerCertificate(page, worker);
   showPseudocode(page);
   watchPrint(page);
   const projector = new Projector(() => app.setTheme());

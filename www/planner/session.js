@@ -20,6 +20,7 @@ import { Team } from "./worker/team.js";
 /** @import { PlannerWorker } from "./worker/worker.js" */
 /** @import { Configuration, Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
+/** @import { Certifying } from "./certificate/certifying.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Placed } from "./stage/placed.js" */
 /** @import { Shown } from "./lane.js" */
@@ -77,6 +78,8 @@ export class Session {
     this.editor = null;
     /** Loaded on demand. @type {Driving | null} */
     this.driving = null;
+    /** @type {Certifying | null} */
+    this.certifying = null;
     this.last = 0;
     this.measures = 0;
     /** How many times new runs have begun. */
@@ -106,7 +109,7 @@ export class Session {
     const document = scenario.document();
     this.shown = {
       scenario, document, query: undefined, start: null, goal: null, target: null, goals: [], hand: null, check: null, hover: null,
-      view: this.view, rough: false, overlay: null, marked: null, placed, driven: null,
+      view: this.view, rough: false, overlay: null, marked: null, certifying: null, placed, driven: null,
     };
     this.story = story;
     if (pace !== undefined) this.clock.pace = pace;
@@ -189,6 +192,7 @@ export class Session {
     const { shown, clock } = this;
     if (!shown) return;
     this.setEnds(shown);
+    this.certifying?.end();
     this.plannings++;
     this.byHand.release();
     clock.reset();
@@ -228,6 +232,14 @@ export class Session {
     shown.goal = query?.goal ?? null;
     shown.target = query?.target ?? null;
     shown.goals = shown.goal ? [shown.goal] : this.lanes[0]?.run?.goals ?? [];
+  }
+
+  /** Whether it can be decided if a path exists: configurations have two coordinates, and the query one goal. */
+  get canCertify() {
+    const { shown, editor, refusal } = this;
+    if (!shown || editor?.on || refusal) return false;
+    const { scenario: { robot, dimension }, hand, goal } = shown;
+    return dimension === 2 && robot !== "rigid_body" && goal !== null && hand === null;
   }
 
   /** Whether a roadmap stands that can be asked for another path. */

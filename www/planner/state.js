@@ -37,6 +37,9 @@ export function report(session) {
     isEditing: Boolean(editor?.on),
     isEdited: editor?.isChanged ?? false,
     canAsk: session.canAsk,
+    canCertify: session.canCertify,
+    /** The subdivision that is shown. */
+    certificate: session.certifying?.on ? { verdict: session.certifying.verdict } : null,
     /** The name of the query that a roadmap was asked, empty if it is none of the scenario's; null if it was not asked. */
     asked: lanes[0]?.asked?.query ?? null,
     refusal: refusal && { ...errorInfo(refusal.error), lane: refusal.lane },

@@ -17,7 +17,7 @@ import { capital, duration, num } from "../widgets/format.js";
 const OPENING = 60;
 
 /** The sentence above the stage, and whether it reports a failure. @param {Session} session @returns {[string, boolean]} */
-export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story, byHand: { game } }) {
+export function sentenceOf({ shown, lanes, clock, stage, editor, driving, certifying, story, byHand: { game } }) {
   if (!shown) return ["", false];
   const { hand, check, scenario } = shown;
   if (driving?.on) return [driving.sentence, driving.state?.blocked !== null];
@@ -27,6 +27,7 @@ export function sentenceOf({ shown, lanes, clock, stage, editor, driving, story,
     const hasSquare = [...stage.places.values()].some(({ kind }) => kind === "cspace");
     return [game.arrived ? arrival(game.touches) : invitation(scenario, hasSquare), false];
   }
+  if (certifying?.on) return [certifying.sentence, false];
   const { run, playback, asked } = lanes[0];
   if (!run) return [`${scenario.title || scenario.name}.`, false];
   if (clock.isRace) return [race(lanes), false];

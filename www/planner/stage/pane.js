@@ -149,6 +149,7 @@ export class Pane {
     this.layers.top.clear();
     context.save();
     this.clip(context);
+    lane.shown.certifying?.draw(this, context, lane);
     this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
     if (lane.run?.pieces && !lane.asked) this.drawPieces(context, lane.run, palette);

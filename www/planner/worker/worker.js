@@ -4,13 +4,14 @@
  */
 import * as library from "planarium";
 import { serve } from "../../app/worker-server.js";
+import { Certifier } from "./certifier.js";
 import { compete } from "./compete.js";
 import { paintObstacles } from "./obstacles.js";
 import { Stepper } from "./stepper.js";
 import { drawThumbnail } from "../../draw/thumbnail.js";
 
 /** @import { Look, Plan, Scenario, ScenarioDocument, Source } from "../../domain/types.js" */
-/** @import { OptimumOptions } from "planarium" */
+/** @import { CertifyOptions, OptimumOptions } from "planarium" */
 /** @import { Painting } from "./obstacles.js" */
 /** @import { Growth } from "./stepper.js" */
 
@@ -29,6 +30,8 @@ const BLOCK = 12;
 let scenario = null;
 /** @type {Stepper[]} */
 let steppers = [];
+/** @type {Certifier | null} */
+let certifier = null;
 
 /** @param {NonNullable<Advance["fresh"]>} fresh */
 function begin({ document, plans }) {
@@ -60,6 +63,13 @@ const commands = {
   ask: (start, goal) => steppers[0].ask(start, goal),
   /** The shortest path of a query. @param {ScenarioDocument} document @param {OptimumOptions} options */
   optimum: (document, options) => within({ document }, (opened) => opened.optimum(options)),
+  /** Begins a subdivision, in place of one before. @param {ScenarioDocument} document @param {CertifyOptions} options */
+  certify: (document, options) => {
+    certifier?.free();
+    certifier = within({ document }, (opened) => new Certifier(opened, options));
+  },
+  /** Divides one block. @param {number} part   of as many cells as there are */
+  divide: (part) => /** @type {Certifier} */ (certifier).advance(part, BLOCK),
   /** @param {Painting} painting @returns {ImageBitmap} */
   obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */
@@ -69,4 +79,4 @@ const commands = {
 /** @typedef {import("../../app/worker-client.js").Remote<typeof commands>} PlannerWorker */
 
 // After a panic of the core all its objects are lost.
-serve({ planner: { commands, reset: () => { [scenario, steppers] = [null, []]; } } });
+serve({ planner: { commands, reset: () => { [scenario, steppers, certifier] = [null, [], null]; } } });

@@ -1,0 +1,34 @@
+/** The button below the stage that asks whether a path exists, and the clearance that it has to have. */
+import { byId, make } from "../../app/dom.js";
+import { button } from "../../widgets/elements.js";
+import { Certifying } from "./certifying.js";
+
+/** @import { Page } from "../page.js" */
+/** @import { PlannerWorker } from "../worker/worker.js" */
+/** @import { State } from "../../domain/types.js" */
+
+/** @param {Page} page @param {PlannerWorker} worker */
+export function offerCertificate(page, worker) {
+  const { session, app } = page;
+  const certifying = session.certifying = new Certifying(session, worker);
+  const group = byId("certify", HTMLElement);
+  /** @type {HTMLInputElement} */
+  const clearance = make("input", { type: "number", id: "certify-clearance", min: "0", step: "any", value: "0", onchange: () => ask() });
+  const label = make("label", { htmlFor: clearance.id }, "with clearance above ", clearance, " m");
+  const toggle = button("certify-ask", "Does a path exist?", () => (certifying.on ? page.act(() => certifying.end()) : ask()));
+  group.append(toggle, label);
+  page.onState(reflect);
+
+  function ask() {
+    if (clearance.reportValidity()) void app.track(certifying.begin(clearance.valueAsNumber || 0), "Whether a path exists cannot be decided.");
+  }
+
+  /** @param {State} state */
+  function reflect({ canCertify, certificate }) {
+    group.hidden = !canCertify;
+    label.hidden = !certificate;
+    toggle.textContent = certificate ? "Back to the run" : "Does a path exist?";
+    group.dataset.verdict = certificate?.verdict ?? "";
+    group.dataset.on = String(certificate !== null);
+  }
+}

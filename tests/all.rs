@@ -22,6 +22,7 @@ mod geometry;
 mod golden;
 mod ik;
 mod json;
+mod lazy;
 mod limits;
 mod nearest;
 mod neighbours;

@@ -64,6 +64,8 @@ fn settings() -> Vec<(&'static str, String)> {
     let few = [
         ("prm", samples),
         ("prm-star", samples),
+        ("lazy-prm", samples),
+        ("lazy-prm-star", ""),
         ("visibility-prm", failures),
         ("rrt", ""),
         ("rrt-connect", ""),
@@ -151,7 +153,12 @@ fn every_iteration_lights_a_line_and_every_mark_is_met() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_resumed_roadmap_lights_lines_too() {
     let world = arm_and_wall(0.1);
-    for (planner, settings) in [("prm", "samples=80"), ("prm-star", "samples=80"), ("visibility-prm", "failures=60")] {
+    for (planner, settings) in [
+        ("prm", "samples=80"),
+        ("prm-star", "samples=80"),
+        ("lazy-prm", "samples=80"),
+        ("visibility-prm", "failures=60"),
+    ] {
         let lines = PlannerOptions::of(planner).expect("a planner").info().pseudocode;
         let saved = finish(begin_with(&world, planner, 5, settings)).roadmap().expect("a roadmap");
         // Another start, so that it has to be connected.

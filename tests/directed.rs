@@ -3,8 +3,8 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, BitStarOptions, Extend, FmtStarOptions, GoalBias, Insertion, Planner, PlannerKind, PrmOptions, Rewiring,
-    RrtConnectOptions, RrtOptions, RrtStarOptions, Searching, Status,
+    Algorithm, BitStarOptions, Extend, FmtStarOptions, GoalBias, Insertion, LazyPrmOptions, Planner, PlannerKind,
+    PrmOptions, Rewiring, RrtConnectOptions, RrtOptions, RrtStarOptions, Searching, Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::space::steering::{Pose, Steering};
@@ -84,6 +84,10 @@ fn prm(
 ) -> Box<dyn Planner<Car>> {
     let searching = Searching { search, ..Searching::default() };
     begin(&PrmOptions { samples, k: Some(6), insertion, discard, searching, ..PrmOptions::default() }, problem, seed)
+}
+
+fn lazy_prm(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
+    begin(&LazyPrmOptions { samples: 120, k: 6, ..LazyPrmOptions::default() }, problem, seed)
 }
 
 fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car>> {
@@ -196,6 +200,15 @@ fn roadmaps_are_never_walked_against_their_arrows() {
             let [a_star, dijkstra, breadth, both] = found[..] else { unreachable!("four searches") };
             assert!((a_star.1 - dijkstra.1).abs() <= 1e-4, "{a_star:?} {dijkstra:?}: one cost");
             assert_eq!(breadth.0, both.0, "one number of edges");
+            if order == orders[0] {
+                let mut lazy = lazy_prm(&problem, seed);
+                if finish(&mut *lazy, &problem) == Status::Solved {
+                    is_driven(&*lazy, &problem, &format!("lazy-prm {steering:?} {seed}"));
+                }
+                edges_are_free(lazy.graph(), &problem);
+                let states: Vec<State> = lazy.path().iter().map(|&v| *lazy.graph().state(v)).collect();
+                assert_eq!(length(problem.space(), &states).to_bits(), dijkstra.1.to_bits(), "the same path");
+            }
         }
     }
     assert!(solved * 10 > all * 9, "{solved} of {all} are solved");
@@ -245,7 +258,7 @@ fn a_roadmap_finds_paths_of_other_queries_in_their_direction() {
         for (ends, keep) in [([[1.0, 9.0, 0.0], [9.0, 1.0, 1.0]], None), ([[9.0, 5.0, -1.5], [1.0, 4.0, 2.0]], Some(7))]
         {
             let ends = ends.map(|q| space.state(&q));
-            let roadmap = planner.roadmap().expect("a roadmap");
+            let roadmap = planner.roadmap_mut().expect("a roadmap");
             let before = roadmap.graph().states().len();
             let answer = roadmap.query(&problem, ends, keep);
             assert_eq!(roadmap.graph().states().len(), before + if keep.is_some() { 2 } else { 0 });

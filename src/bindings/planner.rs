@@ -1,14 +1,15 @@
 //! A planning run for JavaScript.
 
-use super::arguments::{choice, fields, row, rows};
+use super::arguments::{choice, document, fields, row, rows};
 use super::clock::{Stepped, Timed, stepped};
 use super::digits;
 use super::records::record;
-use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Rows, Status};
+use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Rows, ScenarioInput, Status};
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
 use crate::problem::{self, Stats};
 use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
+use crate::world::PlanningWorld;
 use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
@@ -61,7 +62,7 @@ impl Planner {
         self.0.borrow_mut().run.record()
     }
 
-    /// Queries the roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built, for another path: start and goal are
+    /// Queries the roadmap of a planner that builds one (`prm`, `lazy-prm`, ...), as far as it is built, for another path: start and goal are
     /// connected to their neighbours by motions that are proven free, and the roadmap is searched. The path is not improved. The
     /// roadmap does not change, unless the two are to stay in it (`keep`), which requires that the run is over. The query of the result
     /// is named `asked`.
@@ -79,6 +80,17 @@ impl Planner {
         let dimension = self.dimension();
         let [start, goal] = [(start, "start"), (goal, "goal")].map(|(q, name)| row(q, dimension, name));
         self.0.borrow_mut().run.query(&start?, &goal?, keep).map(|result| record(&result))
+    }
+
+    /// Begins a run with the roadmap of this one, which is over, in a scenario whose obstacles have moved: robot and bounds are the same,
+    /// start and goal of the query may be others. All vertices stay, and the edges that no changed obstacle can meet; of the others
+    /// those are proven again that the best path wants. No vertices are added but start and goals. This planner stays as it is. For
+    /// dragging: reopen the last planner whenever an obstacle moves, and free it.
+    /// @throws {PlanariumError} `unsupported` if the planner builds no roadmap, or before it is done; `other-scenario` if robot or bounds
+    /// differ; `unknown-query`, `start-in-collision`, `goal-in-collision`; and those of `Scenario.parse`
+    pub fn reopen(&self, scenario: &ScenarioInput) -> Result<Planner, Error> {
+        let world = PlanningWorld::new(document(scenario)?);
+        self.read(|run| run.reopen(&world)).map(Self::new)
     }
 
     /// The roadmap in a format.

@@ -72,7 +72,8 @@ impl From<problem::Status> for Status {
     }
 }
 
-/// The phase of a planner. `prm` and `prm-star`: sampling, connecting, searching; `visibility-prm`: guarding, searching; `rrt`,
+/// The phase of a planner. `prm`, `prm-star` and `lazy-prm`: sampling, connecting, searching; `lazy-prm-star`: sampling, searching;
+/// `visibility-prm`: guarding, searching; `rrt`,
 /// `rrt-connect`, `rrt-control` and `sst`: growing; a roadmap that is resumed: connecting, searching. Then improving, if that is
 /// requested (`sst` by growing on), and done.
 #[wasm_bindgen]
@@ -180,7 +181,7 @@ export interface Growth {
 
 export interface Planner {
   /**
-   * The roadmap of `prm`, `prm-star` or `visibility-prm`, as far as it is built; `scenario.resume` continues with it.
+   * The roadmap of a planner that builds one, as far as it is built; `scenario.resume` continues with it.
    * @throws {PlanariumError} `unsupported` if the planner builds no roadmap; `out-of-range` for another format
    */
   roadmap(format: "binary"): Uint8Array;

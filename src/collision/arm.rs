@@ -88,6 +88,19 @@ impl<const N: usize> ArmValidity<N> {
         oracle::first_hit(&self.scene.tolerance, &parts)
     }
 
+    /// The slack and the tolerance.
+    pub fn tolerance(&self) -> Tolerance {
+        self.scene.tolerance
+    }
+
+    /// Whether the arm may touch something in one of the boxes on the motion from `a` to `b`. O(links x boxes).
+    pub fn may_meet(&self, a: &[f64; N], b: &[f64; N], boxes: &[Aabb]) -> bool {
+        let Some(delta) = self.delta(a, b) else { return true };
+        let prover = &mut *self.prover.borrow_mut();
+        let state = prover.moving.begin(a, &delta);
+        prover.may_meet(boxes, state)
+    }
+
     /// The turn of each joint on the motion from `a` to `b`; `None` if the short way round is ambiguous.
     #[inline(always)]
     fn delta(&self, a: &[f64; N], b: &[f64; N]) -> Option<[f64; N]> {

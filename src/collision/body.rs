@@ -138,6 +138,19 @@ impl BodyCollision {
         oracle::first_hit(&self.scene.tolerance, &parts).map(|hit| hit * fraction)
     }
 
+    /// The slack and the tolerance.
+    pub fn tolerance(&self) -> Tolerance {
+        self.scene.tolerance
+    }
+
+    /// Whether the body may touch something in one of the boxes on the motion; `true` for motions that proofs do not cover.
+    pub fn may_meet(&self, motion: &BodyMotion, boxes: &[Aabb]) -> bool {
+        let Some((motion, _)) = self.decisive_part(motion) else { return true };
+        let prover = &mut *self.prover.borrow_mut();
+        prover.moving.begin(&motion);
+        prover.may_meet(boxes, ())
+    }
+
     /// How many times the clearance of a part has been evaluated so far.
     pub fn clearance_evaluations(&self) -> u64 {
         self.prover.borrow().evaluations

@@ -1,6 +1,7 @@
 //! The collision checker of a body over the space of its placements (x, y, theta).
 
 use super::{BodyCollision, BodyMotion, LONGEST_TURN, blend};
+use crate::geometry::Aabb;
 use crate::problem::{Contact, Validity};
 use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
@@ -17,6 +18,14 @@ impl<const N: usize> BodyValidity<N> {
     /// The body in that space. The collision may be shared with the dynamics of the body: all its work is counted here.
     pub fn new(space: MotionSpace<N>, collision: Rc<BodyCollision>) -> Self {
         Self { space, collision }
+    }
+
+    /// Whether the body may touch something in one of the boxes on the motion from `a` to `b`.
+    pub fn may_meet(&self, a: &[f64; N], b: &[f64; N], boxes: &[Aabb]) -> bool {
+        match self.curve(a, b) {
+            None => self.straight(a, b).is_none_or(|motion| self.collision.may_meet(&motion, boxes)),
+            Some(curve) => arcs(placement(a), &curve).any(|arc| self.collision.may_meet(&arc, boxes)),
+        }
     }
 
     /// The curve between two states; `None` if the motion is straight, as it is between states that differ by rounding only.

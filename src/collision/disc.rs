@@ -32,6 +32,12 @@ impl DiscValidity {
         Self { radius: robot.radius(), obstacles, bounds: world.bounds().copied(), eta, evaluations: Cell::new(0) }
     }
 
+    /// Whether the disc may touch something in one of the boxes on the motion from `a` to `b`.
+    pub fn may_meet(&self, a: &[f64], b: &[f64], boxes: &[Aabb]) -> bool {
+        let near = self.near(&segment(a, b), self.radius);
+        boxes.iter().any(|one| one.intersects(&near))
+    }
+
     /// Whether a disc of this radius touches obstacle `i` while its centre moves along the segment.
     fn touches(&self, i: usize, swept: &Segment, radius: f64) -> bool {
         if radius == 0.0 {

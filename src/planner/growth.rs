@@ -16,7 +16,7 @@ pub struct Growth<S: Space> {
     /// The checks, queries and expansions so far, and the work of collision checkers other than the problem's; the run fills in the
     /// rest.
     pub counters: Stats,
-    records_events: bool,
+    pub(super) records_events: bool,
 }
 
 impl<S: Space> Growth<S> {

@@ -11,6 +11,7 @@ mod groups;
 mod growth;
 mod info;
 mod informed_rrt_star;
+mod lazy;
 mod near;
 mod neighbours;
 mod prm;
@@ -37,7 +38,10 @@ pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
 pub use informed_rrt_star::InformedRrtStarOptions;
 pub use near::{NearRule, Nearness};
 pub use neighbours::{NeighbourIndex, NeighbourMetric, Neighbouring};
-pub use prm::{Insertion, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k, prm_star_k, resume};
+pub use prm::{
+    Insertion, LazyPrmOptions, LazyPrmStarOptions, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k,
+    prm_star_k, reopen, resume,
+};
 pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerOptions, default_planner, planners};
 pub use roadmap::{Connection, QueryResult, Roadmap};
@@ -96,8 +100,13 @@ pub trait Planner<S: Space> {
         None
     }
 
-    /// The roadmap, for planners that build one: it can be queried again.
-    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+    /// The roadmap, for planners that build one.
+    fn roadmap(&self) -> Option<&Roadmap<S>> {
+        None
+    }
+
+    /// The same, to be queried again.
+    fn roadmap_mut(&mut self) -> Option<&mut Roadmap<S>> {
         None
     }
 }

@@ -10,6 +10,8 @@ use crate::space::Space;
 registry! {
     Prm(super::prm::PrmOptions),
     PrmStar(super::prm::PrmStarOptions),
+    LazyPrm(super::prm::LazyPrmOptions),
+    LazyPrmStar(super::prm::LazyPrmStarOptions),
     VisibilityPrm(super::visibility_prm::VisibilityPrmOptions),
     Rrt(super::rrt::RrtOptions),
     RrtConnect(super::rrt_connect::RrtConnectOptions),

@@ -1,14 +1,17 @@
 //! The common part of all roadmap planners: vertices with their neighbours, edges that are proven before they are added, and
 //! repeated queries. In a space that is not symmetric an edge leads from its first vertex to its second only.
+//!
+//! The edges of a lazy roadmap are candidates until a path wants them: see `lazy.rs`.
 
 use super::groups::Searching;
 use super::growth::Growth;
 use super::info::{Mark, PseudocodeLine, line};
+use super::lazy::{Candidates, estimate};
 use super::neighbours::Neighbours;
 use super::query::Query;
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, Graph, VertexId, append};
 use crate::nearest::{Direction, Neighbour};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -36,7 +39,11 @@ pub struct Roadmap<S: Space> {
     nearest: Neighbours,
     /// The neighbours that vertices are connected to.
     pub connection: Connection,
-    rules: Searching,
+    pub(super) rules: Searching,
+    /// The edges of a lazy roadmap; `None` if edges are proven as soon as they are wanted by the builder.
+    pub(super) candidates: Option<Candidates>,
+    /// The motions that were refused, of a roadmap that is not lazy.
+    pub(super) refused: Vec<[VertexId; 2]>,
 }
 
 impl<S: Space> Roadmap<S> {
@@ -48,7 +55,8 @@ impl<S: Space> Roadmap<S> {
     /// The same with an index of its own, which is empty.
     pub(super) fn with(problem: &Problem<S>, connection: Connection, rules: Searching, nearest: Neighbours) -> Self {
         let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
-        let mut roadmap = Self { growth: Growth::new(problem), goals, nearest, connection, rules };
+        let (growth, candidates, refused) = (Growth::new(problem), None, Vec::new());
+        let mut roadmap = Self { growth, goals, nearest, connection, rules, candidates, refused };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
@@ -68,6 +76,9 @@ impl<S: Space> Roadmap<S> {
     pub(super) fn add_vertex(&mut self, space: &S, iteration: u32, state: S::State) -> VertexId {
         let vertex = self.growth.graph.add_vertex(iteration, state);
         self.nearest.insert(space, vertex, &state);
+        if let Some(candidates) = &mut self.candidates {
+            candidates.add_vertex(estimate(space, &self.growth.graph, self.rules, &self.goals, vertex));
+        }
         vertex
     }
 
@@ -103,8 +114,13 @@ impl<S: Space> Roadmap<S> {
         self.nearest.is_exact()
     }
 
-    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is.
+    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is. In
+    /// a lazy roadmap the edge becomes a candidate.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
+        if self.candidates.is_some() {
+            self.add_candidate(problem.space(), [from, to]);
+            return false;
+        }
         let (origin, target) = (self.growth.state(from), self.growth.state(to));
         let is_free = self.growth.is_motion_free(problem, &origin, &target);
         self.add_tried(iteration, from, to, is_free);
@@ -115,9 +131,12 @@ impl<S: Space> Roadmap<S> {
     pub(super) fn add_tried(&mut self, iteration: u32, from: VertexId, to: VertexId, is_free: bool) {
         if is_free {
             self.growth.graph.add_edge(iteration, from, to);
-        } else {
-            let target = self.growth.state(to);
-            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
+            return;
+        }
+        let target = self.growth.state(to);
+        self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
+        if self.candidates.is_none() {
+            append(&mut self.refused, [from, to]);
         }
     }
 
@@ -130,6 +149,9 @@ impl<S: Space> Roadmap<S> {
     /// roadmap is unchanged unless `added_in` is an iteration; then the two become its last vertices, created in it.
     /// O(e log e) for e edges.
     pub fn query(&mut self, problem: &Problem<S>, ends: [S::State; 2], added_in: Option<u32>) -> QueryResult<S::State> {
+        if self.candidates.is_some() {
+            return self.query_lazily(problem, ends, added_in);
+        }
         let space = problem.space();
         let count = self.len() as u32;
         let [start, goal] = [VertexId(count), VertexId(count + 1)];
@@ -253,7 +275,11 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         self.builder.coverage()
     }
 
-    fn roadmap(&mut self) -> Option<&mut Roadmap<S>> {
+    fn roadmap(&self) -> Option<&Roadmap<S>> {
+        Some(&self.roadmap)
+    }
+
+    fn roadmap_mut(&mut self) -> Option<&mut Roadmap<S>> {
         Some(&mut self.roadmap)
     }
 }

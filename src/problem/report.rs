@@ -73,6 +73,9 @@ pub struct Stats {
     pub rejected_samples: u64,
     /// Motions tested for collision.
     pub motion_checks: u64,
+    /// Candidate edges of a lazy roadmap that no path has wanted, so that they were neither proven nor refused.
+    #[serde(default)] // Absent in results written before there were any.
+    pub unchecked_edges: u64,
     /// Queries of the nearest-neighbour index.
     pub nearest_queries: u64,
     /// Vertices that the search of the graph expanded.

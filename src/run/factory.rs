@@ -1,10 +1,11 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
+use super::reopen::{Changes, Kept};
 use super::resume;
-use super::runner::{RunInfo, Runner};
+use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
-use crate::collision::{Integration, JointLines, Sampled};
+use crate::collision::{Integration, JointLines, Sampled, Tolerance};
 use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::Wanted;
@@ -52,7 +53,7 @@ pub fn start_on<S: Space + 'static>(
 ) -> Box<dyn Run> {
     let wanted = improvement;
     let info = RunInfo { planner: "custom", seed, max_iterations, wanted, termination, ..RunInfo::default() };
-    Box::new(Runner::new(problem, planner, info, None))
+    Box::new(Runner::new(problem, planner, info, None, None))
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap.
@@ -62,67 +63,14 @@ pub(super) fn launch(
     planner: PlannerOptions,
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
-    let scenario = world.scenario();
-    let (index, query) = scenario.find_query(options.query.as_deref())?;
-    planner.check_robot(scenario.robot().kind())?;
-    // A path of controlled motions ends near its goal, never exactly there.
-    let driving = planner.group::<ByControls>();
-    if driving.is_some() && query.goal_tolerance.is_none() {
-        let pointer = format!("/queries/{index}/goal_tolerance");
-        return Err(Error::new(
-            Code::MissingField,
-            pointer,
-            format!("{} needs a goal_tolerance in the query", planner.info().id),
-        ));
-    }
-    let edges = planner.group::<EdgeOptions>().copied();
-    let limits = planner.group::<Limits>().copied().unwrap_or_default();
-    let info = RunInfo {
-        scenario: scenario.name().to_owned(),
-        query: query.name.clone(),
-        planner: planner.info().id,
-        seed: options.seed,
-        max_iterations: limits.max_iterations,
-        wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
-            reduce: improving.reduce,
-            shortcuts: improving.shortcut,
-            partial_shortcuts: improving.partial_shortcut,
-            blend: improving.blend,
-        }),
-        termination: planner.group::<Termination>().copied(),
-        edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
-        is_driven: driving.is_some(),
-        is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
-    };
-    if !matches!(scenario.robot(), Robot::Car(_))
-        && let Some(steering) = edges.and_then(|edges| edges.steering)
-    {
-        let word = steering.word();
-        let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
-        return Err(Error::new(Code::OutOfRange, "/steering", sentence));
-    }
-    if info.edge_check == EdgeCheck::JointLines && !matches!(scenario.robot(), Robot::Arm(_)) {
-        let kind = scenario.robot().kind();
-        let sentence = format!("only an arm has joints: \"joint-lines\" is not for the robot {kind}");
-        return Err(Error::new(Code::OutOfRange, "/edge_check", sentence));
-    }
-    if info.wanted.blend > 0.0 && (info.edge_check != EdgeCheck::Proven || matches!(scenario.robot(), Robot::Car(_))) {
-        let sentence = "corners are rounded only between straight, proven motions: not those of a car, nor with another edge_check";
-        return Err(Error::new(Code::Unsupported, "/blend", sentence));
-    }
-    let metric = edges.and_then(|edges| edges.measuring.metric);
-    let goals = goals(world, query, index, options.seed)?;
-    let events = options.events;
-    let launch =
-        Launch { world, planner, edges, tolerance: limits.tolerance, metric, info, events, saved, query, goals };
-    let run = if scenario.robot().dimension() <= SMALL { launch.run::<SMALL>() } else { launch.run::<MAX_DIMENSION>() };
-    let in_query = |error: &Error| matches!(error.code(), Code::StartInCollision | Code::GoalInCollision);
-    run.map_err(|error| if in_query(&error) { error.under(&format!("/queries/{index}")) } else { error })
+    let launch = Launch::new(world, options, planner, saved)?;
+    if world.robot().dimension() <= SMALL { launch.run::<SMALL>(None) } else { launch.run::<MAX_DIMENSION>(None) }
 }
 
 /// Everything that a run is made from.
 struct Launch<'a> {
     world: &'a PlanningWorld,
+    options: &'a Options,
     planner: PlannerOptions,
     /// The options of its edges, if they are not controlled motions.
     edges: Option<EdgeOptions>,
@@ -130,25 +78,87 @@ struct Launch<'a> {
     /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
-    /// Whether events are recorded.
-    events: bool,
     /// The roadmap to continue with.
     saved: Option<&'a RoadmapDocument>,
-    query: &'a Query,
+    /// The query, and its index in the scenario.
+    query: (usize, &'a Query),
     /// The goals, any of which may be reached: at least one; several only for arms.
     goals: Vec<Vec<f64>>,
 }
 
-impl Launch<'_> {
-    /// The run over states of `N` numbers.
-    fn run<const N: usize>(self) -> Result<Box<dyn Run>, Error> {
+impl<'a> Launch<'a> {
+    fn new(
+        world: &'a PlanningWorld,
+        options: &'a Options,
+        planner: PlannerOptions,
+        saved: Option<&'a RoadmapDocument>,
+    ) -> Result<Self, Error> {
+        let scenario = world.scenario();
+        let (index, query) = scenario.find_query(options.query.as_deref())?;
+        planner.check_robot(scenario.robot().kind())?;
+        // A path of controlled motions ends near its goal, never exactly there.
+        let driving = planner.group::<ByControls>();
+        if driving.is_some() && query.goal_tolerance.is_none() {
+            let pointer = format!("/queries/{index}/goal_tolerance");
+            return Err(Error::new(
+                Code::MissingField,
+                pointer,
+                format!("{} needs a goal_tolerance in the query", planner.info().id),
+            ));
+        }
+        let edges = planner.group::<EdgeOptions>().copied();
+        let limits = planner.group::<Limits>().copied().unwrap_or_default();
+        let info = RunInfo {
+            scenario: scenario.name().to_owned(),
+            query: query.name.clone(),
+            planner: planner.info().id,
+            seed: options.seed,
+            max_iterations: limits.max_iterations,
+            wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
+                reduce: improving.reduce,
+                shortcuts: improving.shortcut,
+                partial_shortcuts: improving.partial_shortcut,
+                blend: improving.blend,
+            }),
+            termination: planner.group::<Termination>().copied(),
+            edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
+            is_driven: driving.is_some(),
+            is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
+        };
+        if !matches!(scenario.robot(), Robot::Car(_))
+            && let Some(steering) = edges.and_then(|edges| edges.steering)
+        {
+            let word = steering.word();
+            let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
+            return Err(Error::new(Code::OutOfRange, "/steering", sentence));
+        }
+        if info.edge_check == EdgeCheck::JointLines && !matches!(scenario.robot(), Robot::Arm(_)) {
+            let kind = scenario.robot().kind();
+            let sentence = format!("only an arm has joints: \"joint-lines\" is not for the robot {kind}");
+            return Err(Error::new(Code::OutOfRange, "/edge_check", sentence));
+        }
+        if info.wanted.blend > 0.0
+            && (info.edge_check != EdgeCheck::Proven || matches!(scenario.robot(), Robot::Car(_)))
+        {
+            let sentence = "corners are rounded only between straight, proven motions: not those of a car, nor with another edge_check";
+            return Err(Error::new(Code::Unsupported, "/blend", sentence));
+        }
+        let metric = edges.and_then(|edges| edges.measuring.metric);
+        let goals = goals(world, query, index, options.seed)?;
+        let (tolerance, query) = (limits.tolerance, (index, query));
+        Ok(Self { world, options, planner, edges, tolerance, metric, info, saved, query, goals })
+    }
+
+    /// The run over states of `N` numbers, with a roadmap of another world if one is kept.
+    fn run<const N: usize>(self, kept: Option<Kept<MotionSpace<N>>>) -> Result<Box<dyn Run>, Error> {
         let robot = self.world.robot();
         let product: ProductSpace<N> = self.world.space(self.metric)?;
         let space = match robot {
             Robot::Car(car) => self.car_space(car, product.clone())?,
             Robot::Arm(_) | Robot::Disc(_) | Robot::RigidBody(_) => MotionSpace::new(product.clone()),
         };
-        let start = space.state(&self.query.start);
+        let (index, query) = self.query;
+        let start = space.state(&query.start);
         let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = {
             let (world, space, tolerance) = (self.world.clone(), space.clone(), self.tolerance);
@@ -159,7 +169,9 @@ impl Launch<'_> {
             move || goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal))
         };
         let integration = if self.info.is_euler { Integration::Euler } else { Integration::Exact };
-        let (validity, dynamics) = fitted().with_dynamics(robot, integration);
+        let first = fitted();
+        let tolerance = first.tolerance();
+        let (validity, dynamics) = first.with_dynamics(robot, integration);
 
         let checked = {
             let (world, space) = (self.world.clone(), space.clone());
@@ -181,25 +193,43 @@ impl Launch<'_> {
             Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
             _ => Box::new(move |a, b| measure.distance(a, b)),
         };
-        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0])?;
+        let in_query = |error: Error| match error.code() {
+            Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),
+            _ => error,
+        };
+        let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0]).map_err(in_query)?;
         problem.add_goals(&goals[1..]);
         problem.end_effector = Some(end_effector);
-        problem.goal_region = self
-            .query
+        problem.goal_region = query
             .goal_tolerance
             .zip(robot.placed_shape())
             .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
         problem.dynamics = dynamics;
-        problem.records_events = self.events;
+        problem.records_events = self.options.events;
 
         let seed = self.info.seed;
-        let mut planner = match self.saved.zip(self.planner.group::<Searching>()) {
-            Some((document, searching)) => {
+        let planner = match (kept, self.saved) {
+            (Some(Kept { roadmap, changes: Changes { came, went }, tolerance: before }), _) => {
+                let may_meet = checker().may_meet();
+                let is = |differs: fn(&Tolerance, &Tolerance) -> bool| {
+                    before.as_ref().zip(tolerance.as_ref()).is_some_and(|(before, now)| differs(before, now))
+                };
+                // A proof counts with a smaller slack, a refusal with the same tolerance.
+                let is_rougher = is(|before, now| now.eta > before.eta);
+                let is_other = is(|before, now| (before.tau, before.bounds_tau) != (now.tau, now.bounds_tau));
+                planner::reopen(&problem, roadmap, &|a, b| is_rougher || may_meet(a, b, &came), &|a, b| {
+                    is_other || may_meet(a, b, &went)
+                })
+            }
+            (None, Some(document)) => {
                 let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Connection { k: document.k as usize, radius: document.radius };
-                planner::resume(&problem, connection, *searching, &states, &document.edges)
+                let searching = self.planner.group::<Searching>();
+                let rules = searching.copied().unwrap_or_default();
+                // A planner without a choice of searches is a lazy one.
+                planner::resume(&problem, connection, rules, &states, &document.edges, searching.is_none())
             }
-            None => self.planner.begin(&problem, seed)?,
+            (None, None) => self.planner.begin(&problem, seed)?,
         };
         let connection = planner.roadmap().map(|roadmap| roadmap.connection);
         let roadmap = connection.map(|connection| self.empty_document(&space, connection));
@@ -207,7 +237,14 @@ impl Launch<'_> {
         {
             problem.checkers = Some(Box::new(move || checked(fitted().validity())));
         }
-        Ok(Box::new(Runner::new(problem, planner, self.info, roadmap)))
+        let reopen: Reopen<_> = {
+            let (before, options, planner) = (self.world.clone(), self.options.clone(), self.planner);
+            Box::new(move |world, roadmap| {
+                let changes = Changes::between(before.scenario(), world.scenario())?;
+                Launch::new(world, &options, planner, None)?.run(Some(Kept { roadmap, changes, tolerance }))
+            })
+        };
+        Ok(Box::new(Runner::new(problem, planner, self.info, roadmap, Some(reopen))))
     }
 
     /// The document of this run's roadmap, without vertices and edges.

@@ -23,7 +23,7 @@
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
 //! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner that goes on to shorter paths;
 //!   `emitted.rs`: paths and edges as they are reported;
-//! - `resume.rs`: a run on a saved roadmap; `questions.rs`: configurations in requests.
+//! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
 //! slice. A run calls its planner once per iteration, and the planner its collision checker once per check, by virtual calls. Their
@@ -37,6 +37,7 @@ pub mod inspect;
 pub mod neighbours;
 mod options;
 mod questions;
+mod reopen;
 mod resume;
 mod runner;
 pub mod storage;
@@ -53,6 +54,7 @@ use crate::error::Error;
 use crate::path::ResultDocument;
 use crate::problem::Stats;
 use crate::run::storage::RoadmapDocument;
+use crate::world::PlanningWorld;
 
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
@@ -176,4 +178,14 @@ pub trait Run {
     /// `unsupported` if the planner builds none, or is not done yet and `keep` is set; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
     /// `out-of-range`, `start-in-collision`, `goal-in-collision`.
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error>;
+
+    /// Begins a run in a world whose obstacles have moved, with the roadmap of this one, which has to be over: the vertices, and the edges
+    /// whose robot cannot meet an obstacle that has changed. It is searched lazily: where an obstacle is new, edges are proven
+    /// again, and where one was, refused motions are tried again, if and when the best path wants them. No vertices are added but start
+    /// and goals of the query of this name, which may be others. This run stays as it is. O(roadmap).
+    ///
+    /// # Errors
+    /// `unsupported` if the planner builds no roadmap, or is not done yet; `other-scenario` if robot or bounds differ; `unknown-query`;
+    /// `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
+    fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error>;
 }

@@ -6,10 +6,11 @@ use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::options::Choice;
 use crate::path::{self, Approximate, Blending, Improvement, ResultDocument, Wanted};
-use crate::planner::{EdgeCheck, Phase, Planner, Status, Termination};
+use crate::planner::{EdgeCheck, Phase, Planner, Roadmap, Status, Termination};
 use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
+use crate::world::PlanningWorld;
 
 /// The name of further queries in result documents.
 const ASKED: &str = "asked";
@@ -32,6 +33,9 @@ pub(super) struct RunInfo {
     pub is_euler: bool,
 }
 
+/// Begins a run in another world with a roadmap of this one.
+pub(super) type Reopen<S> = Box<dyn Fn(&PlanningWorld, &Roadmap<S>) -> Result<Box<dyn Run>, Error>>;
+
 /// The run of one planner on one problem.
 pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
@@ -39,6 +43,8 @@ pub(super) struct Runner<S: Space> {
     info: RunInfo,
     /// The document of the roadmap without vertices and edges; `None` for planners that build none.
     roadmap: Option<RoadmapDocument>,
+    /// `None` if no scenario describes the problem.
+    reopen: Option<Reopen<S>>,
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
@@ -61,6 +67,7 @@ impl<S: Space> Runner<S> {
         planner: Box<dyn Planner<S>>,
         info: RunInfo,
         roadmap: Option<RoadmapDocument>,
+        reopen: Option<Reopen<S>>,
     ) -> Self {
         // A motion by controls may end before the goal.
         let least = if info.is_driven { 0.0 } else { problem.distance_to_goal(problem.start()) };
@@ -70,6 +77,7 @@ impl<S: Space> Runner<S> {
             planner,
             info,
             roadmap,
+            reopen,
             iteration: 0,
             status: Status::Running,
             progress,
@@ -409,7 +417,8 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
-        self.roadmap.as_ref().map(|roadmap| roadmap.filled(self.vertices_since(0), &self.edges_since(0)))
+        let roadmap = RoadmapDocument { k: self.planner.roadmap()?.connection.k as u32, ..self.roadmap.clone()? };
+        Some(roadmap.filled(self.vertices_since(0), &self.edges_since(0)))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {
@@ -423,7 +432,7 @@ impl<S: Space> Run for Runner<S> {
             );
             return Err(Error::new(Code::Unsupported, "/keep", sentence));
         }
-        let Some(roadmap) = self.planner.roadmap() else {
+        let Some(roadmap) = self.planner.roadmap_mut() else {
             let sentence = format!("{} builds no roadmap to query", self.info.planner);
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
@@ -431,5 +440,19 @@ impl<S: Space> Run for Runner<S> {
         let status = if found.path.is_empty() { Status::Exhausted } else { Status::Solved };
         let path = EmittedPath::through(&self.problem, &found.path);
         Ok(self.document(ASKED, status, path))
+    }
+
+    fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error> {
+        let unsupported = |sentence| Err(Error::new(Code::Unsupported, "", sentence));
+        let Some((reopen, roadmap)) = self.reopen.as_ref().zip(self.planner.roadmap()) else {
+            return unsupported(format!("{} builds no roadmap to reopen", self.info.planner));
+        };
+        if self.status == Status::Running {
+            return unsupported(format!(
+                "a roadmap can be reopened once the run is over, not while {}",
+                self.phase().as_str()
+            ));
+        }
+        reopen(world, roadmap)
     }
 }

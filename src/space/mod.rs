@@ -61,6 +61,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// use planarium::problem::{Contact, Touched, Validity};
 ///
 /// /// The unit square with the taxicab metric.
+/// #[derive(Clone)]
 /// struct Streets;
 ///
 /// impl Space for Streets {
@@ -122,7 +123,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// assert_eq!(status, Some(Status::Solved));
 /// # Ok::<(), planarium::Error>(())
 /// ```
-pub trait Space: Sync {
+pub trait Space: Clone + Sync {
     /// A configuration in canonical form: equal configurations are equal values.
     type State: Copy + Send + Sync + std::fmt::Debug + PartialEq;
 

@@ -1,8 +1,9 @@
 //! The collision checker of a robot in one of its spaces, before it is passed to a planner.
 
 use crate::collision::{
-    ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration,
+    ArmValidity, BodyCollision, BodyValidity, CarDynamics, CollisionWorld, DiscValidity, Integration, Tolerance,
 };
+use crate::geometry::Aabb;
 use crate::problem::{Dynamics, Validity};
 use crate::scenario::Robot;
 use crate::space::MotionSpace;
@@ -10,6 +11,9 @@ use std::rc::Rc;
 
 /// Validity and, of a car, dynamics.
 type Checked<S> = (Box<dyn Validity<S>>, Option<Box<dyn Dynamics<S>>>);
+
+/// Whether the robot may touch something in one of the boxes on the motion between two states.
+type MayMeet<const N: usize> = Box<dyn Fn(&[f64; N], &[f64; N], &[Aabb]) -> bool>;
 
 /// The collision checker of a robot.
 #[allow(clippy::large_enum_variant, reason = "it is moved once, into the box of `validity`")]
@@ -51,6 +55,27 @@ impl<const N: usize> Checker<N> {
             Self::Arm(arm) => Self::Arm(arm.finest()),
             Self::Disc(disc) => Self::Disc(disc),
             Self::Body(body, space) => Self::Body(body.finest(), space),
+        }
+    }
+
+    /// Whether the robot may touch something in one of some boxes on the motion between two states.
+    pub(crate) fn may_meet(self) -> MayMeet<N> {
+        match self {
+            Self::Arm(arm) => Box::new(move |a, b, boxes| arm.may_meet(a, b, boxes)),
+            Self::Disc(disc) => Box::new(move |a, b, boxes| disc.may_meet(a, b, boxes)),
+            Self::Body(body, space) => {
+                let body = BodyValidity::new(space, Rc::new(body));
+                Box::new(move |a, b, boxes| body.may_meet(a, b, boxes))
+            }
+        }
+    }
+
+    /// The slack and the tolerance of its proofs; `None` of a disc, which needs none.
+    pub(crate) fn tolerance(&self) -> Option<Tolerance> {
+        match self {
+            Self::Arm(arm) => Some(arm.tolerance()),
+            Self::Disc(_) => None,
+            Self::Body(body, _) => Some(body.tolerance()),
         }
     }
 

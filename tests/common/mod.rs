@@ -155,6 +155,8 @@ pub const PLANNERS: &[(&str, &str)] = &[
     ("prm", "samples=150 radius=1.2"),
     ("prm", "samples=150 radius=1.5 k=12 metric=naive"),
     ("prm-star", "samples=150"),
+    ("lazy-prm", "samples=150 k=8"),
+    ("lazy-prm-star", "improve_iterations=300"),
     ("visibility-prm", "failures=60"),
     ("rrt", ""),
     ("rrt", "extend=half goal_every=5"),

@@ -115,7 +115,7 @@ pub struct Plan {
     #[arg(long, value_name = "FILE")]
     pub roadmap: Option<String>,
 
-    /// Save the roadmap when the run ends (prm, prm-star and visibility-prm)
+    /// Save the roadmap when the run ends (of planners that build one: their names contain "prm")
     #[arg(long, value_name = "FILE")]
     pub save_roadmap: Option<String>,
 

@@ -91,6 +91,11 @@ pub(in crate::collision) struct Interval {
     is_refused: bool,
 }
 
+impl Interval {
+    /// The whole motion.
+    const WHOLE: Self = Self { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), lane: 0, is_refused: false };
+}
+
 /// A part and an obstacle not yet known to be apart on some half of an interval.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
@@ -138,7 +143,7 @@ impl<M: Moving> Prover<M> {
         self.intervals.clear();
         self.states.clear();
         let mut proof = Proof { scene, order, searches: false, open: 0, refused: 0, prover: self };
-        let whole = Interval { middle: 0.5, half: 0.5, level: 0, pairs: (0, 0), lane: 0, is_refused: false };
+        let whole = Interval::WHOLE;
         proof.test_all(&whole, &state);
         if let Some(hit) = proof.continue_with_halves(&whole, 0) {
             return Some(hit);
@@ -179,6 +184,14 @@ impl<M: Moving> Prover<M> {
             }
         }
         None
+    }
+
+    /// Whether the robot may touch something in one of the boxes on its motion, or come within the slack of it: whether a box around a
+    /// part of it, on the whole motion, meets one of them. `state` is the state in the middle of the motion.
+    pub fn may_meet(&mut self, boxes: &[Aabb], state: M::State) -> bool {
+        let parts = self.moving.parts();
+        self.moving.place(&Interval::WHOLE, &state, parts);
+        (0..parts).map(|part| self.moving.swept_box(part)).any(|swept| boxes.iter().any(|one| one.intersects(&swept)))
     }
 
     /// Whether the robot, placed at rest, is clear of everything; `None` if the result depends on less than half the slack, so

@@ -4,11 +4,13 @@
 mod best_first;
 mod bidirectional;
 mod breadth_first;
+mod lifelong;
 mod requeued;
 
 pub use best_first::BestFirst;
 pub use bidirectional::Bidirectional;
 pub use breadth_first::BreadthFirst;
+pub use lifelong::{Edge, EdgeState, Lifelong};
 pub use requeued::Requeued;
 
 use super::{Adjacency, VertexId};

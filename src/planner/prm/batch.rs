@@ -3,8 +3,10 @@
 #[cfg(feature = "parallel")]
 use super::ahead::Ahead;
 use crate::graph::VertexId;
+use crate::graph::search::{Edge, EdgeState};
 use crate::nearest::{Direction, Neighbour};
 use crate::planner::groups::Searching;
+use crate::planner::lazy::LazyPlanner;
 use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
@@ -31,12 +33,17 @@ impl<S: Space> Batch<S> {
         samples: usize,
         sampler: Box<dyn Sampler<S>>,
     ) -> RoadmapPlanner<S, Self> {
-        let vertices = samples + roadmap.len();
-        let left = Box::new((0..vertices as u32).map(VertexId));
-        RoadmapPlanner::new(problem, roadmap, Self::new(Some((vertices, sampler)), left), false)
+        let builder = Self::new(&roadmap, samples, sampler);
+        RoadmapPlanner::new(problem, roadmap, builder, false)
     }
 
-    fn new(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
+    /// A builder that adds so many samples to a roadmap of start and goals.
+    pub fn new(roadmap: &Roadmap<S>, samples: usize, sampler: Box<dyn Sampler<S>>) -> Self {
+        let vertices = samples + roadmap.len();
+        Self::with(Some((vertices, sampler)), Box::new((0..vertices as u32).map(VertexId)))
+    }
+
+    fn with(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
         Self {
             samples,
             left,
@@ -62,7 +69,9 @@ impl<S: Space> Build<S> for Batch<S> {
             return false;
         }
         #[cfg(feature = "parallel")]
-        if self.ahead.connect(roadmap, problem, iteration, &mut *self.left, &mut self.connect) {
+        if roadmap.candidates.is_none()
+            && self.ahead.connect(roadmap, problem, iteration, &mut *self.left, &mut self.connect)
+        {
             return self.left.len() == 0 && self.ahead.is_empty();
         }
         if let Some(vertex) = self.left.next() {
@@ -183,7 +192,8 @@ pub(super) fn candidates<S: Space>(
 
 /// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
 /// vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these
-/// ends, in their order. O(states + edges), and the index of neighbours.
+/// ends, in their order. If the roadmap `is_lazy`, all vertices have candidate edges to their neighbours. O(states + edges), and the
+/// index of neighbours.
 ///
 /// # Panics
 /// If an edge names a vertex that does not exist.
@@ -193,22 +203,96 @@ pub fn resume<S: Space + 'static>(
     rules: Searching,
     states: &[S::State],
     edges: &[[u32; 2]],
+    is_lazy: bool,
 ) -> Box<dyn Planner<S>> {
     let mut roadmap = Roadmap::new(problem, connection, rules);
-    // The ends that are not vertices of the saved roadmap.
-    let mut left: Vec<VertexId> = (0..roadmap.len() as u32).map(VertexId).collect();
-    let mut vertices = Vec::with_capacity(states.len());
-    for state in states {
-        vertices.push(match left.iter().position(|&end| roadmap.graph().state(end) == state) {
-            Some(i) => left.remove(i),
-            None => roadmap.add_vertex(problem.space(), 0, *state),
-        });
+    if is_lazy {
+        roadmap = roadmap.lazily(problem.space());
     }
+    let (vertices, left) = add_vertices(&mut roadmap, problem.space(), states.iter().map(Some));
     for edge in edges {
-        let [from, to] = edge.map(|vertex| vertices[vertex as usize]);
-        roadmap.growth.graph.add_edge(0, from, to);
+        let ends @ [from, to] = edge.map(|vertex| vertices[vertex as usize].expect("every state is a vertex"));
+        if is_lazy {
+            let cost = roadmap.cost(problem.space(), ends);
+            roadmap.add_edge(Edge { ends, cost, state: EdgeState::Proven });
+        } else {
+            roadmap.growth.graph.add_edge(0, from, to);
+        }
+    }
+    if is_lazy {
+        let all: Vec<VertexId> = (0..roadmap.len() as u32).map(VertexId).collect();
+        return Box::new(LazyPlanner::new(
+            roadmap,
+            Box::new(Batch::with(None, Box::new(all.into_iter()))),
+            false,
+            None,
+        ));
     }
     let is_complete = left.is_empty();
-    let builder = Batch::new(None, Box::new(left.into_iter()));
+    let builder = Batch::with(None, Box::new(left.into_iter()));
     Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
+}
+
+/// A planner that searches a roadmap lazily after obstacles have moved: `came` and `went` tell of the motion between two states whether
+/// it may touch an obstacle where one is now, or where one was. Edges that may touch the former are to be proven again, motions that were
+/// refused and may touch the latter are candidates again, and all others stay as they are. Former ends that are ends no longer are no
+/// vertices any more. O(states + edges), and the index of neighbours.
+pub fn reopen<S: Space + 'static>(
+    problem: &Problem<S>,
+    kept: &Roadmap<S>,
+    came: &dyn Fn(&S::State, &S::State) -> bool,
+    went: &dyn Fn(&S::State, &S::State) -> bool,
+) -> Box<dyn Planner<S>> {
+    let space = problem.space();
+    let mut roadmap = Roadmap::new(problem, kept.connection, kept.rules).lazily(space);
+    let ends = kept.goals.end.index();
+    let goals: Vec<&S::State> = std::iter::once(problem.start()).chain(problem.goals()).collect();
+    let is_kept = |&(i, state): &(usize, &S::State)| i >= ends || goals.contains(&state);
+    let states = kept.graph().states().iter().enumerate();
+    let (vertices, left) = add_vertices(&mut roadmap, space, states.map(|kept| is_kept(&kept).then_some(kept.1)));
+    for (i, vertex) in vertices.iter().enumerate() {
+        let Some(vertex) = vertex else { continue };
+        let state = kept.graph().state(VertexId(i as u32));
+        let was_unchecked = kept.candidates.as_ref().is_some_and(|candidates| candidates.unchecked[i]);
+        let candidates = roadmap.candidates.as_mut().expect("the roadmap is lazy");
+        candidates.unchecked[vertex.index()] = was_unchecked || came(state, state);
+    }
+    let tried = |ends: &[VertexId; 2], state| Edge { ends: *ends, cost: kept.cost(space, *ends), state };
+    let edges: Vec<Edge> = match &kept.candidates {
+        Some(candidates) => candidates.search.edges().to_vec(),
+        None => {
+            let proven = kept.graph().edges().iter().map(|ends| tried(ends, EdgeState::Proven));
+            proven.chain(kept.refused.iter().map(|ends| tried(ends, EdgeState::Refused))).collect()
+        }
+    };
+    for Edge { ends, cost, state } in edges {
+        let [from, to] = ends.map(|end| kept.graph().state(end));
+        let is_open = match state {
+            EdgeState::Assumed => true,
+            EdgeState::Proven => came(from, to),
+            EdgeState::Refused => went(from, to),
+        };
+        if let [Some(from), Some(to)] = ends.map(|end| vertices[end.index()]) {
+            roadmap.add_edge(Edge { ends: [from, to], cost, state: if is_open { EdgeState::Assumed } else { state } });
+        }
+    }
+    let is_complete = left.is_empty();
+    let builder = Batch::with(None, Box::new(left.into_iter()));
+    Box::new(LazyPlanner::new(roadmap, Box::new(builder), is_complete, None))
+}
+
+/// Adds vertices to a roadmap of start and goals alone; one that is an end becomes that end. Returns the vertex of each state, and the
+/// ends that are none of them.
+fn add_vertices<'a, S: Space + 'a>(
+    roadmap: &mut Roadmap<S>,
+    space: &S,
+    states: impl Iterator<Item = Option<&'a S::State>>,
+) -> (Vec<Option<VertexId>>, Vec<VertexId>) {
+    let mut left: Vec<VertexId> = (0..roadmap.len() as u32).map(VertexId).collect();
+    let mut add = |state: &S::State| match left.iter().position(|&end| roadmap.graph().state(end) == state) {
+        Some(i) => left.remove(i),
+        None => roadmap.add_vertex(space, 0, *state),
+    };
+    let vertices = states.map(|state| state.map(&mut add)).collect();
+    (vertices, left)
 }

@@ -10,10 +10,14 @@
 #[cfg(feature = "parallel")]
 mod ahead;
 mod batch;
+mod lazy;
+mod lazy_star;
 mod one_by_one;
 mod star;
 
-pub use batch::resume;
+pub use batch::{reopen, resume};
+pub use lazy::LazyPrmOptions;
+pub use lazy_star::LazyPrmStarOptions;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;

@@ -1,7 +1,7 @@
 //! Each sample is connected as it arrives, to its neighbours among the earlier vertices.
 
 use crate::graph::{EventKind, VertexId};
-use crate::nearest::{Direction, Neighbour};
+use crate::nearest::Direction;
 use crate::planner::Phase;
 use crate::planner::roadmap::{Build, GOAL, Roadmap, RoadmapPlanner, START};
 use crate::problem::Problem;
@@ -14,7 +14,6 @@ pub(super) struct OneByOne<S: Space> {
     /// Whether samples that connect to nothing are discarded.
     discard: bool,
     sampler: Box<dyn Sampler<S>>,
-    neighbours: Vec<Neighbour>,
 }
 
 impl<S: Space> OneByOne<S> {
@@ -34,20 +33,29 @@ impl<S: Space> OneByOne<S> {
                 }
             }
         }
-        let builder = Self { vertices: samples + roadmap.len(), discard, sampler, neighbours: Vec::new() };
+        let builder = Self { vertices: samples + roadmap.len(), discard, sampler };
         RoadmapPlanner::new(problem, roadmap, builder, samples == 0)
     }
+}
+
+/// The neighbours that a state is to be connected to, and the direction of the motion to or from each.
+pub(super) fn neighbours<S: Space>(
+    roadmap: &mut Roadmap<S>,
+    problem: &Problem<S>,
+    state: &S::State,
+) -> Vec<(Direction, VertexId)> {
+    let (mut all, mut found) = (Vec::new(), Vec::new());
+    for &direction in Direction::all(problem.space()) {
+        roadmap.neighbours(problem.space(), direction, state, false, &mut found);
+        all.extend(found.iter().map(|neighbour| (direction, neighbour.vertex)));
+    }
+    all
 }
 
 impl<S: Space> Build<S> for OneByOne<S> {
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
         let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
-        let space = problem.space();
-        let mut neighbours = Vec::new();
-        for &direction in Direction::all(space) {
-            roadmap.neighbours(space, direction, &state, false, &mut self.neighbours);
-            neighbours.extend(self.neighbours.iter().map(|neighbour| (direction, neighbour.vertex)));
-        }
+        let mut neighbours = neighbours(roadmap, problem, &state);
         if self.discard {
             // Whether there will be a vertex is known only after its edges are.
             neighbours.retain(|&(direction, other)| {
@@ -60,7 +68,7 @@ impl<S: Space> Build<S> for OneByOne<S> {
                 return false;
             }
         }
-        let vertex = roadmap.add_vertex(space, iteration, state);
+        let vertex = roadmap.add_vertex(problem.space(), iteration, state);
         for (direction, other) in neighbours {
             let [from, to] = direction.ends(vertex, other);
             if self.discard {

@@ -1,0 +1,61 @@
+//! A roadmap among obstacles that have moved: where they are now, and where they were.
+
+use crate::collision::Tolerance;
+use crate::error::{Code, Error};
+use crate::geometry::Aabb;
+use crate::planner::Roadmap;
+use crate::scenario::{Obstacle, Scenario};
+use crate::space::Space;
+
+/// A roadmap that was built in another world, and what differs there.
+pub(super) struct Kept<'a, S: Space> {
+    pub roadmap: &'a Roadmap<S>,
+    pub changes: Changes,
+    /// The tolerance of its proofs; `None` of a robot without one.
+    pub tolerance: Option<Tolerance>,
+}
+
+/// The boxes around obstacles that only one of two worlds has.
+pub(super) struct Changes {
+    /// Around those of the later one.
+    pub came: Vec<Aabb>,
+    /// Around those of the earlier one.
+    pub went: Vec<Aabb>,
+}
+
+impl Changes {
+    /// The changes from one scenario to another. Obstacles are compared in their order, without those at the beginning and at the end
+    /// that are the same. O(n) comparisons.
+    ///
+    /// # Errors
+    /// `other-scenario` if robots or bounds differ.
+    pub fn between(before: &Scenario, after: &Scenario) -> Result<Self, Error> {
+        let refuse = |pointer, what| {
+            let sentence = format!("only obstacles and queries may change; the {what} of the roadmap is another one");
+            Err(Error::new(Code::OtherScenario, pointer, sentence))
+        };
+        if before.robot() != after.robot() {
+            return refuse("/robot", "robot");
+        }
+        if before.world().bounds != after.world().bounds {
+            return refuse("/world/bounds", "box of bounds");
+        }
+        let (mut went, mut came) = (&before.world().obstacles[..], &after.world().obstacles[..]);
+        while let ([a, rest @ ..], [b, others @ ..]) = (went, came)
+            && a == b
+        {
+            (went, came) = (rest, others);
+        }
+        while let ([rest @ .., a], [others @ .., b]) = (went, came)
+            && a == b
+        {
+            (went, came) = (rest, others);
+        }
+        let is_other = |these: &[Obstacle], i: usize, one: &Obstacle| went.len() != came.len() || these[i] != *one;
+        let boxes = |list: &[Obstacle], other: &[Obstacle]| {
+            let changed = list.iter().enumerate().filter(|&(i, one)| is_other(other, i, one));
+            changed.map(|(_, one)| one.aabb()).collect()
+        };
+        Ok(Self { came: boxes(came, went), went: boxes(went, came) })
+    }
+}

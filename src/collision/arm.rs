@@ -113,19 +113,24 @@ impl<const N: usize> ArmValidity<N> {
     #[inline(always)]
     fn first_unproven(&self, a: &[f64; N], b: &[f64; N], order: Order) -> Option<f64> {
         let Some(delta) = self.delta(a, b) else { return Some(0.0) };
+        self.prove(a, &delta, order)
+    }
+
+    /// The same of a motion by `delta`.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    fn prove(&self, from: &[f64; N], delta: &[f64; N], order: Order) -> Option<f64> {
         let prover = &mut *self.prover.borrow_mut();
-        let state = prover.moving.begin(a, &delta);
+        let state = prover.moving.begin(from, delta);
         prover.first_unproven(&self.scene, state, order)
     }
 
     /// Whether a straight motion by `delta` is proven free, also off by any part of `aside`, forward or back.
     fn is_band_free(&self, from: &[f64; N], delta: &[f64; N], aside: &[f64; N]) -> bool {
-        let prover = &mut *self.prover.borrow_mut();
         let off = self.arm.travel(aside)[self.arm.links().len() - 1];
-        prover.moving.set_radius(self.arm.radius() + off);
-        let state = prover.moving.begin(from, delta);
-        let is_free = prover.first_unproven(&self.scene, state, Order::MiddleFirst).is_none();
-        prover.moving.set_radius(self.arm.radius());
+        self.prover.borrow_mut().moving.set_radius(self.arm.radius() + off);
+        let is_free = self.prove(from, delta, Order::MiddleFirst).is_none();
+        self.prover.borrow_mut().moving.set_radius(self.arm.radius());
         is_free
     }
 
@@ -181,7 +186,7 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
 
     fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
         let [before, after] = [from, to].map(|end| self.space.difference(corner, end));
-        blend::is_free(corner, &before, &after, |from, delta, aside| self.is_band_free(from, delta, aside))
+        blend::is_free(corner, &before, &after, &|from, delta, aside| self.is_band_free(from, delta, aside))
     }
 
     /// Ordered by link, then by obstacle, the bounds last.

@@ -230,3 +230,53 @@ fn a_roadmap_is_reopened_with_the_same_robot_and_bounds_once_it_is_built() {
     assert_eq!((other.vertex_count(), &rows(&*other)[0]), (run.vertex_count(), &vec![0.3, 0.2]));
     assert_valid(&moved, &*other);
 }
+
+#[test]
+#[ignore = "temporary measure"]
+fn measure() {
+    use std::time::Instant;
+    let folder = std::path::Path::new("/work/shared/scenarios");
+    let mut scenes: Vec<(String, Scenario)> = ["forest-2r-1", "forest-3r-1", "forest-3r-2", "forest-4r-1", "forest-4r-2"]
+        .map(|name| (name.to_owned(), parse(&std::fs::read_to_string(folder.join(format!("{name}.json"))).unwrap())))
+        .into();
+    for links in [2, 3, 4] {
+        for seed in [1, 2, 3] {
+            scenes.push((format!("gen-{links}-{seed}"), generate("forest", &json!({ "links": links, "seed": seed })).unwrap()));
+        }
+    }
+    for (name, world) in &scenes {
+        for planner in ["prm", "lazy-prm"] {
+            let began = Instant::now();
+            let mut run = finish(begin_with(world, planner, 1, ""));
+            let fresh = (began.elapsed().as_secs_f64() * 1e3, run.stats());
+            let mut document = json!(world);
+            let (mut evals, mut times, mut motions, mut its, mut solved, mut n) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), 0, 0);
+            let mut fresh_now = Vec::new();
+            for i in 0..20 {
+                for vertex in document["world"]["obstacles"][0]["vertices"].as_array_mut().unwrap() {
+                    vertex[0] = (vertex[0].as_f64().unwrap() + 0.03).into();
+                }
+                let Ok(moved) = Scenario::parse(&document.to_string()) else { break };
+                let moved = PlanningWorld::new(moved);
+                let began = Instant::now();
+                let Ok(reopened) = run.reopen(&moved) else { break };
+                let reopened = finish(reopened);
+                times.push(began.elapsed().as_secs_f64() * 1e3);
+                let stats = reopened.stats();
+                evals.push(stats.clearance_evaluations);
+                motions.push(stats.motion_checks);
+                its.push(stats.iterations);
+                solved += u32::from(reopened.status() == Status::Solved);
+                n += 1;
+                if i % 5 == 0 {
+                    fresh_now.push(finish(begin_with(moved.scenario(), planner, 1, "")).stats().clearance_evaluations);
+                }
+                run = reopened;
+            }
+            times.sort_by(f64::total_cmp); evals.sort(); motions.sort(); its.sort();
+            if n > 0 {
+            println!("{name} {planner}: fresh {:.1} ms {} ev {} mc it {} | reopened {n} ({solved} solved): ms median {:.2} max {:.2}; ev median {} max {}; mc median {} max {}; it median {} max {}; fresh ev {:?}",
+                fresh.0, fresh.1.clearance_evaluations, fresh.1.motion_checks, fresh.1.iterations, times[n/2], times[n-1], evals[n/2], evals[n-1], motions[n/2], motions[n-1], its[n/2], its[n-1], fresh_now); }
+        }
+    }
+}

@@ -177,6 +177,8 @@ pub enum Measure {
     RejectedSamples,
     /// Motions tested for collision.
     MotionChecks,
+    /// Candidate edges of a lazy roadmap that were not tested.
+    UncheckedEdges,
     /// Queries of the index of neighbours.
     NearestQueries,
     /// Vertices that the search expanded.

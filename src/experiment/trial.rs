@@ -257,6 +257,7 @@ impl Measure {
             Measure::ConfigurationChecks => stats.configuration_checks,
             Measure::RejectedSamples => stats.rejected_samples,
             Measure::MotionChecks => stats.motion_checks,
+            Measure::UncheckedEdges => stats.unchecked_edges,
             Measure::NearestQueries => stats.nearest_queries,
             Measure::Visited => stats.visited,
             Measure::ClearanceEvaluations => stats.clearance_evaluations,

@@ -18,7 +18,7 @@ const square = {
 };
 
 /** The planners of placements. */
-const PLACING = ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"];
+const PLACING = ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibility-prm", "rrt", "rrt-connect"];
 
 /** What plans for a car: by controls, and along curves. @type {(PlannerOptions & { steering?: string, samples?: number })[]} */
 const DRIVING = [

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Planner, Scenario, Trajectories, historyColumns, phases, solve } from "planarium";
 import { arm, disc, finish, options as asOptions } from "./scenes.mjs";
 
-for (const algorithm of ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"]) {
+for (const algorithm of ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibility-prm", "rrt", "rrt-connect"]) {
   test(`${algorithm}: slicing never changes the result`, () => {
     for (const scene of [arm, disc]) {
       const scenario = Scenario.parse(scene);
@@ -248,6 +248,24 @@ test("a roadmap is kept as text and as bytes, and gone on with: the same path, a
       assert.equal(resumed.roadmap("json"), text);
     }
   }
+});
+
+test("a roadmap is reopened where an obstacle has moved, and only what is wanted is proven again", () => {
+  const scenario = Scenario.parse(arm);
+  const planner = finish(scenario.planner({ algorithm: "lazy-prm", seed: 3, samples: 300 }));
+  assert.equal(finish(planner.reopen(scenario)).stats().motion_checks, 0, "nothing has moved");
+  const document = scenario.document();
+  const post = { type: /** @type {const} */ ("disc"), center: /** @type {[number, number]} */ ([-1.2, -1.2]), radius: 0.1 };
+  const world = { ...document.world, obstacles: [...document.world.obstacles, post] };
+  const moved = Scenario.parse({ ...document, world });
+  const [one, same] = [moved, JSON.stringify(moved)].map((input) => finish(planner.reopen(input)));
+  assert.equal(one.fingerprint(), same.fingerprint(), "the same calls give the same bits");
+  assert.equal(one.vertexCount, planner.vertexCount);
+  assert.ok(one.stats().motion_checks < planner.stats().motion_checks && one.stats().unchecked_edges > 0);
+  for (let i = 0, path = one.path(); i + 4 <= path.length; i += 2) assert.equal(moved.firstHit(path.subarray(i, i + 2), path.subarray(i + 2, i + 4)), null);
+  assert.throws(() => planner.reopen(disc), { code: "other-scenario", pointer: "/robot" });
+  assert.throws(() => scenario.planner({ algorithm: "lazy-prm" }).reopen(scenario), { code: "unsupported" });
+  assert.throws(() => planner.reopen("{"), { code: "invalid-json" });
 });
 
 test("a roadmap that is damaged, belongs elsewhere or is contradicted is refused", () => {

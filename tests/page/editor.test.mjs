@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  MOBILE, alphaOf, atRest, chooseScene, counters, finish, keys, onPage, onPausedPage, passes, pickFile, pixelsOf, textMatches, useBrowser,
+  MOBILE, alphaOf, atRest, choosePlanner, chooseScene, counters, finish, keys, onPage, onPausedPage, openScenario, passes, pickFile, pixelsOf, setParameter,
+  textMatches, useBrowser,
 } from "./browser.mjs";
 import { drag, enter, near, openEditor, plane, press, saved, swipe, told, until } from "./editing.mjs";
 import { endsOf, textOf } from "./library.mjs";
@@ -46,6 +47,24 @@ async function isBlocked(page, across, up) {
   const y = 12 * ratio + ((Math.PI - up) / (2 * Math.PI)) * (height - 44 * ratio);
   return alpha[Math.round(y) * width + Math.round(x)] > 128;
 }
+
+test("the roadmap of a lazy planner is repaired while an obstacle is dragged, and when that is undone", () => onPausedPage(async (page) => {
+  await openScenario(page, PLAIN);
+  await choosePlanner(page, "lazy-prm", "samples");
+  await setParameter(page, "samples", "300");
+  const before = await finish(page);
+  await openEditor(page, null);
+  const at = await plane(page, 1);
+  await drag(page, [at(0.5, 0.5), at(0.2, 0.2), at(0, 0.05)], 1);
+  const after = await atRest(page);
+  assert.deepEqual([after.status, after.vertices, after.phase], ["solved", before.vertices, "done"]);
+  assert.ok(after.length > before.length, "the disc is in the way now");
+  await drag(page, [at(0, 0.05), at(-0.8, 0.7)], 2);
+  await textMatches(page, "#story", /start is in collision/);
+  await press(page, ["Control+z"], "undo", 1);
+  const undone = await atRest(page);
+  assert.deepEqual([undone.status, undone.length], ["solved", after.length]);
+}));
 
 test("things, their handles and vertices are dragged; each gesture is one edit", () => onPlain(async (page, at) => {
   for (const [i, [from, to]] of /** @type {[number, number][][]} */ ([

@@ -19,7 +19,7 @@ const TITLES = {
   [SOLVED]: ["trials solved", "%"], [VALID]: ["valid paths", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
   waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["path length by chords", ""],
   rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
-  motion_checks: ["motions tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
+  motion_checks: ["motions tested", ""], unchecked_edges: ["edges never tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
   clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""],
   build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
 };

@@ -96,9 +96,10 @@ export class Lane {
 
   /** Begins a run. @param {string | undefined} query @param {Catalogue} catalogue @throws {Error} the core refuses the plan */
   start(query, catalogue) {
-    this.free();
     const { algorithm, settings } = this.planOf(query);
-    this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
+    const run = new RunLog(this.scenario, algorithm, settings, catalogue);
+    this.free();
+    this.run = run;
   }
 
   /** The metric of its costs. @returns {Metric} */
@@ -135,7 +136,16 @@ export class Lane {
     return this.end !== null;
   }
 
+  /** The lane with the run that stands in an edited scenario, until its roadmap is repaired. @param {Shown} shown */
+  moved(shown) {
+    if (this.run?.scenario !== this.scenario) this.scenario.free();
+    const { run, end } = this;
+    return Object.assign(new Lane(shown, this.plan), { run, end });
+  }
+
   free() {
+    // While a roadmap is repaired, its run has a scenario of its own.
+    if (this.run && this.run.scenario !== this.scenario) this.run.scenario.free();
     this.run?.free();
     this.run = null;
     this.end = this.asked = null;

@@ -14,6 +14,7 @@ import { Optima } from "./optimum.js";
 import { axesOf } from "../domain/names.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
+import { Repair } from "./repair.js";
 import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
@@ -55,6 +56,7 @@ export class Session {
     this.clock = new Clock();
     this.timeline = new Timeline(this);
     this.byHand = new PoseByHand(this);
+    this.repair = new Repair(this);
     /** @type {Shown | null} */
     this.shown = null;
     /** @type {Lane[]} */
@@ -148,16 +150,25 @@ export class Session {
   }
 
   /**
-   * Replaces the scenario by an edited one; the same plans wait at iteration 0.
+   * Replaces the scenario by an edited one: a lazy roadmap that stands is repaired; else the same plans wait at iteration 0.
    * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  during a gesture
    */
   replace(scenario, document, live) {
-    const { shown, lanes, plans } = this;
+    const { shown, lanes, plans, repair } = this;
     if (!shown) return;
-    for (const lane of lanes) lane.free();
-    shown.scenario.free();
-    this.shown = { ...shown, scenario, document, hover: null, rough: live, marked: null };
-    this.plan(plans, false);
+    const edited = { ...shown, scenario, document, hover: null, rough: live, marked: null };
+    if (repair.isPossible) {
+      lanes[0] = lanes[0].moved(edited);
+      this.shown = edited;
+      this.setEnds(edited);
+      repair.request(document);
+      this.markDirty();
+    } else {
+      for (const lane of lanes) lane.free();
+      shown.scenario.free();
+      this.shown = edited;
+      this.plan(plans, false);
+    }
     if (!live) this.stage.invalidate();
   }
 
@@ -367,7 +378,7 @@ export class Session {
       lane.still = !clock.playing && !clock.owes && lane.run?.status === "running";
     }
     stage.frame(lanes, now, began + (clock.playing ? DRAWING.playing : DRAWING.paused), clock.playing);
-    const isAtRest = !clock.owes && !timeline.isAsking && (!clock.playing || !this.growing);
+    const isAtRest = !clock.owes && !timeline.isAsking && !this.repair.isBusy && (!clock.playing || !this.growing);
     if (isAtRest) timeline.conclude();
     this.settled = isAtRest && !timeline.isAsking && !driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
     if (isWorking) {

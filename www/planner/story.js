@@ -47,7 +47,7 @@ export function going(run, scene) {
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
-  if (phase === "improving" && run.goesOn) return `A path is found. The tree grows on by motions ${checked}, and its best path gets shorter.`;
+  if (phase === "improving" && run.goesOn) return `A path is found. The ${run.isTree ? "tree" : "roadmap"} grows on by motions ${checked}, and its best path gets shorter.`;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
   if (phase === "searching") return `Searching the roadmap from ${String(settings.search).startsWith("bidirectional") ? "both ends" : "the start"}. Vertices already expanded are bold.`;
@@ -55,7 +55,7 @@ export function going(run, scene) {
   if (begins && phase === "growing") return `${sought}. ${run.kind === "trees" ? `Two trees of ${own} grow towards each other` : `A tree of ${own} grows from the start`}.`;
   if (run.algorithm === scene.algorithm && run.isProven === scene.isProven) return scene.sentence.replace("{controls}", controls(run));
   switch (phase) {
-    case "connecting": return `Nearby configurations are now connected. Each line is a motion ${checked}.`;
+    case "connecting": return run.isLazy ? `Nearby configurations become candidates. A line will be a motion ${checked}, once the best path wants it.` : `Nearby configurations are now connected. Each line is a motion ${checked}.`;
     case "guarding": return "A sample that no guard sees becomes a guard; one that sees guards of several components connects them.";
     default: return run.kind === "trees"
       ? "Two trees, rooted at start and goal, grow towards each other until they meet."
@@ -85,6 +85,7 @@ export function ending(run, playback) {
     return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.`;
   }
   if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
+  if (run.isLazy) return "No path: every way along candidate edges needs a motion that is not free.";
   if (run.pieces) {
     const { k } = run.settings;
     return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;

@@ -19,7 +19,7 @@ use crate::sampling::Sampler;
 use crate::space::Space;
 
 /// How many samples an iteration draws until one may help.
-const DRAWS: u32 = 100;
+const DRAWS: u32 = 10;
 
 crate::options! {
     /// Options of lazy PRM*.

@@ -243,9 +243,12 @@ export class RunLog {
     return edges;
   }
 
+  /** Whether its roadmap has candidate edges that no path has wanted, so that they were not tested. */
+  get isLazy() { return this.now.stats.unchecked_edges > 0; }
+
   /** The components of a roadmap without a path, or else null. */
   get pieces() {
-    if (this.isTree || this.status !== "exhausted" || this.visited === 0) return null;
+    if (this.isTree || this.isLazy || this.status !== "exhausted" || this.visited === 0) return null;
     return this.components ??= componentsOf(this);
   }
 

@@ -4,7 +4,7 @@
  */
 import { withOptions } from "../../domain/option-names.js";
 
-/** @import { Planner, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
+/** @import { Planner, ResultDocument, Scenario, ScenarioDocument, Settings, Stats, Status } from "../../domain/types.js" */
 
 /**
  * @typedef {object} Growth   what a run has grown since the last block; rows as in the package
@@ -72,6 +72,24 @@ export class Stepper {
     const began = performance.now();
     const result = planner.query(start, goal);
     return { result, seconds: (performance.now() - began) / 1000, visited: planner.stats().visited - visited };
+  }
+
+  /**
+   * Plans on the roadmap that stands in an edited scenario, to the end.
+   * @param {ScenarioDocument} document
+   * @returns {Growth} all of it
+   * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
+   */
+  reopen(document) {
+    const { planner } = this;
+    this.planner = planner.reopen(document);
+    planner.free();
+    this.planner.record();
+    this.planner.step(Number.MAX_SAFE_INTEGER);
+    this.ended = true;
+    // The page makes start and goals itself.
+    this.sent = { iterations: 0, vertices: 1 + this.planner.goals().length / this.planner.dimension, edges: 0, events: 0 };
+    return this.growth(true);
   }
 
   /** The counts at which a block is full. */

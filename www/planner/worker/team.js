@@ -6,6 +6,7 @@ import { errorInfo } from "../../app/error-info.js";
 
 /** @import { Advance, PlannerWorker } from "./worker.js" */
 /** @import { Growth } from "./stepper.js" */
+/** @import { ScenarioDocument } from "../../domain/types.js" */
 
 export class Team {
   /** @param {PlannerWorker} first @param {() => PlannerWorker} hire   starts a further worker */
@@ -44,6 +45,9 @@ export class Team {
 
   /** Queries the roadmap of the first planner. @param {number[]} start @param {number[]} goal */
   ask(start, goal) { return this.workers[0].ask(start, goal); }
+
+  /** Repairs the roadmap of the first planner in an edited scenario. @param {ScenarioDocument} document */
+  repair(document) { return this.workers[0].repair(document); }
 }
 
 /** The planners' blocks in the order of the planners. @param {Growth[][]} parts   of each worker @param {number} busy @returns {Growth[]} */

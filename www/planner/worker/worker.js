@@ -70,6 +70,8 @@ const commands = {
   },
   /** Divides one block. @param {number} part   of as many cells as there are */
   divide: (part) => /** @type {Certifier} */ (certifier).advance(part, BLOCK),
+  /** Repairs the roadmap of the first planner in an edited scenario. @param {ScenarioDocument} document @returns {Growth} */
+  repair: (document) => steppers[0].reopen(document),
   /** @param {Painting} painting @returns {ImageBitmap} */
   obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
   /** @param {Source} source @param {number} side @param {Look} look @returns {ImageBitmap} */

@@ -1,0 +1,83 @@
+/**
+ * A lazy roadmap that stands is repaired when the scenario is edited: the worker reopens it among the obstacles as they are now. There is
+ * one repair at a time; the newest scenario waits for it.
+ */
+import { errorInfo } from "../app/error-info.js";
+
+/** @import { ScenarioDocument } from "../domain/types.js" */
+/** @import { Session } from "./session.js" */
+/** @import { Growth } from "./worker/stepper.js" */
+
+export class Repair {
+  /** @param {Session} session */
+  constructor(session) {
+    this.session = session;
+    /** The scenario to repair the roadmap in next. @type {ScenarioDocument | null} */
+    this.waiting = null;
+    this.isBusy = false;
+    /** Number of the planning whose roadmap the worker still has, while its start or goal is in collision. */
+    this.held = -1;
+  }
+
+  /** Whether there is a single run, with a lazy roadmap that stands. */
+  get isPossible() {
+    const { lanes: [{ run } = { run: null }, ...others], plannings } = this.session;
+    return others.length === 0 && Boolean(this.held === plannings || (run?.ended && run.isLazy));
+  }
+
+  /** Repairs the roadmap in a scenario. @param {ScenarioDocument} document */
+  request(document) {
+    this.waiting = document;
+    if (!this.isBusy) void this.session.app.track(this.work());
+  }
+
+  async work() {
+    const { session } = this;
+    this.isBusy = true;
+    try {
+      while (this.waiting) {
+        const { plannings } = session;
+        const document = this.waiting;
+        this.waiting = null;
+        try {
+          const growth = await session.team.repair(document);
+          if (plannings === session.plannings) this.show(growth);
+        } catch (error) {
+          if (plannings === session.plannings) this.refuse(error);
+        }
+      }
+    } finally {
+      this.isBusy = false;
+    }
+  }
+
+  /** Shows the repaired roadmap at its end. @param {Growth} growth @throws {Error} start or goal are in collision by now */
+  show(growth) {
+    const { session } = this;
+    const { lanes: [lane], clock, stage } = session;
+    lane.start(session.query, session.catalogue);
+    this.held = -1;
+    session.refusal = null;
+    lane.run?.take(growth);
+    clock.reset();
+    session.timeline.show(Infinity);
+    clock.halt();
+    if (lane.end) lane.end.drawn = 1;
+    if (session.shown) session.setEnds(session.shown);
+    stage.restart(session.lanes);
+    session.markDirty();
+  }
+
+  /** Shows why there is no roadmap: start or goal are in collision. @param {unknown} error */
+  refuse(error) {
+    const { session } = this;
+    const { code } = errorInfo(error);
+    if (code === "" || code === "internal") throw error;
+    this.held = session.plannings;
+    for (const lane of session.lanes) lane.free();
+    session.clock.reset();
+    session.refusal = { error, lane: 0 };
+    session.stage.restart(session.lanes);
+    session.markDirty();
+  }
+}

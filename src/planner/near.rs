@@ -32,7 +32,7 @@ crate::choice! {
 crate::options! {
     /// Which vertices are neighbours.
     pub struct Nearness for crate::options::ALL;
-    /// Neighbours of a new vertex: radius (near-optimal in the limit), or the k nearest, fewer and faster.
+    /// Neighbours of a vertex: all within a radius, which are many in high dimensions, or the k nearest.
     near: Option<NearRule>, "Neighbour rule", else "radius; k-nearest in FMT* and along curves of a car";
     /// Multiplies the radius: less than 1 is faster, without a guarantee.
     radius_factor: f64 = 1.0, in 0.01..=10.0, "Radius factor";

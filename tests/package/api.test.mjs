@@ -1,5 +1,6 @@
 /** What the package does, member by member: its tables, scenarios, configurations and motions. Its runs are in runs.test.mjs. */
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { inspect } from "node:util";
 import init, { Scenario, eventKinds, generators, initSync, planners, randomSeed, version } from "planarium";
@@ -247,6 +248,9 @@ test("optimum returns the shortest path of a query, exact or a reference", () =>
   close(length ?? NaN, 2 * half + 0.2);
   assert.deepEqual([path[0], path.at(-1)], [[2, 2], [8, 2]]);
   assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null });
+  // To the bit what the command line prints.
+  const rings = Scenario.parse(readFileSync(new URL("../../www/scenes/rings.json", import.meta.url), "utf8"));
+  assert.equal(rings.optimum().length, 13.543068005532522);
   const reference = Scenario.parse(arm).optimum({ metric: "euclidean" });
   assert.ok(reference.method === "grid" && !reference.exact && reference.length !== null && reference.length > 0);
   fails(() => scenario.optimum({ query: "other" }), "unknown-query", "/query");

@@ -1,7 +1,6 @@
 /** The counters of the run, as text and as data attributes. */
 import { byId, grouped, write } from "../app/dom.js";
-import { gapText } from "./optimum.js";
-import { duration } from "../widgets/format.js";
+import { duration, percent } from "../widgets/format.js";
 
 /** @import { LaneState } from "../domain/types.js" */
 
@@ -24,7 +23,7 @@ export class Counters {
       phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
-      gap: gap === null ? "" : gapText(gap),
+      gap: gap === null ? "" : percent(gap),
       segments: segments === null ? "" : grouped(segments),
       checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",

@@ -20,9 +20,6 @@ export function gapOf(cost, optimum) {
   return optimum && optimum.length > 0 && cost < Infinity ? 100 * (cost / optimum.length - 1) : null;
 }
 
-/** A gap as text. @param {number} gap */
-export function gapText(gap) { return `${gap < 0.05 && gap > -0.05 ? "0" : gap.toFixed(gap < 10 ? 1 : 0).replace("-", "\u2212")} %`; }
-
 export class Optima {
   /** @param {App} app @param {() => void} onFound */
   constructor(app, onFound) {

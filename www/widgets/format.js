@@ -28,3 +28,6 @@ export function superscript(exponent) {
 
 /** With six digits at most, and commas between thousands. @param {number} value */
 export const numberText = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
+
+/** A percentage: with one digit after the point below 10. @param {number} value */
+export function percent(value) { return `${num(value, value < 10 ? 1 : 0)} %`; }

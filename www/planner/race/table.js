@@ -1,8 +1,8 @@
 /** The table of a race. */
-import { gapText } from "../optimum.js";
 import { leaders } from "./standings.js";
 import { grouped, make, write } from "../../app/dom.js";
 import { labelled } from "../../widgets/elements.js";
+import { percent } from "../../widgets/format.js";
 
 /** @import { Sheets } from "../sheets.js" */
 /** @import { LaneState, State } from "../../domain/types.js" */
@@ -40,7 +40,7 @@ export class Table {
       const texts = [
         ...[lane.vertices, lane.edges, lane.motions, lane.evaluations, lane.iteration].map(grouped),
         found === null ? nothing(lane) : noted(grouped(found), first.includes(i) && (first.length > 1 ? "tied for first" : "first")),
-        found === null ? "\u2013" : noted(`${lane.cost.toFixed(2)} ${lane.unit}`.trim(), lane.gap !== null && `gap ${gapText(lane.gap)}`, lane.standing.collides ? "it collides" : !lane.isProven && "not proven", shortest.includes(i) && `shortest${isOver ? "" : " so far"}`),
+        found === null ? "\u2013" : noted(`${lane.cost.toFixed(2)} ${lane.unit}`.trim(), lane.gap !== null && `gap ${percent(lane.gap)}`, lane.standing.collides ? "it collides" : !lane.isProven && "not proven", shortest.includes(i) && `shortest${isOver ? "" : " so far"}`),
       ];
       sheets.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));

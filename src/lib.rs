@@ -63,6 +63,8 @@ pub mod random;
 #[doc(hidden)]
 pub mod sampling;
 #[doc(hidden)]
+pub mod shortening;
+#[doc(hidden)]
 pub mod world;
 
 pub use error::{Code, Error};

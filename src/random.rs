@@ -38,6 +38,8 @@ pub enum Stream {
     Starts = 6,
     /// Which trajectories of particles are tried.
     Particles = 7,
+    /// Within which cost a sample is to be reached.
+    Costs = 8,
 }
 
 /// A stream of random numbers.

@@ -3,6 +3,7 @@
 
 mod common;
 
+mod aorrtc;
 #[cfg(not(target_arch = "wasm32"))]
 mod arrows;
 mod as_reported;

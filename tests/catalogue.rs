@@ -73,6 +73,7 @@ fn settings() -> Vec<(&'static str, String)> {
         ("informed-rrt-star", ""),
         ("fmt-star", samples),
         ("bit-star", ""),
+        ("aorrtc", ""),
     ];
     for (planner, few) in few {
         all.push((planner, format!("{few} sampler=bridge max_iterations=400")));

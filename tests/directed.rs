@@ -3,8 +3,8 @@
 use planarium::graph::{Graph, VertexId};
 use planarium::path::{Improvement, Wanted, length};
 use planarium::planner::{
-    Algorithm, BitStarOptions, Extend, FmtStarOptions, GoalBias, Insertion, LazyPrmOptions, Planner, PlannerKind,
-    PrmOptions, Rewiring, RrtConnectOptions, RrtOptions, RrtStarOptions, Searching, Status,
+    Algorithm, AorrtcOptions, BitStarOptions, Extend, FmtStarOptions, GoalBias, Insertion, LazyPrmOptions, Planner,
+    PlannerKind, PrmOptions, Rewiring, RrtConnectOptions, RrtOptions, RrtStarOptions, Searching, Status,
 };
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::space::steering::{Pose, Steering};
@@ -160,6 +160,9 @@ fn trees_end_at_the_goal_and_are_driven_in_order() {
         trees.push(("rrt-star".to_owned(), rrt_star(&problem, seed), f64::INFINITY));
         trees.push(("fmt-star".to_owned(), fmt_star(&problem, seed), f64::INFINITY));
         trees.push(("bit-star".to_owned(), bit_star(&problem, seed), f64::INFINITY));
+        if problem.space().is_symmetric() {
+            trees.push(("aorrtc".to_owned(), begin(&AorrtcOptions::default(), &problem, seed), f64::INFINITY));
+        }
         for step in [0.4, 1.0, 5.0] {
             trees.push((format!("rrt-connect {step}"), rrt_connect(&problem, seed, step), step));
         }

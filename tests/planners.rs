@@ -151,7 +151,7 @@ fn a_step_does_at_most_what_it_was_asked_and_nothing_once_done() {
 fn a_path_leads_from_start_to_goal_along_edges_of_the_graph() {
     for world in worlds() {
         // Improvement moves a path off the graph.
-        for &(planner, settings) in PLANNERS.iter().filter(|(_, settings)| !settings.contains("shortcut")) {
+        for &(planner, settings) in PLANNERS.iter().filter(|(_, settings)| !settings.contains("shortcut=40")) {
             let settings = fitting(&world, settings);
             let run = finish(begin_with(&world, planner, 2, &settings));
             if run.status() != Status::Solved {
@@ -164,14 +164,20 @@ fn a_path_leads_from_start_to_goal_along_edges_of_the_graph() {
             let path = run.path();
             assert_eq!(path[0], vertices[0], "vertex 0 is the start");
             assert_eq!(path[path.len() - 1], vertices[1], "vertex 1 is the goal");
-            let number = |q: &Vec<f64>| vertices.iter().position(|v| v == q);
+            // Vertices may have the same configuration, as those of former paths.
+            let numbers = |q: &Vec<f64>| (0..vertices.len()).filter(|&v| vertices[v] == *q).collect::<Vec<_>>();
             let edges = edges(run.as_ref());
             for pair in path.windows(2) {
                 // Waypoints that split a long turn are no vertices.
-                if let (Some(a), Some(b)) = (number(&pair[0]), number(&pair[1])) {
-                    let is_edge = edges.contains(&[a, b]) || edges.contains(&[b, a]);
-                    assert!(is_edge, "{planner}: {a} and {b} are neighbours on the path and in the graph");
-                }
+                let [a, b] = [numbers(&pair[0]), numbers(&pair[1])];
+                let is_edge = edges
+                    .iter()
+                    .any(|[from, to]| (a.contains(from) && b.contains(to)) || (a.contains(to) && b.contains(from)));
+                let are_vertices = !a.is_empty() && !b.is_empty();
+                assert!(
+                    !are_vertices || is_edge,
+                    "{planner}: {a:?} and {b:?} are neighbours on the path and in the graph"
+                );
             }
             assert!(edges.iter().all(|[a, b]| a != b), "no vertex is connected to itself");
         }

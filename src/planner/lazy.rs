@@ -14,9 +14,6 @@ use crate::nearest::Direction;
 use crate::problem::Problem;
 use crate::space::Space;
 
-/// A path this near to the distance from start to goal is the shortest.
-const SHORTEST: f64 = 1.0 + 1e-12;
-
 /// The edges of a lazy roadmap, and their search.
 #[derive(Debug, Clone)]
 pub(super) struct Candidates {
@@ -217,8 +214,6 @@ impl<S: Space> Roadmap<S> {
 struct Best {
     path: Vec<VertexId>,
     cost: f64,
-    /// The iteration that found the first one.
-    since: u32,
 }
 
 /// A planner that builds a lazy roadmap and searches it. An iteration is one of the builder, expands one vertex, or tries one edge.
@@ -227,22 +222,17 @@ pub(super) struct LazyPlanner<S: Space> {
     builder: Box<dyn Build<S>>,
     /// Whether the roadmap is to be searched as it is; else the builder goes on.
     is_searching: bool,
-    /// The number of iterations after the first path in which the builder goes on again and again; `None` if the first search decides.
-    improve_iterations: Option<u32>,
+    /// Whether the builder goes on after each search; else the first one decides.
+    improves: bool,
     best: Option<Best>,
     status: Status,
 }
 
 impl<S: Space> LazyPlanner<S> {
     /// A planner of a lazy roadmap; if it is complete, it is only searched.
-    pub fn new(
-        roadmap: Roadmap<S>,
-        builder: Box<dyn Build<S>>,
-        is_complete: bool,
-        improve_iterations: Option<u32>,
-    ) -> Self {
+    pub fn new(roadmap: Roadmap<S>, builder: Box<dyn Build<S>>, is_complete: bool, improves: bool) -> Self {
         let (is_searching, best, status) = (is_complete, None, Status::Running);
-        Self { roadmap, builder, is_searching, improve_iterations, best, status }
+        Self { roadmap, builder, is_searching, improves, best, status }
     }
 
     /// Does one step of the search; returns whether there was something to do.
@@ -264,14 +254,13 @@ impl<S: Space> LazyPlanner<S> {
                 let goal = path.last().copied().unwrap_or(GOAL);
                 growth.counters.visited += 1;
                 growth.add_event(EventKind::SolutionFound, iteration, Some(goal), None, growth.state(goal));
-                let since = self.best.as_ref().map_or(iteration, |best| best.since);
-                self.best = Some(Best { path, cost, since });
-                if self.improve_iterations.is_none() || cost <= SHORTEST * problem.distance_to_goal(problem.start()) {
+                self.best = Some(Best { path, cost });
+                if !self.improves {
                     self.status = Status::Solved;
                 }
             }
             Step::Nothing => {
-                if self.improve_iterations.is_none() {
+                if !self.improves {
                     self.status = Status::Exhausted;
                 }
                 return self.status == Status::Exhausted;
@@ -285,11 +274,6 @@ impl<S: Space> Planner<S> for LazyPlanner<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         if !(self.is_searching && self.search(problem, iteration)) {
             self.is_searching = self.builder.build(&mut self.roadmap, problem, iteration);
-        }
-        if let (Some(most), Some(best)) = (self.improve_iterations, &self.best)
-            && iteration - best.since >= most
-        {
-            self.status = Status::Solved;
         }
         self.status
     }
@@ -305,6 +289,10 @@ impl<S: Space> Planner<S> for LazyPlanner<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.roadmap.growth
+    }
+
+    fn cost(&self) -> f64 {
+        self.best.as_ref().filter(|_| self.improves).map_or(f64::INFINITY, |best| best.cost)
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -3,6 +3,7 @@
 //! A planner sees a space and its free states, never a robot or an obstacle. It owns its graph and its generator, so
 //! stepping in slices of any size gives the same result.
 
+mod aorrtc;
 mod best_tree;
 mod bit_star;
 mod driven_tree;
@@ -26,6 +27,7 @@ mod rrt_star;
 mod sst;
 mod visibility_prm;
 
+pub use aorrtc::AorrtcOptions;
 pub use bit_star::BitStarOptions;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use fmt_star::FmtStarOptions;

@@ -19,6 +19,7 @@ registry! {
     InformedRrtStar(super::informed_rrt_star::InformedRrtStarOptions),
     FmtStar(super::fmt_star::FmtStarOptions),
     BitStar(super::bit_star::BitStarOptions),
+    Aorrtc(super::aorrtc::AorrtcOptions),
     RrtControl(super::rrt_control::RrtControlOptions),
     Sst(super::sst::SstOptions),
 }

@@ -53,9 +53,32 @@ impl PlannerKind for RrtConnectOptions {
     };
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
-        let mut planner = RrtConnect {
-            step: step_in(self.step, problem.space().extent())?,
-            sampler: self.sampling.sampler(problem.space(), seed),
+        Ok(Box::new(RrtConnect::new(problem, self, seed)?))
+    }
+}
+
+/// The planner. An iteration takes one sample: one extension, then one greedy connection of at most extent / step motions.
+pub(super) struct RrtConnect<S: Space> {
+    step: f64,
+    pub sampler: Box<dyn Sampler<S>>,
+    pub growth: Growth<S>,
+    /// Both trees, as one forest.
+    pub forest: Tree,
+    /// The start's tree, then the goal's.
+    pub indices: [Index; 2],
+    /// The vertices at which the trees met: one of the start's tree, one of the goal's.
+    pub bridge: Option<[VertexId; 2]>,
+}
+
+impl<S: Space> RrtConnect<S> {
+    /// The planner at its beginning.
+    ///
+    /// # Errors
+    /// `out-of-range`, pointer `/step`, for a step that is too short.
+    pub fn new(problem: &Problem<S>, options: &RrtConnectOptions, seed: u64) -> Result<Self, Error> {
+        let mut planner = Self {
+            step: step_in(options.step, problem.space().extent())?,
+            sampler: options.sampling.sampler(problem.space(), seed),
             growth: Growth::new(problem),
             forest: Tree::default(),
             indices: [Index::default(), Index::default()],
@@ -65,40 +88,22 @@ impl PlannerKind for RrtConnectOptions {
         for (tree, root) in roots {
             planner.add_vertex(problem.space(), tree, 0, None, *root);
         }
-        Ok(Box::new(planner))
+        Ok(planner)
     }
-}
 
-/// The planner. An iteration takes one sample: one extension, then one greedy connection of at most extent / step motions.
-struct RrtConnect<S: Space> {
-    step: f64,
-    sampler: Box<dyn Sampler<S>>,
-    growth: Growth<S>,
-    /// Both trees, as one forest.
-    forest: Tree,
-    /// The start's tree, then the goal's.
-    indices: [Index; 2],
-    /// The vertices at which the trees met: one of the start's tree, one of the goal's.
-    bridge: Option<[VertexId; 2]>,
-}
-
-/// The result of one step towards a target.
-enum Step<S> {
-    /// The motion is not free.
-    Refused,
-    /// A vertex was added.
-    Advanced(VertexId),
-    /// The motion to the target itself is free; nothing was added yet.
-    Arrived(S),
-}
-
-impl<S: Space> RrtConnect<S> {
     /// The direction of the motions of a tree, relative to the new state: from the tree (`In`), or to it for the goal's (`Out`).
     fn direction(space: &S, tree: usize) -> Direction {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
 
-    fn add_vertex(
+    /// The tree that takes the next sample.
+    pub fn smaller(&self) -> usize {
+        let [start_side, goal_side] = self.indices.each_ref().map(Nearest::<S>::len);
+        usize::from(goal_side < start_side)
+    }
+
+    /// Adds a vertex to a tree, with its edge, or as a root.
+    pub fn add_vertex(
         &mut self,
         space: &S,
         tree: usize,
@@ -123,15 +128,16 @@ impl<S: Space> RrtConnect<S> {
         index.nearest_by(space, states, Self::direction(space, tree), state).expect("a tree has a root").vertex
     }
 
-    /// Grows a tree from one of its vertices by one step towards the target.
-    fn grow(
+    /// The end of one step from a vertex of a tree towards a target, and whether it is the target; `None`, with an event, if the motion
+    /// is not free. Adds nothing.
+    pub fn step(
         &mut self,
         problem: &Problem<S>,
         iteration: u32,
         tree: usize,
         from: VertexId,
         target: &S::State,
-    ) -> Step<S::State> {
+    ) -> Option<(S::State, bool)> {
         let space = problem.space();
         let origin = self.growth.state(from);
         let direction = Self::direction(space, tree);
@@ -144,52 +150,55 @@ impl<S: Space> RrtConnect<S> {
             Direction::Out => space.interpolate(a, b, 1.0 - self.step / distance),
         };
         let [a, b] = direction.ends(&next, &origin);
-        if !self.growth.is_motion_free(problem, a, b) {
-            self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
-            return Step::Refused;
+        if self.growth.is_motion_free(problem, a, b) {
+            return Some((next, arrives));
         }
-        if arrives {
-            return Step::Arrived(next);
-        }
-        Step::Advanced(self.add_vertex(space, tree, iteration, Some(from), next))
+        self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
+        None
     }
 
-    /// Grows a tree step by step towards a vertex of the other tree; returns the vertex next to it on arrival.
-    fn connect(&mut self, problem: &Problem<S>, iteration: u32, tree: usize, target: VertexId) -> Option<VertexId> {
+    /// Grows a tree step by step from one of its vertices towards one of the other tree; returns the vertex next to it on arrival.
+    pub fn connect(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        tree: usize,
+        mut from: VertexId,
+        target: VertexId,
+    ) -> Option<VertexId> {
         let state = self.growth.state(target);
-        let mut from = self.nearest(problem.space(), tree, &state);
         // Each step reduces the distance by its length. With steering, rounding could prevent this: the number is bounded.
         let most = libm::ceil(problem.space().extent() / self.step) as u64 + 2;
         for _ in 0..most {
-            match self.grow(problem, iteration, tree, from, &state) {
-                Step::Refused => return None,
-                Step::Advanced(vertex) => from = vertex,
-                Step::Arrived(_) => return Some(from),
+            let (next, arrives) = self.step(problem, iteration, tree, from, &state)?;
+            if arrives {
+                return Some(from);
             }
+            from = self.add_vertex(problem.space(), tree, iteration, Some(from), next);
         }
         None
     }
-}
 
-impl<S: Space> Planner<S> for RrtConnect<S> {
-    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        let space = problem.space();
-        let [start_side, goal_side] = self.indices.each_ref().map(Nearest::<S>::len);
-        let tree = usize::from(goal_side < start_side);
-        let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
-        let sample = sample.state;
-        let near = self.nearest(space, tree, &sample);
-        let added = match self.grow(problem, iteration, tree, near, &sample) {
-            Step::Refused => return Status::Running,
-            Step::Advanced(vertex) => vertex,
-            Step::Arrived(state) => self.add_vertex(space, tree, iteration, Some(near), state),
-        };
-        let Some(reached) = self.connect(problem, iteration, 1 - tree, added) else { return Status::Running };
+    /// Connects a vertex of a tree with one of the other: a path.
+    pub fn meet(&mut self, iteration: u32, tree: usize, added: VertexId, reached: VertexId) {
         let bridge = if tree == 0 { [added, reached] } else { [reached, added] };
         self.growth.graph.add_edge(iteration, bridge[0], bridge[1]);
         let state = self.growth.state(added);
         self.growth.add_event(EventKind::SolutionFound, iteration, Some(added), Some(reached), state);
         self.bridge = Some(bridge);
+    }
+}
+
+impl<S: Space> Planner<S> for RrtConnect<S> {
+    fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
+        let (space, tree) = (problem.space(), self.smaller());
+        let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
+        let near = self.nearest(space, tree, &sample.state);
+        let Some((state, _)) = self.step(problem, iteration, tree, near, &sample.state) else { return Status::Running };
+        let added = self.add_vertex(space, tree, iteration, Some(near), state);
+        let near = self.nearest(space, 1 - tree, &state);
+        let Some(reached) = self.connect(problem, iteration, 1 - tree, near, added) else { return Status::Running };
+        self.meet(iteration, tree, added, reached);
         Status::Solved
     }
 

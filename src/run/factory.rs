@@ -303,9 +303,10 @@ impl<'a> Launch<'a> {
             return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
         if steering == Steering::Dubins && self.planner.needs_symmetry() {
-            return Err(unsupported(
-                "visibility-prm requires a symmetric space, which dubins curves are not; use steering = reeds-shepp",
-            ));
+            let id = self.info.planner;
+            return Err(unsupported(&format!(
+                "{id} requires a symmetric space, which dubins curves are not; use steering = reeds-shepp"
+            )));
         }
         Ok(MotionSpace::steered(product, steering, radius))
     }

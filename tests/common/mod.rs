@@ -170,6 +170,8 @@ pub const PLANNERS: &[(&str, &str)] = &[
     ("fmt-star", "samples=40 near=radius"),
     ("bit-star", "batch_size=40 improve_iterations=300"),
     ("bit-star", "near=k-nearest improve_iterations=100"),
+    ("aorrtc", "improve_iterations=200"),
+    ("aorrtc", "improve_iterations=60 path_shortcuts=0"),
     ("informed-rrt-star", "improve_iterations=40 stop_stale=30 stop_evaluations=2000 stop_when=all"),
 ];
 

@@ -208,7 +208,7 @@ test("a vertex that was removed cannot be inspected, but before its removal it c
 }));
 
 test("settings with a name fill the fields; what is changed by hand is one's own", () => onPausedPage(async (page) => {
-  assert.deepEqual(await offered(page, "planner"), ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibility-prm", "rrt", "rrt-connect", "rrt-star", "informed-rrt-star", "fmt-star", "bit-star"], "an arm has no controls");
+  assert.deepEqual(await offered(page, "planner"), ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibility-prm", "rrt", "rrt-connect", "rrt-star", "informed-rrt-star", "fmt-star", "bit-star", "aorrtc"], "an arm has no controls");
   await chooseScene(page, "blossom");
   assert.equal(await page.inputValue("#preset"), "blossom-3");
   await page.selectOption("#preset", "blossom-5");

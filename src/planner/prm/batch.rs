@@ -225,7 +225,7 @@ pub fn resume<S: Space + 'static>(
             roadmap,
             Box::new(Batch::with(None, Box::new(all.into_iter()))),
             false,
-            None,
+            false,
         ));
     }
     let is_complete = left.is_empty();
@@ -278,7 +278,7 @@ pub fn reopen<S: Space + 'static>(
     }
     let is_complete = left.is_empty();
     let builder = Batch::with(None, Box::new(left.into_iter()));
-    Box::new(LazyPlanner::new(roadmap, Box::new(builder), is_complete, None))
+    Box::new(LazyPlanner::new(roadmap, Box::new(builder), is_complete, false))
 }
 
 /// Adds vertices to a roadmap of start and goals alone; one that is an end becomes that end. Returns the vertex of each state, and the

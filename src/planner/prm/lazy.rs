@@ -63,6 +63,6 @@ impl PlannerKind for LazyPrmOptions {
         let connection = Connection { k: self.k, radius: f64::INFINITY };
         let roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
         let builder = Batch::new(&roadmap, self.samples, sampler);
-        Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), false, None)))
+        Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), false, false)))
     }
 }

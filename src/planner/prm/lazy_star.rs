@@ -9,7 +9,7 @@ use super::one_by_one::neighbours;
 use super::prm_star_k;
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::planner::groups::{EdgeOptions, Sampling, Searching};
+use crate::planner::groups::{EdgeOptions, Sampling, Searching, Termination};
 use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use crate::planner::lazy::LazyPlanner;
 use crate::planner::roadmap::{Build, Connection, Roadmap, START};
@@ -24,8 +24,8 @@ const DRAWS: u32 = 10;
 crate::options! {
     /// Options of lazy PRM*.
     pub struct LazyPrmStarOptions for crate::options::ALL;
-    /// Number of further iterations once there is a path, to find shorter ones.
-    improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
+    /// When it stops.
+    termination: Termination;
     /// Where samples come from.
     sampling: Sampling;
     /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
@@ -64,7 +64,7 @@ impl PlannerKind for LazyPrmStarOptions {
             roadmap.add_candidate(space, [START, VertexId(goal)]);
         }
         let builder = Sampled { sampler: self.sampling.sampler(space, seed) };
-        Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), true, Some(self.improve_iterations))))
+        Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), true, true)))
     }
 }
 

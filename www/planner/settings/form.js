@@ -18,7 +18,7 @@ const GROUPS = [
   ["Neighbours", ["near", "radius", "radius_factor", "neighbour_index", "neighbour_metric"]],
   ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
   ["Search", ["search", "cost", "heuristic"]],
-  ["Path shortening", ["reduce", "shortcut", "partial_shortcut", "blend"]],
+  ["Path shortening", ["reduce", "shortcut", "partial_shortcut", "path_shortcuts", "blend"]],
   ["Termination", ["improve_iterations", "stop_evaluations", "stop_cost", "stop_stale", "stop_converged", "stop_when"]],
 ];
 const REST = "Limits";

@@ -4,7 +4,7 @@
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
-use super::improve::is_free;
+use super::is_free;
 use crate::problem::Problem;
 use crate::random::Random;
 use crate::space::{MAX_DIMENSION, Space};

@@ -2,12 +2,34 @@
 //! of one coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never gets longer,
 //! and is valid at any time.
 
-use super::blend::Blending;
-use super::reduce::Reduction;
-use super::shortcut::{partial_shortcut, shortcut};
+mod blend;
+mod reduce;
+mod shortcut;
+
+pub use blend::{Blending, blend_saving};
+
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
 use crate::space::Space;
+use reduce::Reduction;
+use shortcut::{partial_shortcut, shortcut};
+
+/// The most that one step of a resulting path turns a circle joint, in radians: well below the half turn at which the shorter
+/// direction becomes ambiguous.
+pub const LONGEST_TURN: f64 = 3.0;
+
+/// The same path with steps that turn a joint by more than [`LONGEST_TURN`] cut into equal ones that do not.
+pub fn split<S: Space>(space: &S, path: &[S::State]) -> Vec<S::State> {
+    let mut split: Vec<S::State> = path.first().copied().into_iter().collect();
+    for pair in path.windows(2) {
+        let pieces = libm::ceil(space.sweep(&pair[0], &pair[1]) / LONGEST_TURN);
+        for piece in 1..pieces as u32 {
+            split.push(space.interpolate(&pair[0], &pair[1], f64::from(piece) / pieces));
+        }
+        split.push(pair[1]);
+    }
+    split
+}
 
 /// The improvements wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -83,9 +105,15 @@ impl<S: Space> Improvement<S> {
 }
 
 /// Whether all motions from state to state are free, counted.
-pub(super) fn is_free<S: Space>(problem: &Problem<S>, states: &[S::State], checks: &mut u64) -> bool {
+fn is_free<S: Space>(problem: &Problem<S>, states: &[S::State], checks: &mut u64) -> bool {
     states.windows(2).all(|pair| {
         *checks += 1;
         problem.validity().is_motion_free(&pair[0], &pair[1])
     })
+}
+
+/// The length of a path: the sum of the space's distances between its states.
+pub fn length<S: Space>(space: &S, path: &[S::State]) -> f64 {
+    // The sum of nothing is -0.
+    path.windows(2).map(|pair| space.distance(&pair[0], &pair[1])).sum::<f64>() + 0.0
 }

@@ -2,7 +2,7 @@
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 
-use super::improve::is_free;
+use super::is_free;
 use crate::problem::Problem;
 use crate::space::Space;
 

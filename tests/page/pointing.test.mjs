@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/planner/stage/snapshots.js";
+import { drawInformed } from "../../www/planner/stage/informed.js";
 import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
 import { LocalRun, runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
@@ -89,6 +90,35 @@ test("in a tree that is rewired an edge is there until another one leads to its 
   }
   run.free();
 });
+
+for (const algorithm of ["informed-rrt-star", "aorrtc"]) {
+  test(`the best edges of ${algorithm} are its best path at any iteration, and its ellipse is as long`, () => {
+    const { run } = runOf("museum", algorithm, { seed: 1, improve_iterations: 700 });
+    const [start, goal] = [0, 1].map((vertex) => Array.from(run.vertices.row(vertex)));
+    for (let part = 1; part <= 16; part++) {
+      run.shown = Math.floor((run.made * part) / 16);
+      const cost = run.past[PAST.cost];
+      const edges = run.bestEdges;
+      assert.equal(edges.length > 0, cost < Infinity);
+      assert.ok(edges.every((edge) => run.isEdgeThere(edge)));
+      if (cost === Infinity) continue;
+      assert.ok(Math.abs(edges.reduce((sum, edge) => sum + run.lengthOf(edge), 0) - cost) < 1e-9);
+      /** @type {number[]} */
+      const drawn = [];
+      const context = { save() {}, restore() {}, beginPath() {}, stroke() {}, setLineDash() {}, ellipse: (/** @type {number[]} */ ...numbers) => drawn.push(...numbers) };
+      const view = { x: (/** @type {number} */ x) => 100 * x, y: (/** @type {number} */ y) => -100 * y, scaleX: 100 };
+      drawInformed(/** @type {never} */ (context), /** @type {never} */ (view), /** @type {never} */ ({ run, scenario: run.scenario, shown: { start, goal } }), "");
+      const [x, y, along, across, turn] = drawn;
+      for (let angle = 0; angle < 6; angle++) {
+        const [a, b] = [along * Math.cos(angle), across * Math.sin(angle)];
+        const [px, py] = [x + a * Math.cos(turn) - b * Math.sin(turn), y + a * Math.sin(turn) + b * Math.cos(turn)];
+        const way = [start, goal].reduce((sum, [qx, qy]) => sum + Math.hypot(px / 100 - qx, -py / 100 - qy), 0);
+        assert.ok(Math.abs(way - cost) < 1e-9, `${way} ${cost}`);
+      }
+    }
+    run.free();
+  });
+}
 
 test("the nearest of 20,000 vertices is that of the slow way", () => {
   const { next: random } = seeded(7);

@@ -10,15 +10,15 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   const waits = growing && !playing && clock.now > 0;
   const flashes = growing && !calm;
   const hasPath = some(({ status, isMiss }) => status === "solved" || isMiss);
-  // A tree that goes on after its first path shows its best one.
-  const hasBest = some(({ kind, cost }) => kind === "tree" && cost < Infinity);
+  // Trees that go on after their first path show their best one.
+  const hasBest = some(({ kind, cost }) => kind !== "roadmap" && cost < Infinity);
   const samples = some(({ hasRejected }) => hasRejected);
   const motions = some(({ hasRefused }) => hasRefused);
   const seen = {
     guard: some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: some(({ waiting }) => waiting > 0),
     // Rejected elements are shown by the view option, or flash while the graph grows.
     rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath || hasBest, poses: hasPath && view.strobe,
-    piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
+    informed: some(({ isInformed }) => isInformed), piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
     optimum: view.optimum && some(({ optimum }) => optimum !== null),
     blocked: certificate !== null, free: certificate !== null,
     raw: view.raw && some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,

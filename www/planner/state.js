@@ -3,6 +3,7 @@ import { errorInfo } from "../app/error-info.js";
 import { unitOf } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
 import { gapOf } from "./optimum.js";
+import { isInformed } from "./stage/informed.js";
 import { poseSentence, sentenceOf, summary, turnsSentence } from "./story.js";
 
 /** @import { Session } from "./session.js" */
@@ -61,7 +62,7 @@ const NO_RUN = {
   /** At rest at the newest iteration. */
   fingerprint: "",
   kind: /** @type {"roadmap" | "tree" | "trees"} */ ("roadmap"),
-  isProven: true, isMiss: false, hasGuards: false, isSearched: false, isApart: false, hasRejected: false, hasRefused: false,
+  isProven: true, isMiss: false, hasGuards: false, isSearched: false, isApart: false, isInformed: false, hasRejected: false, hasRefused: false,
   /** Vertices that the search has reached and not expanded. */
   waiting: 0,
   /** The length before shortcutting, where it was longer. @type {number | null} */
@@ -79,7 +80,8 @@ const NO_RUN = {
 };
 
 /** @param {Lane} lane */
-function laneState({ plan: { algorithm }, run, playback, scenario, standing, asked, optimum: truth }) {
+function laneState(lane) {
+  const { plan: { algorithm }, run, playback, scenario, standing, asked, optimum: truth } = lane;
   const optimum = truth && (truth.isExact ? "shortest" : "reference");
   if (!run) return { ...NO_RUN, algorithm, standing, optimum };
   const { past, status, kind, isProven } = run;
@@ -93,7 +95,7 @@ function laneState({ plan: { algorithm }, run, playback, scenario, standing, ask
     unit: unitOf(scenario.robot),
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,
-    hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
+    isInformed: isInformed(lane), hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
     raw: playback?.raw ? run.rawLength : null,
     segments: status === "solved" ? run.result.path.length - 1 : null,

@@ -47,7 +47,7 @@ export function going(run, scene) {
   const sought = `Looking for a path from start to ${run.goals.length > 1 ? "any configuration at the crosshair" : "goal"}`;
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
-  if (phase === "improving" && run.goesOn) return `A path is found. The ${run.isTree ? "tree" : "roadmap"} grows on by motions ${checked}, and its best path gets shorter.`;
+  if (phase === "improving" && run.goesOn) return `A path is found. ${run.kind === "trees" ? "Trees grow anew" : `The ${run.isTree ? "tree" : "roadmap"} grows on`} by motions ${checked}, and the best path gets shorter.`;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling") return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
   if (phase === "searching") return `Searching the roadmap from ${String(settings.search).startsWith("bidirectional") ? "both ends" : "the start"}. Vertices already expanded are bold.`;

@@ -61,6 +61,13 @@ export class Adjacency {
     return edge;
   }
 
+  /** The newest edge between two vertices among the first edges of the log, -1 without one. @param {number} a @param {number} b @param {number} edges  their number */
+  edgeBetween(a, b, edges) {
+    let half = this.heads[a] ?? -1;
+    while (half >= 0 && (half >> 1 >= edges || this.run.edges.data[half ^ 1] !== b)) half = this.next[half];
+    return half >> 1;
+  }
+
   /** The parent of a vertex along the first edges of the log, -1 without one. @param {number} vertex @param {number} edges  their number */
   parent(vertex, edges) {
     const edge = this.edgeTo(vertex, edges);

@@ -207,9 +207,9 @@ export class RunLog {
   /** Whether a vertex is in the graph shown, and not removed. @param {number} vertex @param {number} [events] */
   isThere(vertex, events = this.past[PAST.events]) { return !((this.gone.get(vertex) ?? Infinity) < events); }
 
-  /** Whether an edge is in the graph shown: its end is not removed, and has no other parent. @param {number} edge @param {Readonly<{ edges: number, events: number }>} [counts] */
+  /** Whether an edge is in the graph shown: its ends are not removed, and the second has no other parent. @param {number} edge @param {Readonly<{ edges: number, events: number }>} [counts] */
   isEdgeThere(edge, { edges, events } = { edges: this.past[PAST.edges], events: this.past[PAST.events] }) {
-    return this.isThere(this.edges.data[2 * edge + 1], events) && !this.adjacency.isReplaced(edge, edges);
+    return this.isThere(this.edges.data[2 * edge], events) && this.isThere(this.edges.data[2 * edge + 1], events) && !this.adjacency.isReplaced(edge, edges);
   }
 
   /** Gives new vertices of trees the roots of their parents. An edge is (parent, child). @param {number} first */
@@ -233,13 +233,22 @@ export class RunLog {
     return found < 0 ? Infinity : this.history.row(found)[PAST.cost];
   }
 
-  /** The edges of the best path so far of a tree that goes on to shorter ones, from its end to the start; of the iteration shown. @returns {number[]} */
+  /** The edges of the best path so far of trees that go on to shorter ones, in no order; of the iteration shown. @returns {number[]} */
   get bestEdges() {
     const found = this.countOf(EVENT.solved);
-    if (this.kind !== "tree" || found === 0) return [];
+    if (!this.isTree || found === 0) return [];
     const { data, width } = this.events;
+    const [vertex, other] = data.subarray(this.kinds[EVENT.solved][found - 1] * width + 2);
+    const edges = this.edgesUp(vertex);
+    // Two trees meet along an edge.
+    if (this.kind === "trees") edges.push(this.adjacency.edgeBetween(vertex, other, this.past[PAST.edges]), ...this.edgesUp(other));
+    return edges;
+  }
+
+  /** The edges from a vertex of a tree to its root. @param {number} vertex @returns {number[]} */
+  edgesUp(vertex) {
     const edges = [];
-    for (let edge = this.edgeTo(data[this.kinds[EVENT.solved][found - 1] * width + 2]); edge >= 0; edge = this.edgeTo(this.edges.data[2 * edge])) edges.push(edge);
+    for (let edge = this.edgeTo(vertex); edge >= 0; edge = this.edgeTo(this.edges.data[2 * edge])) edges.push(edge);
     return edges;
   }
 

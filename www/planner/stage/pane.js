@@ -154,6 +154,7 @@ export class Pane {
     this.glow.draw(context, palette, now);
     if (lane.run?.pieces && !lane.asked) this.drawPieces(context, lane.run, palette);
     if (lane.still) this.growth.drawLatest(context);
+    this.drawInformed(context, lane, palette);
     if (lane.playback) this.drawPath(context, lane.playback, palette);
     else if (lane.run) this.drawBest(context, lane.run, palette);
     if (lane.optimum && lane.shown.view.optimum) this.drawThin(context, lane.optimum.rows, palette.ink, [7, 4]);
@@ -212,6 +213,9 @@ export class Pane {
     if (this.flashes?.playback !== playback || this.flashes.count !== poses) this.flashes = new Strobe(this, playback, poses);
     return this.flashes;
   }
+
+  /** Where shorter paths may be, if the pane shows that. @param {CanvasRenderingContext2D} _context @param {Lane} _lane @param {Palette} _palette */
+  drawInformed(_context, _lane, _palette) {}
 
   /** The best path so far. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */
   drawBest(context, run, palette) {

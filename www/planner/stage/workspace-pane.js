@@ -1,6 +1,7 @@
 /** The workspace: obstacles, the robot, and the positions of its end effector at every vertex and along every edge. */
 import { View, drawRobot, motionCurves } from "planarium/draw";
 import { drawBase, drawGround } from "../../draw/ground.js";
+import { drawInformed } from "./informed.js";
 import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { drawGhost, drawTarget } from "../../draw/shapes.js";
@@ -64,6 +65,11 @@ export class Workspace extends Pane {
     super.drawEnds(context, lane, palette);
     const { target } = lane.shown;
     if (target && this.view) drawTarget(context, this.view.x(target.point[0]), this.view.y(target.point[1]), target.orientation, palette);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette @override */
+  drawInformed(context, lane, palette) {
+    if (this.view) drawInformed(context, this.view, lane, palette.path);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette @override */

@@ -229,7 +229,7 @@ impl TangentGraph {
     fn arc(&self, from: VertexId, to: VertexId) -> Option<(Disc, [f64; 2], Turn)> {
         let ((a, turn), (b, _)) = (self.place(from)?, self.place(to)?);
         let Disc { center, radius } = self.circles[a.circle].disc;
-        (a.circle == b.circle).then(|| (Disc { center, radius: radius - self.larger }, [a.angle, b.angle], turn))
+        (a.circle == b.circle).then_some((Disc { center, radius: radius - self.larger }, [a.angle, b.angle], turn))
     }
 
     fn cost(&self, from: VertexId, to: VertexId) -> f64 {

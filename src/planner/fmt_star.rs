@@ -69,12 +69,12 @@ impl PlannerKind for FmtStarOptions {
             sampler: self.sampling.sampler(problem.space(), seed),
             missing,
             refused: vec![Vec::new(); stages.len()],
+            around: vec![Vec::new(); stages.len()],
             stages,
             open: BinaryHeap::new(),
             best,
             index,
             found: Vec::new(),
-            around: Vec::new(),
         }))
     }
 }
@@ -104,8 +104,9 @@ struct FmtStar<S: Space> {
     refused: Vec<Vec<VertexId>>,
     /// The open vertices: the bits of their costs, which are not negative and so ordered as they are, and their numbers.
     open: BinaryHeap<Reverse<(u64, VertexId)>>,
+    /// By vertex: the neighbours of one that waits, once the wave has met it.
+    around: Vec<Vec<Neighbour>>,
     found: Vec<Neighbour>,
-    around: Vec<Neighbour>,
 }
 
 impl<S: Space> FmtStar<S> {
@@ -116,8 +117,10 @@ impl<S: Space> FmtStar<S> {
         self.index.insert(problem.space(), vertex, &state);
         self.stages.push(Stage::Waiting);
         self.refused.push(Vec::new());
+        self.around.push(Vec::new());
         self.missing -= 1;
         if self.missing == 0 {
+            self.around.fill(Vec::new());
             let tree = (START.0..).zip(&self.stages).map(|(vertex, _)| VertexId(vertex));
             let tree = tree.filter(|&vertex| self.best.tree.cost(vertex) < f64::INFINITY).collect();
             self.open_all(tree);
@@ -133,9 +136,12 @@ impl<S: Space> FmtStar<S> {
 
     /// The open neighbour by way of which a state costs least; `from` counts as one.
     fn parent(&mut self, problem: &Problem<S>, reach: Reach, vertex: VertexId, from: Neighbour) -> Neighbour {
-        let state = self.best.growth.state(vertex);
-        reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, &mut self.around);
-        let open = self.around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
+        let around = &mut self.around[vertex.index()];
+        if around.is_empty() {
+            let state = self.best.growth.state(vertex);
+            reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, around);
+        }
+        let open = around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
         let by = |near: &Neighbour| self.best.tree.cost(near.vertex) + near.distance;
         let best = open.chain([&from]).min_by(|a, b| by(a).total_cmp(&by(b)).then(a.vertex.cmp(&b.vertex)));
         *best.expect("there is at least one")
@@ -158,6 +164,7 @@ impl<S: Space> FmtStar<S> {
                 continue;
             }
             if self.best.try_parent(problem, iteration, near.vertex, parent) {
+                self.around[to] = Vec::new();
                 joined.push(near.vertex);
             } else {
                 self.refused[to].push(parent.vertex);

@@ -10,13 +10,14 @@ import {
 
 useBrowser();
 
-/** Runs large enough that copies of layers are taken and used; SST removes vertices. @type {[string, string, Record<string, number>][]} */
+/** Runs large enough that copies of layers are taken and used; SST and BIT* remove vertices. @type {[string, string, Record<string, number>][]} */
 const RUNS = [
   ["locked", "prm", { samples: 700, k: 8 }],
   ["locked", "visibility-prm", { failures: 4000 }],
   ["locked", "rrt", { step: 0.1, max_iterations: 4000 }],
   ["locked", "rrt-connect", { step: 0.08, max_iterations: 4000 }],
   ["witness", "sst", { seed: 2 }],
+  ["pillar", "bit-star", { batch_size: 60, improve_iterations: 1500 }],
 ];
 
 /** Both panes, once words that changed have found their room. @param {Page} page */

@@ -60,7 +60,9 @@ for (const algorithm of ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibi
     const { vertices, edges, iterations, build_seconds, search_seconds } = planner.stats();
     assert.deepEqual([vertices, edges, iterations], [planner.vertexCount, planner.edgeCount, planner.iterations]);
     assert.deepEqual(planner.stats(), result.stats);
-    assert.ok(build_seconds > 0 && search_seconds >= 0 && build_seconds + search_seconds < 60);
+    const seconds = build_seconds + search_seconds;
+    // A lazy roadmap is searched while it is built.
+    assert.ok(build_seconds >= 0 && search_seconds >= 0 && seconds > 0 && seconds < 60);
     if (algorithm === "prm") assert.ok(search_seconds > 0);
     assert.equal(planner.phase, "done");
   });
@@ -261,7 +263,7 @@ test("a roadmap is reopened where an obstacle has moved, and only what is wanted
   const [one, same] = [moved, JSON.stringify(moved)].map((input) => finish(planner.reopen(input)));
   assert.equal(one.fingerprint(), same.fingerprint(), "the same calls give the same bits");
   assert.equal(one.vertexCount, planner.vertexCount);
-  assert.ok(one.stats().motion_checks < planner.stats().motion_checks && one.stats().unchecked_edges > 0);
+  assert.ok(one.stats().motion_checks < planner.stats().motion_checks && one.stats().unchecked_edges);
   for (let i = 0, path = one.path(); i + 4 <= path.length; i += 2) assert.equal(moved.firstHit(path.subarray(i, i + 2), path.subarray(i + 2, i + 4)), null);
   assert.throws(() => planner.reopen(disc), { code: "other-scenario", pointer: "/robot" });
   assert.throws(() => scenario.planner({ algorithm: "lazy-prm" }).reopen(scenario), { code: "unsupported" });

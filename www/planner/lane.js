@@ -96,10 +96,9 @@ export class Lane {
 
   /** Begins a run. @param {string | undefined} query @param {Catalogue} catalogue @throws {Error} the core refuses the plan */
   start(query, catalogue) {
-    const { algorithm, settings } = this.planOf(query);
-    const run = new RunLog(this.scenario, algorithm, settings, catalogue);
     this.free();
-    this.run = run;
+    const { algorithm, settings } = this.planOf(query);
+    this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 
   /** The metric of its costs. @returns {Metric} */
@@ -136,11 +135,11 @@ export class Lane {
     return this.end !== null;
   }
 
-  /** The lane with the run that stands in an edited scenario, until its roadmap is repaired. @param {Shown} shown */
-  moved(shown) {
+  /** Keeps the run that stands in an edited scenario, until its roadmap is repaired. @param {Shown} shown */
+  move(shown) {
     if (this.run?.scenario !== this.scenario) this.scenario.free();
-    const { run, end } = this;
-    return Object.assign(new Lane(shown, this.plan), { run, end });
+    this.shown = shown;
+    this.asked = null;
   }
 
   free() {

@@ -3,6 +3,7 @@
  * one repair at a time; the newest scenario waits for it.
  */
 import { errorInfo } from "../app/error-info.js";
+import { Lane } from "./lane.js";
 
 /** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Session } from "./session.js" */
@@ -51,33 +52,39 @@ export class Repair {
     }
   }
 
-  /** Shows the repaired roadmap at its end. @param {Growth} growth @throws {Error} start or goal are in collision by now */
+  /** Shows the repaired roadmap at its end, and the world as it is now. @param {Growth} growth @throws {Error} start or goal are in collision by now */
   show(growth) {
     const { session } = this;
-    const { lanes: [lane], clock, stage } = session;
+    const { shown, lanes: [former], clock } = session;
+    if (!shown) return;
+    const lane = new Lane(shown, former.plan);
     lane.start(session.query, session.catalogue);
+    lane.run?.take(growth);
     this.held = -1;
     session.refusal = null;
-    lane.run?.take(growth);
-    clock.reset();
+    this.replace(lane);
     session.timeline.show(Infinity);
     clock.halt();
     if (lane.end) lane.end.drawn = 1;
-    if (session.shown) session.setEnds(session.shown);
-    stage.restart(session.lanes);
-    session.markDirty();
+    session.setEnds(shown);
   }
 
   /** Shows why there is no roadmap: start or goal are in collision. @param {unknown} error */
   refuse(error) {
     const { session } = this;
     const { code } = errorInfo(error);
-    if (code === "" || code === "internal") throw error;
+    if (code === "" || code === "internal" || !session.shown) throw error;
     this.held = session.plannings;
-    for (const lane of session.lanes) lane.free();
-    session.clock.reset();
     session.refusal = { error, lane: 0 };
-    session.stage.restart(session.lanes);
+    this.replace(new Lane(session.shown, session.lanes[0].plan));
+  }
+
+  /** Replaces the lane: the panes draw a new one together with its world. @param {Lane} lane */
+  replace(lane) {
+    const { session } = this;
+    session.lanes[0].free();
+    session.lanes[0] = lane;
+    session.clock.reset();
     session.markDirty();
   }
 }

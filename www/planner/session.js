@@ -158,7 +158,7 @@ export class Session {
     if (!shown) return;
     const edited = { ...shown, scenario, document, hover: null, rough: live, marked: null };
     if (repair.isPossible) {
-      lanes[0] = lanes[0].moved(edited);
+      lanes[0].move(edited);
       this.shown = edited;
       this.setEnds(edited);
       repair.request(document);

@@ -253,7 +253,7 @@ export class RunLog {
   }
 
   /** Whether its roadmap has candidate edges that no path has wanted, so that they were not tested. */
-  get isLazy() { return this.now.stats.unchecked_edges > 0; }
+  get isLazy() { return (this.now.stats.unchecked_edges ?? 0) > 0; }
 
   /** The components of a roadmap without a path, or else null. */
   get pieces() {

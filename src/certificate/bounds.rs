@@ -17,7 +17,7 @@ use crate::geometry::{Aabb, Point, Segment, Vector, convex_pieces, distance_squa
 use crate::problem::Touched;
 use crate::robot::Arm;
 use crate::scenario::{Obstacle, Robot};
-use crate::world::PlanningWorld;
+use crate::world::{Configurations, PlanningWorld};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -80,7 +80,8 @@ impl Clearances {
     pub fn new(world: &PlanningWorld) -> Result<Self, Error> {
         let (arm, radius, square) = match world.robot() {
             Robot::Arm(arm) if arm.links().len() == 2 => {
-                let space = world.default_space::<2>();
+                let configurations = Configurations::of(world);
+                let space = configurations.space();
                 let ends = |end: usize| [0, 1].map(|joint| space.range(joint)[end]);
                 let wraps = [0, 1].map(|joint| space.is_circle(joint));
                 (Some(arm.clone()), arm.radius(), Square { low: ends(0), high: ends(1), wraps })

@@ -24,9 +24,11 @@ export function offerCertificate(page, worker) {
   }
 
   /** @param {State} state */
-  function reflect({ canCertify, certificate }) {
+  function reflect({ canCertify, certificate, lanes }) {
     group.hidden = !canCertify;
     label.hidden = !certificate;
+    // A planner that gave up proves nothing: this does.
+    toggle.classList.toggle("invite", !certificate && lanes.every(({ status }) => status === "exhausted"));
     toggle.textContent = certificate ? "Back to the run" : "Does a path exist?";
     group.dataset.verdict = certificate?.verdict ?? "";
     group.dataset.on = String(certificate !== null);

@@ -13,6 +13,7 @@
  * - `#touching` carries `data-free` and names the parts in collision.
  * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of the selection, `data-undo`, `data-redo`, `data-changes`,
  *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
+ * - `#certify` carries `data-on`, whether it is shown if a path exists, and then `data-verdict`, empty before it is decided.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
  * - The work of each frame in which the graph grew is a `performance.measure` called "planarium-frame".

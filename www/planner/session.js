@@ -203,7 +203,6 @@ export class Session {
     const { shown, clock } = this;
     if (!shown) return;
     this.setEnds(shown);
-    this.certifying?.end();
     this.plannings++;
     this.byHand.release();
     clock.reset();
@@ -237,6 +236,7 @@ export class Session {
 
   /** Shows the start and the goal of the current query. @param {Shown} shown */
   setEnds(shown) {
+    this.certifying?.end();
     const query = shown.document.queries.find(({ name }) => name === this.query);
     shown.query = query?.name;
     shown.start = query?.start ?? null;
@@ -247,10 +247,9 @@ export class Session {
 
   /** Whether it can be decided if a path exists: configurations have two coordinates, and the query one goal. */
   get canCertify() {
-    const { shown, editor, refusal } = this;
-    if (!shown || editor?.on || refusal) return false;
-    const { scenario: { robot, dimension }, hand, goal } = shown;
-    return dimension === 2 && robot !== "rigid_body" && goal !== null && hand === null;
+    const { shown, editor, refusal, lanes } = this;
+    if (!shown || editor?.on || refusal || lanes[0]?.asked) return false;
+    return shown.scenario.dimension === 2 && shown.goal !== null && shown.hand === null;
   }
 
   /** Whether a roadmap stands that can be asked for another path. */
@@ -270,6 +269,7 @@ export class Session {
     const { shown } = this;
     if (plannings !== this.plannings || !shown || !this.canAsk) return;
     this.byHand.release();
+    this.certifying?.end();
     lane.answer(answer, query);
     Object.assign(shown, { start, goal, goals: [goal], target: null });
     this.clock.playing = !this.app.reducedMotion && lane.playback !== null;

@@ -3,7 +3,7 @@
 //! | robot | method |
 //! |---|---|
 //! | a disc or a point | the tangent graph, exact (`tangent_graph.rs`, `circles.rs`) |
-//! | an arm of two joints | a fine grid over the two joints, then shortcuts (`grid.rs`) |
+//! | an arm of two joints | a fine grid over the two joints, then shortcuts and finer grids around corners (`grid.rs`) |
 //! | a rigid body whose query keeps its angle | the same over x and y, without turns |
 //!
 //! Other robots have none.

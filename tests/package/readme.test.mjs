@@ -27,6 +27,7 @@ const PRINTED = {
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^solved solved solved\n$/,
+    /^solved \d+\n$/,
     /^(?:solved [1-9]\d* motions\n){2}3\n$/,
     /^solved true\n$/,
     /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,

@@ -45,13 +45,34 @@ const DRIVERS: &[(&str, &[&str])] = &[
     ("rrt-connect", &[]),
     ("prm", &[]),
     ("prm-star", &["samples=400"]),
+    ("lazy-prm", &["samples=400"]),
     ("visibility-prm", &[]),
+    ("rrt-star", SOON),
+    ("fmt-star", &["samples=300"]),
+    ("bit-star", SOON),
+    ("aorrtc", SOON),
     ("rrt", &["steering=dubins"]),
     ("rrt-connect", &["steering=dubins"]),
     ("prm", &["steering=dubins", "samples=1000"]),
 ];
 
-const PLANNERS: [&str; 5] = ["prm", "prm-star", "visibility-prm", "rrt", "rrt-connect"];
+const PLANNERS: [(&str, &[&str]); 12] = [
+    ("prm", &[]),
+    ("prm-star", &[]),
+    ("lazy-prm", &[]),
+    ("lazy-prm-star", SOON),
+    ("visibility-prm", &[]),
+    ("rrt", &[]),
+    ("rrt-connect", &[]),
+    ("rrt-star", SOON),
+    ("informed-rrt-star", SOON),
+    ("fmt-star", &[]),
+    ("bit-star", SOON),
+    ("aorrtc", SOON),
+];
+
+/// Planners that go on after their first path end soon after it.
+const SOON: &[&str] = &["improve_iterations=100"];
 
 /// Each query is tried with so many seeds.
 fn seeds() -> u64 {
@@ -85,8 +106,8 @@ fn every_solvable_query_is_solved_and_the_judge_agrees() {
     let Some(shared) = shared() else { return };
     for (name, queries) in SOLVABLE {
         for (query, planner) in queries.iter().flat_map(|query| PLANNERS.map(|planner| (query, planner))) {
-            let solved = solved(&shared[*name], query, (planner, &[]), seeds());
-            assert_eq!(solved, seeds(), "{name} {query} {planner}");
+            let solved = solved(&shared[*name], query, planner, seeds());
+            assert_eq!(solved, seeds(), "{name} {query} {planner:?}");
         }
     }
 }
@@ -95,8 +116,7 @@ fn every_solvable_query_is_solved_and_the_judge_agrees() {
 fn bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees() {
     let Some(shared) = shared() else { return };
     for (name, queries) in PLACED {
-        let of_bodies: Vec<(&str, &[&str])> = PLANNERS.iter().map(|&planner| (planner, &[][..])).collect();
-        let planners = if name.starts_with("car") { DRIVERS } else { &of_bodies };
+        let planners = if name.starts_with("car") { DRIVERS } else { &PLANNERS };
         for (query, &planner) in queries.iter().flat_map(|query| planners.iter().map(move |planner| (query, planner))) {
             let solved = solved(&shared[*name], query, planner, seeds());
             // Forwards alone the car of this scene cannot leave its corner: in either direction, 3 cm of it leave the world.
@@ -111,8 +131,8 @@ fn bodies_and_cars_arrive_whoever_plans_and_the_judge_agrees() {
 fn a_query_in_collision_is_refused_by_name() {
     let Some(shared) = shared() else { return };
     for (name, query, code, contact) in COLLIDING {
-        for planner in PLANNERS {
-            let finished = plan(&shared[*name], query, planner, 1, &[]);
+        for (planner, set) in PLANNERS {
+            let finished = plan(&shared[*name], query, planner, 1, set);
             let error = &finished.json()["error"];
             assert_eq!((finished.code, error["code"].as_str()), (2, Some(*code)), "{name} {query}");
             assert!(error["message"].as_str().is_some_and(|text| text.contains(contact)), "{name} {query}: {error}");
@@ -127,8 +147,8 @@ fn a_query_without_a_path_is_never_solved() {
     // touches the corner of obstacle 2 there; in the other direction obstacle 6 bars a quarter of its turn. Obstacles are
     // closed: no path. A grid over the angles steps over that one angle and connects both sides.
     for name in ["forest-2r-1", "forest-2r-2"] {
-        for planner in PLANNERS {
-            let finished = plan(&shared[name], "report", planner, 1, &[]);
+        for (planner, set) in PLANNERS {
+            let finished = plan(&shared[name], "report", planner, 1, &[set, &["max_iterations=20000"]].concat());
             assert_eq!((finished.code, &finished.json()["status"]), (1, &json!("exhausted")), "{name} {planner}");
         }
     }
@@ -146,6 +166,6 @@ fn a_query_without_a_path_is_never_solved() {
     shorter["robot"]["links"][0] = 0.999.into();
     assert_eq!(certify(&shorter.to_string(), "").0, "connected");
     for planner in PLANNERS {
-        assert_eq!(solved(&shorter.to_string(), "report", (planner, &[]), 3), 3, "{planner}");
+        assert_eq!(solved(&shorter.to_string(), "report", planner, 3), 3, "{planner:?}");
     }
 }

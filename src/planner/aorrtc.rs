@@ -58,7 +58,7 @@ impl PlannerKind for AorrtcOptions {
             NONE_FOUND,
             line(0, "repeat, c ← the length of the best path:", &[Mark::Improving]),
             line(1, "shorten the path; begin two new trees", &[Mark::Removed]),
-            line(1, "q ← a sample with start – q – goal below c", &[Mark::Vertex, Mark::Refused]),
+            line(1, "q ← a sample with start – q – goal below c", &[Mark::Vertex, Mark::Refused, Mark::Discarded]),
             line(1, "b ← a random cost for q that may lead below c", &[Mark::Vertex, Mark::Refused]),
             line(1, "new ← a step to q, from a vertex within b", &[Mark::Vertex, Mark::Refused]),
             line(1, "parent of new ← a cheaper one, b after b", &[Mark::Vertex, Mark::Edge]),

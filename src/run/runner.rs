@@ -128,7 +128,7 @@ impl<S: Space> Runner<S> {
         }
         (self.cost, self.length) = (cost, path.length(&self.problem));
         if let Some(progress) = &mut self.progress {
-            progress.note(self.iteration, self.length);
+            progress.note(self.iteration, self.length, cost);
         }
     }
 

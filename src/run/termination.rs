@@ -4,7 +4,7 @@
 
 use crate::planner::{StopWhen, Termination};
 
-/// A path this near to a lower bound on the length of all paths is the shortest.
+/// A path this near to a lower bound on the costs of all paths is the shortest.
 const SHORTEST: f64 = 1.0 + 1e-12;
 
 /// The fewest iterations since the first path whose last half tells whether the length has converged.
@@ -14,8 +14,10 @@ const FEWEST: u32 = 1000;
 #[derive(Debug, Clone)]
 pub(super) struct Progress {
     termination: Termination,
-    /// A lower bound on the length of all paths; 0 if there is none.
+    /// A lower bound on the costs of all paths, as the planner counts them; 0 if there is none.
     least: f64,
+    /// Whether the path is as cheap as that.
+    is_shortest: bool,
     /// Each iteration that found a path shorter than all before, and its length.
     falls: Vec<(u32, f64)>,
 }
@@ -23,11 +25,12 @@ pub(super) struct Progress {
 impl Progress {
     /// No path yet.
     pub fn new(termination: Termination, least: f64) -> Self {
-        Self { termination, least, falls: Vec::new() }
+        Self { termination, least, is_shortest: false, falls: Vec::new() }
     }
 
-    /// Notes the length of the path after an iteration, if it is shorter than all before. O(1).
-    pub fn note(&mut self, iteration: u32, length: f64) {
+    /// Notes the path after an iteration, if it is shorter than all before: its length, and its cost as the planner counts it. O(1).
+    pub fn note(&mut self, iteration: u32, length: f64, cost: f64) {
+        self.is_shortest |= cost <= SHORTEST * self.least;
         if self.falls.last().is_none_or(|&(_, least)| length < least) {
             self.falls.push((iteration, length));
         }
@@ -48,7 +51,7 @@ impl Progress {
             stop_converged.map(|share| self.has_converged(iteration, share)),
         ];
         let mut given = conditions.into_iter().flatten();
-        length <= SHORTEST * self.least
+        self.is_shortest
             || match stop_when {
                 StopWhen::Any => given.any(|holds| holds),
                 StopWhen::All => given.all(|holds| holds),

@@ -186,7 +186,7 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
 
     fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
         let [before, after] = [from, to].map(|end| self.space.difference(corner, end));
-        blend::is_free(corner, &before, &after, &|from, delta, aside| self.is_band_free(from, delta, aside))
+        blend::is_free(corner, &before, &after, |from, delta, aside| self.is_band_free(from, delta, aside))
     }
 
     /// Ordered by link, then by obstacle, the bounds last.

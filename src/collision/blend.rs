@@ -15,7 +15,7 @@ pub(super) fn is_free<const N: usize>(
     corner: &[f64; N],
     before: &[f64; N],
     after: &[f64; N],
-    is_band_free: &dyn Fn(&[f64; N], &[f64; N], &[f64; N]) -> bool,
+    is_band_free: impl Fn(&[f64; N], &[f64; N], &[f64; N]) -> bool,
 ) -> bool {
     let at = |u: f64| -> [f64; N] {
         std::array::from_fn(|i| corner[i] + ((1.0 - u) * (1.0 - u) * before[i] + u * u * after[i]))

@@ -104,7 +104,7 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
         let [corner, before, after] =
             [corner, &product.difference(corner, from), &product.difference(corner, to)].map(placement);
         self.space.steering().is_none()
-            && blend::is_free(&corner, &before, &after, &|&from, &delta, &aside| {
+            && blend::is_free(&corner, &before, &after, |&from, &delta, &aside| {
                 self.collision.is_band_free(&BodyMotion::Straight { from, delta }, aside)
             })
     }

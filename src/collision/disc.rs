@@ -115,7 +115,7 @@ impl<const N: usize> Validity<[f64; N]> for DiscValidity {
     fn is_blend_free(&self, [from, corner, to]: &[[f64; N]; 3]) -> bool {
         let [before, after] = [from, to].map(|end| std::array::from_fn(|i| end[i] - corner[i]));
         [from, corner, to].iter().all(|q| self.is_inside(Point::new(q[0], q[1])))
-            && blend::is_free(corner, &before, &after, &|from, delta, aside| {
+            && blend::is_free(corner, &before, &after, |from, delta, aside| {
                 let end = std::array::from_fn::<f64, N, _>(|i| from[i] + delta[i]);
                 let off = Point::new(aside[0], aside[1]).coords.norm();
                 self.is_clear(&segment(from, &end), self.radius + off)

@@ -32,10 +32,10 @@ export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajec
 function planned(scenario, { planner: algorithm, seed, parameters }) {
   const planner = scenario.planner({ algorithm, seed, ...inCamelCase(parameters) });
   while (planner.step(1000) === "running");
-  const { status, fingerprint, length, path, stats } = planner.result();
+  const { status, fingerprint, length, blended_length, path, stats } = planner.result();
   planner.free();
   scenario.free();
-  return { status, fingerprint, length, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
+  return { status, fingerprint, length, ...blended_length !== undefined && { blended_length }, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
 }
 
 /** @param {import("planarium").Scenario} scenario @param {any} given   `radius` in place of `k` */

@@ -130,7 +130,9 @@ for (const options of DRIVING) {
   });
 
   test(`${named(options)}: cursors of motions and traces give every edge once, from its first vertex to its second`, () => {
-    const planner = Scenario.parse(square).planner(asOptions({ ...options, seed: 2, samples: options.samples && 60, maxIterations: 1500 }));
+    // A lazy roadmap has the edges of its path alone, so it needs one.
+    const isLazy = options.algorithm === "lazy-prm";
+    const planner = Scenario.parse(square).planner(asOptions({ ...options, seed: 2, samples: options.samples && (isLazy ? 400 : 60), maxIterations: isLazy ? 100_000 : 1500 }));
     /** @type {number[]} */ const motions = [];
     /** @type {number[]} */ const traces = [];
     for (let done = false, seen = 0; !done; seen = planner.edgeCount) {
@@ -139,7 +141,7 @@ for (const options of DRIVING) {
       traces.push(...planner.tracesSince(seen));
     }
     const { edgeCount, dimension } = planner;
-    assert.ok(edgeCount > 3);
+    assert.ok(edgeCount > (isLazy ? 1 : 3));
     assert.deepEqual([...planner.motionsSince(0)], motions);
     assert.deepEqual([...planner.tracesSince(0)], traces);
     assert.deepEqual([planner.motionsSince(edgeCount).length, planner.tracesSince(edgeCount).length], [0, 0]);

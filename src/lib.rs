@@ -19,7 +19,7 @@
 //!
 //! # Modules, from the ground up
 //! `error`, `json`, `options`, `random`, [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
-//! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
+//! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, `shortening`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
 //! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
 //! scenario or a shape. The core reads no clock, prints nothing, has no global state and takes no callbacks. A test

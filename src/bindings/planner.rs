@@ -185,7 +185,7 @@ tables! { Planner(self, row)
     /// - 3, `solved`: a solution was found at the vertex
     /// - 4, `discarded`: a free sample was discarded, as it connects to nothing, or to nothing new
     /// - 5, `guard`: the vertex became a guard of a visibility roadmap
-    /// - 6, `removed`: the vertex and the edge that leads to it were removed from the tree (`sst`, `aorrtc`); its number is not used again
+    /// - 6, `removed`: the vertex and the edge that leads to it were removed from the tree (`sst`, `bit-star`, `aorrtc`); its number is not used again
     eventsSince: Vec<f64> = self.read(|run| run.event_count()) => self.read(|run| run.events_since(row));
     /// The recorded rows from row `row` (0 to `historyCount`) on, in rows of `historyWidth` numbers; empty unless `record` was
     /// called. A copy. Row i is the state after iteration i + 1, as `historyColumns` names it: vertices, edges, events, phase (its

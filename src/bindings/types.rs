@@ -73,9 +73,8 @@ impl From<problem::Status> for Status {
 }
 
 /// The phase of a planner. `prm`, `prm-star` and `lazy-prm`: sampling, connecting, searching; `lazy-prm-star`: sampling, searching;
-/// `visibility-prm`: guarding, searching; `rrt`,
-/// `rrt-connect`, `rrt-control` and `sst`: growing; a roadmap that is resumed: connecting, searching. Then improving, if that is
-/// requested (`sst` by growing on), and done.
+/// `visibility-prm`: guarding, searching; `fmt-star` and `bit-star`: sampling, growing; all other trees: growing; a roadmap that is resumed:
+/// connecting, searching. Then improving, if that is requested (planners with `improve_iterations` by growing on), and done.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Phase {

@@ -45,7 +45,6 @@ impl Subdivision {
             Verdict::Connected => self.channel(),
             Verdict::Infeasible | Verdict::Unknown => Vec::new(),
         };
-        let wall = clearance_at_most.map_or(Vec::new(), |most| self.wall(most));
         Certificate {
             format: super::document::Format::One,
             scenario: self.scenario.clone(),
@@ -54,7 +53,8 @@ impl Subdivision {
             verdict,
             clearance_at_most,
             cells: self.cell_count() as u64,
-            wall: wall.into_iter().filter_map(|cell| self.blocked(cell, clearance_at_most?)).collect(),
+            wall: clearance_at_most
+                .map_or(Vec::new(), |most| self.wall(most).into_iter().map(|cell| self.blocked(cell, most)).collect()),
             channel: channel.into_iter().map(|cell| self.nodes[cell as usize].cell).collect(),
         }
     }
@@ -104,9 +104,10 @@ impl Subdivision {
     }
 
     /// A cell of the wall and why the clearance is nowhere greater there.
-    fn blocked(&self, cell: u32, most: f64) -> Option<Blocked> {
+    fn blocked(&self, cell: u32, most: f64) -> Blocked {
         let cell = self.nodes[cell as usize].cell;
-        let witness = self.clearances.over(&cell, most).witness?;
-        Some(Blocked { cell, part: witness.part, along: witness.along, with: witness.with })
+        let witness =
+            self.clearances.over(&cell, most).witness.expect("a cell whose clearance is bounded has a witness");
+        Blocked { cell, part: witness.part, along: witness.along, with: witness.with }
     }
 }

@@ -17,7 +17,7 @@ pub struct DiscValidity {
     radius: f64,
     obstacles: Arc<Obstacles>,
     bounds: Option<Aabb>,
-    eta: f64,
+    tolerance: Tolerance,
     evaluations: Cell<u64>,
 }
 
@@ -28,8 +28,19 @@ impl DiscValidity {
         let obstacles = world.obstacles();
         let bounds = world.bounds().map_or(0.0, largest_coordinate);
         let scale = obstacles.largest_coordinate().max(bounds) + robot.radius();
-        let eta = Tolerance::new(scale, 0.0).eta;
-        Self { radius: robot.radius(), obstacles, bounds: world.bounds().copied(), eta, evaluations: Cell::new(0) }
+        let tolerance = Tolerance::new(scale, 0.0);
+        Self {
+            radius: robot.radius(),
+            obstacles,
+            bounds: world.bounds().copied(),
+            tolerance,
+            evaluations: Cell::new(0),
+        }
+    }
+
+    /// The slack of its tests, with the finest tolerance.
+    pub fn tolerance(&self) -> Tolerance {
+        self.tolerance
     }
 
     /// Whether the disc may touch something in one of the boxes on the motion from `a` to `b`.
@@ -41,20 +52,20 @@ impl DiscValidity {
     /// Whether a disc of this radius touches obstacle `i` while its centre moves along the segment.
     fn touches(&self, i: usize, swept: &Segment, radius: f64) -> bool {
         if radius == 0.0 {
-            self.obstacles.touches_point(i, swept, self.eta)
+            self.obstacles.touches_point(i, swept, self.tolerance.eta)
         } else {
-            self.obstacles.distance(i, swept) - radius <= self.eta
+            self.obstacles.distance(i, swept) - radius <= self.tolerance.eta
         }
     }
 
     /// A box outside which nothing touches the disc while its centre moves along the segment.
     fn near(&self, swept: &Segment, radius: f64) -> Aabb {
-        swept.aabb().grown(radius + self.eta)
+        swept.aabb().grown(radius + self.tolerance.eta)
     }
 
     /// Whether the disc lies within the bounds, or touches them from within.
     fn is_inside(&self, center: Point) -> bool {
-        let eta = if self.radius == 0.0 { 0.0 } else { self.eta };
+        let eta = if self.radius == 0.0 { 0.0 } else { self.tolerance.eta };
         self.bounds.as_ref().is_none_or(|bounds| bounds.depth(center) - self.radius >= -eta)
     }
 

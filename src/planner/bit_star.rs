@@ -4,7 +4,8 @@
 //! of implicit random geometric graphs"; Gammell, Barfoot and Srinivasa 2020, "Batch Informed Trees (BIT*): informed asymptotically
 //! optimal anytime search". Vertices and edges are in one queue: a vertex comes before all edges from it, as none of them promises a
 //! shorter path. Differences: the first batch is of the start and the goals alone, without samples; edges from vertices expanded before
-//! to a new sample are queued with the sample; a vertex that cannot help leaves the tree once it has no children.
+//! to a new sample are queued with the sample; a vertex that cannot help leaves the tree
+//! at the end of the batch that shows it, if it has no children.
 
 use super::best_tree::{BestTree, GOAL, START};
 use super::groups::{EdgeOptions, Sampling, Termination};

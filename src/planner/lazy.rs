@@ -9,7 +9,7 @@ use super::query::{Algorithm, Cost};
 use super::roadmap::{Build, GOAL, QueryResult, Roadmap, START};
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Edge, EdgeState, Expansion, Goals, Lifelong};
-use crate::graph::{EventKind, Graph, VertexId};
+use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId};
 use crate::nearest::Direction;
 use crate::problem::Problem;
 use crate::space::Space;
@@ -289,6 +289,11 @@ impl<S: Space> Planner<S> for LazyPlanner<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.roadmap.growth
+    }
+
+    fn is_full(&self) -> bool {
+        let candidates = self.roadmap.candidates.as_ref().map_or(0, |candidates| candidates.search.edges().len());
+        self.graph().is_full() || candidates >= MAX_RECORDS
     }
 
     fn cost(&self) -> f64 {

@@ -89,6 +89,11 @@ pub trait Planner<S: Space> {
         &self.growth().graph
     }
 
+    /// Whether there is no room for more. O(1).
+    fn is_full(&self) -> bool {
+        self.graph().is_full()
+    }
+
     /// The vertices of the path from start to goal; empty until solved.
     fn path(&self) -> Vec<VertexId>;
 

@@ -5,7 +5,7 @@ use super::reopen::{Changes, Kept};
 use super::resume;
 use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
-use crate::collision::{Integration, JointLines, Sampled, Tolerance};
+use crate::collision::{Integration, JointLines, Sampled};
 use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::Wanted;
@@ -208,15 +208,14 @@ impl<'a> Launch<'a> {
         problem.records_events = self.options.events;
 
         let seed = self.info.seed;
+        // A roadmap that is continued is searched for one path.
+        let termination = self.info.termination.filter(|_| kept.is_none() && self.saved.is_none());
         let planner = match (kept, self.saved) {
             (Some(Kept { roadmap, changes: Changes { came, went }, tolerance: before }), _) => {
                 let may_meet = checker().may_meet();
-                let is = |differs: fn(&Tolerance, &Tolerance) -> bool| {
-                    before.as_ref().zip(tolerance.as_ref()).is_some_and(|(before, now)| differs(before, now))
-                };
                 // A proof counts with a smaller slack, a refusal with the same tolerance.
-                let is_rougher = is(|before, now| now.eta > before.eta);
-                let is_other = is(|before, now| (before.tau, before.bounds_tau) != (now.tau, now.bounds_tau));
+                let is_rougher = tolerance.eta > before.eta;
+                let is_other = (before.tau, before.bounds_tau) != (tolerance.tau, tolerance.bounds_tau);
                 planner::reopen(&problem, roadmap, &|a, b| is_rougher || may_meet(a, b, &came), &|a, b| {
                     is_other || may_meet(a, b, &went)
                 })
@@ -244,7 +243,8 @@ impl<'a> Launch<'a> {
                 Launch::new(world, &options, planner, None)?.run(Some(Kept { roadmap, changes, tolerance }))
             })
         };
-        Ok(Box::new(Runner::new(problem, planner, self.info, roadmap, Some(reopen))))
+        let info = RunInfo { termination, ..self.info };
+        Ok(Box::new(Runner::new(problem, planner, info, roadmap, Some(reopen))))
     }
 
     /// The document of this run's roadmap, without vertices and edges.

@@ -69,7 +69,7 @@ pub trait Run {
     fn step(&mut self, iterations: u64) -> Status;
 
     /// Lets the planner use so many threads from now on; 1 at first. The result and all counts are the same with any number. Roadmaps
-    /// built in a batch (PRM with `insertion=batch`, PRM*) use them.
+    /// built in a batch (PRM with `insertion=batch`, PRM*; lazy PRM for its samples) use them.
     #[cfg(feature = "parallel")]
     fn set_threads(&mut self, threads: std::num::NonZeroUsize);
 

@@ -11,8 +11,8 @@ use crate::space::Space;
 pub(super) struct Kept<'a, S: Space> {
     pub roadmap: &'a Roadmap<S>,
     pub changes: Changes,
-    /// The tolerance of its proofs; `None` of a robot without one.
-    pub tolerance: Option<Tolerance>,
+    /// The tolerance of its proofs.
+    pub tolerance: Tolerance,
 }
 
 /// The boxes around obstacles that only one of two worlds has.

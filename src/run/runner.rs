@@ -136,7 +136,7 @@ impl<S: Space> Runner<S> {
     fn is_over(&self) -> bool {
         let has_stopped = |progress: &Progress| progress.is_over(self.iteration, self.stats().clearance_evaluations);
         self.iteration == self.info.max_iterations
-            || self.planner.graph().is_full()
+            || self.planner.is_full()
             || self.progress.as_ref().is_some_and(has_stopped)
     }
 

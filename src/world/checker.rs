@@ -70,12 +70,12 @@ impl<const N: usize> Checker<N> {
         }
     }
 
-    /// The slack and the tolerance of its proofs; `None` of a disc, which needs none.
-    pub(crate) fn tolerance(&self) -> Option<Tolerance> {
+    /// The slack and the tolerance of its proofs.
+    pub(crate) fn tolerance(&self) -> Tolerance {
         match self {
-            Self::Arm(arm) => Some(arm.tolerance()),
-            Self::Disc(_) => None,
-            Self::Body(body, _) => Some(body.tolerance()),
+            Self::Arm(arm) => arm.tolerance(),
+            Self::Disc(disc) => disc.tolerance(),
+            Self::Body(body, _) => body.tolerance(),
         }
     }
 

@@ -42,7 +42,7 @@ export class Repair {
         this.waiting = null;
         try {
           const growth = await session.team.repair(document);
-          if (plannings === session.plannings) this.show(growth);
+          if (plannings === session.plannings && this.fits(document)) this.show(growth);
         } catch (error) {
           if (plannings === session.plannings) this.refuse(error);
         }
@@ -50,6 +50,12 @@ export class Repair {
     } finally {
       this.isBusy = false;
     }
+  }
+
+  /** Whether the roadmap of a scenario has the start and the goals of the one shown: obstacles may be a frame ahead. @param {ScenarioDocument} document */
+  fits(document) {
+    const { shown } = this.session;
+    return shown !== null && (shown.document === document || (shown.document.queries === document.queries && !shown.target));
   }
 
   /** Shows the repaired roadmap at its end, and the world as it is now. @param {Growth} growth @throws {Error} start or goal are in collision by now */
@@ -74,14 +80,15 @@ export class Repair {
     const { session } = this;
     const { code } = errorInfo(error);
     if (code === "" || code === "internal" || !session.shown) throw error;
-    this.held = session.plannings;
     session.refusal = { error, lane: 0 };
     this.replace(new Lane(session.shown, session.lanes[0].plan));
+    this.held = session.plannings;
   }
 
-  /** Replaces the lane: the panes draw a new one together with its world. @param {Lane} lane */
+  /** Replaces the lane, as another planning that the worker has: the panes draw a new one together with its world. @param {Lane} lane */
   replace(lane) {
     const { session } = this;
+    session.timeline.sent = ++session.plannings;
     session.lanes[0].free();
     session.lanes[0] = lane;
     session.clock.reset();

@@ -204,6 +204,7 @@ export class Session {
     if (!shown) return;
     this.setEnds(shown);
     this.plannings++;
+    this.repair.waiting = null;
     this.byHand.release();
     clock.reset();
     clock.isRace = plans.length > 1;
@@ -243,6 +244,12 @@ export class Session {
     shown.goal = query?.goal ?? null;
     shown.target = query?.target ?? null;
     shown.goals = shown.goal ? [shown.goal] : this.lanes[0]?.run?.goals ?? [];
+  }
+
+  /** Shows the run as the time passes: what was shown in its place ends. */
+  takeOver() {
+    this.byHand.release();
+    this.certifying?.end();
   }
 
   /** Whether it can be decided if a path exists: configurations have two coordinates, and the query one goal. */

@@ -41,7 +41,7 @@ pub enum Command {
     Reach(Reach),
     /// Verify a result or a certificate against its scenario, by other code than that which made it
     Verify(Verify),
-    /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints
+    /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints or a body that does not turn
     Optimum(Optimum),
     /// Run the trials of an experiment, a row each, and print their statistics
     Sweep(Sweep),

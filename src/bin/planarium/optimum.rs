@@ -28,6 +28,12 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
         let sentence = format!("the result is of the scenario {:?}, not {:?}", result.scenario, scenario.name());
         return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
     }
+    if let Some((asked, result)) = arguments.query.as_deref().zip(result.as_ref())
+        && asked != result.query
+    {
+        let sentence = format!("the result is of the query {:?}, not {asked:?}", result.query);
+        return Err(Error::new(Code::InvalidResult, "/query", sentence));
+    }
     let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
     let metric: Vec<_> = arguments.metric.iter().map(|name| ("metric".to_owned(), Value::Text(name.clone()))).collect();
     let optimum = optimum::optimum(&scenario, query, &metric)?;

@@ -1,6 +1,6 @@
 //! The independent verifier of certificates.
 //!
-//! It shares no code with the subdivision but cells, shapes and exact convex pieces. It computes places and distances by itself, and
+//! It shares no code with the subdivision but cells, shapes, exact convex pieces and union-find. It computes places and distances by itself, and
 //! where a cell of the document is not confirmed as it is, it halves it. [`separation`] decides without a quadtree whether the wall
 //! separates start and goal. An obstacle within 2e-12 times the largest coordinate plus the reach is touched.
 

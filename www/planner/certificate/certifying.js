@@ -53,7 +53,7 @@ export class Certifying {
     this.clearance = clearance;
     this.on = true;
     shown.certifying = this;
-    session.clock.playing = false;
+    session.clock.halt();
     session.markDirty();
     try {
       await worker.certify(shown.document, { query: session.query, clearance });
@@ -85,12 +85,12 @@ export class Certifying {
   get sentence() {
     const { clearance, found: { blocks, certificate } } = this;
     const path = clearance > 0 ? `path with clearance above ${numberText(clearance)} m` : "path";
-    const isNear = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
-    if (!certificate) return `Does a ${path} exist? Cells are divided until all configurations in each are alike: every one ${isNear}, or none.`;
+    const blocked = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
+    if (!certificate) return `Does a ${path} exist? Cells are divided until all configurations in each are alike: every one ${blocked}, or none.`;
     const cells = `${grouped(blocks.reduce((sum, { length }) => sum + length / WIDTH, 0))} cells`;
     const { verdict, clearance_at_most: most } = certificate;
-    if (verdict === "infeasible") return `No ${path} exists: in the solid cells every configuration ${isNear}, and they separate start and goal. ${cells}.`;
-    if (verdict === "connected") return `A ${path} exists: it leads through the solid cells, in which no configuration ${isNear}. ${cells}.`;
+    if (verdict === "infeasible") return `No ${path} exists: in the solid cells every configuration ${blocked}, and they separate start and goal. ${cells}.`;
+    if (verdict === "connected") return `A ${path} exists: it leads through the solid cells, in which no configuration ${blocked}. ${cells}.`;
     return `Not decided with ${cells}.${most === undefined ? "" : ` No path with clearance above ${small(roundedUp(most))} m exists.`}`;
   }
 

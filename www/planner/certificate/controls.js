@@ -18,6 +18,7 @@ export function offerCertificate(page, worker) {
   const toggle = button("certify-ask", "Does a path exist?", () => (certifying.on ? page.act(() => certifying.end()) : ask()));
   group.append(toggle, label);
   page.onState(reflect);
+  page.onOpen(() => { clearance.value = "0"; });
 
   function ask() {
     if (clearance.reportValidity()) void app.track(certifying.begin(clearance.valueAsNumber || 0), "Whether a path exists cannot be decided.");
@@ -25,7 +26,7 @@ export function offerCertificate(page, worker) {
 
   /** @param {State} state */
   function reflect({ canCertify, certificate, lanes }) {
-    group.hidden = !canCertify;
+    group.hidden = !canCertify && !certificate;
     label.hidden = !certificate;
     // A planner that gave up proves nothing: this does.
     toggle.classList.toggle("invite", !certificate && lanes.every(({ status }) => status === "exhausted"));

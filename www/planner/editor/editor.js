@@ -94,6 +94,7 @@ export class Editor {
     this.on = on;
     if (on) {
       session.forget();
+      session.certifying?.end();
       if (session.byHand.pointing) session.byHand.pointing.at = null;
       session.byHand.release();
       session.timeline.pause();

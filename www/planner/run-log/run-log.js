@@ -150,8 +150,10 @@ export class RunLog {
   take({ history, vertices, edges, events, traces, motions, status, phase, stats, result, path, rawPath }) {
     this.history.add(history);
     this.vertices.add(vertices);
-    // The samples of a tree may join it later.
-    this.sides.add(new Uint8Array(this.vertices.count - this.sides.count).fill(this.kind === "tree" ? SIDE.start : SIDE.none));
+    // The samples of a tree may join it later; a goal has no side until it is reached.
+    const known = this.sides.count;
+    this.sides.add(new Uint8Array(this.vertices.count - known).fill(SIDE.none));
+    if (this.kind === "tree") this.sides.data.fill(SIDE.start, Math.max(known, this.roots), this.vertices.count);
     const [firstEdge, firstEvent] = [this.edges.count, this.events.count];
     this.edges.add(edges);
     if (this.isTree && edges.length > 0) this.inheritSides(firstEdge);
@@ -252,8 +254,8 @@ export class RunLog {
     return edges;
   }
 
-  /** Whether its roadmap has candidate edges that no path has wanted, so that they were not tested. */
-  get isLazy() { return (this.now.stats.unchecked_edges ?? 0) > 0; }
+  /** Whether edges of its roadmap are tested only once a path wants them. */
+  get isLazy() { return this.algorithm.startsWith("lazy-"); }
 
   /** The components of a roadmap without a path, or else null. */
   get pieces() {

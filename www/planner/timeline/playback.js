@@ -34,7 +34,7 @@ export class Timeline {
       this.show(0);
       clock.halt();
     }
-    session.byHand.release();
+    session.takeOver();
     clock.playing = true;
     if (session.growing) session.markDirty();
     session.wake();
@@ -56,7 +56,7 @@ export class Timeline {
   seek(time) {
     const { session, clock } = this;
     if (!session.shown) return;
-    session.byHand.release();
+    session.takeOver();
     clock.seek(time);
     if (clock.wanted < clock.now) this.show(clock.wanted);
     session.markDirty();
@@ -66,7 +66,7 @@ export class Timeline {
   finish() {
     const { session, clock } = this;
     if (!session.growing) return;
-    session.byHand.release();
+    session.takeOver();
     clock.rushing = true;
     clock.playing = true;
     session.markDirty();

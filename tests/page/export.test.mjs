@@ -86,7 +86,9 @@ for (const ratio of [1, 2]) {
       for (const pane of ["workspace", "cspace"]) {
         const found = await unlike(page, pane, "png");
         assert.ok(found.ink > found.pixels / 100, `${pane} shows something: ${found.ink}`);
-        assert.equal(found.unlike, 0, `${pane}: ${found.unlike} of ${found.pixels} pixels`);
+        // With two pixels a CSS pixel the browser may place the glyphs of labels differently on canvases of different sizes.
+        const most = ratio === 1 ? 0 : found.pixels / 400;
+        assert.ok(found.unlike <= most, `${pane}: ${found.unlike} of ${found.pixels} pixels`);
       }
     }
   }, { deviceScaleFactor: ratio }));

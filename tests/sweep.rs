@@ -142,9 +142,9 @@ fn a_sweep_that_was_cut_anywhere_goes_on_from_its_complete_rows() {
 #[test]
 fn a_sweep_that_was_killed_goes_on() {
     let mut long = document();
-    long["seeds"]["count"] = json!(80);
+    long["seeds"]["count"] = json!(240);
     file("long.json", long.to_string());
-    let all = 9 * 80;
+    let all = 9 * 240;
     swept(&format!("long.json --out {}", fresh("unharmed.csv")));
     let mut child = spawn(&format!("sweep long.json --out {} --threads 1", fresh("killed.csv")));
     let rows = || std::fs::read_to_string(path("killed.csv")).map_or(0, |text| text.matches(",rrt,").count());

@@ -6,7 +6,7 @@
 //! that fails, the piece is halved, which makes its band a quarter as wide.
 
 /// Half the length of the shortest piece, as a fraction of the blend: 64 pieces at most.
-const SHORTEST: f64 = 1.0 / 128.0;
+const SHORTEST_STEP: f64 = 1.0 / 128.0;
 
 /// Whether the blend of `corner` is proven free. It begins at `corner + before` and ends at `corner + after`. `is_band_free` tells
 /// whether the straight motion from its first argument by its second one is proven free, also off by any part of the third one, forward
@@ -32,7 +32,7 @@ pub(super) fn is_free<const N: usize>(
         if is_band_free(&from, &delta, &aside) {
             continue;
         }
-        if half <= SHORTEST || !is_band_free(&at(middle), &[0.0; N], &[0.0; N]) {
+        if half <= SHORTEST_STEP || !is_band_free(&at(middle), &[0.0; N], &[0.0; N]) {
             return false;
         }
         let quarter = 0.5 * half;

@@ -10,7 +10,7 @@
 //! path is shortened by removing vertices and by random shortcuts, one attempt per iteration.
 
 use super::groups::Termination;
-use super::growth::Growth;
+use super::growth::{Growth, START};
 use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::rrt_connect::{RrtConnect, RrtConnectOptions};
 use super::{Planner, Status};
@@ -21,8 +21,6 @@ use crate::problem::Problem;
 use crate::random::{MAX_SEED, Random, Stream};
 use crate::shortening::{Improvement, Wanted, length};
 use crate::space::Space;
-
-const START: VertexId = VertexId(0);
 
 /// A path that is shorter by less than this share is no better: that might be rounding.
 const GAIN: f64 = 1e-9;
@@ -157,7 +155,7 @@ impl<S: Space> Aorrtc<S> {
 
     /// The distances of a state from the root of a tree and to that of the other one: the least costs.
     fn least_costs(problem: &Problem<S>, tree: usize, state: &S::State) -> [f64; 2] {
-        let mut both = [problem.space().distance(problem.start(), state), problem.distance_to_goal(state)];
+        let mut both = problem.distances_by_way_of(state);
         both.rotate_left(tree);
         both
     }

@@ -1,16 +1,11 @@
 //! A tree with costs and the best path in it so far: what planners share whose paths get shorter. The start is vertex 0. The goals are the
 //! vertices from 1 on, in the tree once they are reached, and have no children, except in FMT*.
 
-use super::growth::Growth;
+use super::growth::{Growth, START, goals};
 use crate::graph::{CostTree, EventKind, VertexId};
 use crate::nearest::Neighbour;
 use crate::problem::Problem;
 use crate::space::Space;
-
-/// The root.
-pub(super) const START: VertexId = VertexId(0);
-/// The number of the first goal.
-pub(super) const GOAL: u32 = 1;
 
 /// The tree, its vertices and events, and its best path.
 #[derive(Debug, Clone)]
@@ -89,7 +84,7 @@ impl<S: Space> BestTree<S> {
 
     /// Notes the best path, if it has become cheaper.
     pub fn note(&mut self, problem: &Problem<S>, iteration: u32) {
-        let goals = (GOAL..).zip(problem.goals()).map(|(goal, _)| (self.tree.cost(VertexId(goal)), VertexId(goal)));
+        let goals = goals(problem).map(|(goal, _)| (self.tree.cost(goal), goal));
         let (cost, goal) = goals.min_by(|(a, _), (b, _)| a.total_cmp(b)).expect("a query has a goal");
         if cost < self.bound() {
             self.best = Some((goal, cost));

@@ -7,9 +7,9 @@
 //! to a new sample are queued with the sample; a vertex that cannot help leaves the tree
 //! at the end of the batch that shows it, if it has no children.
 
-use super::best_tree::{BestTree, GOAL, START};
+use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
-use super::growth::Growth;
+use super::growth::{GOAL, Growth, START};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness, Reach};
 use super::{Phase, Planner, Status};
@@ -101,8 +101,8 @@ struct Node {
 impl Node {
     /// A vertex or a sample in this state, which is new.
     fn of<S: Space>(problem: &Problem<S>, state: &S::State) -> Self {
-        let from_start = problem.space().distance(problem.start(), state);
-        Self { from_start, to_goal: problem.distance_to_goal(state), is_expanded: false, is_useful: true }
+        let [from_start, to_goal] = problem.distances_by_way_of(state);
+        Self { from_start, to_goal, is_expanded: false, is_useful: true }
     }
 
     /// The least cost of a path by way of it.
@@ -168,7 +168,7 @@ impl<S: Space> BitStar<S> {
     fn begin_batch(&mut self, problem: &Problem<S>, iteration: u32) {
         let bound = self.best.bound();
         let (members, useless): (Vec<VertexId>, Vec<VertexId>) = self.members.iter().partition(|&&vertex| {
-            vertex.0 < GOAL + problem.goals().len() as u32 || self.nodes[vertex.index()].least() < bound
+            vertex.0 < GOAL.0 + problem.goals().len() as u32 || self.nodes[vertex.index()].least() < bound
         });
         self.useful.retain(|&least| least < bound);
         for vertex in useless {
@@ -237,7 +237,7 @@ impl<S: Space> BitStar<S> {
         self.found = found;
     }
 
-    /// The best entry of the queue. Where that does not help, costs have changed: then all entries are queued anew.
+    /// The best entry of the queue. If it cannot shorten the path, costs have changed: all entries are then queued again.
     fn pop(&mut self) -> Option<(VertexId, Option<(VertexId, u64)>)> {
         let Reverse((least, _, _, _)) = self.queue.peek()?;
         if f64::from_bits(*least) >= self.best.bound() {

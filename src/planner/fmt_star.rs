@@ -4,9 +4,9 @@
 //! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, it goes on with
 //! twice as many samples from all of the tree, where the paper gives up.
 
-use super::best_tree::{BestTree, GOAL, START};
+use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
-use super::growth::Growth;
+use super::growth::{Growth, START, goals};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness, Reach};
 use super::{Phase, Planner, Status};
@@ -188,7 +188,7 @@ impl<S: Space> Planner<S> for FmtStar<S> {
         let Some(Reverse((_, vertex))) = self.open.pop() else {
             unreachable!("vertices are open, or samples are missing")
         };
-        if (GOAL..).zip(problem.goals()).any(|(goal, _)| vertex == VertexId(goal)) {
+        if goals(problem).any(|(goal, _)| vertex == goal) {
             self.best.note(problem, iteration);
             return Status::Solved;
         }

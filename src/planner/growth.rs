@@ -5,6 +5,16 @@ use crate::problem::{Problem, Stats};
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
 
+/// The vertex that is the start.
+pub(super) const START: VertexId = VertexId(0);
+/// The first goal, where the goals are the vertices after the start.
+pub(super) const GOAL: VertexId = VertexId(1);
+
+/// The goals, with their vertices if these are the ones after the start.
+pub(super) fn goals<S: Space>(problem: &Problem<S>) -> impl Iterator<Item = (VertexId, &S::State)> {
+    (GOAL.0..).map(VertexId).zip(problem.goals())
+}
+
 /// How many samples are drawn until one lies on a path short enough.
 const DRAWS: u32 = 100;
 
@@ -101,8 +111,7 @@ impl<S: Space> Growth<S> {
         let mut useless = None;
         for _ in 0..DRAWS {
             let target = draw(self)?;
-            let by_way = || problem.space().distance(problem.start(), &target) + problem.distance_to_goal(&target);
-            if bound == f64::INFINITY || by_way() < bound {
+            if bound == f64::INFINITY || problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
                 return Some(target);
             }
             useless = Some(target);

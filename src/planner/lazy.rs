@@ -4,9 +4,9 @@
 //! planning". The search goes on where it was when a candidate is refused (`graph/search/lifelong.rs`).
 
 use super::groups::Searching;
-use super::growth::Growth;
+use super::growth::{GOAL, Growth, START};
 use super::query::{Algorithm, Cost};
-use super::roadmap::{Build, GOAL, QueryResult, Roadmap, START};
+use super::roadmap::{Build, QueryResult, Roadmap};
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Edge, EdgeState, Expansion, Goals, Lifelong};
 use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId};

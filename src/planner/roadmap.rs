@@ -4,7 +4,7 @@
 //! The edges of a lazy roadmap are candidates until a path wants them: see `lazy.rs`.
 
 use super::groups::Searching;
-use super::growth::Growth;
+use super::growth::{GOAL, Growth, START};
 use super::info::{Mark, PseudocodeLine, line};
 use super::lazy::{Candidates, estimate};
 use super::neighbours::Neighbours;
@@ -15,11 +15,6 @@ use crate::graph::{EventKind, Graph, VertexId, append};
 use crate::nearest::{Direction, Neighbour};
 use crate::problem::Problem;
 use crate::space::Space;
-
-/// The start is vertex 0.
-pub(super) const START: VertexId = VertexId(0);
-/// The goal is vertex 1; several goals are the vertices from 1 on.
-pub(super) const GOAL: VertexId = VertexId(1);
 
 /// The neighbours that a vertex is connected to if the motion is free: its `k` nearest within `radius`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 //! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
 use super::groups::{Aim, EdgeOptions, GoalBias, Overgrowth, Sampling, step_in};
-use super::growth::Growth;
+use super::growth::{Growth, goals};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::{Planner, Status};
 use crate::error::Error;
@@ -13,9 +13,6 @@ use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
 use crate::problem::Problem;
 use crate::space::Space;
-
-/// The first goal.
-const GOAL: VertexId = VertexId(1);
 
 crate::choice! {
     /// How far the tree grows towards a sample.
@@ -162,8 +159,7 @@ impl<S: Space> Rrt<S> {
 
     /// The goal nearest to the state, ties by number, and its distance.
     fn nearest_goal(&self, problem: &Problem<S>, state: &S::State) -> (VertexId, f64) {
-        let lefts = problem.goals().iter().map(|goal| problem.space().distance(state, goal));
-        let all = (GOAL.0..).map(VertexId).zip(lefts);
+        let all = goals(problem).map(|(goal, at)| (goal, problem.space().distance(state, at)));
         all.min_by(|(_, a), (_, b)| a.total_cmp(b)).expect("a query has a goal")
     }
 

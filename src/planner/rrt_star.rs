@@ -3,9 +3,9 @@
 //! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning"; the radius of Solovey, Janson, Schmerling,
 //! Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*".
 
-use super::best_tree::{BestTree, GOAL, START};
+use super::best_tree::BestTree;
 use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, Termination, step_in};
-use super::growth::Growth;
+use super::growth::{Growth, START, goals};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness};
 use super::{Planner, Status};
@@ -181,8 +181,7 @@ impl<S: Space> RrtStar<S> {
             state = space.interpolate(&origin, &target, self.step / nearest.distance);
             nearest.distance = space.distance(&origin, &state);
         }
-        if let Some(goal) = problem.goals().iter().position(|goal| *goal == state) {
-            let goal = VertexId(GOAL + goal as u32);
+        if let Some((goal, _)) = goals(problem).find(|(_, goal)| **goal == state) {
             if let Some(parent) = self.parent(problem, iteration, nearest, &state, self.best.tree.cost(goal)) {
                 self.best.attach(iteration, goal, parent);
             }
@@ -201,11 +200,11 @@ impl<S: Space> RrtStar<S> {
             self.offer(problem, iteration, vertex, neighbour.vertex, neighbour.distance);
         }
         self.index.insert(space, vertex, &state);
-        for (goal, at) in (GOAL..).zip(problem.goals()) {
+        for (goal, at) in goals(problem) {
             let distance = space.distance(&state, at);
             self.best.approach(vertex, distance);
             if distance <= self.step {
-                self.offer(problem, iteration, vertex, VertexId(goal), distance);
+                self.offer(problem, iteration, vertex, goal, distance);
             }
         }
     }

@@ -6,8 +6,9 @@
 //! has to be mutual: the space must be symmetric.
 
 use super::groups::{EdgeOptions, Sampling, Searching};
+use super::growth::START;
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH, START};
+use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
 use super::{Phase, Planner};
 use crate::error::Error;
 use crate::graph::{EventKind, UnionFind, VertexId};

@@ -143,6 +143,11 @@ impl<S: Space> Problem<S> {
         self.goals.iter().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
     }
 
+    /// The distances from the start to a state and from there to the nearest goal: no path through the state is shorter than their sum.
+    pub fn distances_by_way_of(&self, state: &S::State) -> [f64; 2] {
+        [self.space.distance(&self.start, state), self.distance_to_goal(state)]
+    }
+
     /// Whether the state is as good as the goal: within the region about it, or one of the goals if there is no region.
     pub fn is_goal(&self, state: &S::State) -> bool {
         match &self.goal_region {

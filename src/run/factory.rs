@@ -211,13 +211,13 @@ impl<'a> Launch<'a> {
         // A roadmap that is continued is searched for one path.
         let termination = self.info.termination.filter(|_| kept.is_none() && self.saved.is_none());
         let planner = match (kept, self.saved) {
-            (Some(Kept { roadmap, changes: Changes { came, went }, tolerance: before }), _) => {
+            (Some(Kept { roadmap, changes: Changes { added, removed }, tolerance: before }), _) => {
                 let may_meet = checker().may_meet();
                 // A proof counts with a smaller slack, a refusal with the same tolerance.
                 let is_rougher = tolerance.eta > before.eta;
                 let is_other = (before.tau, before.bounds_tau) != (tolerance.tau, tolerance.bounds_tau);
-                planner::reopen(&problem, roadmap, &|a, b| is_rougher || may_meet(a, b, &came), &|a, b| {
-                    is_other || may_meet(a, b, &went)
+                planner::reopen(&problem, roadmap, &|a, b| is_rougher || may_meet(a, b, &added), &|a, b| {
+                    is_other || may_meet(a, b, &removed)
                 })
             }
             (None, Some(document)) => {

@@ -18,9 +18,9 @@ pub(super) struct Kept<'a, S: Space> {
 /// The boxes around obstacles that only one of two worlds has.
 pub(super) struct Changes {
     /// Around those of the later one.
-    pub came: Vec<Aabb>,
+    pub added: Vec<Aabb>,
     /// Around those of the earlier one.
-    pub went: Vec<Aabb>,
+    pub removed: Vec<Aabb>,
 }
 
 impl Changes {
@@ -40,22 +40,22 @@ impl Changes {
         if before.world().bounds != after.world().bounds {
             return refuse("/world/bounds", "box of bounds");
         }
-        let (mut went, mut came) = (&before.world().obstacles[..], &after.world().obstacles[..]);
-        while let ([a, rest @ ..], [b, others @ ..]) = (went, came)
+        let (mut removed, mut added) = (&before.world().obstacles[..], &after.world().obstacles[..]);
+        while let ([a, rest @ ..], [b, others @ ..]) = (removed, added)
             && a == b
         {
-            (went, came) = (rest, others);
+            (removed, added) = (rest, others);
         }
-        while let ([rest @ .., a], [others @ .., b]) = (went, came)
+        while let ([rest @ .., a], [others @ .., b]) = (removed, added)
             && a == b
         {
-            (went, came) = (rest, others);
+            (removed, added) = (rest, others);
         }
-        let is_other = |these: &[Obstacle], i: usize, one: &Obstacle| went.len() != came.len() || these[i] != *one;
+        let is_other = |these: &[Obstacle], i: usize, one: &Obstacle| removed.len() != added.len() || these[i] != *one;
         let boxes = |list: &[Obstacle], other: &[Obstacle]| {
             let changed = list.iter().enumerate().filter(|&(i, one)| is_other(other, i, one));
             changed.map(|(_, one)| one.aabb()).collect()
         };
-        Ok(Self { came: boxes(came, went), went: boxes(went, came) })
+        Ok(Self { added: boxes(added, removed), removed: boxes(removed, added) })
     }
 }

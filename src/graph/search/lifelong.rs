@@ -87,7 +87,7 @@ impl Lifelong {
         Self { is_directed, start, goals, nodes, edges, next, frontier: BinaryHeap::new(), path: Default::default() }
     }
 
-    /// Begins anew between other vertices, by other estimates. O(v).
+    /// Starts a search between other vertices, with other estimates. O(v).
     pub fn restart(&mut self, start: VertexId, goals: Goals, estimate: impl Fn(VertexId) -> f64) {
         (self.start, self.goals, self.path) = (start, goals, Default::default());
         self.frontier.clear();

@@ -43,6 +43,11 @@ impl<S: Space> Batch<S> {
         Self::with(Some((vertices, sampler)), Box::new((0..vertices as u32).map(VertexId)))
     }
 
+    /// A builder that adds no samples and connects these vertices.
+    fn connecting(vertices: Vec<VertexId>) -> Self {
+        Self::with(None, Box::new(vertices.into_iter()))
+    }
+
     fn with(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
         Self {
             samples,
@@ -221,27 +226,22 @@ pub fn resume<S: Space + 'static>(
     }
     if is_lazy {
         let all: Vec<VertexId> = (0..roadmap.len() as u32).map(VertexId).collect();
-        return Box::new(LazyPlanner::new(
-            roadmap,
-            Box::new(Batch::with(None, Box::new(all.into_iter()))),
-            false,
-            false,
-        ));
+        return Box::new(LazyPlanner::new(roadmap, Box::new(Batch::connecting(all)), false, false));
     }
     let is_complete = left.is_empty();
-    let builder = Batch::with(None, Box::new(left.into_iter()));
+    let builder = Batch::connecting(left);
     Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
 }
 
-/// A planner that searches a roadmap lazily after obstacles have moved: `came` and `went` tell of the motion between two states whether
-/// it may touch an obstacle where one is now, or where one was. Edges that may touch the former are to be proven again, motions that were
+/// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two states
+/// whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former are to be proven again, motions that were
 /// refused and may touch the latter are candidates again, and all others stay as they are. Former ends that are ends no longer are no
 /// vertices any more. O(states + edges), and the index of neighbours.
 pub fn reopen<S: Space + 'static>(
     problem: &Problem<S>,
     kept: &Roadmap<S>,
-    came: &dyn Fn(&S::State, &S::State) -> bool,
-    went: &dyn Fn(&S::State, &S::State) -> bool,
+    added: &dyn Fn(&S::State, &S::State) -> bool,
+    removed: &dyn Fn(&S::State, &S::State) -> bool,
 ) -> Box<dyn Planner<S>> {
     let space = problem.space();
     let mut roadmap = Roadmap::new(problem, kept.connection, kept.rules).lazily(space);
@@ -255,7 +255,7 @@ pub fn reopen<S: Space + 'static>(
         let state = kept.graph().state(VertexId(i as u32));
         let was_unchecked = kept.candidates.as_ref().is_some_and(|candidates| candidates.unchecked[i]);
         let candidates = roadmap.candidates.as_mut().expect("the roadmap is lazy");
-        candidates.unchecked[vertex.index()] = was_unchecked || came(state, state);
+        candidates.unchecked[vertex.index()] = was_unchecked || added(state, state);
     }
     let tried = |ends: &[VertexId; 2], state| Edge { ends: *ends, cost: kept.cost(space, *ends), state };
     let edges: Vec<Edge> = match &kept.candidates {
@@ -269,15 +269,15 @@ pub fn reopen<S: Space + 'static>(
         let [from, to] = ends.map(|end| kept.graph().state(end));
         let is_open = match state {
             EdgeState::Assumed => true,
-            EdgeState::Proven => came(from, to),
-            EdgeState::Refused => went(from, to),
+            EdgeState::Proven => added(from, to),
+            EdgeState::Refused => removed(from, to),
         };
         if let [Some(from), Some(to)] = ends.map(|end| vertices[end.index()]) {
             roadmap.add_edge(Edge { ends: [from, to], cost, state: if is_open { EdgeState::Assumed } else { state } });
         }
     }
     let is_complete = left.is_empty();
-    let builder = Batch::with(None, Box::new(left.into_iter()));
+    let builder = Batch::connecting(left);
     Box::new(LazyPlanner::new(roadmap, Box::new(builder), is_complete, false))
 }
 

@@ -10,9 +10,10 @@ use super::prm_star_k;
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
 use crate::planner::groups::{EdgeOptions, Sampling, Searching, Termination};
+use crate::planner::growth::START;
 use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use crate::planner::lazy::LazyPlanner;
-use crate::planner::roadmap::{Build, Connection, Roadmap, START};
+use crate::planner::roadmap::{Build, Connection, Roadmap};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -76,12 +77,11 @@ struct Sampled<S: Space> {
 impl<S: Space> Sampled<S> {
     /// The next free sample that may shorten the path; `None`, with an event, if there is none among a few.
     fn sample(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> Option<S::State> {
-        let space = problem.space();
         let bound = roadmap.best_cost();
         let mut useless = None;
         for _ in 0..DRAWS {
             let sample = roadmap.growth.draw(problem, iteration, &mut *self.sampler)?;
-            if space.distance(problem.start(), &sample.state) + problem.distance_to_goal(&sample.state) < bound {
+            if problem.distances_by_way_of(&sample.state).iter().sum::<f64>() < bound {
                 return roadmap.growth.if_free(problem, iteration, sample);
             }
             useless = Some(sample.state);

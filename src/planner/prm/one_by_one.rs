@@ -3,7 +3,8 @@
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Direction;
 use crate::planner::Phase;
-use crate::planner::roadmap::{Build, GOAL, Roadmap, RoadmapPlanner, START};
+use crate::planner::growth::{GOAL, START};
+use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;

@@ -104,7 +104,7 @@ impl<S: Space> Roadmap<S> {
             let [from, to] = search.edges()[edge as usize].ends;
             [from, to] == ends || (space.is_symmetric() && [to, from] == ends)
         };
-        if !search.edges_at(ends[0]).into_iter().any(is_same) {
+        if !search.edges_at(ends[0]).any(is_same) {
             self.add_edge(Edge { ends, cost: self.cost(space, ends), state: EdgeState::Assumed });
         }
     }
@@ -130,7 +130,7 @@ impl<S: Space> Roadmap<S> {
             if !problem.validity().is_free(state) {
                 let search = &self.candidates_mut().search;
                 let is_open = |edge: &u32| search.edges()[*edge as usize].state == EdgeState::Assumed;
-                let open: Vec<u32> = search.edges_at(end).into_iter().filter(is_open).collect();
+                let open: Vec<u32> = search.edges_at(end).filter(is_open).collect();
                 return open.into_iter().for_each(|edge| self.settle(iteration, edge, false));
             }
             self.candidates_mut().unchecked[end.index()] = false;

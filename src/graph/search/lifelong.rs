@@ -126,9 +126,9 @@ impl Lifelong {
     }
 
     /// The edges at a vertex.
-    pub fn edges_at(&self, vertex: VertexId) -> Vec<u32> {
+    pub fn edges_at(&self, vertex: VertexId) -> impl Iterator<Item = u32> {
         let lists = if self.is_directed { 0..2 } else { 0..1 };
-        lists.flat_map(|list| self.half_edges(vertex, list)).map(|half| half / 2).collect()
+        lists.flat_map(move |list| self.half_edges(vertex, list)).map(|half| half / 2)
     }
 
     /// Notes that an assumed edge is proven, or refuses it.
@@ -158,13 +158,14 @@ impl Lifelong {
         }
         let Some((.., vertex)) = next else { return Expansion::Nothing };
         self.frontier.pop();
-        let former: Vec<_> = self.half_edges(vertex, 0).into_iter().map(|half| (half, self.cost_along(half))).collect();
         let Node { cost, ahead, .. } = &mut self.nodes[vertex.index()];
         // A vertex that has lost its path is out of reach at first, with all that is reached by way of it.
-        *cost = if *ahead < *cost { *ahead } else { UNREACHED };
-        for (half, cost) in former {
-            self.withdraw(self.end(half), cost);
+        let former = std::mem::replace(cost, if *ahead < *cost { *ahead } else { UNREACHED });
+        let mut next = self.half_edges(vertex, 0).next();
+        while let Some(half) = next {
+            self.withdraw(self.end(half), plus(former, self.edges[half as usize / 2].cost));
             self.offer_along(half);
+            next = self.half_edges_from(self.next[half as usize]).next();
         }
         self.wait(vertex);
         Expansion::Vertex(vertex)
@@ -201,11 +202,15 @@ impl Lifelong {
     }
 
     /// The half edges of a list of a vertex whose edges are not refused.
-    fn half_edges(&self, vertex: VertexId, list: usize) -> Vec<u32> {
-        let first = self.nodes[vertex.index()].first[list];
+    fn half_edges(&self, vertex: VertexId, list: usize) -> impl Iterator<Item = u32> {
+        self.half_edges_from(self.nodes[vertex.index()].first[list])
+    }
+
+    /// Those of the rest of a list, from this half edge on.
+    fn half_edges_from(&self, first: u32) -> impl Iterator<Item = u32> {
         let next = |half: u32| (half != NONE).then_some(half);
-        let all = std::iter::successors(next(first), |&half| next(self.next[half as usize]));
-        all.filter(|&half| self.edges[half as usize / 2].state != EdgeState::Refused).collect()
+        let all = std::iter::successors(next(first), move |&half| next(self.next[half as usize]));
+        all.filter(|&half| self.edges[half as usize / 2].state != EdgeState::Refused)
     }
 
     /// The cost of the path that leads along a half edge.
@@ -237,7 +242,7 @@ impl Lifelong {
 
     /// The cheapest way to a vertex: its cost, the vertex before, the edge. Ties go to the lower vertex.
     fn before(&self, vertex: VertexId) -> Option<(Cost, VertexId, u32)> {
-        let into = self.half_edges(vertex, self.list(1)).into_iter().map(|half| {
+        let into = self.half_edges(vertex, self.list(1)).map(|half| {
             // The same edge in the direction towards the vertex.
             let back = half ^ 1;
             (self.cost_along(back), self.end(half), half / 2)

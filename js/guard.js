@@ -55,11 +55,12 @@ function guardedClass(Class, name) {
     if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], name);
     this.__wbg_ptr = 0;
   };
+  const stream = guardedFunction(/** @type {Callable} */ (growth), name);
   const additions = {
     free: release,
     ...(Symbol.dispose ? { [Symbol.dispose]: release } : {}),
     [Symbol.for("nodejs.util.inspect.custom")]: inspected,
-    ...(name === "Planner" ? { growth: guardedFunction(/** @type {Callable} */ (growth), name) } : {}),
+    ...(name === "Planner" ? { growth: stream, [Symbol.asyncIterator]: stream } : {}),
   };
   for (const key of Reflect.ownKeys(additions)) {
     Object.defineProperty(prototype, key, { value: Reflect.get(additions, key), configurable: true, writable: true });

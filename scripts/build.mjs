@@ -163,7 +163,7 @@ function takeOver(fresh, place) {
 
 /** The declarations of the entries and those that they import, directly or indirectly. */
 function publicDeclarations() {
-  const reached = new Set(["planarium.d.ts", "draw.d.ts"]);
+  const reached = new Set(["planarium", "draw", "worker", "worker-entry"].map((entry) => `${entry}.d.ts`));
   for (const name of reached) {
     const text = readFileSync(join(types, name), "utf8");
     for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)\.js"/g)) reached.add(`${match[1]}.d.ts`);

@@ -192,5 +192,7 @@ export interface Planner {
    * @throws {PlanariumError} `not-finite`, `out-of-range`, `wrong-type` for the budget; `freed` once the planner is freed
    */
   growth(options?: GrowthOptions): AsyncGenerator<Growth, void, undefined>;
+  /** The same as `growth()`, for `for await (const growth of planner)`. */
+  [Symbol.asyncIterator](): AsyncGenerator<Growth, void, undefined>;
 }
 "#;

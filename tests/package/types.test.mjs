@@ -15,6 +15,7 @@ import init, {
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
 import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium";
+import { PlannerPool, type PoolOptions, type ProgressOptions, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
 /** Members that are any, take any or give any back. */
@@ -28,13 +29,27 @@ export type Proof = None<Loose<[
   Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape,
   Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World,
   Query, QueryCheck, Growth, Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo,
-  PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], {
+  PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], PlannerPool, PoolOptions, ProgressOptions, RunOptions, Signal, WorkerGrowth, {
     init: typeof init, initSync: typeof initSync, planners: typeof planners, input: InitInput | InitSyncInput,
     q: Configuration, phase: (typeof phases)[number], control: Motion["control"][0], vertices: Shape["vertices"],
   },
 ]>>;
 // @ts-expect-error: the proof can fail
 export type Disproof = None<Loose<[Stats, { loose(value: any): void }]>>;
+
+export async function inWorkers(signal: Signal, bytes: ArrayBuffer, scenario: Scenario): Promise<string> {
+  const made: PoolOptions = { workers: 2, core: bytes };
+  using pool = new PlannerPool(made);
+  const told: RunOptions & ProgressOptions = { signal, budget: 4, onProgress: ({ iterations }: WorkerGrowth) => void iterations };
+  const { path }: ResultDocument = await pool.plan(scenario, { algorithm: "prm", k: 5 }, told);
+  let last: ResultDocument | null = null;
+  for await (const { vertices, result } of pool.growth(scenario.document())) if (vertices.length > 100) last = result;
+  for await (const { edges } of scenario.planner()) if (edges.length > 100) break;
+  // @ts-expect-error: an option of another planner
+  void pool.plan(scenario, { algorithm: "rrt", samples: 10 });
+  pool.terminate();
+  return JSON.stringify([path, last]);
+}
 
 export function manyTrajectories(): string {
   const model: ParticleModel = trajectoryOptions().length > 0 ? "arc" : "spiral";
@@ -195,10 +210,17 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
 /** `planarium/draw` draws on a canvas, so that it needs the types of one. */
 const drawer = `
 import { Scenario, type ResultDocument } from "planarium";
+import { PlannerPool } from "planarium/worker";
 import {
   View, blendedPath, defaultColours, difference, drawEdges, drawObstacles, drawPath, drawRobot, drawWorld, isThin, motionCurves, obstaclePath, partPath, wrap,
   type Colours, type Context, type Curves,
 } from "planarium/draw";
+
+export function inWorker(abort: AbortController): PlannerPool {
+  const pool = new PlannerPool({ worker: () => new Worker("worker.js", { type: "module" }), core: new URL("https://example.org/planarium_bg.wasm") });
+  void pool.plan("{}", {}, { signal: abort.signal });
+  return pool;
+}
 
 export function draw(context: CanvasRenderingContext2D, canvas: OffscreenCanvas, scenario: Scenario): number {
   const view: View = new View(scenario.extent(), canvas.width, canvas.height, { left: 0, right: 0, top: 0, bottom: 0 }, true);

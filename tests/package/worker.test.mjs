@@ -1,0 +1,230 @@
+/** Planning in workers: the bits of a planner stepped by hand, the end of a run by every way, and what is lost with a worker. */
+import assert from "node:assert/strict";
+import { cpSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { Worker } from "node:worker_threads";
+import { PlanariumError, Scenario } from "planarium";
+import { PlannerPool } from "planarium/worker";
+import { chromium } from "playwright-core";
+import { root } from "../../scripts/run.mjs";
+import { serve } from "../../scripts/serve.mjs";
+import { ensureBrowser } from "../../scripts/setup.mjs";
+import { addFiles, emptyFolder } from "./packed.mjs";
+import { arm, disc, finish } from "./scenes.mjs";
+
+/** @import { ResultDocument } from "planarium" */
+
+const long = /** @type {const} */ ({ algorithm: "prm", samples: 1_000_000 });
+const place = pathToFileURL(join(root, "dist", "package")).href;
+
+/** @param {(pool: PlannerPool) => Promise<void>} body @param {import("planarium/worker").PoolOptions} [options] */
+async function within(body, options) {
+  const pool = new PlannerPool(options);
+  try {
+    await body(pool);
+  } finally {
+    pool.terminate();
+  }
+}
+
+/** A worker of further code, and the messages that are sent to it. @param {string} code @param {any[]} [sent] */
+const workerOf = (code, sent = []) => () => {
+  const worker = new Worker(`import(${JSON.stringify(`${place}/worker-entry.js`)}).then(async () => { const { parentPort } = await import("node:worker_threads"); ${code} });`, { eval: true });
+  const { postMessage } = worker;
+  return Object.assign(worker, { postMessage: (/** @type {any} */ message) => { sent.push(message); postMessage.call(worker, message); } });
+};
+
+/** Ends a worker that keeps an array that it has sent. */
+const transferred = `const { postMessage } = parentPort;
+parentPort.postMessage = (message, ...transfer) => {
+  const arrays = [message.growth.vertices, message.growth.edges, message.growth.events];
+  postMessage.call(parentPort, message, ...transfer);
+  if (arrays.some(({ byteLength }) => byteLength > 0)) process.exit(9);
+};`;
+
+/** A result without the seconds that it took. @param {ResultDocument} result */
+const untimed = ({ stats, ...result }) => ({ ...result, stats: { ...stats, build_seconds: 0, search_seconds: 0 } });
+
+test("a run in a worker is the run stepped by hand, of a document, a text or a scenario, slice by slice; arrays are transferred", () => within(async (pool) => {
+  const options = /** @type {const} */ ({ algorithm: "prm", seed: 6, k: 5 });
+  const plain = finish(Scenario.parse(arm).planner(options));
+  for (const input of [arm, JSON.stringify(arm), Scenario.parse(arm)]) {
+    /** @type {[number[], number[], number[]]} */
+    const grown = [[], [], []];
+    const results = [];
+    for await (const { vertices, edges, events, status, result } of pool.growth(input, options, { budget: 0.5 })) {
+      [vertices, edges, events].forEach((rows, i) => grown[i].push(...rows));
+      assert.equal(result?.status ?? "running", status);
+      results.push(result);
+    }
+    assert.deepEqual(grown, [[...plain.verticesSince(0)], [...plain.edgesSince(0)], [...plain.eventsSince(0)]]);
+    assert.ok(results.length > 2);
+    const last = results.pop();
+    assert.deepEqual(results.filter((result) => result !== null), []);
+    assert.ok(last);
+    assert.deepEqual(untimed(last), untimed(plain.result()));
+  }
+  let slices = 0;
+  const result = await pool.plan(arm, options, { onProgress: () => { slices += 1; } });
+  assert.deepEqual(untimed(result), untimed(plain.result()));
+  assert.ok(slices > 1);
+}, { worker: workerOf(transferred) }));
+
+test("several runs at once are those one by one, on more workers or fewer than runs", async () => {
+  const seeds = [1, 2, 3, 4, 5];
+  const expected = seeds.map((seed) => finish(Scenario.parse(arm).planner({ seed })).fingerprint());
+  for (const workers of [1, 3]) {
+    let started = 0;
+    const worker = () => { started += 1; return workerOf("")(); };
+    await within(async (pool) => {
+      const results = await Promise.all(seeds.map((seed) => pool.plan(arm, { seed })));
+      assert.deepEqual(results.map(({ fingerprint }) => fingerprint), expected);
+      await pool.plan(arm, { seed: 6 });
+      assert.equal(started, workers);
+    }, { workers, worker });
+  }
+});
+
+test("a slice is planned ahead of a slow loop, and none after it", async () => {
+  /** @type {any[]} */
+  const sent = [];
+  await within(async (pool) => {
+    let handled = 0;
+    for await (const { result } of pool.growth(arm, { algorithm: "prm", samples: 300 }, { budget: 0 })) {
+      const asked = sent.filter((message) => "run" in message && !("given" in message)).length;
+      assert.equal(asked, (handled += 1) + Number(result === null));
+    }
+    assert.ok(handled > 100);
+  }, { worker: workerOf("", sent) });
+});
+
+test("a signal ends a run with its reason: before, while it plans, and in the loop; the worker goes on", () => within(async (pool) => {
+  const reason = new Error("enough");
+  await assert.rejects(pool.plan(arm, long, { signal: AbortSignal.abort(reason) }), reason);
+  const controller = new AbortController();
+  const planned = pool.plan(arm, long, { signal: controller.signal });
+  const other = pool.plan(arm, { seed: 1 });
+  controller.abort(reason);
+  await assert.rejects(planned, reason);
+  const late = new AbortController();
+  await assert.rejects(async () => {
+    for await (const { iterations } of pool.growth(arm, long, { signal: late.signal })) if (iterations > 0) late.abort();
+  }, { name: "AbortError" });
+  assert.equal((await other).status, "solved");
+  assert.equal((await pool.plan(arm, { seed: 1 })).fingerprint, (await other).fingerprint);
+}, { workers: 1 }));
+
+test("a loop that breaks off, and a listener that throws, end the run, and the worker goes on", async () => {
+  /** @type {any[]} */
+  const sent = [];
+  await within(async (pool) => {
+    for await (const { iterations } of pool.growth(arm, long)) if (iterations > 0) break;
+    await assert.rejects(pool.plan(arm, long, { onProgress: () => { throw new RangeError("mine"); } }), { message: "mine" });
+    assert.equal((await pool.plan(arm)).status, "solved");
+    assert.deepEqual(sent.filter(({ isOver }) => isOver).map(({ run }) => run), [0, 1, 2]);
+  }, { workers: 1, worker: workerOf("", sent) });
+});
+
+test("errors have their code and pointer", () => within(async (pool) => {
+  for (const [scenario, options, settings, expected] of /** @type {[any, any, any, object][]} */ ([
+    [{ ...disc, robot: { type: "disc", radius: -1 } }, {}, {}, { code: "out-of-range", pointer: "/robot/radius" }],
+    ["{", {}, {}, { code: "invalid-json" }],
+    [arm, { algorithm: "prm", k: -1 }, {}, { code: "out-of-range", pointer: "/k" }],
+    [arm, { improveIteration: 1 }, {}, { code: "unknown-parameter", pointer: "/improveIteration" }],
+    [arm, { get seed() { throw new Error("unreadable"); } }, {}, { code: "wrong-type", message: /unreadable/ }],
+    [() => arm, {}, {}, { code: "wrong-type" }],
+    [arm, {}, { budget: NaN }, { code: "not-finite", pointer: "/ms" }],
+    [arm, {}, { bugdet: 1 }, { code: "unknown-field", pointer: "/bugdet" }],
+  ])) {
+    await assert.rejects(pool.plan(scenario, options, settings), (error) => {
+      assert.ok(error instanceof PlanariumError);
+      const { code, pointer, message } = error;
+      for (const [name, value] of Object.entries(expected)) name === "message" ? assert.match(message, value) : assert.equal({ code, pointer }[name], value, message);
+      return true;
+    });
+  }
+  assert.equal((await pool.plan(arm)).status, "solved");
+  assert.throws(() => new PlannerPool({ workers: 0 }), { code: "out-of-range", pointer: "/workers" });
+  assert.throws(() => new PlannerPool(/** @type {any} */ ({ worker: null, threads: 1 })), { code: "unknown-field", pointer: "/threads" });
+}, { workers: 1 }));
+
+test("a core or a worker that is lost ends its runs as internal, and the next run has a new worker", async () => {
+  const trap = `const { initSync } = await import(${JSON.stringify(`${place}/planarium_glue.js`)});
+    parentPort.on("message", (message) => { if ("given" in message && message.given.options?.seed === 13) setTimeout(() => new Uint8Array(initSync().memory.buffer).fill(0xff)); });`;
+  const exit = `parentPort.on("message", (message) => { if (message.given?.options?.seed === 13) process.exit(7); });`;
+  for (const [code, message] of /** @type {const} */ ([[trap, /Planarium/], [exit, /exit code 7/]])) {
+    await within(async (pool) => {
+      assert.equal((await pool.plan(arm)).status, "solved");
+      const runs = [pool.plan(arm, long), pool.plan(arm, { ...long, seed: 13 })];
+      for (const run of runs) await assert.rejects(run, { name: "PlanariumError", code: "internal", message });
+      assert.equal((await pool.plan(arm)).status, "solved");
+    }, { workers: 1, worker: workerOf(code) });
+  }
+});
+
+test("a worker or a core that cannot be loaded is an error, and is tried again", async () => {
+  let isMissing = true;
+  const worker = () => new Worker(isMissing ? new URL("file:///missing.mjs") : new URL(`${place}/worker-entry.js`));
+  await within(async (pool) => {
+    await assert.rejects(pool.plan(arm), { code: "init-failed", message: /missing\.mjs/ });
+    isMissing = false;
+    assert.equal((await pool.plan(arm)).status, "solved");
+  }, { worker });
+  await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed" }), { core: new Uint8Array(8) });
+  await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed", message: /none/ }), { worker: () => { throw new Error("none"); } });
+});
+
+test("terminate ends what runs, in the middle of a slice too, and there is no further run", async () => {
+  const pool = new PlannerPool();
+  const runs = [pool.plan(arm, long, { budget: 1e9 }), pool.plan(arm, long)];
+  pool[Symbol.dispose]();
+  for (const run of [...runs, pool.plan(arm)]) await assert.rejects(run, { name: "PlanariumError", code: "freed" });
+});
+
+test("for await over a planner is its growth", async () => {
+  const planner = Scenario.parse(arm).planner({ seed: 2 });
+  let edges = 0;
+  for await (const growth of planner) edges += growth.edges.length / 2;
+  assert.equal(planner.status, "solved");
+  assert.equal(edges, planner.edgeCount);
+});
+
+test("in Chromium: several runs, progress, a signal, a core given by its address, an error", async () => {
+  const site = emptyFolder();
+  cpSync(join(root, "dist", "package"), join(site, "package"), { recursive: true });
+  cpSync(join(site, "package", "planarium_bg.wasm"), join(site, "elsewhere.wasm"));
+  addFiles(site, { "index.html": "<!doctype html><title>workers</title>" });
+  const server = await serve({ root: site, port: 0 });
+  const browser = await chromium.launch({ executablePath: (await ensureBrowser()).chromium, args: ["--no-sandbox"] });
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    const found = await page.evaluate(`(async () => {
+      const { PlannerPool } = await import("./package/worker.js");
+      const [arm, long] = ${JSON.stringify([arm, long])};
+      const [pool, other] = [new PlannerPool(), new PlannerPool({ workers: 1, core: new URL("elsewhere.wasm", location) })];
+      let slices = 0;
+      const results = await Promise.all([1, 2, 3].map((seed) => pool.plan(arm, { seed }, { onProgress: () => { slices += 1; } })));
+      const controller = new AbortController();
+      const caught = [];
+      for (const [settings, options] of [[{ signal: controller.signal, onProgress: () => controller.abort("enough") }, long], [{}, { k: -1, algorithm: "prm" }]]) {
+        await pool.plan(arm, options, settings).catch((error) => caught.push(error.pointer ?? error));
+      }
+      const { fingerprint } = await other.plan(arm, { seed: 1 });
+      await new PlannerPool({ core: "missing.wasm" }).plan(arm).catch(({ code, message }) => caught.push(code, message));
+      pool.terminate();
+      other.terminate();
+      return { fingerprints: [...results.map((result) => result.fingerprint), fingerprint], caught, slices };
+    })()`);
+    const { fingerprints, caught: [reason, pointer, code, message], slices } = /** @type {any} */ (found);
+    assert.deepEqual(fingerprints, [1, 2, 3, 1].map((seed) => finish(Scenario.parse(arm).planner({ seed })).fingerprint()));
+    assert.deepEqual([reason, pointer, code], ["enough", "/k", "init-failed"]);
+    assert.match(message, /404/);
+    assert.ok(slices >= 6, `${slices} slices`);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});

@@ -7,11 +7,11 @@
 //! `cargo bench --bench proof`; a run pinned to one core is quieter. `-- forests`, `-- many`, `-- bodies` run one table alone;
 //! `-- bodies 0.3` runs motions of that length alone, `-- bodies proof` the fast proof alone.
 
-use planarium::collision::{ArmValidity, BodyCollision, BodyMotion, Sampled};
+use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
 use planarium::geometry::{Aabb, Point, Polygon};
 use planarium::graph::VertexId;
 use planarium::nearest::{LinearScan, Nearest};
-use planarium::problem::Validity;
+use planarium::problem::{Sampled, Samples, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::joint_space;
 use planarium::scenario::{Obstacle, Robot, Scenario, World, generate::generate};
@@ -80,7 +80,7 @@ fn arms(name: &str, worlds: &[Scenario], samples: usize) {
         let Robot::Arm(arm) = world.robot() else { unreachable!("all these worlds have arms") };
         let space = joint_space::<4>(arm, Metric::Sum);
         let [validity, unproven] = [(); 2].map(|()| ArmValidity::new(arm, space.clone(), world.world(), 1e-4));
-        let sampled = Sampled::new(space.clone(), Box::new(unproven), SAMPLES);
+        let sampled = Sampled::new(space.clone(), Box::new(unproven), Samples::Count(SAMPLES));
         let edges = edges(&space, &validity, samples, seed as u64);
         let (free, refused): (Vec<_>, Vec<_>) = edges.iter().copied().partition(|(a, b)| validity.is_motion_free(a, b));
         for (group, edges) in [&edges, &free, &refused].into_iter().enumerate() {

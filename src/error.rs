@@ -52,6 +52,8 @@ pub enum Code {
     UnknownGenerator,
     /// The request needs another robot or another planner.
     Unsupported,
+    /// A function that tells what is free, of a robot of one's own, has thrown an exception (JavaScript only).
+    CallbackFailed,
     /// A file cannot be read or written (command line only).
     File,
     /// A result document is malformed, or belongs to another scenario.

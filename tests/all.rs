@@ -15,6 +15,7 @@ mod certificate;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod cli;
 mod control;
+mod custom;
 mod directed;
 mod driving;
 mod experiment;

@@ -170,6 +170,9 @@ fn arms_of(joints: usize) -> Vec<(String, Wide)> {
     for (kind, of) in &kinds {
         let [sum, euclidean] = [Metric::Sum, Metric::Euclidean].map(|metric| Wide::new(of, metric));
         spaces.push((format!("{joints} joints, {kind}, naive"), euclidean.clone().cut_open()));
+        let weights: Vec<f64> = (0..joints).map(|i| [0.1, 1.0, 300.0][i % 3]).collect();
+        spaces.push((format!("{joints} joints, {kind}, weighted"), euclidean.clone().weighted(&weights)));
+        spaces.push((format!("{joints} joints, {kind}, weighted sum"), sum.clone().weighted(&weights)));
         spaces.push((format!("{joints} joints, {kind}, sum"), sum));
         spaces.push((format!("{joints} joints, {kind}, euclidean"), euclidean));
     }

@@ -3,9 +3,9 @@
 use crate::common::bodies::{clearance, random_obstacle};
 use crate::common::documents::{arm, disc, polygon, rectangle, scenario};
 use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, seeds, thick_arm_and_wall};
-use planarium::collision::{ArmValidity, DiscValidity, Obstacles, Sampled};
+use planarium::collision::{ArmValidity, DiscValidity, Obstacles};
 use planarium::geometry::{Aabb, Disc, Point};
-use planarium::problem::Validity;
+use planarium::problem::{Sampled, Samples, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
@@ -175,7 +175,7 @@ fn the_check_by_samples_tests_each_of_them_and_no_other() {
         for samples in [1, 2, 3, 7, 20, 64] {
             let mut tested = (1..=samples).map(|i| space.interpolate(&a, &b, f64::from(i) / f64::from(samples)));
             let expected = tested.all(|q| validity.is_free(&q));
-            let sampled = Sampled::new(space.clone(), Box::new(arm_in(world).1), samples);
+            let sampled = Sampled::new(space.clone(), Box::new(arm_in(world).1), Samples::Count(samples));
             assert_eq!(sampled.is_motion_free(&a, &b), expected, "{samples} of {a:?} to {b:?}");
             assert!(expected || !validity.is_motion_free(&a, &b), "proven, yet {a:?} to {b:?} hits");
             free += u32::from(expected && samples == 20);
@@ -186,7 +186,7 @@ fn the_check_by_samples_tests_each_of_them_and_no_other() {
 
     let world = disc_and_wall(0.1, 0.5);
     let space: ProductSpace<2> = plane(&world.world().bounds.expect("a disc has bounds"));
-    let sampled = |samples| Sampled::new(space.clone(), Box::new(disc_in(&world)), samples);
+    let sampled = |samples| Sampled::new(space.clone(), Box::new(disc_in(&world)), Samples::Count(samples));
     assert!(sampled(1).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the far end alone is free");
     assert!(!sampled(2).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "the middle is in the wall");
     assert!(sampled(3).is_motion_free(&[1.0, 1.0], &[9.0, 1.0]), "a third is before the wall, two thirds behind");

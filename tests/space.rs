@@ -21,7 +21,12 @@ fn toruses() -> Vec<ProductSpace<4>> {
         .into_iter()
         .flat_map(|metric| {
             let naive = mixed(metric).cut_open();
-            [ProductSpace::new(&joints, metric), ProductSpace::new(&joints[..3], metric), mixed(metric), naive]
+            let weighted = mixed(metric).weighted(&[0.3, 1e3, 2.5]);
+            let line = [Coordinate::Line { low: -2.0, high: 7.0 }, Coordinate::Circle];
+            let line = ProductSpace::new(&line, metric).weighted(&[1e-6, 1.0]);
+            let whole =
+                [ProductSpace::new(&joints, metric), ProductSpace::new(&joints[..3], metric), mixed(metric), naive];
+            whole.into_iter().chain([weighted.cut_open(), weighted, line])
         })
         .collect()
 }

@@ -64,6 +64,7 @@ pub enum Status {
     Running = "running",
     Solved = "solved",
     Exhausted = "exhausted",
+    Failed = "failed",
 }
 
 impl From<problem::Status> for Status {

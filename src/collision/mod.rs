@@ -28,7 +28,6 @@ mod joint_lines;
 mod motion;
 mod obstacles;
 mod proof;
-mod sampled;
 mod tolerance;
 mod world;
 
@@ -41,6 +40,5 @@ pub use joint_lines::JointLines;
 pub use motion::{BodyMotion, LONGEST_DRIVE, LONGEST_TURN};
 pub use obstacles::Obstacles;
 pub(crate) use obstacles::largest_coordinate;
-pub use sampled::Sampled;
 pub use tolerance::Tolerance;
 pub use world::CollisionWorld;

@@ -1,12 +1,16 @@
 //! A planning problem: a space, its collision checker, a start, a goal, and for cars the dynamics; and what a run on it
 //! reports.
 
+mod clearance;
 mod dynamics;
 mod report;
+mod sampled;
 mod validity;
 
+pub use clearance::{ClearanceValidity, Evaluate};
 pub use dynamics::{Control, Dynamics, Motion};
 pub use report::{Phase, Stats, Status};
+pub use sampled::{Sampled, Samples};
 pub use validity::{Contact, Touched, Validity};
 
 use crate::error::{Code, Error};
@@ -57,7 +61,8 @@ impl<S: Space> Problem<S> {
     /// The problem of moving from `start` to `goal`.
     ///
     /// # Errors
-    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches.
+    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches; the error of a
+    /// checker that has failed.
     pub fn new(
         space: S,
         validity: Box<dyn Validity<S::State>>,
@@ -98,14 +103,13 @@ impl<S: Space> Problem<S> {
     }
 
     fn refuse_collision(&self, state: &S::State, what: &str, code: Code) -> Result<(), Error> {
-        let contacts = self.validity.contacts(state);
-        if contacts.is_empty() {
-            return Ok(());
+        let collision = self.validity.collision(state);
+        if let Some(error) = self.validity.failure() {
+            return Err(error);
         }
+        let Some(why) = collision else { return Ok(()) };
         let q = self.space.coordinates(state);
-        let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
-        let sentence = format!("the {what} {q:?} is in collision: {contacts}");
-        Err(Error::new(code, format!("/{what}"), sentence))
+        Err(Error::new(code, format!("/{what}"), format!("the {what} {q:?} is in collision: {why}")))
     }
 
     /// The configuration space.

@@ -16,10 +16,12 @@ pub enum Status {
     Solved,
     /// No path: the budget of iterations, samples or memory (`graph::MAX_RECORDS`) is spent, or the complete roadmap has none.
     Exhausted,
+    /// The collision checker of a robot of one's own has failed: see [`Validity::failure`](super::Validity::failure).
+    Failed,
 }
 
 impl Status {
-    /// The status as it is printed: `running`, `solved` or `exhausted`.
+    /// The status as it is printed: `running`, `solved`, `exhausted` or `failed`.
     pub fn as_str(self) -> &'static str {
         self.into()
     }

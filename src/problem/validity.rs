@@ -1,5 +1,6 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
+use crate::error::Error;
 use serde::{Deserialize, Serialize};
 
 /// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
@@ -15,6 +16,23 @@ pub trait Validity<S> {
     /// Whether the configuration is within bounds and touches no obstacle.
     fn is_free(&self, state: &S) -> bool {
         self.contacts(state).is_empty()
+    }
+
+    /// Whether all of these configurations are free. The default tests one after another, up to the first that is not.
+    fn are_free(&self, states: &[S]) -> bool {
+        states.iter().all(|state| self.is_free(state))
+    }
+
+    /// Why the configuration is in collision, for a sentence; `None` if it is free. The default names all contacts.
+    fn collision(&self, state: &S) -> Option<String> {
+        let contacts = self.contacts(state);
+        (!contacts.is_empty()).then(|| contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "))
+    }
+
+    /// The error that ended the checks, of a checker whose evaluation can fail; from then on it refuses everything, and a run ends with
+    /// that error. The default is `None`.
+    fn failure(&self) -> Option<Error> {
+        None
     }
 
     /// The start, as a fraction of the motion from `a` to `b`, of the first interval that cannot be proven free; all

@@ -5,7 +5,7 @@ use super::reopen::{Changes, Kept};
 use super::resume;
 use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
-use crate::collision::{Integration, JointLines, Sampled};
+use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::Wanted;
@@ -13,7 +13,7 @@ use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
     Termination,
 };
-use crate::problem::{Estimate, GoalRegion, Problem, Validity};
+use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
@@ -111,19 +111,7 @@ impl<'a> Launch<'a> {
         let info = RunInfo {
             scenario: scenario.name().to_owned(),
             query: query.name.clone(),
-            planner: planner.info().id,
-            seed: options.seed,
-            max_iterations: limits.max_iterations,
-            wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
-                reduce: improving.reduce,
-                shortcuts: improving.shortcut,
-                partial_shortcuts: improving.partial_shortcut,
-                blend: improving.blend,
-            }),
-            termination: planner.group::<Termination>().copied(),
-            edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
-            is_driven: driving.is_some(),
-            is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
+            ..run_info(&planner, options.seed)
         };
         if !matches!(scenario.robot(), Robot::Car(_))
             && let Some(steering) = edges.and_then(|edges| edges.steering)
@@ -179,7 +167,7 @@ impl<'a> Launch<'a> {
             move |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
                 match (check, world.robot()) {
                     (EdgeCheck::Sampled | EdgeCheck::None, _) => {
-                        Box::new(Sampled::new(space.clone(), proven, samples.unwrap_or(0)))
+                        Box::new(Sampled::new(space.clone(), proven, Samples::Count(samples.unwrap_or(0))))
                     }
                     (EdgeCheck::JointLines, Robot::Arm(arm)) => {
                         Box::new(JointLines::new(arm, space.product().clone(), world.collision().clone(), proven))
@@ -309,6 +297,28 @@ impl<'a> Launch<'a> {
             )));
         }
         Ok(MotionSpace::steered(product, steering, radius))
+    }
+}
+
+/// What a run copies from the options of its planner.
+pub(super) fn run_info(planner: &PlannerOptions, seed: u64) -> RunInfo {
+    let edges = planner.group::<EdgeOptions>().copied();
+    let driving = planner.group::<ByControls>();
+    RunInfo {
+        planner: planner.info().id,
+        seed,
+        max_iterations: planner.group::<Limits>().copied().unwrap_or_default().max_iterations,
+        wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
+            reduce: improving.reduce,
+            shortcuts: improving.shortcut,
+            partial_shortcuts: improving.partial_shortcut,
+            blend: improving.blend,
+        }),
+        termination: planner.group::<Termination>().copied(),
+        edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
+        is_driven: driving.is_some(),
+        is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
+        ..RunInfo::default()
     }
 }
 

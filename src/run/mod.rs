@@ -14,6 +14,7 @@
 //! | the planner improves its path itself, or grows past the goal | `Running`, if it improves in the phase `Improving` |
 //! | then `max_iterations` are made, or the conditions of [`Termination`](crate::planner::Termination) hold | as if it had just found the path |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
+//! | the collision checker of a robot of one's own has failed | `Failed` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
@@ -23,6 +24,7 @@
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
 //! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner that goes on to shorter paths;
 //!   `emitted.rs`: paths and edges as they are reported;
+//! - `custom.rs`: a run of a robot of one's own;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
@@ -30,6 +32,7 @@
 //! cost is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
 
 pub mod catalogue;
+mod custom;
 mod emitted;
 mod factory;
 mod goals;
@@ -43,6 +46,7 @@ mod runner;
 pub mod storage;
 mod termination;
 
+pub use custom::{CoordinateDescription, CoordinateKind, CustomProblem, Free, SpaceDescription, start_problem};
 pub use factory::{start, start_on};
 pub use options::Options;
 pub use resume::resume;
@@ -79,6 +83,10 @@ pub trait Run {
 
     /// The status of the run.
     fn status(&self) -> Status;
+
+    /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`]; the same from
+    /// then on. Only a robot of one's own can fail.
+    fn failure(&self) -> Option<Error>;
 
     /// The phase of the run: a planner's, `Improving`, or `Done`.
     fn phase(&self) -> Phase;
@@ -165,7 +173,8 @@ pub trait Run {
     /// The result document; seconds are 0.
     fn result(&self) -> ResultDocument;
 
-    /// The roadmap as far as it is built, to be saved: see [`resume`]. `None` for planners that build none. Vertices
+    /// The roadmap as far as it is built, to be saved: see [`resume`]. `None` for planners that build none, and if no scenario describes
+    /// the problem. Vertices
     /// that [`Run::query`] has added are part of it. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 

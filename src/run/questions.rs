@@ -9,14 +9,20 @@ use crate::space::Space;
 /// # Errors
 /// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer `/start` or `/goal`, or of the number.
 pub(super) fn ends<S: Space>(space: &S, start: &[f64], goal: &[f64]) -> Result<[S::State; 2], Error> {
-    for (q, what) in [(start, "start"), (goal, "goal")] {
-        if q.len() != space.dimension() {
-            let sentence = format!("the {what} must have {} numbers, not {}", space.dimension(), q.len());
-            return Err(Error::new(Code::WrongDimension, format!("/{what}"), sentence));
-        }
-        check_numbers(q, &format!("the {what}"), |i| format!("/{what}/{i}"))?;
+    Ok([configuration(space, start, "start", "/start")?, configuration(space, goal, "goal", "/goal")?])
+}
+
+/// The state of a configuration within the limits.
+///
+/// # Errors
+/// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer, or that of the number.
+pub(super) fn configuration<S: Space>(space: &S, q: &[f64], what: &str, pointer: &str) -> Result<S::State, Error> {
+    if q.len() != space.dimension() {
+        let sentence = format!("the {what} must have {} numbers, not {}", space.dimension(), q.len());
+        return Err(Error::new(Code::WrongDimension, pointer, sentence));
     }
-    Ok([state(space, start, "start", "/start")?, state(space, goal, "goal", "/goal")?])
+    check_numbers(q, &format!("the {what}"), |i| format!("{pointer}/{i}"))?;
+    state(space, q, what, pointer)
 }
 
 /// The states of rows of two configurations.

@@ -112,7 +112,7 @@ impl<S: Space> Runner<S> {
                     self.accept();
                 }
             }
-            Status::Running | Status::Exhausted => {}
+            Status::Running | Status::Exhausted | Status::Failed => {}
         }
     }
 
@@ -245,6 +245,9 @@ impl<S: Space> Run for Runner<S> {
         let mut left = iterations;
         while left > 0 && self.status == Status::Running {
             self.iterate();
+            if self.failure().is_some() {
+                self.status = Status::Failed;
+            }
             if self.history.is_some() {
                 let row = self.history_row();
                 self.history.get_or_insert_default().extend(row);
@@ -260,6 +263,9 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn finish(&mut self) -> Status {
+        if self.status == Status::Failed {
+            return self.status;
+        }
         if self.improvement.is_none() && self.has_path() {
             self.accept();
         }
@@ -271,6 +277,10 @@ impl<S: Space> Run for Runner<S> {
 
     fn status(&self) -> Status {
         self.status
+    }
+
+    fn failure(&self) -> Option<Error> {
+        self.problem.validity().failure()
     }
 
     fn phase(&self) -> Phase {
@@ -388,7 +398,7 @@ impl<S: Space> Run for Runner<S> {
         let hits = motions.iter().map(|[from, to]| validity.first_hit(from, to).unwrap_or(1.0)).collect();
         let after = work();
         (0..2).for_each(|i| self.viewer_work[i] += after[i] - before[i]);
-        Ok(hits)
+        self.failure().map_or(Ok(hits), Err)
     }
 
     fn stats(&self) -> Stats {
@@ -437,6 +447,9 @@ impl<S: Space> Run for Runner<S> {
             return Err(Error::new(Code::Unsupported, "", sentence));
         };
         let found = roadmap.query(&self.problem, ends, keep.then_some(self.iteration));
+        if let Some(error) = self.failure() {
+            return Err(error);
+        }
         let status = if found.path.is_empty() { Status::Exhausted } else { Status::Solved };
         let path = EmittedPath::through(&self.problem, &found.path);
         Ok(self.document(ASKED, status, path))
@@ -444,7 +457,10 @@ impl<S: Space> Run for Runner<S> {
 
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error> {
         let unsupported = |sentence| Err(Error::new(Code::Unsupported, "", sentence));
-        let Some((reopen, roadmap)) = self.reopen.as_ref().zip(self.planner.roadmap()) else {
+        let Some(reopen) = self.reopen.as_ref() else {
+            return unsupported("a run that no scenario describes cannot be reopened in one".to_owned());
+        };
+        let Some(roadmap) = self.planner.roadmap() else {
             return unsupported(format!("{} builds no roadmap to reopen", self.info.planner));
         };
         if self.status == Status::Running {

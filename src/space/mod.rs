@@ -1,6 +1,6 @@
 //! Configuration spaces: metric, interpolation, sampling.
 //!
-//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles and intervals in
+//! A planner knows a space through the trait [`Space`] alone. [`ProductSpace`] is the product of circles, intervals and lines in
 //! which arms, discs and bodies move; [`MotionSpace`] is the same with motions that may also be the curves of a car. A
 //! program can plan in a space of its own: see [`Space`].
 //!
@@ -30,8 +30,11 @@ use crate::random::Random;
 use crate::space::steering::Curve;
 
 /// The metrics of joints and discs that can be chosen by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantNames, serde::Deserialize,
+)]
 #[strum(serialize_all = "kebab-case")]
+#[serde(rename_all = "kebab-case")]
 pub enum MetricKind {
     /// The sum of the differences of the joints.
     Sum,
@@ -163,7 +166,7 @@ pub trait Space: Clone + Sync {
     /// Whether the state lies within the limits of the space.
     fn contains(&self, state: &Self::State) -> bool;
 
-    /// The largest distance between two states, or a finite bound on it: it limits the steps of a greedy connection, and
+    /// The largest distance between two states that are drawn, or a finite bound on it: it limits the steps of a greedy connection, and
     /// default step lengths are fractions of it.
     fn extent(&self) -> f64;
 

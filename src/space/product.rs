@@ -1,4 +1,4 @@
-//! A product of circles, circles cut open, and intervals: the space of arms, discs and bodies.
+//! A product of circles, circles cut open, intervals and lines: the space of arms, discs and bodies, and of robots of one's own.
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 
@@ -23,6 +23,13 @@ pub enum Coordinate {
         /// The upper limit.
         high: f64,
     },
+    /// A number without limits, linear. Samples are drawn between two numbers; motions may leave that range.
+    Line {
+        /// The least number drawn.
+        low: f64,
+        /// The greatest number drawn.
+        high: f64,
+    },
 }
 
 /// The combination of the distances of the coordinates.
@@ -42,28 +49,41 @@ pub enum Metric {
     },
 }
 
-/// A product of up to `N` circles and intervals. Angles are in radians, lengths in metres.
+/// A product of up to `N` circles, intervals and lines. Angles are in radians, lengths in metres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProductSpace<const N: usize> {
     dimension: usize,
+    /// The limits; infinite on a line.
     low: [f64; N],
     high: [f64; N],
+    /// The range that samples are drawn from: the limits, except on a line.
+    drawn: [[f64; 2]; N],
     /// A gap wider than this is shorter in the other direction: pi on a circle, infinite on an interval.
     half: [f64; N],
     is_cut: [bool; N],
     metric: Metric,
+    /// The weights of the coordinates; `None` if all are 1.
+    weights: Option<[f64; N]>,
 }
 
 impl<const N: usize> ProductSpace<N> {
     /// The space with the given coordinates.
     ///
     /// # Panics
-    /// If there are more than `N` coordinates, or an interval is empty.
+    /// If there are more than `N` coordinates, or the range of one is empty.
     pub fn new(coordinates: &[Coordinate], metric: Metric) -> Self {
         assert!(coordinates.len() <= N, "at most {N} coordinates, not {}", coordinates.len());
         let (zeros, half) = ([0.0; N], [f64::INFINITY; N]);
-        let mut space =
-            Self { dimension: coordinates.len(), low: zeros, high: zeros, half, is_cut: [false; N], metric };
+        let mut space = Self {
+            dimension: coordinates.len(),
+            low: zeros,
+            high: zeros,
+            drawn: [[0.0; 2]; N],
+            half,
+            is_cut: [false; N],
+            metric,
+            weights: None,
+        };
         for (i, coordinate) in coordinates.iter().enumerate() {
             match *coordinate {
                 Coordinate::Circle => (space.low[i], space.high[i], space.half[i]) = (-PI, PI, PI),
@@ -72,9 +92,31 @@ impl<const N: usize> ProductSpace<N> {
                     assert!(low < high, "an interval must not be empty");
                     (space.low[i], space.high[i]) = (low, high);
                 }
+                Coordinate::Line { low, high } => {
+                    assert!(low < high, "the range of a line must not be empty");
+                    (space.low[i], space.high[i]) = (f64::NEG_INFINITY, f64::INFINITY);
+                    space.drawn[i] = [low, high];
+                    continue;
+                }
             }
+            space.drawn[i] = [space.low[i], space.high[i]];
         }
         space
+    }
+
+    /// The same with a weight for each coordinate, by which its differences are multiplied in the metric.
+    ///
+    /// # Panics
+    /// Unless there is a weight for each coordinate, greater than 0 and finite; or if the metric is that of placements, which has
+    /// weights of its own.
+    #[must_use]
+    pub fn weighted(self, weights: &[f64]) -> Self {
+        assert!(weights.len() == self.dimension, "one weight for each of {} coordinates", self.dimension);
+        assert!(weights.iter().all(|&weight| weight > 0.0 && weight < f64::INFINITY), "weights are greater than 0");
+        assert!(!matches!(self.metric, Metric::Placement { .. }), "the metric of placements has weights of its own");
+        let is_plain = weights.iter().all(|&weight| weight == 1.0);
+        let all = std::array::from_fn(|i| weights.get(i).copied().unwrap_or(1.0));
+        Self { weights: (!is_plain).then_some(all), ..self }
     }
 
     /// A closed box with the Euclidean metric, in which motions are straight; coordinates in metres.
@@ -101,9 +143,11 @@ impl<const N: usize> ProductSpace<N> {
     pub fn cut_open(&self) -> Self {
         let coordinate = |i: usize| match self.range(i) {
             _ if self.is_circle(i) || self.is_cut[i] => Coordinate::CutCircle,
+            [low, high] if self.high[i] == f64::INFINITY => Coordinate::Line { low, high },
             [low, high] => Coordinate::Interval { low, high },
         };
-        Self::new(&(0..self.dimension).map(coordinate).collect::<Vec<_>>(), self.metric)
+        let cut = Self::new(&(0..self.dimension).map(coordinate).collect::<Vec<_>>(), self.metric);
+        Self { weights: self.weights, ..cut }
     }
 
     /// Whether coordinate `i` is a circle.
@@ -111,9 +155,9 @@ impl<const N: usize> ProductSpace<N> {
         self.half[i] == PI
     }
 
-    /// The limits of coordinate `i`.
+    /// The range of coordinate `i` that samples are drawn from: its limits, unless it is a line, which has none.
     pub fn range(&self, i: usize) -> [f64; 2] {
-        [self.low[i], self.high[i]]
+        self.drawn[i]
     }
 
     /// The signed difference of each coordinate from `a` to `b`, the short way round on circles.
@@ -138,7 +182,10 @@ impl<const N: usize> ProductSpace<N> {
         let is_sum = self.metric == Metric::Sum;
         let (mut sum, mut turn) = (T::splat(0.0), T::splat(0.0));
         for i in 0..count {
-            let gap = gap(i);
+            let mut gap = gap(i);
+            if let Some(weights) = &self.weights {
+                gap = T::splat(weights[i]) * gap;
+            }
             if i == 2 && matches!(self.metric, Metric::Placement { .. }) {
                 turn = gap;
                 break;
@@ -214,23 +261,25 @@ impl<const N: usize> Space for ProductSpace<N> {
     fn at(&self, unit: &[f64]) -> [f64; N] {
         let mut state = [0.0; N];
         for (i, angle) in state.iter_mut().enumerate().take(self.dimension) {
-            let along = (self.high[i] - self.low[i]) * unit[i];
+            let [low, high] = self.drawn[i];
+            let along = (high - low) * unit[i];
             // From the top on a circle, so that pi can be drawn and -pi cannot.
-            let drawn = if self.is_circle(i) { PI - along } else { self.low[i] + along };
-            *angle = drawn.min(self.high[i]) + 0.0;
+            let drawn = if self.is_circle(i) { PI - along } else { low + along };
+            *angle = drawn.min(high) + 0.0;
         }
         state
     }
 
     fn contains(&self, state: &[f64; N]) -> bool {
         (0..self.dimension).all(|i| {
-            let [low, high] = self.range(i);
+            let (low, high) = (self.low[i], self.high[i]);
             state[i] >= low && state[i] <= high && !(self.is_circle(i) && state[i] == low)
         })
     }
 
+    /// The largest distance between two states that are drawn.
     fn extent(&self) -> f64 {
-        let longest = |i: usize| if self.is_circle(i) { PI } else { self.high[i] - self.low[i] };
+        let longest = |i: usize| if self.is_circle(i) { PI } else { self.drawn[i][1] - self.drawn[i][0] };
         self.norm(longest)
     }
 
@@ -259,7 +308,11 @@ impl<const N: usize> Space for ProductSpace<N> {
     }
 
     fn blend_saving(&self, [from, corner, to]: &[[f64; N]; 3]) -> f64 {
-        let (before, after) = (self.difference(from, corner), self.difference(corner, to));
+        let [before, after] = [(from, corner), (corner, to)].map(|(a, b)| {
+            let difference = self.difference(a, b);
+            let Some(weights) = &self.weights else { return difference };
+            std::array::from_fn(|i| weights[i] * difference[i])
+        });
         let saving = |first: usize, end: usize| blend::saving((first..end).map(|i| [before[i], after[i]]));
         match self.metric {
             Metric::Sum => (0..self.dimension).map(|i| saving(i, i + 1)).sum(),

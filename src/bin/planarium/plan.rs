@@ -97,6 +97,7 @@ fn summary(result: &ResultDocument) -> String {
     let found = match result.status {
         Status::Solved => format!("solved: {} waypoints, length {:.4}", result.path.len(), result.length),
         Status::Exhausted => "exhausted: no path found".to_owned(),
+        Status::Failed => "failed: a configuration cannot be evaluated".to_owned(),
         Status::Running => "running: the time is up, no path found yet".to_owned(),
     };
     format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)

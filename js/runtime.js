@@ -153,6 +153,9 @@ async function compileResponse(response) {
   if (!response.ok) throw new Error(`${response.url} answered ${response.status} ${response.statusText}`.trimEnd());
   // Streaming wants the right MIME type; a server that sends another still serves the right bytes.
   const type = response.headers.get("content-type") ?? "";
+  if (type.startsWith("text/html")) {
+    throw new Error(`${response.url} is an HTML page. A bundler may have moved the script away from the file (Vite before version 8 needs optimizeDeps: { exclude: ["planarium"] })`);
+  }
   if (type.startsWith("application/wasm") && typeof WebAssembly.compileStreaming === "function") {
     return WebAssembly.compileStreaming(response);
   }

@@ -74,8 +74,8 @@ export class PlannerPool {
    * @param {PoolOptions} [options]
    * @throws {PlanariumError} `unknown-field`, `out-of-range`
    */
-  constructor(options = {}) {
-    const { workers = mostWorkers(), worker = start, core, ...rest } = options;
+  constructor(options) {
+    const { workers = mostWorkers(), worker = start, core, ...rest } = options ?? {};
     refuse(rest, "workers, worker, core");
     if (!Number.isInteger(workers) || workers < 1) throw new PlanariumError("out-of-range", `workers must be a whole number from 1, not ${String(workers)}`, "/workers");
     this.#options = { workers, worker, core: core instanceof URL ? core.href : core };
@@ -89,9 +89,11 @@ export class PlannerPool {
    * @returns {Promise<ResultDocument>}
    * @throws {PlanariumError} rejects as `growth` does
    */
-  async plan(scenario, options, { onProgress, ...settings } = {}) {
+  async plan(scenario, options, settings) {
+    const { onProgress, ...rest } = settings ?? {};
+    if (onProgress !== undefined && typeof onProgress !== "function") throw new PlanariumError("wrong-type", "onProgress must be a function", "/onProgress");
     let result = null;
-    for await (const growth of this.growth(scenario, options, settings)) {
+    for await (const growth of this.growth(scenario, options, rest)) {
       onProgress?.(growth);
       ({ result } = growth);
     }
@@ -108,10 +110,12 @@ export class PlannerPool {
    * @throws {PlanariumError} those of `Scenario.parse`, `scenario.planner` and `planner.growth`; `init-failed` if the worker or the core cannot be
    *   loaded; `internal` if either is lost (the next run has a new one); `freed` once the pool is terminated
    */
-  async *growth(scenario, options, { signal, budget = 16, ...rest } = {}) {
+  async *growth(scenario, options, settings) {
+    const { signal, budget = 16, ...rest } = settings ?? {};
     refuse(rest, "signal, budget, and onProgress of plan");
-    const document = copyOf("document" in Object(scenario) ? /** @type {Scenario} */ (scenario).document() : scenario, "scenario");
-    const given = { document, options: copyOf(options, "options"), budget };
+    if (signal !== undefined && typeof signal?.addEventListener !== "function") throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
+    const { document } = /** @type {Scenario} */ (Object(scenario));
+    const given = { document: copyOf(typeof document === "function" ? document.call(scenario) : scenario, "scenario"), options: copyOf(options, "options"), budget };
     if (signal?.aborted) throw signal.reason;
     const worker = this.#leastBusy();
     const run = worker.begin(given);
@@ -168,10 +172,14 @@ class PlanningWorker {
 
   /** @param {Pick<Required<PoolOptions>, "worker"> & PoolOptions} options */
   constructor({ worker, core }) {
+    /** @type {Worker | NodeWorker | undefined} */
+    let made;
     try {
-      this.#worker = listening(/** @type {Worker | NodeWorker} */ (worker()), (answer) => this.#hear(answer), (reason) => this.#break(reason));
-      this.#worker.postMessage({ core });
+      this.#worker = made = /** @type {Worker | NodeWorker} */ (worker());
+      this.#listen();
+      made.postMessage({ core });
     } catch (error) {
+      void made?.terminate();
       throw new PlanariumError("init-failed", `A worker could not be started: ${reasonOf(error)}`, "", { cause: error });
     }
     this.#keepAlive(false);
@@ -217,6 +225,21 @@ class PlanningWorker {
     for (const { reject } of this.#waiting.values()) reject(fault);
   }
 
+  #listen() {
+    const worker = this.#worker;
+    if ("on" in worker) {
+      worker.on("message", (answer) => this.#hear(answer));
+      worker.on("error", (error) => this.#break(reasonOf(error)));
+      worker.on("exit", (code) => this.#break(`exit code ${code}`));
+    } else {
+      worker.onmessage = ({ data }) => this.#hear(data);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.#break(event.message || "no reason is given");
+      };
+    }
+  }
+
   /** Whether Node waits for the worker before it exits. @param {boolean} isNeeded */
   #keepAlive(isNeeded) {
     if ("ref" in this.#worker) this.#worker[isNeeded ? "ref" : "unref"]();
@@ -240,22 +263,6 @@ class PlanningWorker {
       ? new PlanariumError("internal", `A worker has stopped: ${reason}`)
       : new PlanariumError("init-failed", `The script of a worker could not be loaded: ${reason}`));
   }
-}
-
-/** Listens to a worker. @template {Worker | NodeWorker} W @param {W} worker @param {(answer: any) => void} hear @param {(reason: string) => void} lose */
-function listening(worker, hear, lose) {
-  if ("on" in worker) {
-    worker.on("message", hear);
-    worker.on("error", (error) => lose(reasonOf(error)));
-    worker.on("exit", (code) => lose(`exit code ${code}`));
-  } else {
-    worker.onmessage = ({ data }) => hear(data);
-    worker.onerror = (event) => {
-      event.preventDefault();
-      lose(event.message || "no reason is given");
-    };
-  }
-  return worker;
 }
 
 /** A copy that can be sent. @param {unknown} value @param {string} name */

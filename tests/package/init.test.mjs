@@ -17,7 +17,7 @@ const place = join(root, "dist", "package");
 const web = pathToFileURL(join(place, "planarium.js")).href;
 const wasm = join(place, "planarium_bg.wasm");
 
-/** Serves the module well, as another type, not at all, and cut short. @type {import("node:http").Server} */
+/** Serves the module well, as another type, not at all, cut short, and a page in its place. @type {import("node:http").Server} */
 let server;
 /** @type {string} */
 let site;
@@ -28,6 +28,7 @@ before(async () => {
     if (request.url === "/good") response.writeHead(200, { "content-type": "application/wasm" }).end(bytes);
     else if (request.url === "/untyped") response.writeHead(200, { "content-type": "application/octet-stream" }).end(bytes);
     else if (request.url === "/broken") response.writeHead(200, { "content-type": "application/wasm" }).end(bytes.subarray(0, 1000));
+    else if (request.url === "/page") response.writeHead(200, { "content-type": "text/html" }).end("<!doctype html>");
     else response.writeHead(404).end("no");
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
@@ -160,17 +161,19 @@ test("initSync while init still loads: the first instance stays, handles with it
 });
 
 test("an init that failed says why, and can be tried again", async () => {
-  const { missing, broken, silly, nothing, foreign, late, fingerprint } = await fresh(`
+  const { missing, broken, page, silly, nothing, foreign, late, fingerprint } = await fresh(`
     const missing = await caught(() => init(site + "/missing"));
     const broken = await caught(() => init(site + "/broken"));
+    const page = await caught(() => init(site + "/page"));
     const silly = await caught(() => init(42));
     const nothing = await caught(() => initSync(undefined));
     const foreign = await caught(() => init(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])));
     const late = await caught(() => Scenario.parse(disc));
     await init(site + "/good");
-    return { missing, broken, silly, nothing, foreign, late, fingerprint: plan() };`);
-  for (const error of [missing, broken, silly, nothing, foreign]) assert.equal(error.code, "init-failed");
+    return { missing, broken, page, silly, nothing, foreign, late, fingerprint: plan() };`);
+  for (const error of [missing, broken, page, silly, nothing, foreign]) assert.equal(error.code, "init-failed");
   assert.match(missing.message, /404/);
+  assert.match(page.message, /page is an HTML page.*optimizeDeps/);
   assert.match(silly.message, /Number/);
   assert.match(foreign.message, /planarium_bg\.wasm/);
   assert.equal(late.code, "not-initialised");

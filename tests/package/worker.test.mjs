@@ -136,6 +136,8 @@ test("errors have their code and pointer", () => within(async (pool) => {
     [arm, { get seed() { throw new Error("unreadable"); } }, {}, { code: "wrong-type", message: /unreadable/ }],
     [() => arm, {}, {}, { code: "wrong-type" }],
     [arm, {}, { budget: NaN }, { code: "not-finite", pointer: "/ms" }],
+    [arm, {}, { signal: new AbortController() }, { code: "wrong-type", pointer: "/signal" }],
+    [arm, {}, { onProgress: 1 }, { code: "wrong-type", pointer: "/onProgress" }],
     [arm, {}, { bugdet: 1 }, { code: "unknown-field", pointer: "/bugdet" }],
   ])) {
     await assert.rejects(pool.plan(scenario, options, settings), (error) => {
@@ -172,7 +174,7 @@ test("a worker or a core that cannot be loaded is an error, and is tried again",
     isMissing = false;
     assert.equal((await pool.plan(arm)).status, "solved");
   }, { worker });
-  await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed" }), { core: new Uint8Array(8) });
+  for (const core of [new Uint8Array(8), () => {}]) await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed" }), { core });
   await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed", message: /none/ }), { worker: () => { throw new Error("none"); } });
 });
 

@@ -106,8 +106,9 @@ export declare function __wbg_reset_state(): void;
 function makeCatalogue() {
   const catalogue = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
   const renamed = [...new Set(rowsOf(catalogue).filter(({ name, option }) => name !== option).map(({ option }) => option))];
+  // The function has a name, since webpack keeps anonymous defaults that nobody uses.
   writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(JSON.stringify(catalogue))};
-export default () => JSON.parse(text);
+export default function catalogue() { return JSON.parse(text); }
 export const renamed = ${JSON.stringify(renamed)};
 `);
   writeFileSync(join(glue, "catalogue.d.ts"), `import type { GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";

@@ -141,6 +141,7 @@ const lastLine = (text) => text.trim().split("\n").filter((line) => /error|canno
 
 /** Drives what was built. @param {Toolchain} toolchain @param {Project} project @returns {Promise<Found>} */
 async function foundBy({ drive: how }, project) {
+  // The build was the check.
   if ("typesOnly" in how) return { core: GOLDEN, worker: GOLDEN };
   if ("command" in how) return JSON.parse(await project.run(how.command));
   if ("page" in how) {
@@ -223,7 +224,7 @@ async function main(args) {
   const chosen = toolchains.filter(({ name }) => words.length === 0 || words.some((word) => name.includes(word)));
   const isWritten = args.includes("--write");
   if (isWritten && words.length > 0) throw new Problem("`--write` drives all toolchains.");
-  const tarball = pack();
+  const tarball = pack({ prepack: true });
   /** @type {Outcome[]} */
   const outcomes = [];
   for (const toolchain of chosen) {

@@ -77,7 +77,7 @@ plan().then((found) => console.log(JSON.stringify(found)));
 ` },
   },
   {
-    name: "Deno", packages: ["deno"], files: { "plan.js": PROGRAM, "main.js": printed }, driven: "a module", drive: { command: "deno run --allow-read --allow-sys main.js" },
+    name: "Deno", packages: ["deno"], files: { "plan.js": PROGRAM, "main.js": printed }, driven: "a module", drive: { command: "deno run --allow-read main.js" },
   },
   {
     name: "Bun", packages: ["bun"], files: { "plan.js": PROGRAM, "main.js": printed }, driven: "a module", drive: { command: "bun main.js" },

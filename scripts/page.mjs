@@ -129,7 +129,7 @@ export function assembleOneFile() {
   joinModules(join(page, "planner", "worker", "worker.js"), join(made, "worker.js"), { ...inside, format: "iife", logOverride: { "empty-import-meta": "silent" } });
   joinModules(join(page, "style", "style.css"), join(made, "style.css"), { sourcemap: false });
   const style = text(join(made, "style.css"));
-  const policy = `default-src 'none'; script-src ${hashOf(UNPACK)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:`;
+  const policy = `default-src 'none'; script-src ${hashOf(UNPACK)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hashOf(style)}; img-src data: blob:; base-uri 'none'; form-action 'none'`;
   const icon = `data:image/svg+xml;base64,${readFileSync(join(page, "icon.svg")).toString("base64")}`;
   const packed = (/** @type {string} */ path) => gzipSync(readFileSync(path), { level: 9 }).toString("base64");
   const scenes = readdirSync(join(page, "scenes")).filter((name) => name.endsWith(".json"));

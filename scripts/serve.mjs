@@ -1,21 +1,23 @@
 /** A static server for one folder, for development and for tests. */
 import { once } from "node:events";
+import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
-import { Problem } from "./run.mjs";
+import { join } from "node:path";
+import { Problem, root as project } from "./run.mjs";
 
 /** Only requests from this machine are served. */
 const HOST = "127.0.0.1";
 
 /**
  * Serves a folder; files are read again for each request.
- * @param {{ root: string, port: number }} options  0 chooses a free port
+ * @param {{ root: string, port: number, policy?: string }} options  port 0 chooses a free one; the policy is sent with every file
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  * @throws {Problem} if the port is in use or not allowed
  */
-export async function serve({ root, port }) {
+export async function serve({ root, port, policy }) {
   // Imported here, so that the port can be checked before the development tools are installed.
   const { default: sirv } = await import("sirv");
-  const files = sirv(root, { dev: true });
+  const files = sirv(root, { dev: true, setHeaders: (response) => { if (policy) response.setHeader("content-security-policy", policy); } });
   const server = createServer((request, response) => {
     files(request, response, () => {
       response.writeHead(404, { "content-type": "text/plain; charset=utf-8" }).end("Not found\n");
@@ -24,6 +26,12 @@ export async function serve({ root, port }) {
   await listen(server, port);
   const address = /** @type {import("node:net").AddressInfo} */ (server.address());
   return { url: `http://localhost:${address.port}/`, close: () => close(server) };
+}
+
+/** The policy that the pages state in their HTML. As a header it holds in their workers too. */
+export function pagePolicy() {
+  const [, policy] = /Content-Security-Policy" content="([^"]*)"/.exec(readFileSync(join(project, "www", "app", "shell.html"), "utf8")) ?? [];
+  return policy;
 }
 
 /**

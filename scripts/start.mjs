@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
 import { assemblePage } from "./page.mjs";
 import { Problem, root, script } from "./run.mjs";
-import { requireFreePort, serve } from "./serve.mjs";
+import { pagePolicy, requireFreePort, serve } from "./serve.mjs";
 
 await script(async () => {
   const port = wantedPort();
@@ -11,7 +11,7 @@ await script(async () => {
   await requireFreePort(port);
   await buildPackage();
   await assemblePage();
-  const { url } = await serve({ root: join(root, "dist", "page"), port });
+  const { url } = await serve({ root: join(root, "dist", "page"), port, policy: pagePolicy() });
   console.log(`\nPlanarium is at ${url} (Ctrl+C stops it)`);
 });
 

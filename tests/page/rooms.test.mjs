@@ -149,6 +149,8 @@ test("every page has the same policy as the planner's, and its own entry, style 
   const index = readFileSync(join(pageRoot, "index.html"), "utf8");
   const pages = readdirSync(join(root, "www")).filter((name) => name.endsWith(".html"));
   assert.ok(pages.includes("reach.html"));
+  assert.match(policy(index) ?? "", /script-src 'self' 'wasm-unsafe-eval';/);
+  assert.doesNotMatch(policy(index) ?? "", /'unsafe-|https?:|\*/);
   for (const name of pages) {
     const html = readFileSync(join(pageRoot, name), "utf8");
     assert.equal(policy(html), policy(index), name);

@@ -134,7 +134,7 @@ fn shortest(world: &Scenario, vertices: &[Vec<f64>], motions: &[[usize; 2]]) -> 
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_reopened_roadmap_finds_the_best_path_that_is_free_now() {
-    let [mut solved, mut none] = [0, 0];
+    let [mut solved, mut none, mut left_out] = [0; 3];
     let scenes = [arm_of(2, false, 0.0), arm_of(3, true, 0.05), parse(BODY)];
     for (world, planner) in
         scenes.iter().flat_map(|world| ["prm", "prm-star", "lazy-prm"].map(|planner| (world, planner)))
@@ -155,6 +155,10 @@ fn a_reopened_roadmap_finds_the_best_path_that_is_free_now() {
                     }
                 };
                 assert_eq!(rows(&*reopened), rows(&*run), "the vertices stay");
+                // Those that are in collision now are not saved.
+                let saved = reopened.roadmap().expect("a roadmap");
+                planarium::run::resume(&world, &Default::default(), &saved).expect("it is free, and fits");
+                left_out += reopened.vertex_count() - saved.vertex_count();
                 let expected = shortest(&world, &rows(&*run), &motions);
                 if expected < f64::INFINITY {
                     assert_valid(&world, &*reopened);
@@ -172,7 +176,7 @@ fn a_reopened_roadmap_finds_the_best_path_that_is_free_now() {
             }
         }
     }
-    assert!(solved > 20 && none > 5, "{solved} and {none}");
+    assert!(solved > 20 && none > 5 && left_out > 5, "{solved}, {none} and {left_out}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

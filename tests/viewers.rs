@@ -48,6 +48,8 @@ fn every_iteration_leaves_the_row_of_counts_of_the_run() {
                 rows.extend(row);
             }
             assert!(run.step(3) == status && run.history_since(0) == rows, "a finished run leaves no rows");
+            let beyond = [run.history_count() + 1, usize::MAX / HISTORY_WIDTH + 1, usize::MAX];
+            assert!(beyond.into_iter().all(|row| run.history_since(row).is_empty()));
             assert_eq!(rows.len() as u64, run.iterations() * HISTORY_WIDTH as u64);
             let costs: Vec<f64> = rows.chunks(HISTORY_WIDTH).map(|row| row[COST]).collect();
             assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "{planner} {settings}: costs fall");

@@ -166,11 +166,9 @@ impl Subdivision {
 
     /// The cells from number `from` on, in the order of their creation: the centre, half the side along each coordinate, and what is
     /// known about the cell. Those of a quarter replace those of the whole.
-    ///
-    /// # Panics
-    /// If `from` is greater than [`Subdivision::cell_count`].
     pub fn cells_since(&self, from: usize) -> impl ExactSizeIterator<Item = ([[f64; 2]; 2], Kind)> {
-        self.nodes[from..].iter().map(|node| (self.clearances.square.place(&node.cell), node.kind))
+        let nodes = self.nodes.get(from..).unwrap_or_default();
+        nodes.iter().map(|node| (self.clearances.square.place(&node.cell), node.kind))
     }
 
     /// Adds a cell, with bounds on its clearance.

@@ -63,6 +63,11 @@ impl<S: Space> Roadmap<S> {
         &self.growth.graph
     }
 
+    /// Whether a vertex has to be checked before an edge at it is.
+    pub fn is_unchecked(&self, vertex: usize) -> bool {
+        self.candidates.as_ref().is_some_and(|candidates| candidates.unchecked[vertex])
+    }
+
     /// How many vertices there are.
     pub(super) fn len(&self) -> usize {
         self.growth.graph.states().len()

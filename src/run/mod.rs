@@ -174,8 +174,7 @@ pub trait Run {
     fn result(&self) -> ResultDocument;
 
     /// The roadmap as far as it is built, to be saved: see [`resume`]. `None` for planners that build none, and if no scenario describes
-    /// the problem. Vertices
-    /// that [`Run::query`] has added are part of it. O(size).
+    /// the problem. Vertices that [`Run::query`] has added are part of it; those in collision since [`Run::reopen`] are not. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Queries the roadmap again, as far as it is built: connects start and goal to their neighbours and searches. The

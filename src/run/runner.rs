@@ -305,7 +305,8 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn history_since(&self, row: usize) -> Vec<f64> {
-        self.history.as_ref().map_or_else(Vec::new, |rows| rows[row * HISTORY_WIDTH..].to_vec())
+        let rows = self.history.as_ref().and_then(|rows| rows.get(row.checked_mul(HISTORY_WIDTH)?..));
+        rows.unwrap_or_default().to_vec()
     }
 
     fn iterations(&self) -> u64 {
@@ -427,8 +428,12 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
-        let roadmap = RoadmapDocument { k: self.planner.roadmap()?.connection.k as u32, ..self.roadmap.clone()? };
-        Some(roadmap.filled(self.vertices_since(0), &self.edges_since(0)))
+        let roadmap = self.planner.roadmap()?;
+        let document = RoadmapDocument { k: roadmap.connection.k as u32, ..self.roadmap.clone()? };
+        // Where obstacles have moved, one may be upon a vertex that no path has wanted since.
+        let is_free = |(i, state)| !roadmap.is_unchecked(i) || self.problem.validity().is_free(state);
+        let kept: Vec<bool> = roadmap.graph().states().iter().enumerate().map(is_free).collect();
+        Some(document.filled(self.vertices_since(0), &self.edges_since(0), &kept))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {

@@ -13,13 +13,22 @@ pub struct Table {
 /// The first bytes of such a file.
 pub const MAGIC: &[u8] = b"\x93NUMPY";
 
+/// The most brackets that a header opens: npyz takes exponential time if they are nested. That of an array of numbers opens two.
+const MOST_BRACKETS: usize = 6;
+
 /// Reads rows of numbers; the error is a sentence about the file.
 pub fn read(bytes: &[u8]) -> Result<Table, String> {
     // npyz reserves memory for a header of any length, up to 4 GB.
-    if let Some(&[2..=u8::MAX, _, a, b, c, d]) = bytes.get(MAGIC.len()..MAGIC.len() + 6)
-        && u32::from_le_bytes([a, b, c, d]) as usize > bytes.len()
-    {
+    let (start, length) = match bytes.get(MAGIC.len()..MAGIC.len() + 6) {
+        Some(&[1, _, a, b, ..]) => (10, u16::from_le_bytes([a, b]).into()),
+        Some(&[_, _, a, b, c, d]) => (12, u32::from_le_bytes([a, b, c, d]) as usize),
+        _ => (0, bytes.len()),
+    };
+    let Some(header) = bytes.get(start..).and_then(|rest| rest.get(..length)) else {
         return Err("it ends within its header".to_owned());
+    };
+    if header.iter().filter(|byte| b"{[(".contains(byte)).count() > MOST_BRACKETS {
+        return Err("its header is not that of an array of numbers".to_owned());
     }
     let mut data = bytes;
     let header = NpyHeader::from_reader(&mut data).map_err(|error| error.to_string())?;

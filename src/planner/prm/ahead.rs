@@ -52,19 +52,16 @@ impl<S: Space> Default for Ahead<S> {
 }
 
 impl<S: Space> Ahead<S> {
-    /// The threads, if the run has several and so many items are worth waking them.
-    ///
-    /// # Panics
-    /// If the system starts no more threads.
+    /// The threads, if the run has several, so many items are worth waking them, and the system starts them.
     fn threads<'a>(&'a mut self, problem: &'a Problem<S>, items: usize) -> Option<Threads<'a, S>> {
         let (checkers, count) = (problem.checkers.as_ref()?, problem.threads.get());
         if count == 1 || items < FEWEST {
             return None;
         }
-        let pool =
-            self.pool.take().filter(|pool| pool.current_num_threads() == count).unwrap_or_else(|| {
-                ThreadPoolBuilder::new().num_threads(count).build().expect("the system starts threads")
-            });
+        let pool = match self.pool.take().filter(|pool| pool.current_num_threads() == count) {
+            Some(pool) => pool,
+            None => ThreadPoolBuilder::new().num_threads(count).build().ok()?,
+        };
         Some(Threads { pool: self.pool.insert(pool), checkers })
     }
 

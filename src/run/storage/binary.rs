@@ -105,7 +105,8 @@ impl RoadmapDocument {
         }
         let (rows, _) = source.take(rows as usize)?.as_chunks();
         let (pairs, _) = source.take(pairs as usize)?.as_chunks::<8>();
-        let vertices = rows.iter().map(|number| f64::from_le_bytes(*number)).collect();
+        // -0 is read as 0, as from JSON: both forms of a document have one checksum.
+        let vertices = rows.iter().map(|number| f64::from_le_bytes(*number) + 0.0).collect();
         let half = |pair: &[u8; 8], at: usize| u32::from_le_bytes(std::array::from_fn(|i| pair[at + i]));
         let edges = pairs.iter().map(|pair| [half(pair, 0), half(pair, 4)]).collect();
         let document = Self {

@@ -67,11 +67,21 @@ impl RoadmapDocument {
         }
     }
 
-    /// The same with these vertices and edges: rows, and pairs of vertex numbers. Compiled once for all spaces.
+    /// The same with these vertices and edges: rows, and pairs of vertex numbers; without the vertices that are not kept. Compiled once
+    /// for all spaces.
     #[inline(never)]
-    pub(crate) fn filled(&self, vertices: Vec<f64>, edges: &[u32]) -> Self {
+    pub(crate) fn filled(&self, vertices: Vec<f64>, edges: &[u32], kept: &[bool]) -> Self {
+        let mut count = 0;
+        let number = |&is_kept: &bool| {
+            count += u32::from(is_kept);
+            is_kept.then(|| count - 1)
+        };
+        let numbers: Vec<Option<u32>> = kept.iter().map(number).collect();
+        let rows = vertices.chunks_exact(self.dimension()).zip(kept).filter(|(_, is_kept)| **is_kept);
+        let vertices = rows.flat_map(|(row, _)| row).copied().collect();
         let (edges, _) = edges.as_chunks();
-        Self { vertices, edges: edges.to_vec(), ..self.clone() }
+        let kept = |[from, to]: &[u32; 2]| Some([numbers[*from as usize]?, numbers[*to as usize]?]);
+        Self { vertices, edges: edges.iter().filter_map(kept).collect(), ..self.clone() }
     }
 
     /// How many numbers a vertex has.

@@ -1,0 +1,143 @@
+//! Readers of documents, given any bytes: they refuse them with an error that points into the document, or read them, and then
+//! what was read is written, read again, and used for a little while. Each function is the target of a fuzzer, and `tests/fuzz.rs`
+//! calls it on the corpus.
+
+use planarium::certificate::{self, Certificate};
+use planarium::error::Code;
+use planarium::experiment::{Experiment, Trials};
+use planarium::path::{ResultDocument, Verdict, verify};
+use planarium::run::storage::{MAGIC, RoadmapDocument};
+use planarium::run::{self, Options, Run};
+use planarium::scenario::Scenario;
+use planarium::{Error, PlanningWorld};
+use serde_json::Value;
+use std::sync::{Arc, LazyLock};
+
+#[path = "../src/bin/planarium/npy.rs"]
+mod npy_file;
+
+/// The iterations of a run.
+const ITERATIONS: u64 = 40;
+
+/// A scenario: its normal form reads back as the same, and a short run keeps the laws of stepping and proof.
+pub fn scenario(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    let Some(scenario) = read(text, Scenario::parse) else { return };
+    let normal = scenario.to_json_string();
+    let again = Scenario::parse(&normal).expect("the normal form is a scenario");
+    assert_eq!(again, scenario);
+    assert_eq!(again.to_json_string(), normal);
+    let Ok(mut run) = run::start(&scenario, &Options::default()) else { return };
+    let mut sliced = run::start(&scenario, &Options::default()).expect("it has just started");
+    run.step(ITERATIONS);
+    (0..ITERATIONS).for_each(|_| {
+        sliced.step(1);
+    });
+    assert_eq!(run.fingerprint(), sliced.fingerprint(), "slices change nothing");
+    assert_valid(&scenario, &*run);
+}
+
+/// An experiment: one trial of it, and its row.
+pub fn experiment(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    let Some(experiment) = read(text, Experiment::parse) else { return };
+    let last = experiment.trial_count() - 1;
+    let experiment = Arc::new(experiment);
+    for number in [0, last] {
+        let Ok(mut trial) = Trials::new(&experiment).start(number) else { continue };
+        trial.step(ITERATIONS);
+        let row = trial.row().expect("the result is of this scenario");
+        assert_eq!(row.len(), experiment.columns().len());
+    }
+}
+
+/// A roadmap in either form, with its checksum made right: both forms read back as the same, and a run continues with it.
+pub fn roadmap(bytes: &[u8]) {
+    let mut bytes = bytes.to_vec();
+    if bytes.starts_with(&MAGIC) && bytes.len() > 16 {
+        // Read as damaged first: then the checksum is that of the payload.
+        let _ = RoadmapDocument::read(&bytes);
+        let end = bytes.len() - 8;
+        let checksum = bytes[..end]
+            .iter()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+        bytes[end..].copy_from_slice(&checksum.to_le_bytes());
+    }
+    let Ok(document) = RoadmapDocument::read(&bytes) else { return };
+    assert_eq!(RoadmapDocument::from_bytes(&document.to_bytes()).as_ref(), Ok(&document));
+    assert_eq!(RoadmapDocument::parse(&document.to_json()).as_ref(), Ok(&document));
+    document.to_graphml();
+    for (i, world) in WORLDS.iter().enumerate() {
+        // That of another world is refused; so it is made one of this.
+        for fingerprint in [document.fingerprint, run::storage::fingerprint(world.scenario())] {
+            let document = RoadmapDocument { fingerprint, ..document.clone() };
+            let Ok(mut run) = run::resume(world, &Options::default(), &document) else { continue };
+            run.step(ITERATIONS);
+            assert_valid(world.scenario(), &*run);
+            assert!(run.roadmap().is_some(), "world {i}");
+        }
+    }
+}
+
+/// A result or a certificate: what it claims is judged, in every world.
+pub fn judged(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if let Some(result) = read(text, ResultDocument::parse) {
+        assert_eq!(ResultDocument::parse(&result.to_json()).as_ref(), Ok(&result));
+        for world in WORLDS.iter() {
+            let scenario = world.scenario().name().to_owned();
+            let _ = verify(world.scenario(), &ResultDocument { scenario, ..result.clone() });
+        }
+    }
+    if let Some(certificate) = read(text, Certificate::parse) {
+        assert_eq!(Certificate::parse(&certificate.to_json()).as_ref(), Ok(&certificate));
+        for world in WORLDS.iter() {
+            let scenario = world.scenario().name().to_owned();
+            let _ = certificate::verify(world.scenario(), &Certificate { scenario, ..certificate.clone() });
+        }
+    }
+}
+
+/// A NumPy array: its rows are whole, and no longer than the file.
+pub fn npy(bytes: &[u8]) {
+    let Ok(table) = npy_file::read(bytes) else { return };
+    assert!(table.numbers.len() <= bytes.len());
+    assert!(table.width == 0 || table.numbers.len().is_multiple_of(table.width));
+}
+
+/// A scenario for each robot.
+pub static WORLDS: LazyLock<[PlanningWorld; 4]> = LazyLock::new(|| {
+    let texts = [
+        include_str!("corpus/scenario/arm.json"),
+        include_str!("corpus/scenario/disc.json"),
+        include_str!("corpus/scenario/body.json"),
+        include_str!("corpus/scenario/car.json"),
+    ];
+    texts.map(|text| (&Scenario::parse(text).expect("a scenario")).into())
+});
+
+/// What a reader makes of a text. If it refuses it, then with a pointer to something in it, or to what is missing there.
+fn read<T>(text: &str, parse: impl Fn(&str) -> Result<T, Error>) -> Option<T> {
+    let error = parse(text).err();
+    let Some(error) = error else { return parse(text).ok() };
+    assert!(!error.message().is_empty());
+    let is_whole = !matches!(error.code(), Code::InvalidJson | Code::DuplicateField | Code::TooLarge);
+    if let Some(tree) = serde_json::from_str::<Value>(text).ok().filter(|_| is_whole)
+        && let Some((above, _)) = error.pointer().rsplit_once('/')
+    {
+        assert!(tree.pointer(above).is_some(), "{error}");
+    }
+    None
+}
+
+/// The result of a run is a document that reads back as the same, and the path in it is valid if its edges are proven.
+pub fn assert_valid(scenario: &Scenario, run: &dyn Run) {
+    let result = run.result();
+    assert_eq!(ResultDocument::parse(&result.to_json()).as_ref(), Ok(&result));
+    if result.path.is_empty() || result.edge_check.is_some() || result.integration.is_some() {
+        return;
+    }
+    if let Verdict::Invalid { why } = verify(scenario, &result).expect("a result of this scenario") {
+        panic!("{why}: {}", result.to_json());
+    }
+}

@@ -26,6 +26,8 @@
 //! enforces this. Modules hidden from this page are public for the tests and benches only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
+#![deny(clippy::unwrap_used)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(target_arch = "wasm32")]
 #[allow(missing_docs, unsafe_code)]

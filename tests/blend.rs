@@ -39,7 +39,7 @@ fn step(robot: &Robot, a: &[f64], b: &[f64]) -> Vec<f64> {
     let is_circle = |i: usize| match robot {
         Robot::Arm(arm) => arm.joint_limits().is_none(),
         Robot::Disc(_) => false,
-        Robot::RigidBody(_) | Robot::Car(_) => i == 2,
+        _ => i == 2,
     };
     let step = |i: usize| if is_circle(i) { libm::remainder(b[i] - a[i], TAU) } else { b[i] - a[i] };
     (0..a.len()).map(step).collect()
@@ -153,7 +153,7 @@ fn joints_of(scenario: &Scenario) -> ProductSpace<MAX_LINKS> {
         Robot::Arm(arm) => joint_space(arm, Metric::Sum),
         Robot::Disc(_) => plane(&scenario.world().bounds.expect("bounds")),
         Robot::RigidBody(body) => placements(&body.shape, body.weights, &scenario.world().bounds.expect("bounds")),
-        Robot::Car(_) => panic!("a car is steered"),
+        _ => panic!("a car is steered"),
     }
 }
 
@@ -165,7 +165,7 @@ fn validity_of(scenario: &Scenario) -> Box<dyn Validity<[f64; MAX_LINKS]>> {
         Robot::RigidBody(body) => {
             Box::new(BodyValidity::new(MotionSpace::new(space), Rc::new(BodyCollision::new(&body.shape, world, 1e-4))))
         }
-        Robot::Car(_) => panic!("a car is steered"),
+        _ => panic!("a car is steered"),
     }
 }
 

@@ -158,6 +158,7 @@ enum Axis {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
+#[non_exhaustive]
 pub enum Measure {
     /// Iterations, attempts at improving the path included.
     Iterations,

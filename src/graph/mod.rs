@@ -33,6 +33,7 @@ impl VertexId {
 
 /// The kind of an event; viewers see its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// A sample in collision was rejected; the state is the sample.
     SampleRejected = 0,

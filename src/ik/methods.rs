@@ -9,6 +9,7 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 /// A method of inverse kinematics; its documentation is its summary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
 pub enum MethodId {
     /// Computes the angles of up to two joints directly, elbow on either side; a given orientation fixes one joint more.
     #[strum(message = "Closed form")]

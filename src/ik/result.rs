@@ -35,6 +35,7 @@ pub enum Verdict {
 /// Why a target is out of reach.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Reason {
     /// It is farther from the base than the stretched arm.
     TooFar,

@@ -29,6 +29,7 @@ const TOLERANCE: f64 = 1e-6;
 /// How an optimum was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Method {
     /// The tangent graph: the infimum of the lengths of all free paths.
     TangentGraph,

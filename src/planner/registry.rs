@@ -34,6 +34,7 @@ macro_rules! registry {
     ($($Variant:ident($Options:ty),)*) => {
         /// A planner with its options.
         #[derive(Debug, Clone, Copy, PartialEq)]
+        #[non_exhaustive]
         pub enum PlannerOptions {
             $(#[allow(missing_docs)] $Variant($Options),)*
         }

@@ -30,6 +30,7 @@ impl Status {
 /// The phase of a run. Its number is its index in [`Phase::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Phase {
     /// Samples are drawn and become vertices.
     Sampling,

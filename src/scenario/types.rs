@@ -135,6 +135,7 @@ impl Obstacle {
 #[derive(Debug, Clone, PartialEq, Serialize, strum::IntoStaticStr)]
 #[serde(tag = "type", rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
+#[non_exhaustive]
 pub enum Robot {
     /// A planar arm.
     Arm(Arm),
@@ -203,6 +204,7 @@ pub struct Query {
 
 /// The goal of a query.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub enum Goal {
     /// A configuration, as written.
     #[serde(rename = "goal")]

@@ -3,6 +3,7 @@
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
 #![deny(unsafe_code)]
+#![deny(clippy::unwrap_used)]
 
 mod arguments;
 mod certify;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 /// The metric of a roadmap, with everything needed to compute the length of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum RoadmapMetric {
     /// The sum of the joint differences.
     Sum,

@@ -6,7 +6,7 @@ import { numberText, superscript } from "./format.js";
 /** @import { Axis, Line } from "./chart.js" */
 
 /** Space around the plot for numbers and labels, CSS pixels. */
-const ROOM = { top: 10, right: 22, bottom: 38, left: 56 };
+const ROOM = { top: 10, right: 28, bottom: 38, left: 56 };
 /** Least distance between labels. */
 const APART = 13;
 /** Decades of a logarithmic axis, at most. */

@@ -26,7 +26,7 @@ export async function assembleGallery(out) {
   ]);
   mkdirSync(out, { recursive: true });
   cpSync(join(www, "gallery", "worlds"), join(out, "worlds"), { recursive: true });
-  const style = coloursOf(readFileSync(join(www, "style", "colours.css"), "utf8"));
+  const style = coloursOf();
   /** @type {Map<string, import("../www/gallery/build/page.js").Shown>} */
   const shown = new Map();
   for (const entry of REPORTS.flatMap(({ entries }) => entries)) {
@@ -43,8 +43,9 @@ export async function assembleGallery(out) {
   return galleryHtml(REPORTS, shown);
 }
 
-/** The colours of the pages as the style of a file: an image follows the theme of the page that it is in. @param {string} css */
-function coloursOf(css) {
+/** The colours of the pages as the style of a file: an image follows the theme of the page that it is in. */
+export function coloursOf() {
+  const css = readFileSync(join(www, "style", "colours.css"), "utf8");
   const colours = [...css.matchAll(/(--[\w-]+): (light-dark\([^)]*\));/g)].map(([, name, value]) => `${name}:${value}`);
   return `:root{color-scheme:light dark;${colours.join(";")}}`;
 }

@@ -96,6 +96,7 @@ function readyExperiments() {
 /** The HTML of a page: the shell with the page's contents in its slots. A single file has no links to other pages. @param {string} name @param {string[] | null} scripts   that its script imports: they are fetched at once; null for a single file @param {Record<string, string>} [made]  contents of slots that the build has made */
 function documentOf(name, scripts, made = {}) {
   const links = PAGES.map(([other, title]) => `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? " aria-current=\"page\"" : ""}>${title}</a>`);
+  links.push('<a href="docs/">Docs</a>');
   const isRoom = ROOMS.includes(name);
   // A page lists its slots: the name of each in a comment at the start of a line, then its content.
   const own = readFileSync(join(root, "www", `${name}.html`), "utf8").split(/^<!-- (\w+) -->/m).slice(1);

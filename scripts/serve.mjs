@@ -1,4 +1,4 @@
-/** A static server for one folder, for development and for tests. */
+/** A static server for the pages and their documentation, for development and for tests. */
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -9,17 +9,21 @@ import { Problem, root as project } from "./run.mjs";
 const HOST = "127.0.0.1";
 
 /**
- * Serves a folder; files are read again for each request.
- * @param {{ root: string, port: number, policy?: string }} options  port 0 chooses a free one; the policy is sent with every file
+ * Serves a folder, and the documentation at `/docs/`; files are read again for each request.
+ * @param {{ root: string, port: number, policy?: string, docs?: string }} options  two folders; port 0 chooses a free one; the policy is sent with every
+ *   file of the first
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  * @throws {Problem} if the port is in use or not allowed
  */
-export async function serve({ root, port, policy }) {
+export async function serve({ root, port, policy, docs }) {
   // Imported here, so that the port can be checked before the development tools are installed.
   const { default: sirv } = await import("sirv");
   const files = sirv(root, { dev: true, setHeaders: (response) => { if (policy) response.setHeader("content-security-policy", policy); } });
+  const documentation = docs === undefined ? files : sirv(docs, { dev: true });
   const server = createServer((request, response) => {
-    files(request, response, () => {
+    const inDocs = docs === undefined ? null : /^\/docs(\/.*)$/.exec(request.url ?? "");
+    if (inDocs) request.url = inDocs[1];
+    (inDocs ? documentation : files)(request, response, () => {
       response.writeHead(404, { "content-type": "text/plain; charset=utf-8" }).end("Not found\n");
     });
   });

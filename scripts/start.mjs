@@ -1,9 +1,10 @@
-/** `npm start`: installs tools, builds, and serves the pages on PORT (8080). */
+/** `npm start`: installs tools, builds, and serves the pages and their documentation on PORT (8080). */
 import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
 import { assemblePage } from "./page.mjs";
 import { Problem, root, script } from "./run.mjs";
 import { pagePolicy, requireFreePort, serve } from "./serve.mjs";
+import { buildSite } from "./site.mjs";
 
 await script(async () => {
   const port = wantedPort();
@@ -11,8 +12,10 @@ await script(async () => {
   await requireFreePort(port);
   await buildPackage();
   await assemblePage();
-  const { url } = await serve({ root: join(root, "dist", "page"), port, policy: pagePolicy() });
-  console.log(`\nPlanarium is at ${url} (Ctrl+C stops it)`);
+  const { url } = await serve({ root: join(root, "dist", "page"), port, policy: pagePolicy(), docs: join(root, "dist", "site") });
+  console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute.`);
+  await buildSite();
+  console.log(`\nThe documentation is at ${url}docs/`);
 });
 
 /** @returns {number} */

@@ -12,6 +12,7 @@ import { Problem, root, script, watch } from "./run.mjs";
 import {
   cargoBin, ensureBrowser, ensureDask, ensureNodeModules, ensureRustComponents, ensureTestRunner, ensureWasmPack, ensureWasmTarget, requireCompilers,
 } from "./setup.mjs";
+import { buildSite } from "./site.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
 /** @typedef {import("./run.mjs").Env} Env */
@@ -48,7 +49,7 @@ const needs = {
   rust: [async () => requireCompilers(), useDask],
   wasm: [ensureWasmTarget, async () => { bindgenFolder = await ensureTestRunner(); }, ensureWasmPack, useBrowser],
   package: [buildPackage, useBrowser],
-  page: [buildPackage, async () => { await assemblePage(); assembleOneFile(); }, useBrowser],
+  page: [buildPackage, async () => { await assemblePage(); assembleOneFile(); await buildSite(); }, useBrowser],
 };
 
 /** The groups that run by default; `quick` is a part of them. */

@@ -75,6 +75,7 @@ pub use world::PlanningWorld;
 /// The examples of the README and the documentation are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
+#[doc = include_str!("../docs/start.md")]
 #[doc = include_str!("../docs/planners.md")]
 #[doc = include_str!("../docs/proof.md")]
 pub struct Examples;

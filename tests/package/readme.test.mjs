@@ -7,10 +7,11 @@ import { test } from "node:test";
 import { Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
+import { anchorOf } from "../../scripts/site.mjs";
 import { recordingContext } from "./canvas.mjs";
 import { addFiles, emptyFolder, install } from "./packed.mjs";
 
-const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md")).map((name) => `docs/${name}`)];
+const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md") && !/^(\.vitepress|api)\//.test(name)).map((name) => `docs/${name}`)];
 const texts = new Map(names.map((name) => [name, readFileSync(join(root, name), "utf8")]));
 
 /** A text of the repository. @param {string} name */
@@ -24,6 +25,7 @@ function blocks(name, language) {
 /** The expected output of each JavaScript example. @type {Record<string, RegExp[]>} */
 const PRINTED = {
   "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/, /^solved [1-9]\d* edges\n$/],
+  "docs/start.md": [/^solved [1-9]\d* waypoints\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^solved \d+\nsolved true\n$/,
@@ -42,7 +44,7 @@ const PRINTED = {
 
 /** What the examples for a browser need of one. */
 const BROWSER = `${recordingContext}
-globalThis.document = { querySelector: () => ({ width: 500, height: 500, getContext: () => recordingContext().context }) };
+globalThis.document = { body: {}, querySelector: () => ({ width: 500, height: 500, getContext: () => recordingContext().context }) };
 globalThis.requestAnimationFrame = (frame) => setImmediate(frame);
 `;
 
@@ -97,9 +99,6 @@ test("no example is left out: code is JavaScript, Rust, JSON, shell, or one of t
     if (opened.includes("```rust")) assert.ok(isDoctested, `src/lib.rs includes ${name}`);
   }
 });
-
-/** The anchor of a heading, as GitHub forms it. @param {string} heading */
-const anchorOf = (heading) => heading.toLowerCase().replace(/[^\w\- ]/g, "").replaceAll(" ", "-");
 
 test("every link leads to a file, and to a heading in it", () => {
   let count = 0;

@@ -8,6 +8,7 @@ import { chromium } from "playwright-core";
 import { pagePolicy, serve } from "../../scripts/serve.mjs";
 
 export const root = fileURLToPath(new URL("../../", import.meta.url));
+const siteRoot = fileURLToPath(new URL("../../dist/site", import.meta.url));
 export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url));
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -49,7 +50,7 @@ const idle = new Map();
 /** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. @param {string} [folder]  of the page, where it is another build */
 export async function start(folder = pageRoot) {
   assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
-  server = await serve({ root: folder, port: 0, policy: folder === pageRoot ? pagePolicy() : undefined });
+  server = await serve({ root: folder, port: 0, policy: folder === pageRoot ? pagePolicy() : undefined, docs: siteRoot });
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? found, args: ["--no-sandbox"] });
 }

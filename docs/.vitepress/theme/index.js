@@ -1,0 +1,51 @@
+/** The default theme in the colours of the pages, with the live stage of the planners' pages. */
+import DefaultTheme from "vitepress/theme-without-fonts";
+import { useData, withBase } from "vitepress";
+import { defineComponent, h, ref, watch } from "vue";
+import "./style.css";
+
+/** A picture of a run, which the planner's page in a frame replaces once it is asked for. */
+const LiveStage = defineComponent({
+  props: { picture: String, address: String, title: String, width: Number, height: Number },
+  setup({ picture = "", address = "", title = "", width = 0, height = 0 }) {
+    const { isDark } = useData();
+    const isLive = ref(false);
+    const frame = ref(/** @type {HTMLIFrameElement | null} */ (null));
+    const page = withBase("/../");
+
+    /** Plays as soon as the page in the frame tells its state. @param {MessageEvent} message */
+    function play({ source, data }) {
+      if (source !== frame.value?.contentWindow || data?.planarium !== "state" || !data.state) return;
+      removeEventListener("message", play);
+      frame.value?.contentWindow?.postMessage({ planarium: "play" }, "*");
+    }
+    function start() {
+      isLive.value = true;
+      addEventListener("message", play);
+    }
+    /** The frame follows the theme of this page. */
+    function dress() {
+      const { document: inside, matchMedia } = frame.value?.contentWindow ?? {};
+      if (!inside || !matchMedia) return;
+      const theme = inside.documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+      if ((theme === "dark") !== isDark.value) inside.getElementById("theme")?.click();
+    }
+    watch(isDark, dress);
+
+    return () => h("figure", { class: "stage" }, [
+      isLive.value
+        ? h("iframe", { ref: frame, src: `${page}?embed=1${address}`, title, onLoad: dress, onVnodeUnmounted: () => removeEventListener("message", play) })
+        : h("button", { type: "button", class: "poster", "aria-label": `Run ${title}`, onClick: start }, [
+          h("img", { src: withBase(picture), width, height, alt: `${title}, at the end of a run`, loading: "lazy" }),
+          h("span", { class: "run" }, "Run it"),
+        ]),
+      h("figcaption", [`${title}. `, h("a", { href: `${page}${address}`, target: "_self" }, "Open it on the page")]),
+    ]);
+  },
+});
+
+export default {
+  extends: DefaultTheme,
+  /** @param {{ app: import("vue").App }} site */
+  enhanceApp({ app }) { app.component("LiveStage", LiveStage); },
+};

@@ -124,6 +124,11 @@ test("the README is short, and its picture light", () => {
   assert.ok(statSync(join(root, pictures[0])).size < 400_000);
 });
 
+test("the pictures of proofs show the numbers of the core", async () => {
+  const { drawings } = await import("../../scripts/pictures.mjs");
+  for (const [name, drawn] of Object.entries(drawings())) assert.equal(readFileSync(join(root, "docs", "images", name), "utf8"), drawn, `node scripts/pictures.mjs draws ${name}`);
+});
+
 test("every command of npm that is mentioned is a script of the project", () => {
   const { scripts } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const mentioned = names.flatMap((name) => Array.from(textOf(name).matchAll(/`npm (?:run )?([\w:]+)`/g), ([, script]) => script)).filter((script) => !["install", "pack"].includes(script));

@@ -35,6 +35,7 @@ const suites = [
   { groups: ["check"], name: "clippy, wasm32", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]) },
   { groups: ["check"], name: "Rust documentation", run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }) },
   ...["js", "scripts", "www"].map((project) => ({ groups: ["check"], name: `JavaScript types, ${project}`, run: () => types(project) })),
+  { groups: ["check"], name: "spelling", run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]) },
   { groups: ["rust", "quick"], name: "Rust, native", run: () => harness("cargo", ["test", "--locked", "--features", "cli,schema"]) },
   { groups: ["wasm"], name: "Rust, in Node", run: () => wasm() },
   { groups: ["wasm"], name: "Rust, in Chrome", run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }) },

@@ -3,7 +3,7 @@
  * must be built. The reference of the crate is a part of it if `cargo doc` has been run.
  */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { Problem, isMain, root, run, script } from "./run.mjs";
 import { targetFolder } from "./setup.mjs";
 
@@ -17,6 +17,9 @@ export const BASE = process.env.PLANARIUM_SITE_BASE ?? "/docs/";
 /** The anchor of a heading, as GitHub forms it. @param {string} heading */
 export function anchorOf(heading) { return heading.toLowerCase().replace(/[^\p{L}\p{N}_\- ]/gu, "").replaceAll(" ", "-"); }
 
+/** The first page of the crate's reference, which exists if `cargo doc` has been run. */
+export function rustReference() { return join(targetFolder(), "doc", "planarium", "index.html"); }
+
 /** Builds the site and fails if a link of it is dead. */
 export async function buildSite() {
   // The package may have been built a moment ago, so what draws with it is loaded only now.
@@ -29,9 +32,7 @@ export async function buildSite() {
     makeStages(),
   ]);
   await run(process.execPath, [join(root, "node_modules", "vitepress", "bin", "vitepress.js"), "build", "docs"]);
-  const rust = join(targetFolder(), "doc");
-  const hasRust = existsSync(join(rust, "planarium", "index.html"));
-  if (hasRust) cpSync(rust, join(site, "rust"), { recursive: true });
+  if (existsSync(rustReference())) cpSync(dirname(dirname(rustReference())), join(site, "rust"), { recursive: true });
   const dead = deadLinks();
   if (dead.length > 0) throw new Problem(`The site has dead links:\n${dead.join("\n")}`);
 }

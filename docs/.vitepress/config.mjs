@@ -5,7 +5,7 @@ import { join, posix, relative } from "node:path";
 import { defineConfig } from "vitepress";
 import { completePlannerPage, plannerOf, planners } from "./planners.mjs";
 import { root } from "../../scripts/run.mjs";
-import { BASE, anchorOf } from "../../scripts/site.mjs";
+import { BASE, anchorOf, rustReference } from "../../scripts/site.mjs";
 
 /** Pages of the site by the file that each is made from. The site has the address of a file in docs/ without that folder. */
 const REWRITES = { "README.md": "index.md", "CHANGELOG.md": "changelog.md", "SECURITY.md": "security.md", "docs/:page*": ":page*" };
@@ -36,7 +36,10 @@ function markdownIn(folder) { return readdirSync(join(root, folder)).filter((nam
 function addressOf(file) { return `/${file.replace(/^docs\//, "").replace(/^README\.md$/, "").replace(/^(CHANGELOG|SECURITY)\.md$/, (name) => name.toLowerCase())}`; }
 
 /** @param {string} file */
-function titleOf(file) { return TITLES[file] ?? (/^# (.+)$/m.exec(readFileSync(join(root, file), "utf8"))?.[1] ?? file).replaceAll("`", ""); }
+function titleOf(file) {
+  const planner = planners.find(({ id }) => file === `docs/planners/${id}.md`);
+  return planner?.title ?? TITLES[file] ?? (/^# (.+)$/m.exec(readFileSync(join(root, file), "utf8"))?.[1] ?? file).replaceAll("`", "");
+}
 
 /** @param {string} file */
 const itemOf = (file) => ({ text: titleOf(file), link: addressOf(file).replace(/\.md$/, "") });
@@ -48,6 +51,8 @@ function sidebar() {
     text, items: [...files, ...(i === GROUPS.length - 1 ? others : [])].filter((file) => existsSync(join(root, file))).map(itemOf),
   }));
   groups[2].items.push({ text: "npm: every function", link: "/api/" });
+  // `scripts/site.mjs` copies the reference of the crate once `cargo doc` has written it; it is no page of VitePress.
+  if (existsSync(rustReference())) groups[2].items.push({ text: "Rust: every item", link: "/rust/planarium/index.html", target: "_self" });
   const families = FAMILIES.map(([text, ids]) => ({ text, collapsed: false, items: ids.map((id) => itemOf(`docs/planners/${id}.md`)) }));
   const grouped = FAMILIES.flatMap(([, ids]) => ids);
   const missing = planners.filter(({ id }) => !grouped.includes(id));

@@ -3,7 +3,7 @@
 /**
  * What the package throws: a stable code, a sentence with the offending value, and its JSON pointer. The codes are those of the crate
  * (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and `not-initialised` (call `init` first), `no-simd` (the engine has no
- * vector instructions), `init-failed` (the WebAssembly file could not be loaded), `freed` (use after `free`), `illegal-constructor` (the
+ * vector instructions), `init-failed` (the WebAssembly file could not be loaded), `freed` (use after `free`), `in-use` (a function that a planner calls uses that planner), `illegal-constructor` (the
  * class has no public constructor) and `internal` (a fault in Planarium: please report it).
  */
 export class PlanariumError extends Error {

@@ -1,6 +1,6 @@
 /** Functions beside the core: the lists of what there is to choose from, the names of numbers in tables, and a plan in one call. */
 import catalogue from "./catalogue.js";
-import { Scenario } from "./core.js";
+import { Problem, Scenario } from "./core.js";
 import { requireCore } from "./runtime.js";
 
 /** @import { GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
@@ -39,19 +39,21 @@ export function trajectoryOptions() { return chosen().trajectories; }
 
 /**
  * Plans in one call: starts a planner, steps it to its end, and frees it.
- * @param {Scenario | ScenarioDocument | string} scenario
+ * @param {Scenario | Problem | ScenarioDocument | string} scenario
  * @param {PlannerOptions} [options]
  * @returns {ResultDocument}
- * @throws {import("./error.js").PlanariumError} those of `Scenario.parse` and `scenario.planner`
+ * @throws {import("./error.js").PlanariumError} those of `Scenario.parse` and `planner`; what a function of a problem throws
  */
 export function solve(scenario, options) {
-  const parsed = scenario instanceof Scenario ? scenario : Scenario.parse(scenario);
+  const parsed = scenario instanceof Scenario || scenario instanceof Problem ? scenario : Scenario.parse(scenario);
   try {
     const planner = parsed.planner(options);
-    planner.step(Number.MAX_SAFE_INTEGER);
-    const result = planner.result();
-    planner.free();
-    return result;
+    try {
+      planner.step(Number.MAX_SAFE_INTEGER);
+      return planner.result();
+    } finally {
+      planner.free();
+    }
   } finally {
     if (parsed !== scenario) parsed.free();
   }

@@ -3,6 +3,7 @@
  * `PlanariumError`.
  */
 import { renamed } from "./catalogue.js";
+import { Thrown, during, functionsOf, refuseWaiting } from "./callback.js";
 import { PlanariumError } from "./error.js";
 import { growth } from "./growth.js";
 import { plain } from "./plain.js";
@@ -14,7 +15,7 @@ import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
 /** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
 const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
-  Planner: "scenario.planner(options) or scenario.resume(roadmap, options)",
+  Planner: "scenario.planner(options), scenario.resume(roadmap, options) or problem.planner(options)",
   Reach: "scenario.reach(options)",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",
@@ -52,6 +53,7 @@ function guardedClass(Class, name) {
   const { free } = prototype;
   const release = /** @this {Held} */ function () {
     if (!this.__wbg_ptr) return;
+    refuseWaiting(this, name);
     if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], name);
     this.__wbg_ptr = 0;
   };
@@ -69,7 +71,13 @@ function guardedClass(Class, name) {
     construct(target, given, made) {
       const source = SOURCES[name];
       if (source !== undefined) throw new PlanariumError("illegal-constructor", `A ${name} is made by ${source}, not by \`new\`.`);
-      return /** @type {object} */ (enter((...copies) => Reflect.construct(target, copies, made), undefined, given, undefined));
+      const functions = name === "Problem" ? functionsOf(given[0]) : undefined;
+      const make = (/** @type {unknown[]} */ ...copies) => {
+        // Not enumerable, so that it is no field of the description.
+        if (functions !== undefined && typeof copies[0] === "object" && copies[0] !== null) Object.defineProperty(copies[0], "functions", { value: functions });
+        return Reflect.construct(target, copies, made);
+      };
+      return /** @type {object} */ (enter(make, undefined, given, undefined));
     },
   });
   prototype.constructor = guard;
@@ -99,8 +107,9 @@ function enter(operation, self, given, name, spell = inCamelCase) {
     refuse(self, name);
   }
   try {
-    return operation.apply(self, given);
+    return during(self, () => operation.apply(self, given));
   } catch (error) {
+    if (error instanceof Thrown) throw error.value;
     throw spell(asOwn(error), given);
   }
 }
@@ -114,6 +123,7 @@ function refuse(self, name) {
   if (__wbg_inst !== currentInstance()) {
     throw new PlanariumError("freed", `This ${name} was lost when Planarium's core stopped; make a new one.`);
   }
+  if (name === "Planner") refuseWaiting(self, name);
 }
 
 /** An error of the core as it is. @param {PlanariumError} error */

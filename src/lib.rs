@@ -8,6 +8,8 @@
 //! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one from a seed;
 //! - [`PlanningWorld`] prepares a scenario once: space, collision world and broad phase;
 //! - [`run::start`] starts a planner and returns a [`run::Run`]; [`run::planners`] lists the planners and their options;
+//! - [`run::start_problem`] starts one for a robot of one's own, told by a space and a function of what is free; [`space::Space`] and
+//!   [`problem::Validity`] are the traits below it;
 //! - [`run::storage`] saves a roadmap, [`run::resume`] continues with it, [`run::inspect`] answers a viewer's questions,
 //!   [`run::neighbours`] indexes configurations;
 //! - [`path::verify()`] checks a finished path by an independent method;
@@ -22,8 +24,8 @@
 //! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, `shortening`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
 //! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
-//! scenario or a shape. The core reads no clock, prints nothing, has no global state and takes no callbacks. A test
-//! enforces this. Modules hidden from this page are public for the tests and benches only; they may change at any time.
+//! scenario or a shape. The core reads no clock, prints nothing, and has no global state. A test
+//! enforces this. It calls nothing back but the function of a robot of one's own. Modules hidden from this page are public for the tests and benches only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]

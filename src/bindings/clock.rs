@@ -1,6 +1,10 @@
 //! Stepping by the clock of the page, the worker or Node. The core itself reads no clock.
 
+use crate::Error;
+use crate::error::Code;
 use crate::problem::{Phase, Status};
+use std::cell::RefCell;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use web_sys::Performance;
 
@@ -23,6 +27,26 @@ pub(super) trait Stepped {
     fn phase(&self) -> Phase {
         Phase::Growing
     }
+    /// The error that ended the run.
+    fn failure(&self) -> Option<Error> {
+        None
+    }
+}
+
+/// What a function of the caller's has thrown.
+#[derive(Clone, Default)]
+pub(super) struct Thrown(Rc<RefCell<Option<JsValue>>>);
+
+impl Thrown {
+    pub fn note(&self, thrown: JsValue) {
+        *self.0.borrow_mut() = Some(thrown);
+    }
+
+    /// What has been thrown, if that is the error.
+    pub fn or(&self, error: Error) -> JsValue {
+        let thrown = self.0.borrow().clone().filter(|_| error.code() == Code::CallbackFailed);
+        thrown.unwrap_or_else(|| error.into())
+    }
 }
 
 /// A run, and the time spent on it.
@@ -30,11 +54,17 @@ pub(super) struct Timed<R> {
     pub run: R,
     /// Milliseconds spent building and searching.
     spent: [f64; 2],
+    pub thrown: Thrown,
 }
 
 impl<R: Stepped> Timed<R> {
     pub fn new(run: R) -> Self {
-        Self { run, spent: [0.0; 2] }
+        Self { run, spent: [0.0; 2], thrown: Thrown::default() }
+    }
+
+    /// Returns an error if the run has ended with one.
+    pub fn check(&self) -> Result<(), JsValue> {
+        self.run.failure().map_or(Ok(()), |error| Err(self.thrown.or(error)))
     }
 
     /// Seconds spent building and searching.
@@ -84,20 +114,20 @@ macro_rules! stepped {
         #[wasm_bindgen]
         impl $Class {
             /// Makes at most `n` iterations, and none once the status is no longer `running`.
-            pub fn step(&self, n: &$crate::bindings::types::JsNumber) -> Result<Status, $crate::Error> {
+            pub fn step(&self, n: &$crate::bindings::types::JsNumber) -> Result<Status, wasm_bindgen::JsValue> {
                 $crate::bindings::clock::advance(&self.0, $crate::bindings::arguments::count(n, "n")?, f64::INFINITY);
-                Ok(self.status())
+                self.0.borrow().check().map(|()| self.status())
             }
 
             /// Makes iterations for about `ms` milliseconds, one at least. The budget is exceeded by less than a quarter.
             #[wasm_bindgen(js_name = stepFor)]
-            pub fn step_for(&self, ms: &$crate::bindings::types::JsNumber) -> Result<Status, $crate::Error> {
+            pub fn step_for(&self, ms: &$crate::bindings::types::JsNumber) -> Result<Status, wasm_bindgen::JsValue> {
                 $crate::bindings::clock::advance(
                     &self.0,
                     u64::MAX,
                     $crate::bindings::arguments::not_negative(ms, "ms")?,
                 );
-                Ok(self.status())
+                self.0.borrow().check().map(|()| self.status())
             }
         }
     };

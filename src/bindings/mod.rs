@@ -35,6 +35,7 @@ mod drive;
 mod experiment;
 mod neighbours;
 mod planner;
+mod problem;
 mod reach;
 mod records;
 mod scenario;

@@ -1,7 +1,7 @@
 //! A planning run for JavaScript.
 
 use super::arguments::{choice, document, fields, row, rows};
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Stepped, Thrown, Timed, stepped};
 use super::digits;
 use super::records::record;
 use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Rows, ScenarioInput, Status};
@@ -14,7 +14,7 @@ use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A run of a planner; `scenario.planner` and `scenario.resume` make it. Each `step` makes some iterations; how they are divided into
+/// A run of a planner; `scenario.planner`, `scenario.resume` and `problem.planner` make it. Each `step` makes some iterations; how they are divided into
 /// steps does not change the result.
 ///
 /// What grows is read by cursors: a cursor is a number of rows (vertices, edges, events, iterations), not of array elements. Rows are
@@ -35,11 +35,27 @@ impl Stepped for Box<dyn Run> {
     fn phase(&self) -> problem::Phase {
         (**self).phase()
     }
+
+    fn failure(&self) -> Option<Error> {
+        (**self).failure()
+    }
 }
 
 impl Planner {
     pub(super) fn new(run: Box<dyn Run>) -> Self {
-        Self(RefCell::new(Timed::new(run)))
+        Self::of(run, Thrown::default())
+    }
+
+    /// The planner of a problem whose function may throw.
+    pub(super) fn of(run: Box<dyn Run>, thrown: Thrown) -> Self {
+        let mut timed = Timed::new(run);
+        timed.thrown = thrown;
+        Self(RefCell::new(timed))
+    }
+
+    /// What to throw for an error.
+    fn thrown(&self, error: Error) -> JsValue {
+        self.0.borrow().thrown.or(error)
     }
 
     fn read<T>(&self, read: impl FnOnce(&dyn Run) -> T) -> T {
@@ -73,13 +89,14 @@ impl Planner {
         start: &JsConfiguration,
         goal: &JsConfiguration,
         options: Option<QueryOptions>,
-    ) -> Result<Ts<ResultDocument>, Error> {
+    ) -> Result<Ts<ResultDocument>, JsValue> {
         let mut fields = fields(options)?;
         let keep = fields.take("keep")?.unwrap_or(false);
         fields.finish("keep")?;
         let dimension = self.dimension();
         let [start, goal] = [(start, "start"), (goal, "goal")].map(|(q, name)| row(q, dimension, name));
-        self.0.borrow_mut().run.query(&start?, &goal?, keep).map(|result| record(&result))
+        let found = self.0.borrow_mut().run.query(&start?, &goal?, keep);
+        found.map(|result| record(&result)).map_err(|error| self.thrown(error))
     }
 
     /// Begins a run with the roadmap of this one, which is over, in a scenario whose obstacles have moved: robot and bounds are the same,
@@ -97,7 +114,13 @@ impl Planner {
     #[wasm_bindgen(skip_typescript)]
     pub fn roadmap(&self, format: &JsText) -> Result<JsValue, Error> {
         let format = choice(format, "format", &["json", "binary", "graphml"])?;
-        let missing = || Error::new(Code::Unsupported, "", "this planner builds no roadmap that could be saved");
+        let missing = || {
+            Error::new(
+                Code::Unsupported,
+                "",
+                "there is no roadmap that could be saved: the planner builds none, or no scenario describes its problem",
+            )
+        };
         let document = self.read(|run| run.roadmap()).ok_or_else(missing)?;
         Ok(match format {
             0 => document.to_json().into(),
@@ -111,9 +134,10 @@ impl Planner {
     /// it is free. For the refused edges of `eventsSince`. It is not counted in `stats`.
     /// @throws {PlanariumError} `wrong-dimension`, `wrong-type`, `not-finite`; `out-of-range` outside the limits
     #[wasm_bindgen(js_name = firstHits)]
-    pub fn first_hits(&self, ends: &Rows) -> Result<Vec<f64>, Error> {
+    pub fn first_hits(&self, ends: &Rows) -> Result<Vec<f64>, JsValue> {
         let ends = rows(ends, 2 * self.dimension(), "ends")?;
-        self.0.borrow_mut().run.first_hits(&ends)
+        let hits = self.0.borrow_mut().run.first_hits(&ends);
+        hits.map_err(|error| self.thrown(error))
     }
 }
 

@@ -49,7 +49,7 @@ impl Scenario {
 }
 
 /// The options of a run.
-fn options(wanted: Option<impl AsRef<JsValue>>) -> Result<Options, Error> {
+pub(super) fn options(wanted: Option<impl AsRef<JsValue>>) -> Result<Options, Error> {
     let mut fields = fields(wanted)?;
     Ok(Options {
         planner: fields.take("algorithm")?,

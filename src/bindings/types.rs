@@ -26,6 +26,7 @@ plain! {
     Configurations = "Float64Array | readonly number[] | readonly Configuration[]",
     RoadmapFile = "string | Uint8Array",
     PlannerOptions = "PlannerOptions",
+    ProblemInput = "ProblemDescription",
     ResumeOptions = "ResumeOptions",
     GenerateOptions = "GenerateOptions",
     ReachOptions = "ReachOptions",
@@ -57,7 +58,7 @@ plain! {
     JsSummary = "ExperimentSummary",
 }
 
-/// The status of a run.
+/// The status of a run. Only the planner of a `Problem` can have `failed`: a function of the problem has thrown.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Status {
@@ -110,6 +111,72 @@ export type Obstructed = number | "bounds" | "near";
 
 /** The motion of a particle: on a circular arc, or on the spiral v t (cos(theta + w t), sin(theta + w t)) about its start. */
 export type ParticleModel = "arc" | "spiral";
+
+/** A coordinate: an angle that wraps, a number between two limits, or one without, for which samples are drawn between two numbers. */
+export type CoordinateDescription = {
+  /** An angle in (-pi, pi]; differences are those of the short way round. */
+  kind: "circle";
+  /** By what differences are multiplied in the metric, 1e-6 to 1e6; 1 by default. */
+  weight?: number;
+} | {
+  /** Between limits; or without, in which case start, goals and motions may lie outside the range. */
+  kind: "interval" | "line";
+  /** The lower limit, at least -1e6. */
+  low: number;
+  /** The upper limit, at most 1e6. */
+  high: number;
+  /** By what differences are multiplied in the metric, 1e-6 to 1e6; 1 by default. */
+  weight?: number;
+};
+
+/** A space as a product of coordinates. */
+export interface SpaceDescription {
+  /** The coordinates, 1 to 8. */
+  coordinates: readonly CoordinateDescription[];
+  /** How the weighted differences combine: by their sum, the root of the sum of their squares (default), or that without wrap-around. */
+  metric?: "sum" | "euclidean" | "naive";
+}
+
+/** What is free, by clearance: edges are proven. */
+export interface ByClearance {
+  /**
+   * Writes, for each configuration, a lower bound on its distance to collision: 0 or less in collision, `Infinity` where nothing is near.
+   * @param rows  configurations, one after the other; valid during the call only
+   * @param clearances  where to write; its length is the number of configurations
+   */
+  clearance(rows: Float64Array, clearances: Float64Array): void;
+  /**
+   * How far any point of the robot moves at most, per unit of each coordinate, 0 to 1e6: then clearances are distances in the workspace.
+   * Without it they are distances in the metric of the space.
+   */
+  reach?: readonly number[];
+}
+
+/** What is free, by samples: nothing is proven. */
+export interface BySamples {
+  /**
+   * Writes, for each configuration, 1 if it is free and 0 if it is not.
+   * @param rows  configurations, one after the other; valid during the call only
+   * @param free  where to write; its length is the number of configurations
+   */
+  isFree(rows: Float64Array, free: Float64Array): void;
+  /** The largest distance of neighbouring samples of an edge, in the metric; by default a hundredth of the largest distance in the space. */
+  resolution?: number;
+}
+
+/** A problem of a robot of your own: see `Problem`. */
+export type ProblemDescription = {
+  /** The configurations. */
+  space: SpaceDescription;
+  /** The start. */
+  start: Configuration;
+} & ({
+  /** The goal. */
+  goal: Configuration;
+} | {
+  /** Goals, of which one is to be reached. */
+  goals: readonly Configuration[];
+}) & (ByClearance | BySamples);
 
 /** Options of `planner.query`. */
 export interface QueryOptions {

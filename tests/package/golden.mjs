@@ -11,11 +11,11 @@ function inCamelCase(options) {
 
 /**
  * The outcomes of all cases, in the order of the files.
- * @param {Pick<typeof import("planarium"), "Scenario" | "Trajectories">} planarium
- * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates", any[]> & { scenes: Record<string, string> }} cases
+ * @param {Pick<typeof import("planarium"), "Problem" | "Scenario" | "Trajectories">} planarium
+ * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs", any[]> & { scenes: Record<string, string> }} cases
  *   as stored in their files, and the scenes' texts by name
  */
-export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, certificates, scenes }) {
+export function outcomes({ Problem, Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, certificates, customs, scenes }) {
   /** @param {any} given */
   const opened = ({ scene, scenario = scenes[scene], generate, options }) =>
     generate ? Scenario.generate(generate, options) : Scenario.parse(scenario);
@@ -25,6 +25,7 @@ export function outcomes({ Scenario, Trajectories }, { plans, neighbours, trajec
     trajectories.map(({ options, seed }) => tried(new Trajectories({ ...inCamelCase(options), seed }))),
     reaches.map((given) => reached(opened(given), given)),
     certificates.map((given) => certified(opened(given), given)),
+    customs.map((given) => custom(new Problem(twoDiscs(given.free)), given)),
   ];
 }
 
@@ -36,6 +37,39 @@ function planned(scenario, { planner: algorithm, seed, parameters }) {
   planner.free();
   scenario.free();
   return { status, fingerprint, length, ...blended_length !== undefined && { blended_length }, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
+}
+
+const RADIUS = 0.3;
+const OBSTACLES = [[2, 2, 0.5], [1, 3.3, 0.2], [3.1, 0.9, 0.25]];
+
+/** The clearance of two discs among round obstacles, and of each other. @param {Float64Array} rows @param {number} at */
+function clearanceOfDiscs(rows, at) {
+  const distance = (/** @type {number} */ x, /** @type {number} */ y) => Math.sqrt(x * x + y * y);
+  let clearance = distance(rows[at] - rows[at + 2], rows[at + 1] - rows[at + 3]) - RADIUS - RADIUS;
+  for (const [x, y, radius] of OBSTACLES) {
+    for (const disc of [at, at + 2]) clearance = Math.min(clearance, distance(rows[disc] - x, rows[disc + 1] - y) - radius - RADIUS);
+  }
+  return clearance;
+}
+
+/** Two discs that change places: the problem of the crate's own tests. @param {"clearance" | "samples"} free @returns {import("planarium").ProblemDescription} */
+export function twoDiscs(free) {
+  const side = { kind: /** @type {const} */ ("interval"), low: RADIUS, high: 4 - RADIUS };
+  const description = { space: { coordinates: [side, side, side, side] }, start: [0.7, 2, 3.3, 2], goal: [3.3, 2, 0.7, 2] };
+  if (free === "clearance") {
+    return { ...description, reach: [1, 1, 1, 1], clearance(rows, clearances) { clearances.forEach((_, i) => { clearances[i] = clearanceOfDiscs(rows, 4 * i); }); } };
+  }
+  return { ...description, resolution: 0.05, isFree(rows, out) { out.forEach((_, i) => { out[i] = Number(clearanceOfDiscs(rows, 4 * i) > 0); }); } };
+}
+
+/** @param {import("planarium").Problem} problem @param {any} given */
+function custom(problem, { planner: algorithm, seed, parameters }) {
+  const planner = problem.planner({ algorithm, seed, ...inCamelCase(parameters) });
+  while (planner.step(100) === "running");
+  const { status, fingerprint, length, stats } = planner.result();
+  planner.free();
+  problem.free();
+  return { status, fingerprint, length, clearance_evaluations: stats.clearance_evaluations };
 }
 
 /** @param {import("planarium").Scenario} scenario @param {any} given   `radius` in place of `k` */

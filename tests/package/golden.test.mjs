@@ -18,13 +18,13 @@ const place = join(root, "www", "scenes");
 const scenes = Object.fromEntries(
   readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
-const lists = ["golden", "golden-neighbours", "golden-trajectories", "golden-ik", "golden-certificates"].map(golden);
-const [plans, neighbours, trajectories, reaches, certificates] = lists;
-const cases = { plans, neighbours, trajectories, reaches, certificates, scenes };
+const lists = ["golden", "golden-neighbours", "golden-trajectories", "golden-ik", "golden-certificates", "golden-custom"].map(golden);
+const [plans, neighbours, trajectories, reaches, certificates, customs] = lists;
+const cases = { plans, neighbours, trajectories, reaches, certificates, customs, scenes };
 const expected = lists.map((some) => some.map(({ outcome }) => outcome));
 
 test("golden outcomes in Node", () => {
-  [110, 24, 10, 30, 4].forEach((least, i) => assert.ok(lists[i].length >= least));
+  [110, 24, 10, 30, 4, 14].forEach((least, i) => assert.ok(lists[i].length >= least));
   assert.deepEqual(outcomes(planarium, cases), expected);
 });
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { Scenario } from "planarium";
+import { Problem, Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { arm, car, finish, options as asOptions } from "./scenes.mjs";
 
@@ -67,6 +67,23 @@ test("nor do cars that are driven, by a planner, along curves or by hand", () =>
     drive.tick(20);
     drive.free();
     scenario.free();
+  });
+});
+
+test("nor do robots of one's own, whose functions throw", () => {
+  keepsItsSize(2_000, (seed) => {
+    let calls = 0;
+    const problem = new Problem({
+      space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1],
+      clearance(_, clearances) {
+        clearances.fill(0.01);
+        if ((calls += 1) > 3) throw seed;
+      },
+    });
+    const planner = problem.planner({ algorithm: "rrt-star", seed: seed % 10 });
+    assert.throws(() => planner.step(1000));
+    planner.free();
+    problem.free();
   });
 });
 

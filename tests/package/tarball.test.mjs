@@ -24,7 +24,7 @@ const textOf = (...path) => readFileSync(join(place, ...path), "utf8");
 test("the tarball holds exactly the files of the package", () => {
   const entries = readdirSync(place, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const names = entries.map((entry) => relative(place, join(entry.parentPath, entry.name))).sort();
-  const modules = ["catalogue", "core", "draw", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version", "worker", "worker-entry"];
+  const modules = ["callback", "catalogue", "core", "draw", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version", "worker", "worker-entry"];
   const declarations = ["core", "draw", "error", "functions", "planarium", "version", "worker", "worker-entry"];
   assert.deepEqual(names, [
     "CHANGELOG.md",
@@ -41,12 +41,12 @@ test("the tarball holds exactly the files of the package", () => {
 });
 
 // The aim is 300 KB gzipped; docs/benchmarks.md says why it is missed. This holds what was reached.
-test("the tarball weighs at most 740 KB, its WebAssembly at most 1640 KB and 650 KB gzipped", () => {
+test("the tarball weighs at most 770 KB, its WebAssembly at most 1710 KB and 675 KB gzipped", () => {
   const wasm = readFileSync(join(place, "dist", "package", "planarium_bg.wasm"));
-  assert.ok(statSync(tarball).size <= 740_000, `${statSync(tarball).size} bytes`);
-  assert.ok(wasm.length <= 1_640_000, `${wasm.length} bytes`);
+  assert.ok(statSync(tarball).size <= 770_000, `${statSync(tarball).size} bytes`);
+  assert.ok(wasm.length <= 1_710_000, `${wasm.length} bytes`);
   const zipped = gzipSync(wasm, { level: 9 }).length;
-  assert.ok(zipped <= 650_000, `${zipped} bytes`);
+  assert.ok(zipped <= 675_000, `${zipped} bytes`);
 });
 
 test("the manifest asks nothing of its users: no dependencies, no scripts at their install", () => {

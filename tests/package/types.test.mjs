@@ -14,6 +14,7 @@ import init, {
   type OptionInfo, type ParameterInfo, type Part, type Phase, type PlannerInfo, type PlannerOptions, type Point, type PresetInfo, type PseudocodeLine,
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
+import { Problem, type ByClearance, type BySamples, type CoordinateDescription, type ProblemDescription, type SpaceDescription } from "planarium";
 import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium";
 import { PlannerPool, type PoolOptions, type ProgressOptions, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
 
@@ -26,7 +27,7 @@ type None<T extends never> = T;
 /** Those of several types that have such a member. */
 type Loose<T extends unknown[]> = { [I in keyof T]: [AnyMembers<T[I]>] extends [never] ? never : I }[number];
 export type Proof = None<Loose<[
-  Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape,
+  Problem, ProblemDescription, ByClearance, BySamples, CoordinateDescription, SpaceDescription, Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape,
   Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World,
   Query, QueryCheck, Growth, Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo,
   PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], PlannerPool, PoolOptions, ProgressOptions, RunOptions, Signal, WorkerGrowth, {
@@ -64,6 +65,23 @@ export function manyTrajectories(): string {
   new Trajectories({ model: "line" });
   trajectories[Symbol.dispose]();
   return JSON.stringify([now, rows, tries, came, particlePoints(motion, [0, 1]), new Trajectories().fingerprint]);
+}
+
+export function robotOfMyOwn(): string {
+  const coordinates: CoordinateDescription[] = [{ kind: "circle", weight: 2 }, { kind: "line", low: 0, high: 1 }];
+  const space: SpaceDescription = { coordinates, metric: "sum" };
+  const byClearance: ProblemDescription = { space, start: [0, 0], goal: [1, 1], reach: [1, 1], clearance(rows, clearances) { clearances[0] = rows[0] ?? 0; } };
+  const bySamples: ProblemDescription = { space, start: [0, 0], goals: [[1, 1]], resolution: 0.1, isFree(rows, free) { free.fill(rows.length); } };
+  // @ts-expect-error: nothing tells what is free
+  new Problem({ space, start: [0, 0], goal: [1, 1] });
+  // @ts-expect-error: a circle has no limits
+  new Problem({ ...bySamples, space: { coordinates: [{ kind: "circle", low: 0 }] } });
+  const problem: Problem = new Problem(byClearance);
+  const planner: Planner = problem.planner({ algorithm: "rrt-star", seed: 1 });
+  const status: Status = planner.step(1);
+  const failed: Status = "failed";
+  problem.free();
+  return JSON.stringify([problem.dimension, status, failed, solve(new Problem(bySamples)).edge_check]);
 }
 
 export async function program(bytes: ArrayBuffer): Promise<string> {

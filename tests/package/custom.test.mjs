@@ -193,6 +193,29 @@ test("descriptions are refused with code and pointer", () => {
   assert.equal(solve(new Problem(new Robot())).edge_check, "sampled");
 });
 
+test("the examples solve in Node, and their paths are free wherever one looks", async () => {
+  for (const name of ["two-discs", "six-joints", "drone"]) {
+    const { description, options } = await import(`../../examples/own/${name}.js`);
+    const result = solve(new Problem(description), options);
+    assert.equal(result.status, "solved", name);
+    assert.equal(result.edge_check, undefined);
+    const circles = description.space.coordinates.map((/** @type {{ kind: string }} */ { kind }) => kind === "circle");
+    const [n, count] = [circles.length, 2000];
+    const [rows, clearances] = [new Float64Array(n * count), new Float64Array(count)];
+    result.path.slice(1).forEach((q, k) => {
+      const from = result.path[k];
+      for (let i = 0; i < count; i += 1) {
+        for (let j = 0; j < n; j += 1) {
+          const d = q[j] - from[j];
+          rows[n * i + j] = from[j] + (i / count) * (circles[j] ? d - 2 * Math.PI * Math.round(d / (2 * Math.PI)) : d);
+        }
+      }
+      description.clearance(rows, clearances);
+      assert.ok(clearances.every((clearance) => clearance > 0), `${name}, edge ${k}: ${Math.min(...clearances)}`);
+    });
+  }
+});
+
 test("freed planners and problems keep no function alive", () => {
   const script = `
     import { Problem } from "planarium";

@@ -49,7 +49,7 @@ fn twin(scenario: &Scenario, kind: Kind) -> CustomProblem {
     };
     let inspector = Inspector::new(scenario);
     let radius = if let Robot::Disc(disc) = scenario.robot() { disc.radius() } else { 0.0 };
-    let bounds = world.bounds.clone();
+    let bounds = world.bounds;
     let clearance_of = move |q: &[f64]| -> Result<f64, Error> {
         let depth = match &bounds {
             Some(bounds) if radius > 0.0 => {
@@ -338,7 +338,12 @@ fn a_kept_roadmap_is_queried_again_and_a_failure_of_a_query_is_its_error() {
 #[wasm_bindgen_test(unsupported = test)]
 fn what_makes_no_problem_is_refused_with_code_and_pointer() {
     use CoordinateDescription as C;
-    let all_free = || Free::by_clearance(|_, clearances| Ok(clearances.fill(f64::INFINITY)));
+    let all_free = || {
+        Free::by_clearance(|_, clearances| {
+            clearances.fill(f64::INFINITY);
+            Ok(())
+        })
+    };
     let refused = |coordinates: Vec<C>, free: Free, start: &[f64], goals: &[Vec<f64>]| {
         let space = SpaceDescription { coordinates, metric: None };
         let error = CustomProblem::new(space, free, start, goals).map(|_| ()).expect_err("refused");
@@ -395,8 +400,18 @@ fn what_makes_no_problem_is_refused_with_code_and_pointer() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_start_or_a_goal_in_collision_is_refused_with_its_clearance() {
     let space = SpaceDescription { coordinates: vec![CoordinateDescription::interval(-2.0, 2.0)], metric: None };
-    let clearance = || Free::by_clearance(|rows, clearances| Ok(clearances.copy_from_slice(rows)));
-    let samples = || Free::by_samples(None, |rows, free| Ok((0..rows.len()).for_each(|i| free[i] = rows[i] > 0.0)));
+    let clearance = || {
+        Free::by_clearance(|rows, clearances| {
+            clearances.copy_from_slice(rows);
+            Ok(())
+        })
+    };
+    let samples = || {
+        Free::by_samples(None, |rows, free| {
+            (0..rows.len()).for_each(|i| free[i] = rows[i] > 0.0);
+            Ok(())
+        })
+    };
     for (free, start, goals, code, pointer, why) in [
         (clearance(), -0.5, vec![vec![1.0]], Code::StartInCollision, "/start", "clearance is -0.5"),
         (clearance(), 0.5, vec![vec![1.0], vec![0.0]], Code::GoalInCollision, "/goals/1", "clearance is 0"),
@@ -414,8 +429,14 @@ fn no_motion_is_evaluated_without_bound() {
     let side = CoordinateDescription::interval(0.0, 1e6);
     let space = || SpaceDescription { coordinates: vec![side], metric: None };
     // Free everywhere, with bounds so small that they prove nothing in time.
-    let tiny = Free::by_clearance(|_, clearances| Ok(clearances.fill(1e-3)));
-    let fine = Free::by_samples(Some(1e-3), |_, free| Ok(free.fill(true)));
+    let tiny = Free::by_clearance(|_, clearances| {
+        clearances.fill(1e-3);
+        Ok(())
+    });
+    let fine = Free::by_samples(Some(1e-3), |_, free| {
+        free.fill(true);
+        Ok(())
+    });
     for free in [tiny, fine] {
         let problem = CustomProblem::new(space(), free, &[0.0], &[vec![1e6]]).expect("a problem");
         let mut run = begin(&problem, "rrt-connect", 1, "tolerance=1e-9");

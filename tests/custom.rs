@@ -141,7 +141,8 @@ fn every_sampler_serves_them() {
     for sampler in SAMPLERS {
         let settings = format!("sampler={sampler} samples=200 k=10");
         let run = finish(begin(&twin(&world, Kind::Clearance), "prm", 1, &settings));
-        assert!(run.vertex_count() > 2 && run.edge_count() > 0, "{sampler}");
+        // Few bridges are as short as the default spread of the bridge test.
+        assert!(run.failure().is_none() && run.stats().configuration_checks > 200, "{sampler}");
         if run.status() == Status::Solved {
             solved += 1;
             assert_valid(&world, &*run);

@@ -14,7 +14,7 @@ export const planners = JSON.parse(readFileSync(join(root, "schema", "catalogue.
 export const publicFolder = join(root, "dist", "site-public");
 
 const IMPROVES = { improve_iterations: 1500, seed: 2 };
-const AMONG_DISCS = "the same discs as on the pages of the other planners";
+const AMONG_DISCS = "a disc among other discs, a world that several of these pages share";
 
 /**
  * The scene and the settings in which each planner shows its nature, and the robot and world in words.
@@ -22,17 +22,17 @@ const AMONG_DISCS = "the same discs as on the pages of the other planners";
  */
 const STAGES = {
   prm: { scene: "stones", of: "an arm of two links, and its configuration space", settings: { samples: 260, k: 9, seed: 0 } },
-  "prm-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { samples: 300, seed: 2 }, view: { optimum: true } },
-  "lazy-prm": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { samples: 300, k: 10, seed: 2 }, view: { optimum: true } },
-  "lazy-prm-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: IMPROVES, view: { optimum: true } },
+  "prm-star": { scene: "pebbles", of: AMONG_DISCS, settings: { samples: 300, seed: 2 }, view: { optimum: true } },
+  "lazy-prm": { scene: "pebbles", of: AMONG_DISCS, settings: { samples: 300, k: 10, seed: 2 }, view: { optimum: true } },
+  "lazy-prm-star": { scene: "pebbles", of: AMONG_DISCS, settings: IMPROVES, view: { optimum: true } },
   "visibility-prm": { scene: "museum", of: "a disc in the rooms of a museum", settings: { failures: 150, shortcut: 60, seed: 2 } },
   rrt: { scene: "trap", of: "a disc in a trap whose mouth is turned inwards", settings: { step: 0.1, seed: 5 } },
   "rrt-connect": { scene: "maze", of: "a disc in a maze", settings: { step: 0.1, seed: 4 } },
-  "rrt-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { step: 0.1, ...IMPROVES }, view: { optimum: true } },
-  "informed-rrt-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { step: 0.1, ...IMPROVES }, view: { optimum: true } },
-  "fmt-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { samples: 300, seed: 2 }, view: { optimum: true } },
-  "bit-star": { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: { batch_size: 60, ...IMPROVES }, view: { optimum: true } },
-  aorrtc: { scene: "pebbles", of: `a disc among ${AMONG_DISCS}`, settings: IMPROVES, view: { optimum: true } },
+  "rrt-star": { scene: "pebbles", of: AMONG_DISCS, settings: { step: 0.1, ...IMPROVES }, view: { optimum: true } },
+  "informed-rrt-star": { scene: "pebbles", of: AMONG_DISCS, settings: { step: 0.1, ...IMPROVES }, view: { optimum: true } },
+  "fmt-star": { scene: "pebbles", of: AMONG_DISCS, settings: { samples: 300, seed: 2 }, view: { optimum: true } },
+  "bit-star": { scene: "pebbles", of: AMONG_DISCS, settings: { batch_size: 60, ...IMPROVES }, view: { optimum: true } },
+  aorrtc: { scene: "pebbles", of: AMONG_DISCS, settings: IMPROVES, view: { optimum: true } },
   "rrt-control": { scene: "blossom", of: "a car whose edges are controls", settings: { blossom: 3, duration_steps: 250, goal_bias: 0.05, goal_test: "ends", max_iterations: 10000, seed: 1 } },
   sst: { scene: "witness", of: "a car whose edges are controls", settings: { seed: 2 } },
 };

@@ -177,7 +177,7 @@ export const isGreen = ({ found: { core, worker } }) => core === GOLDEN && (work
 
 /** What the docs show of each toolchain: what was built with, and nothing else. */
 export function recipes() {
-  const kinds = /** @type {Record<string, string>} */ ({ js: "javascript", json: "jsonc" });
+  const kinds = /** @type {Record<string, string>} */ ({ js: "javascript", json: "jsonc", capnp: "text" });
   const block = (/** @type {string} */ kind, /** @type {string} */ text) => `\`\`\`${kinds[kind] ?? kind}\n${text.trim()}\n\`\`\`\n`;
   const sections = toolchains.map(({ name, files, shown = [], build = [], drive: how }) => {
     const command = "command" in how ? how.command : "server" in how ? how.server : "";

@@ -6,7 +6,6 @@
  *   dist/package/  the files that `npm pack` publishes
  *   dist/page/     the static pages
  *   dist/planarium.html   the planner's page in one file
- *   dist/site/     the documentation
  *
  * `node scripts/build.mjs` builds everything, `node scripts/build.mjs package` only the package.
  */
@@ -19,7 +18,6 @@ import { fileURLToPath } from "node:url";
 import { coreDeclarations, forJavaScript, optionTypes, rowsOf } from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
 import { Problem, ask, isMain, root, run, script } from "./run.mjs";
-import { buildSite } from "./site.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
 
 export { assembleOneFile, assemblePage };
@@ -180,6 +178,5 @@ if (isMain(import.meta.url)) {
     if (process.argv[2] === "package") return;
     await assemblePage();
     assembleOneFile();
-    await buildSite();
   });
 }

@@ -73,7 +73,7 @@ function linkInSite(link, file) {
   const target = posix.normalize(posix.join(posix.dirname(file), path));
   if (target.endsWith(".md")) return `${addressOf(target)}${anchor === undefined ? "" : `#${anchor}`}`;
   if (statSync(join(root, target)).isDirectory()) return null;
-  linkedFiles.set(target, `files/${/\.\w+$/.test(target) ? target : `${target}.txt`}`);
+  linkedFiles.set(target, `files/${/\.(html|json|txt)$/.test(target) ? target : `${target}.txt`}`);
   return `/${linkedFiles.get(target)}`;
 }
 

@@ -92,7 +92,7 @@ test("every JSON example is a scenario, or an experiment, which a native test ru
 
 test("no example is left out: code is JavaScript, Rust, JSON, shell, or one of the kinds that are not run", () => {
   // Those of docs/toolchains.md are built and run by `npm run compat`.
-  const known = ["js", "rust", "json", "sh", "html", "python", "diff", "mermaid", "javascript", "jsonc", "capnp", "text"];
+  const known = ["js", "rust", "json", "sh", "html", "python", "diff", "mermaid", "javascript", "jsonc", "text"];
   for (const [name, text] of texts) {
     const opened = text.split("\n").filter((line) => line.startsWith("```")).filter((_, i) => i % 2 === 0);
     for (const line of opened) assert.ok(known.includes(line.slice(3)), `${name}: ${line}`);

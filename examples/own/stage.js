@@ -36,6 +36,8 @@ export function makeStage(canvas, target, from, size) {
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
       camera.aspect = width / height;
+      // On a narrow screen the whole width of the scene stays in view.
+      camera.zoom = Math.min(1, camera.aspect / 1.2);
       camera.updateProjectionMatrix();
     }
     controls.update();

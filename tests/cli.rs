@@ -420,6 +420,7 @@ fn wrong_input_exits_2_with_code_and_pointer() {
         ("plan room.json --max-seconds nan", "usage", ""),
         ("plan room.json --max-iterations -1", "usage", ""),
         ("plan room.json --threads 0", "usage", ""),
+        ("sweep room.json --out rows.csv --threads 1000000", "usage", ""),
         ("plan room.json --speed 9", "usage", ""),
         ("plan", "usage", ""),
         ("verify room.json", "usage", ""),

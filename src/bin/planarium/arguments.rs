@@ -107,7 +107,7 @@ pub struct Plan {
     pub max_seconds: Option<f64>,
 
     /// The threads to use; the result is the same with any number [default: one per core]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
 
     /// Continue with a roadmap saved for the same world and robot, which is proven again, instead of building one; - reads it
@@ -308,7 +308,7 @@ pub struct Sweep {
     pub shard: Option<Shard>,
 
     /// The threads to use; the rows are the same with any number [default: one per core]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
 
     /// Write all rows to this file as a log of OMPL's benchmarks
@@ -469,6 +469,11 @@ fn angles(text: &str) -> Result<Angles, String> {
 
 fn point(text: &str) -> Result<[f64; 2], String> {
     angles(text)?.0.try_into().map_err(|_| "a point reads X,Y".to_owned())
+}
+
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= 1024);
+    threads.ok_or_else(|| "threads are a whole number from 1 to 1024".to_owned())
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

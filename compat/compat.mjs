@@ -106,7 +106,7 @@ class Project {
     return output;
   }
 
-  /** Starts a server, and returns its address once it answers. @param {string} command @returns {Promise<string>} */
+  /** Starts a server, and returns its address once it responds. @param {string} command @returns {Promise<string>} */
   async serve(command) {
     const probe = createServer().listen(0, "127.0.0.1");
     await once(probe, "listening");

@@ -24,8 +24,9 @@
 //! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, `shortening`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
 //! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
-//! scenario or a shape. The core reads no clock, prints nothing, and has no global state. A test
-//! enforces this. It calls nothing back but the function of a robot of one's own. Modules hidden from this page are public for the tests and benches only; they may change at any time.
+//! scenario or a shape. The core reads no clock, prints nothing, and has no global state: a test enforces this. It calls no code of its
+//! caller but the function that tells what is free. Modules hidden from this page are public for the tests and benches only; they may
+//! change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]

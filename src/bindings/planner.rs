@@ -14,8 +14,8 @@ use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A run of a planner; `scenario.planner`, `scenario.resume` and `problem.planner` make it. Each `step` makes some iterations; how they are divided into
-/// steps does not change the result.
+/// A run of a planner; `scenario.planner`, `scenario.resume` and `problem.planner` make it. Each `step` makes some iterations; how they
+/// are divided into steps does not change the result.
 ///
 /// What grows is read by cursors: a cursor is a number of rows (vertices, edges, events, iterations), not of array elements. Rows are
 /// only ever appended; an event tells what leaves a tree. Vertex 0 is the start, vertex 1 the goal (also of `rrt`, whose tree contains

@@ -234,9 +234,9 @@ pub fn resume<S: Space + 'static>(
 }
 
 /// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two states
-/// whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former are to be proven again, motions that were
-/// refused and may touch the latter are candidates again, and all others stay as they are. Former ends that are ends no longer are no
-/// vertices any more. O(states + edges), and the index of neighbours.
+/// whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former are to be
+/// proven again, motions that were refused and may touch the latter are candidates again, and all others stay as they are. Former ends
+/// that are ends no longer are no vertices any more. O(states + edges), and the index of neighbours.
 pub fn reopen<S: Space + 'static>(
     problem: &Problem<S>,
     kept: &Roadmap<S>,

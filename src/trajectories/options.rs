@@ -21,23 +21,23 @@ crate::options! {
     pub struct TrajectoryOptions for &[];
     /// How a particle moves: on a circular arc, or on the spiral whose points are v t away from the start in direction theta + w t.
     model: Model = Model::Arc, "Motion";
-    /// How many trajectories are accepted, none of which crosses another.
+    /// Number of mutually non-crossing trajectories to find.
     count: usize = 1000, in 1.0..=100_000.0, "Trajectories";
     /// Starts lie in a square from minus this to this.
     half_side: f64 = 3.0, in 0.01..=10_000.0, "Half side", unit "m";
     /// First headings lie between minus this and this.
     spread: f64 = PI, in 0.0..=PI, "Spread", unit "rad";
-    /// The least speed, at most the greatest.
+    /// Minimum speed; at most the maximum.
     slowest: f64 = 0.0, in 0.0..=1000.0, "Slowest", unit "m/s";
-    /// The greatest speed.
+    /// Maximum speed.
     fastest: f64 = 1.0, in 0.0..=1000.0, "Fastest", unit "m/s";
-    /// The least turn rate, at most the greatest; negative turns right.
+    /// Minimum turn rate, at most the maximum; negative turns right.
     least_turn_rate: f64 = -PI, in -1000.0..=1000.0, "Least turn rate", unit "rad/s";
-    /// The greatest turn rate.
+    /// Maximum turn rate.
     greatest_turn_rate: f64 = PI, in -1000.0..=1000.0, "Greatest turn rate", unit "rad/s";
     /// How long every particle moves; no turn is longer than 100 radians.
     duration: f64 = 1.0, in 0.001..=1000.0, "Duration", unit "s";
-    /// Which earlier trajectories a new one is tested against: those that share a cell of a grid, or all. The result is the same.
+    /// Grid: a new trajectory is tested against those that share a cell with it only. None: against all. The result is the same.
     index: IndexKind = IndexKind::Grid, "Index";
     /// After how many trajectories tried the search for more gives up.
     max_iterations: u64 = 100_000, in 1.0..=1_000_000.0, "Iterations at most";

@@ -38,6 +38,7 @@ pub mod bindings;
 pub mod certificate;
 pub mod driving;
 pub mod experiment;
+pub mod fleet;
 pub mod geometry;
 pub mod ik;
 pub mod optimum;

@@ -40,6 +40,8 @@ pub enum Stream {
     Particles = 7,
     /// Within which cost a sample is to be reached.
     Costs = 8,
+    /// In which order robots of a fleet plan.
+    Priorities = 9,
 }
 
 /// A stream of random numbers.

@@ -26,7 +26,7 @@ objects! {
     /// counter-clockwise, y up.
     #[cfg_attr(feature = "schema", schemars(title = "Planarium scenario"))]
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "ScenarioDocument"))]
-    pub(super) struct Document {
+    pub(crate) struct Document {
         /// The format of the document.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-scenario-1\""))]
         pub format: Format,
@@ -45,7 +45,7 @@ objects! {
     }
 
     /// Bounds and obstacles. Only an arm needs no bounds.
-    pub(super) struct World {
+    pub(crate) struct World {
         /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Box"))]
         pub bounds: Option<Bounds>,
@@ -56,28 +56,28 @@ objects! {
 
     /// A box; min is less than max in both coordinates.
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "Box"))]
-    pub(super) struct Bounds {
+    pub(crate) struct Bounds {
         /// The corner with the smallest coordinates.
         pub min: Point,
         /// The corner with the largest coordinates.
         pub max: Point,
     }
 
-    pub(super) struct Disc {
+    pub(crate) struct Disc {
         /// The centre.
         pub center: Point,
         /// The radius in metres.
         pub radius: Positive,
     }
 
-    pub(super) struct Polygon {
+    pub(crate) struct Polygon {
         /// The corners in order; at least three differ, edges do not touch or cross. A coordinate is 0 or at least 1e-140 in
         /// magnitude: for smaller ones orientations cannot be computed exactly.
         #[cfg_attr(feature = "schema", schemars(length(min = 3)))]
         pub vertices: Vec<Point>,
     }
 
-    pub(super) struct Arm {
+    pub(crate) struct Arm {
         /// The position of the base; no obstacle may lie within `radius` of it.
         pub base: Point,
         /// The lengths of the links in metres, from the base outwards.
@@ -94,7 +94,7 @@ objects! {
         pub joint_limits: Option<Vec<[JointLimit; 2]>>,
     }
 
-    pub(super) struct RigidBody {
+    pub(crate) struct RigidBody {
         /// The shape in its own frame.
         pub shape: Shape,
         /// The metric of placements.
@@ -102,7 +102,7 @@ objects! {
         pub metric: Option<Metric>,
     }
 
-    pub(super) struct Car {
+    pub(crate) struct Car {
         /// The shape about the middle of the rear axle; x is forward.
         pub shape: Shape,
         /// The distance between the axles in metres.
@@ -120,14 +120,14 @@ objects! {
     }
 
     #[cfg_attr(feature = "schema", schemars(rename = "DiscRobot"))]
-    pub(super) struct DiscRobot {
+    pub(crate) struct DiscRobot {
         /// The radius in metres; 0 makes it a point.
         pub radius: NonNegative,
     }
 
     /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 by default.
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "Weights"))]
-    pub(super) struct Metric {
+    pub(crate) struct Metric {
         /// The weight of a metre.
         pub translation: Positive,
         /// The weight of a radian.
@@ -141,7 +141,7 @@ objects! {
         feature = "schema",
         schemars(extend("oneOf" = [{ "required": ["goal"] }, { "required": ["target"] }]))
     )]
-    pub(super) struct Query {
+    pub(crate) struct Query {
         /// The name, distinct within the scenario.
         #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
         pub name: String,
@@ -164,7 +164,7 @@ objects! {
     }
 
     /// A target of the end effector: any configuration that reaches it is a goal.
-    pub(super) struct Target {
+    pub(crate) struct Target {
         /// The position of the tip.
         pub point: Point,
         /// The angle of the last link in the world, in radians; any angle if it is absent.
@@ -173,7 +173,7 @@ objects! {
     }
 
     /// A goal region: both bounds must hold.
-    pub(super) struct GoalTolerance {
+    pub(crate) struct GoalTolerance {
         /// The largest distance, in metres.
         pub translation: NonNegative,
         /// The largest turn, in radians.
@@ -184,7 +184,7 @@ objects! {
 /// The one format.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
-pub(super) enum Format {
+pub(crate) enum Format {
     #[serde(rename = "planarium-scenario-1")]
     One,
 }
@@ -192,12 +192,12 @@ pub(super) enum Format {
 /// A point [x, y] in metres.
 #[derive(Deserialize, Clone, Copy)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
-pub(super) struct Point(pub Coordinate, pub Coordinate);
+pub(crate) struct Point(pub Coordinate, pub Coordinate);
 
 /// A closed, filled obstacle.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
-pub(super) enum Obstacle {
+pub(crate) enum Obstacle {
     /// A disc.
     Disc(Disc),
     /// A simple polygon, convex or concave, in either direction, open or closed.
@@ -209,7 +209,7 @@ by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
 /// The robot.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
-pub(super) enum Robot {
+pub(crate) enum Robot {
     /// A planar arm of revolute joints. A configuration contains one angle per link, each relative to the link before.
     Arm(Arm),
     /// A polygon that translates and rotates. A configuration is [x, y, theta], the position and rotation of its frame.
@@ -226,7 +226,7 @@ by_type!(Robot { "arm" => Arm, "disc" => Disc, "rigid_body" => RigidBody, "car" 
 /// The shape of a body in its own frame.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     /// A simple polygon, convex or concave, in either direction, open or closed.
     Polygon(Polygon),
 }

@@ -3,13 +3,13 @@
 //! It is read from a document ([`Scenario::parse`]) or generated from a seed ([`generate`]), and written in one normal form. A
 //! query has a goal or, for an arm, a target. Planners that grow by controls need its `goal_tolerance`, and end in that region.
 
-mod document;
+pub(crate) mod document;
 pub mod generate;
-mod number;
+pub(crate) mod number;
 #[cfg(feature = "schema")]
 mod schema;
 mod types;
-mod validate;
+pub(crate) mod validate;
 
 pub use crate::json::{MAX_DEPTH, MAX_TEXT};
 pub use crate::robot::LARGEST;
@@ -17,7 +17,7 @@ pub use crate::robot::LARGEST;
 pub use schema::schema;
 #[cfg(feature = "schema")]
 pub(crate) use schema::schema_of;
-use types::Parts;
+pub(crate) use types::Parts;
 pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 
 /// The `format` of a scenario.

@@ -25,7 +25,7 @@ macro_rules! number {
         #[doc = $what]
         #[derive(Clone, Copy, Default)]
         #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-        pub(super) struct $name(pub f64);
+        pub(crate) struct $name(pub f64);
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {

@@ -17,13 +17,13 @@ pub struct Scenario(pub(super) Arc<Parts>);
 /// The parts of a scenario, as its document has them.
 #[derive(Debug, PartialEq, Serialize)]
 #[serde(tag = "format", rename = "planarium-scenario-1")]
-pub(super) struct Parts {
-    pub(super) name: String,
+pub(crate) struct Parts {
+    pub(crate) name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) title: Option<String>,
-    pub(super) world: World,
-    pub(super) robot: Robot,
-    pub(super) queries: Vec<Query>,
+    pub(crate) title: Option<String>,
+    pub(crate) world: World,
+    pub(crate) robot: Robot,
+    pub(crate) queries: Vec<Query>,
 }
 
 impl From<Parts> for Scenario {

@@ -54,7 +54,7 @@ impl Scenario {
     }
 }
 
-fn check_name(name: &str, pointer: &str) -> Result<(), Error> {
+pub(crate) fn check_name(name: &str, pointer: &str) -> Result<(), Error> {
     if name.is_empty() { Err(Error::new(Code::OutOfRange, pointer, "a name must not be empty")) } else { Ok(()) }
 }
 
@@ -62,7 +62,7 @@ fn point(document::Point(x, y): document::Point) -> Point {
     Point::new(x.0, y.0)
 }
 
-fn checked_world(world: document::World) -> Result<World, Error> {
+pub(crate) fn checked_world(world: document::World) -> Result<World, Error> {
     let bounds = world.bounds.map(checked_bounds).transpose()?;
     let count = world.obstacles.len();
     if count > MAX_OBSTACLES {
@@ -118,7 +118,7 @@ fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Re
     })
 }
 
-fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
+pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
     let made = match robot {
         document::Robot::Arm(arm) => {
             let links = arm.links.iter().map(|length| length.0).collect();
@@ -194,7 +194,7 @@ fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Er
 }
 
 /// A configuration of the robot, within the joint limits if there are any.
-fn checked_configuration(configuration: &[AngleOrCoordinate], pointer: &str, robot: &Robot) -> Result<Vec<f64>, Error> {
+pub(crate) fn checked_configuration(configuration: &[AngleOrCoordinate], pointer: &str, robot: &Robot) -> Result<Vec<f64>, Error> {
     let q: Vec<f64> = configuration.iter().map(|entry| entry.0).collect();
     if q.len() != robot.dimension() {
         let sentence = format!("a configuration of this robot has {} entries, not {}", robot.dimension(), q.len());

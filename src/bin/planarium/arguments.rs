@@ -37,6 +37,8 @@ pub enum Command {
     Plan(Plan),
     /// Prove that no path keeps more than a clearance, or that one does, and print the certificate
     Certify(Certify),
+    /// Plan for all robots of a fleet, without conflict, and print the result document
+    Fleet(Fleet),
     /// Find joint angles that bring the tip of an arm to a target and print the result document
     Reach(Reach),
     /// Verify a result or a certificate against its scenario, by other code than that which made it
@@ -49,11 +51,11 @@ pub enum Command {
     Nearest(Nearest),
     /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
     List(List),
-    /// Generate a scenario by seed and print it
+    /// Generate a scenario or a fleet by seed and print it
     Generate(Generate),
     /// Add random trajectories of particles one by one, none of which crosses another, and print counts
     Trajectories(Trajectories),
-    /// Print the JSON Schema of scenarios, or of experiments
+    /// Print the JSON Schema of scenarios, of experiments, or of fleets
     #[cfg(feature = "schema")]
     Schema(Schema),
 }
@@ -71,6 +73,7 @@ pub struct Schema {
 pub enum Document {
     Scenario,
     Experiment,
+    Fleet,
 }
 
 #[derive(Args)]
@@ -234,15 +237,48 @@ pub enum RoadmapFormat {
 
 #[derive(Args)]
 #[command(after_help = "\
+If the order of priorities fails, the result names the robot that finds no way, and who is in its way.
+Exit codes: 0 solved; 1 exhausted; 2 the input is wrong.
+
+Examples:
+  planarium generate hall --set count=20 --seed 1 --out hall.json
+  planarium fleet hall.json --out plan.json
+  planarium verify hall.json plan.json
+  planarium generate swap | planarium fleet - --order 2,1
+  planarium generate swap | planarium fleet - --planner composite --seed 3")]
+pub struct Fleet {
+    /// The fleet, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The planner, by id; see `planarium list` [default: prioritized]
+    #[arg(long, value_name = "ID")]
+    pub planner: Option<String>,
+
+    /// The order of priorities, the highest first: every robot once, by its name, or by its index from 0 [default: that of the
+    /// fleet]
+    #[arg(long, value_name = "A,B,..", value_delimiter = ',')]
+    pub order: Option<Vec<String>>,
+
+    #[command(flatten)]
+    pub given: Given,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
 Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}; of a certificate without counts.
 Clearance is the smallest distance to an obstacle found, in metres; null without obstacles.
+Of a plan of a fleet it prints {\"valid\", \"conflicts\", \"faults\", \"looks\"}.
 Exit codes: 0 valid; 1 not valid; 2 the input is wrong.
 
 Examples:
   planarium verify arm.json result.json
   planarium plan arm.json | planarium verify arm.json -")]
 pub struct Verify {
-    /// The scenario, a JSON file; - reads it from standard input
+    /// The scenario or the fleet, a JSON file; - reads it from standard input
     pub file: String,
 
     /// The result document, or the certificate; - reads it from standard input
@@ -411,7 +447,7 @@ Examples:
   planarium generate maze --set difficulty=hard --seed 3
   planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
 pub struct Generate {
-    /// The generator: forest, clutter, discs, maze, gap or bug-trap
+    /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make fleets
     pub kind: String,
 
     #[command(flatten)]

@@ -2,7 +2,9 @@
 
 use planarium::Error;
 use planarium::error::Code;
+use planarium::json;
 use planarium::scenario::Scenario;
+use serde_json::Value;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -30,11 +32,16 @@ static CHECK: extern "C" fn() = {
 
 /// The scenario of the file. `other` is the name of a second input and its file, which cannot both be standard input.
 pub fn scenario(name: &str, other: Option<(&str, &str)>) -> Result<Scenario, Error> {
+    Scenario::read(&document(name, other)?)
+}
+
+/// The same as a tree, whatever its format.
+pub fn document(name: &str, other: Option<(&str, &str)>) -> Result<Value, Error> {
     if let Some((what, "-")) = other.filter(|_| name == "-") {
         let sentence = format!("scenario and {what} cannot both come from standard input");
         return Err(Error::new(Code::Usage, "", sentence));
     }
-    Scenario::parse(&read(name)?)
+    json::parse(&read(name)?)
 }
 
 /// The text of the file; of standard input for `-`.

@@ -1,4 +1,4 @@
-//! The command line: plan, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
+//! The command line: plan, fleet, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -8,6 +8,7 @@
 mod arguments;
 mod certify;
 mod files;
+mod fleet;
 mod generate;
 mod list;
 mod nearest;
@@ -55,6 +56,7 @@ fn run(command: &Command) -> Answer {
     match command {
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Certify(arguments) => certify::certify(arguments),
+        Command::Fleet(arguments) => fleet::fleet(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),
@@ -68,6 +70,7 @@ fn run(command: &Command) -> Answer {
             let schema = match arguments.document {
                 arguments::Document::Scenario => planarium::scenario::schema(),
                 arguments::Document::Experiment => planarium::experiment::schema(),
+                arguments::Document::Fleet => planarium::fleet::schema(),
             };
             files::print(&format!("{schema:#}")).map(|()| true)
         }

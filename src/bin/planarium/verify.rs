@@ -3,14 +3,26 @@
 use crate::arguments::Verify;
 use crate::{Answer, files};
 use planarium::certificate::{self, Certificate};
+use planarium::fleet::{self, Fleet, FleetResult};
 use planarium::json;
 use planarium::path::{self, ResultDocument, Verdict};
+use planarium::scenario::Scenario;
 use serde_json::json;
 
-/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format.
+/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format. That of the
+/// first document tells whether it is a fleet.
 pub fn verify(arguments: &Verify) -> Answer {
-    let scenario = files::scenario(&arguments.file, Some(("result", &arguments.result)))?;
+    let document = files::document(&arguments.file, Some(("result", &arguments.result)))?;
     let text = files::read(&arguments.result)?;
+    if document["format"] == fleet::FORMAT {
+        let verification = fleet::verify(&Fleet::read(&document)?, &FleetResult::parse(&text)?)?;
+        let [conflicts, faults] = [verification.conflicts.len(), verification.faults.len()];
+        let verdict = if verification.is_valid() { "valid" } else { "not valid" };
+        files::say(&format!("{verdict}: {conflicts} conflicts, {faults} faults"));
+        files::print(&json::to_string(&verification))?;
+        return Ok(verification.is_valid());
+    }
+    let scenario = Scenario::read(&document)?;
     let is_certificate = json::parse(&text)?.get("format").is_some();
     if is_certificate {
         let why = certificate::verify(&scenario, &Certificate::parse(&text)?)?;

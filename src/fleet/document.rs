@@ -1,0 +1,313 @@
+//! A fleet: a world, and several robots in it, each with a start and a goal. The types that its document is read into, and the
+//! rules that they cannot express.
+
+use super::FORMAT;
+use super::motion::{Footprint, Pose};
+use crate::error::{Code, Error, quoted};
+use crate::geometry::Aabb;
+use crate::json;
+use crate::problem::Contact;
+use crate::robot::Part;
+use crate::scenario::document;
+use crate::scenario::number::{AngleOrCoordinate, Positive};
+use crate::scenario::validate::{check_name, checked_configuration, checked_robot, checked_world};
+use crate::scenario::{Goal, Parts, Query, Robot, Scenario, World};
+use crate::space::MotionSpace;
+use crate::world::{PlanningWorld, SMALL};
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The most robots of a fleet.
+pub const MAX_ROBOTS: usize = 1000;
+
+/// The finest checker is wanted where no motion is proven.
+const ANY_TOLERANCE: f64 = 1e-4;
+
+/// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise, y up,
+/// speeds in metres per second.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "Planarium fleet"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetDocument"))]
+#[serde(deny_unknown_fields)]
+pub(super) struct Document {
+    /// The format of the document.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-fleet-1\""))]
+    format: Format,
+    /// The name, used in results.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    name: String,
+    /// The title for people.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    title: Option<String>,
+    /// The bounds, which are required, and obstacles.
+    world: document::World,
+    /// The robots; names are distinct.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 1000)))]
+    robots: Vec<Member>,
+}
+
+/// A robot of a fleet, with its start and its goal.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(rename = "FleetRobot"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetRobotDocument"))]
+#[serde(deny_unknown_fields)]
+struct Member {
+    /// The name, distinct within the fleet.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    name: String,
+    /// The robot: a disc or a rigid body.
+    robot: document::Robot,
+    /// The speed that no point of the robot exceeds, in metres per second; 1 by default.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    speed: Option<Positive>,
+    /// Where it stands until it leaves.
+    #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
+    start: Vec<AngleOrCoordinate>,
+    /// Where it stands from its arrival on.
+    #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
+    goal: Vec<AngleOrCoordinate>,
+}
+
+/// The one format.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
+enum Format {
+    #[serde(rename = "planarium-fleet-1")]
+    One,
+}
+
+/// The JSON Schema (draft 2020-12) of the documents that [`Fleet::parse`] accepts.
+#[cfg(feature = "schema")]
+pub fn schema() -> Value {
+    crate::scenario::schema_of::<Document>()
+}
+
+/// A checked fleet: a world, and robots that share its floor. Clones share all of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fleet(Arc<Content>);
+
+/// The content of a fleet, as its document has it.
+#[derive(Debug, PartialEq, Serialize)]
+#[serde(tag = "format", rename = "planarium-fleet-1")]
+struct Content {
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    world: World,
+    robots: Vec<FleetRobot>,
+}
+
+/// A robot of a fleet.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FleetRobot {
+    /// The name, distinct within the fleet.
+    pub name: String,
+    /// A disc or a rigid body.
+    pub robot: Robot,
+    /// The speed that no point of the robot exceeds, in metres per second.
+    pub speed: f64,
+    /// Where it stands until it leaves: x, y, and theta of a body.
+    pub start: Vec<f64>,
+    /// Where it stands from its arrival on.
+    pub goal: Vec<f64>,
+}
+
+impl FleetRobot {
+    /// The parts of the robot at a configuration.
+    pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
+        self.robot.footprint(q)
+    }
+}
+
+impl Fleet {
+    /// Reads a fleet from JSON text.
+    ///
+    /// # Errors
+    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of
+    /// [`Scenario::parse`]; `unsupported` for a robot that is neither a disc nor a rigid body; `start-in-collision` and
+    /// `goal-in-collision` if a start or a goal touches an obstacle, leaves the bounds, or touches the start or the goal of an earlier
+    /// robot; `too-large` for more than 1000 robots.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        Self::read(&json::parse(text)?)
+    }
+
+    /// Reads a fleet from a tree of JSON values.
+    ///
+    /// # Errors
+    /// Those of [`Fleet::parse`], except about the text.
+    pub fn read(tree: &Value) -> Result<Self, Error> {
+        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
+            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
+            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
+        }
+        let Document { format: Format::One, name, title, world, robots } = json::read(tree)?;
+        check_name(&name, "/name")?;
+        let world = checked_world(world)?;
+        if world.bounds.is_none() {
+            return Err(Error::new(Code::MissingField, "/world/bounds", "the field \"bounds\" is missing"));
+        }
+        if robots.is_empty() {
+            return Err(Error::new(Code::OutOfRange, "/robots", "a fleet has at least one robot"));
+        }
+        if robots.len() > MAX_ROBOTS {
+            let sentence = format!("there are {} robots; at most {MAX_ROBOTS} are allowed", robots.len());
+            return Err(Error::new(Code::TooLarge, "/robots", sentence));
+        }
+        let mut names = BTreeSet::new();
+        let mut checked = Vec::with_capacity(robots.len());
+        for (i, member) in robots.into_iter().enumerate() {
+            let member = checked_member(member).map_err(|error| error.under(&format!("/robots/{i}")))?;
+            if !names.insert(member.name.clone()) {
+                let sentence = format!("another robot has the name {}, too", quoted(&member.name));
+                return Err(Error::new(Code::DuplicateName, format!("/robots/{i}/name"), sentence));
+            }
+            checked.push(member);
+        }
+        Self::new(name, title, world, checked)
+    }
+
+    /// The fleet of these robots, whose starts and goals are checked.
+    ///
+    /// # Errors
+    /// `start-in-collision` and `goal-in-collision`.
+    pub(super) fn new(
+        name: String,
+        title: Option<String>,
+        world: World,
+        robots: Vec<FleetRobot>,
+    ) -> Result<Self, Error> {
+        let fleet = Self(Arc::new(Content { name, title, world, robots }));
+        fleet.check_ends()?;
+        Ok(fleet)
+    }
+
+    /// Refuses starts and goals in collision, with an obstacle or with one another.
+    fn check_ends(&self) -> Result<(), Error> {
+        let worlds = self.worlds();
+        let footprints: Vec<Footprint> = self.robots().iter().map(|member| Footprint::of(&member.robot)).collect();
+        let slack = self.slack();
+        for (i, member) in self.robots().iter().enumerate() {
+            let world = &worlds.1[worlds.0[i]];
+            let checker = world.checker::<SMALL>(&MotionSpace::new(world.default_space()), ANY_TOLERANCE).validity();
+            for (what, code, q) in
+                [("start", Code::StartInCollision, &member.start), ("goal", Code::GoalInCollision, &member.goal)]
+            {
+                let refuse = |why: String| {
+                    let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
+                    Err(Error::new(code, format!("/robots/{i}/{what}"), sentence))
+                };
+                let contacts = checker.contacts(&state(q));
+                if !contacts.is_empty() {
+                    return refuse(contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "));
+                }
+                let at = pose(q);
+                let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
+                let touched = (0..i).find(|&j| {
+                    footprints[i].distance(at, &footprints[j], ends(&self.robots()[j])) <= slack
+                });
+                if let Some(j) = touched {
+                    return refuse(format!("it touches the {what} of {}", quoted(&self.robots()[j].name)));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The name, used in results.
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The title for people; the name if there is none.
+    pub fn title(&self) -> &str {
+        self.0.title.as_deref().unwrap_or(self.name())
+    }
+
+    /// Bounds and obstacles.
+    pub fn world(&self) -> &World {
+        &self.0.world
+    }
+
+    /// The bounds of the world.
+    pub fn bounds(&self) -> &Aabb {
+        self.0.world.bounds.as_ref().expect("a fleet has bounds")
+    }
+
+    /// The robots in the order of the document.
+    pub fn robots(&self) -> &[FleetRobot] {
+        &self.0.robots
+    }
+
+    /// The robot of that name, by its index.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.robots().iter().position(|member| member.name == name)
+    }
+
+    /// The scenario of one robot alone, whose query has the robot's name.
+    ///
+    /// # Panics
+    /// If there is no such robot.
+    pub fn scenario(&self, robot: usize) -> Scenario {
+        let FleetRobot { name, robot, start, goal, .. } = self.robots()[robot].clone();
+        let goal = Goal::Configuration(goal);
+        let queries = vec![Query { name, start, goal, goal_tolerance: None }];
+        Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into()
+    }
+
+    /// The normalised document as text, on one line: it reads back as an equal fleet.
+    pub fn to_json_string(&self) -> String {
+        json::to_string(self)
+    }
+
+    /// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest robot.
+    pub(super) fn slack(&self) -> f64 {
+        let obstacles = self.world().obstacles.iter().map(crate::scenario::Obstacle::aabb);
+        let corners = obstacles.chain([*self.bounds()]).flat_map(|aabb| [aabb.min, aabb.max]);
+        let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+        let reach = self.robots().iter().map(|member| Footprint::of(&member.robot).radius()).fold(0.0, f64::max);
+        1e-12 * (largest + reach)
+    }
+
+    /// A world for every kind of robot, and for every robot the index of its own: equal robots share one.
+    pub(super) fn worlds(&self) -> (Vec<usize>, Vec<PlanningWorld>) {
+        let mut worlds: Vec<PlanningWorld> = Vec::new();
+        let mut of = Vec::with_capacity(self.robots().len());
+        for (i, member) in self.robots().iter().enumerate() {
+            let known = worlds.iter().position(|world| world.scenario().robot() == &member.robot);
+            of.push(known.unwrap_or_else(|| {
+                worlds.push(PlanningWorld::new(self.scenario(i)));
+                worlds.len() - 1
+            }));
+        }
+        (of, worlds)
+    }
+}
+
+/// A checked robot of a fleet.
+fn checked_member(member: Member) -> Result<FleetRobot, Error> {
+    check_name(&member.name, "/name")?;
+    let robot = checked_robot(member.robot)?;
+    if !matches!(robot, Robot::Disc(_) | Robot::RigidBody(_)) {
+        let sentence = format!("a robot of a fleet is a disc or a rigid body, not \"{}\"", robot.kind());
+        return Err(Error::new(Code::Unsupported, "/robot/type", sentence));
+    }
+    let [start, goal] = [("/start", &member.start), ("/goal", &member.goal)]
+        .map(|(pointer, q)| checked_configuration(q, pointer, &robot));
+    let speed = member.speed.map_or(1.0, |speed| speed.0);
+    Ok(FleetRobot { name: member.name, robot, speed, start: start?, goal: goal? })
+}
+
+/// A configuration as x, y, theta; of a disc theta is 0.
+pub(super) fn pose(q: &[f64]) -> Pose {
+    [q[0], q[1], q.get(2).copied().unwrap_or(0.0)]
+}
+
+/// A configuration as a state of the robot's own space, as it is written.
+fn state(q: &[f64]) -> [f64; SMALL] {
+    let [x, y, theta] = pose(q);
+    [x, y, theta, 0.0]
+}

@@ -1,0 +1,72 @@
+//! Several robots that share a floor: a fleet, its planners, and the verifier of their plans.
+//!
+//! A [`Fleet`] is a world with discs and bodies, each with a start and a goal. Every robot is in the floor for ever: it stands at its start
+//! before it leaves, and at its goal after it arrives. A plan has a [`Trajectory`] for every robot. Two robots are in conflict at a time
+//! if they touch; a plan is proven free of conflict at every time, not only at samples.
+//!
+//! ```
+//! use planarium::fleet::{FleetOptions, FleetPlanner, generate, verify};
+//! use planarium::problem::Status;
+//!
+//! let fleet = generate("crossroads", &serde_json::json!({ "count": 4 }))?;
+//! let mut planner = FleetPlanner::new(&fleet, &FleetOptions { seed: 1, ..FleetOptions::default() })?;
+//! assert_eq!(planner.step(u64::MAX), Status::Solved);
+//! assert!(verify(&fleet, &planner.result())?.is_valid());
+//! # Ok::<(), planarium::Error>(())
+//! ```
+//!
+//! # Files
+//! - `document.rs`: the fleet and its document; `generate.rs`: fleets by seed;
+//! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
+//! - `run.rs`: a planner that is stepped, and its result;
+//! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
+//! - `composite.rs`: two or three robots planned for as one;
+//! - `verify.rs`: the independent verifier.
+
+mod composite;
+mod document;
+mod generate;
+mod motion;
+mod prioritized;
+mod roadmap;
+mod run;
+mod safe_intervals;
+mod trajectory;
+mod verify;
+
+pub use composite::CompositeOptions;
+#[cfg(feature = "schema")]
+pub use document::schema;
+pub use document::{Fleet, FleetRobot, MAX_ROBOTS};
+pub use generate::{fleet_generators, generate, generate_with};
+pub use motion::Pose;
+pub use prioritized::PrioritizedOptions;
+pub use run::{
+    Blocked, BlockedNames, FleetOptions, FleetPlanner, FleetResult, FleetStats, RobotTrajectory, fleet_planners,
+};
+pub use trajectory::Trajectory;
+pub use verify::{Conflict, Fault, Verification, conflicts, straight, trajectories, verify};
+
+use crate::world::PlanningWorld;
+use motion::Footprint;
+
+/// The `format` of a fleet.
+pub const FORMAT: &str = "planarium-fleet-1";
+
+/// A fleet prepared for planning.
+struct Setup {
+    fleet: Fleet,
+    /// Of every robot, the index of its world: equal robots share one.
+    kinds: Vec<usize>,
+    worlds: Vec<PlanningWorld>,
+    footprints: Vec<Footprint>,
+    slack: f64,
+}
+
+impl Setup {
+    fn new(fleet: &Fleet) -> Self {
+        let (kinds, worlds) = fleet.worlds();
+        let footprints = fleet.robots().iter().map(|member| Footprint::of(&member.robot)).collect();
+        Self { fleet: fleet.clone(), kinds, worlds, footprints, slack: fleet.slack() }
+    }
+}

@@ -1,0 +1,420 @@
+//! A planner of a fleet as a value that is stepped, and the document that it ends with.
+
+use super::composite::{self, Composite, CompositeOptions};
+use super::document::Fleet;
+use super::motion::Pose;
+use super::prioritized::{Prioritized, PrioritizedOptions};
+use super::trajectory::Trajectory;
+use super::Setup;
+use crate::error::{Code, Error, quoted};
+use crate::graph::Fingerprint;
+use crate::json;
+use crate::options::{Info, Options as _, Value};
+use crate::problem::Status;
+use crate::random::check_seed;
+use serde::{Deserialize, Serialize};
+
+/// The options of a planner of a fleet.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FleetOptions {
+    /// The planner, by id; `prioritized` if it is `None`.
+    pub planner: Option<String>,
+    /// The seed, 0 to 2^53 - 1.
+    pub seed: u64,
+    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. That of the document if it is
+    /// `None`. For `prioritized` only.
+    pub order: Option<Vec<String>>,
+    /// Options of the planner by name.
+    pub parameters: Vec<(String, Value)>,
+}
+
+/// The planners of fleets with their options.
+pub fn fleet_planners() -> Vec<Info> {
+    vec![
+        Info {
+            id: "prioritized",
+            title: "Prioritized",
+            summary: "The robots plan one after the other by safe intervals, each around those before it.",
+            options: PrioritizedOptions::table(),
+        },
+        Info {
+            id: "composite",
+            title: "Composite",
+            summary: "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
+            options: CompositeOptions::table(),
+        },
+    ]
+}
+
+/// The robot that finds no way, and who is in its way.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Blocked {
+    /// The robot, by its index.
+    pub robot: usize,
+    /// The robots that are in its way wherever it could go on, by their indices; none if there is no way on its roadmap even without
+    /// them.
+    pub by: Vec<usize>,
+}
+
+/// The work done, the same on every platform.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FleetStats {
+    /// Iterations of the planner.
+    pub iterations: u64,
+    /// Vertices of all roadmaps or trees.
+    pub vertices: u64,
+    /// Edges of all roadmaps or trees.
+    pub edges: u64,
+    /// Vertices with a safe interval that were expanded.
+    pub expanded: u64,
+    /// Motions tested for collision with obstacles.
+    pub motion_checks: u64,
+    /// Motions of two robots that were compared.
+    pub pair_checks: u64,
+    /// Orders of priorities tried after the first.
+    pub restarts: u64,
+}
+
+/// The trajectory of one robot in a document.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RobotTrajectory {
+    /// The name of the robot.
+    pub name: String,
+    /// The time of every row, in seconds; the first is 0.
+    pub times: Vec<f64>,
+    /// Where the robot is at these times; between them it moves at constant rates, angles the short way round, or stands. It
+    /// stands at the last for ever.
+    pub path: Vec<Vec<f64>>,
+}
+
+/// The robot that finds no way, in a document.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetBlocked"))]
+pub struct BlockedNames {
+    /// The name of the robot.
+    pub robot: String,
+    /// The names of those that are in its way; none if there is no way on its roadmap even without them.
+    pub by: Vec<String>,
+}
+
+/// The result of a planner of a fleet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FleetResult {
+    /// The name of the fleet.
+    pub fleet: String,
+    /// The id of the planner.
+    pub planner: String,
+    /// The seed, at most 2^53 - 1.
+    pub seed: u64,
+    /// The status at the end of the run.
+    pub status: Status,
+    /// The robots in the order of their priorities; absent of other planners.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub order: Option<Vec<String>>,
+    /// The trajectories of the robots that have planned, in the order of the fleet: of all if the status is `solved`.
+    pub robots: Vec<RobotTrajectory>,
+    /// When the last robot arrives, in seconds; 0 unless solved.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub makespan: f64,
+    /// The sum of the arrivals of all robots, in seconds; 0 unless solved.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub sum_of_costs: f64,
+    /// How long robots stand before they arrive, all together, in seconds; 0 unless solved.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub waits: f64,
+    /// The robot that finds no way; absent if none is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blocked: Option<BlockedNames>,
+    /// The work done.
+    pub stats: FleetStats,
+    /// A hash over all roadmaps or trees and all trajectories; 16 lower-case hex digits in JSON.
+    #[serde(with = "json::hex")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
+    pub fingerprint: u64,
+}
+
+impl FleetResult {
+    /// Reads a result.
+    ///
+    /// # Errors
+    /// The codes of [`json::parse`], and with the pointer of the offending value `unknown-field`, `missing-field`, `wrong-type`,
+    /// `out-of-range`.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        json::read(&json::parse(text)?)
+    }
+
+    /// The document as one line of JSON.
+    pub fn to_json(&self) -> String {
+        json::to_string(self)
+    }
+}
+
+/// A planner of a fleet: a value that is stepped. How its iterations are divided into steps does not change its result.
+pub struct FleetPlanner {
+    setup: Setup,
+    id: &'static str,
+    seed: u64,
+    algorithm: Algorithm,
+    most: u64,
+    iterations: u64,
+    status: Status,
+}
+
+enum Algorithm {
+    Prioritized(Prioritized),
+    Composite(Composite),
+}
+
+impl FleetPlanner {
+    /// Begins.
+    ///
+    /// # Errors
+    /// `unknown-planner` (pointer `/algorithm`); `unknown-parameter`, and the errors of parameter values; `out-of-range` with a
+    /// pointer into `/order` if it does not name every robot once; `unsupported` for a composite of fewer than two or more than three
+    /// robots, or of more than eight coordinates.
+    pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
+        check_seed(options.seed)?;
+        let id = options.planner.as_deref().unwrap_or("prioritized");
+        let known = fleet_planners();
+        let Some(Info { id, .. }) = known.iter().find(|info| info.id == id) else {
+            let ids: Vec<&str> = known.iter().map(|info| info.id).collect();
+            let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), ids.join(", "));
+            return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
+        };
+        let setup = Setup::new(fleet);
+        let (algorithm, most) = if *id == "composite" {
+            let read = CompositeOptions::read(&options.parameters)?;
+            if options.order.is_some() {
+                let sentence = "only prioritized planning has an order of priorities";
+                return Err(Error::new(Code::Unsupported, "/order", sentence));
+            }
+            (Algorithm::Composite(Composite::new(&setup, &read, options.seed)?), u64::from(read.max_iterations))
+        } else {
+            let read = PrioritizedOptions::read(&options.parameters)?;
+            let order = order(fleet, options.order.as_deref())?;
+            let planner = Prioritized::new(&setup, &read, order, options.seed)?;
+            (Algorithm::Prioritized(planner), read.max_iterations)
+        };
+        Ok(Self { setup, id, seed: options.seed, algorithm, most, iterations: 0, status: Status::Running })
+    }
+
+    /// Makes at most `iterations` iterations, and none once the status is no longer `Running`.
+    pub fn step(&mut self, iterations: u64) -> Status {
+        for _ in 0..iterations {
+            if self.status != Status::Running {
+                break;
+            }
+            self.iterations += 1;
+            self.status = match &mut self.algorithm {
+                Algorithm::Prioritized(planner) => match planner.iterate(&self.setup) {
+                    Status::Running if self.iterations == self.most => Status::Exhausted,
+                    status => status,
+                },
+                Algorithm::Composite(planner) => planner.iterate(&self.setup, self.most as u32),
+            };
+        }
+        self.status
+    }
+
+    /// `Solved` once every robot has a trajectory; `Exhausted` if the order of priorities fails, or the iterations are spent.
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// The iterations made so far.
+    pub fn iterations(&self) -> u64 {
+        self.iterations
+    }
+
+    /// The fleet.
+    pub fn fleet(&self) -> &Fleet {
+        &self.setup.fleet
+    }
+
+    /// How many robots have a trajectory.
+    pub fn planned(&self) -> usize {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.planned(),
+            Algorithm::Composite(planner) => planner.planned(),
+        }
+    }
+
+    /// The robots in the order in which they plan, by their indices.
+    pub fn order(&self) -> Vec<usize> {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.order().to_vec(),
+            Algorithm::Composite(_) => (0..self.setup.footprints.len()).collect(),
+        }
+    }
+
+    /// The trajectory of a robot, by its index; `None` before it has planned.
+    pub fn trajectory(&self, robot: usize) -> Option<&Trajectory> {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.trajectory(robot),
+            Algorithm::Composite(planner) => planner.trajectory(robot),
+        }
+    }
+
+    /// The robot that finds no way, once the order of priorities has failed.
+    pub fn blocked(&self) -> Option<&Blocked> {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.blocked(),
+            Algorithm::Composite(_) => None,
+        }
+    }
+
+    /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its own
+    /// index.
+    pub fn roadmap_of(&self, robot: usize) -> usize {
+        match &self.algorithm {
+            Algorithm::Prioritized(_) => self.setup.kinds[robot],
+            Algorithm::Composite(_) => robot,
+        }
+    }
+
+    /// How many roadmaps there are.
+    pub fn roadmap_count(&self) -> usize {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.roadmaps().len(),
+            Algorithm::Composite(_) => self.setup.footprints.len(),
+        }
+    }
+
+    /// How many vertices and edges a roadmap has.
+    pub fn roadmap_size(&self, roadmap: usize) -> (usize, usize) {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => {
+                let roadmap = &planner.roadmaps()[roadmap];
+                (roadmap.vertex_count(), roadmap.edge_count())
+            }
+            Algorithm::Composite(planner) => (planner.vertices().len(), planner.edges().count()),
+        }
+    }
+
+    /// The vertices of a roadmap from row `row` on, as poses: x, y, theta; theta of a disc is 0. Of the composite, the places of one robot
+    /// in the vertices of the trees.
+    pub fn vertices_since(&self, roadmap: usize, row: usize) -> Vec<Pose> {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => {
+                let roadmap = &planner.roadmaps()[roadmap];
+                (row..roadmap.vertex_count()).map(|vertex| roadmap.pose(vertex as u32)).collect()
+            }
+            Algorithm::Composite(planner) => {
+                let (first, dimension) = composite::members(&self.setup)[roadmap];
+                planner.vertices()[row..].iter().map(|joint| composite::part(joint, first, dimension)).collect()
+            }
+        }
+    }
+
+    /// The edges of a roadmap from row `row` on: two vertex numbers each.
+    pub fn edges_since(&self, roadmap: usize, row: usize) -> Vec<[u32; 2]> {
+        match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.roadmaps()[roadmap].edges().skip(row).collect(),
+            Algorithm::Composite(planner) => planner.edges().skip(row).collect(),
+        }
+    }
+
+    /// The work so far.
+    pub fn stats(&self) -> FleetStats {
+        let stats = match &self.algorithm {
+            Algorithm::Prioritized(planner) => planner.stats(),
+            Algorithm::Composite(planner) => planner.stats(),
+        };
+        FleetStats { iterations: self.iterations, ..stats }
+    }
+
+    /// The sum, over all robots, of a number of their trajectories; 0 unless solved.
+    fn total(&self, of: fn(&Trajectory) -> f64) -> f64 {
+        if self.status != Status::Solved {
+            return 0.0;
+        }
+        (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(of).sum::<f64>() + 0.0
+    }
+
+    /// When the last robot arrives, in seconds; 0 unless solved.
+    pub fn makespan(&self) -> f64 {
+        let arrivals = (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
+        if self.status == Status::Solved { arrivals.fold(0.0, f64::max) } else { 0.0 }
+    }
+
+    /// The sum of the arrivals of all robots, in seconds; 0 unless solved.
+    pub fn sum_of_costs(&self) -> f64 {
+        self.total(Trajectory::arrival)
+    }
+
+    /// 64-bit FNV-1a over the vertices and edges of all roadmaps or trees, the order of priorities, and the rows of all trajectories.
+    pub fn fingerprint(&self) -> u64 {
+        let mut fingerprint = Fingerprint::default();
+        for roadmap in 0..self.roadmap_count() {
+            self.vertices_since(roadmap, 0).iter().for_each(|pose| fingerprint.numbers(pose));
+            let edges = self.edges_since(roadmap, 0);
+            edges.iter().flatten().for_each(|&vertex| fingerprint.integer(u64::from(vertex)));
+        }
+        for robot in self.order() {
+            fingerprint.integer(robot as u64);
+            if let Some(trajectory) = self.trajectory(robot) {
+                fingerprint.numbers(trajectory.times());
+                trajectory.poses().iter().for_each(|pose| fingerprint.numbers(pose));
+            }
+        }
+        fingerprint.value()
+    }
+
+    /// The result document.
+    pub fn result(&self) -> FleetResult {
+        let members = self.setup.fleet.robots();
+        let name = |&robot: &usize| members[robot].name.clone();
+        let robots = (0..members.len()).filter_map(|robot| Some((robot, self.trajectory(robot)?)));
+        let in_document = |(robot, trajectory): (usize, &Trajectory)| {
+            let dimension = members[robot].robot.dimension();
+            let path = trajectory.poses().iter().map(|pose| pose[..dimension].to_vec()).collect();
+            RobotTrajectory { name: name(&robot), times: trajectory.times().to_vec(), path }
+        };
+        let blocked =
+            |blocked: &Blocked| BlockedNames { robot: name(&blocked.robot), by: blocked.by.iter().map(name).collect() };
+        FleetResult {
+            fleet: self.setup.fleet.name().to_owned(),
+            planner: self.id.to_owned(),
+            seed: self.seed,
+            status: self.status,
+            order: matches!(self.algorithm, Algorithm::Prioritized(_)).then(|| self.order().iter().map(name).collect()),
+            robots: robots.map(in_document).collect(),
+            makespan: self.makespan(),
+            sum_of_costs: self.sum_of_costs(),
+            waits: self.total(Trajectory::waits),
+            blocked: self.blocked().map(blocked),
+            stats: self.stats(),
+            fingerprint: self.fingerprint(),
+        }
+    }
+}
+
+/// The order of priorities: the robots by their indices.
+fn order(fleet: &Fleet, given: Option<&[String]>) -> Result<Vec<usize>, Error> {
+    let count = fleet.robots().len();
+    let Some(given) = given else { return Ok((0..count).collect()) };
+    let mut order = Vec::with_capacity(count);
+    for (i, word) in given.iter().enumerate() {
+        let refuse = |sentence: String| Err(Error::new(Code::OutOfRange, format!("/order/{i}"), sentence));
+        let index = word.parse().ok().filter(|index| *index < count);
+        let Some(robot) = fleet.find(word).or(index) else {
+            return refuse(format!("there is no robot {}", quoted(word)));
+        };
+        if order.contains(&robot) {
+            return refuse(format!("robot {} is there already", quoted(word)));
+        }
+        order.push(robot);
+    }
+    if order.len() < count {
+        let sentence = format!("the order names {} of {count} robots; it must name every one", order.len());
+        return Err(Error::new(Code::OutOfRange, "/order", sentence));
+    }
+    Ok(order)
+}

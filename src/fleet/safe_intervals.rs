@@ -1,0 +1,326 @@
+//! Safe interval path planning: the earliest arrival of one robot at its goal, along its roadmap, among others whose trajectories are
+//! known.
+//!
+//! Phillips and Likhachev 2011, "SIPP: safe interval path planning for dynamic environments". A safe interval of a vertex is a longest
+//! time during which a robot may stand there. A node of the search is a vertex with one of its safe intervals; of all ways to reach it
+//! the earliest is kept, since who is there early may wait. Time is continuous: from a node the robot leaves at the earliest time at which
+//! its motion along an edge is proven free of conflict with every motion of the others, and its stand until then as well.
+
+use super::motion::{Footprint, Motion, Pair, Pose};
+use super::roadmap::Roadmap;
+use super::trajectory::Trajectory;
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// How often the time of departure is halved in search of the earliest one.
+const HALVINGS: u32 = 30;
+
+/// The most motions of others that one departure waits for.
+const MOST_WAITS: u32 = 256;
+
+/// What a robot plans among.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    /// The robot that plans.
+    pub robot: usize,
+    pub speed: f64,
+    pub roadmap: &'a Roadmap,
+    /// Of every robot, this one included.
+    pub footprints: &'a [Footprint],
+    /// Of every robot; that of this one does not count.
+    pub trajectories: &'a [Trajectory],
+    pub slack: f64,
+}
+
+impl Scene<'_> {
+    /// The first of the others from which a motion is not proven apart, and its motion that is in the way.
+    fn first_in_conflict(&self, motion: &Motion, checks: &mut u64) -> Option<(usize, Motion)> {
+        let own = &self.footprints[self.robot];
+        let near = motion.around().grown(own.radius() + 2.0 * self.slack);
+        let others = (0..self.trajectories.len()).filter(|&other| other != self.robot);
+        others.into_iter().find_map(|other| {
+            let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
+            if !trajectory.around().grown(footprint.radius()).intersects(&near) {
+                return None;
+            }
+            let found = trajectory.first_in_conflict([footprint, own], motion, self.slack, checks)?;
+            Some((other, found))
+        })
+    }
+
+    /// The safe intervals of a pose, in order.
+    fn safe_intervals(&self, at: Pose) -> Vec<[f64; 2]> {
+        let own = &self.footprints[self.robot];
+        let stand = Motion::standing([0.0, f64::INFINITY], at);
+        let near = stand.around().grown(own.radius() + 2.0 * self.slack);
+        let mut unsafe_intervals = Vec::new();
+        for (other, trajectory) in self.trajectories.iter().enumerate() {
+            let footprint = &self.footprints[other];
+            if other == self.robot || !trajectory.around().grown(footprint.radius()).intersects(&near) {
+                continue;
+            }
+            for motion in trajectory.during(0.0, f64::INFINITY) {
+                let pair = Pair { footprints: [footprint, own], motions: [&motion, &stand], slack: self.slack };
+                pair.add_conflicts(&mut unsafe_intervals);
+            }
+        }
+        unsafe_intervals.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (mut safe, mut from) = (Vec::new(), 0.0);
+        for [begin, end] in unsafe_intervals {
+            if begin > from {
+                safe.push([from, begin]);
+            }
+            from = f64::max(from, end);
+        }
+        if from < f64::INFINITY {
+            safe.push([from, f64::INFINITY]);
+        }
+        safe
+    }
+}
+
+/// A vertex in one of its safe intervals, with the earliest arrival so far.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    vertex: u32,
+    until: f64,
+    /// When the robot arrives, and when it has left the parent.
+    time: f64,
+    departure: f64,
+    parent: u32,
+}
+
+/// No parent.
+const ROOT: u32 = u32::MAX;
+
+/// The result of one expansion.
+pub(super) enum Expansion {
+    /// The search goes on.
+    Vertex,
+    /// The robot can reach its goal, and stay there.
+    Found(Trajectory),
+    /// It cannot. The robots that are in the way of every way on, in order; none if there is no way on its roadmap even without the
+    /// others.
+    Nothing(Vec<usize>),
+}
+
+/// The search of one robot.
+pub(super) struct Search {
+    start: u32,
+    goal: u32,
+    /// Of every vertex the time to the goal without others.
+    heuristic: Vec<f64>,
+    nodes: Vec<Node>,
+    /// Of every vertex that was looked at, its safe intervals, each with its node if it has one.
+    intervals: Vec<Option<Vec<([f64; 2], Option<u32>)>>>,
+    /// Estimated arrival at the goal and node: times are not negative, so their bits order as they do.
+    open: BinaryHeap<Reverse<(u64, u32)>>,
+    /// Vertices, and the robots that were in the way to them.
+    refused: BTreeSet<(u32, usize)>,
+}
+
+impl Search {
+    /// The search of the scene's robot.
+    pub fn new(scene: &Scene) -> Self {
+        let [start, goal] = scene.roadmap.ends(scene.robot);
+        let distances = scene.roadmap.distances_to(goal);
+        let heuristic: Vec<f64> = distances.into_iter().map(|distance| distance / scene.speed).collect();
+        let mut search = Self {
+            start,
+            goal,
+            intervals: vec![None; heuristic.len()],
+            heuristic,
+            nodes: Vec::new(),
+            open: BinaryHeap::new(),
+            refused: BTreeSet::new(),
+        };
+        let first = search.intervals(scene, start).first().map(|(interval, _)| *interval);
+        if let Some(interval) = first.filter(|[begin, _]| *begin == 0.0) {
+            search.reach(scene, (start, 0, interval), 0.0, 0.0, ROOT);
+        }
+        search
+    }
+
+    /// The safe intervals of a vertex.
+    fn intervals(&mut self, scene: &Scene, vertex: u32) -> &mut Vec<([f64; 2], Option<u32>)> {
+        self.intervals[vertex as usize].get_or_insert_with(|| {
+            let safe = scene.safe_intervals(scene.roadmap.pose(vertex));
+            safe.into_iter().map(|interval| (interval, None)).collect()
+        })
+    }
+
+    /// Reaches a vertex in its safe interval of this number, if that is earlier than before.
+    fn reach(
+        &mut self,
+        scene: &Scene,
+        (vertex, number, [_, until]): (u32, usize, [f64; 2]),
+        time: f64,
+        departure: f64,
+        parent: u32,
+    ) {
+        let estimate = time + self.heuristic[vertex as usize];
+        if estimate == f64::INFINITY {
+            return;
+        }
+        let reached = Node { vertex, until, time, departure, parent };
+        let known = self.intervals(scene, vertex)[number].1;
+        let node = match known {
+            Some(node) if self.nodes[node as usize].time <= time => return,
+            Some(node) => {
+                self.nodes[node as usize] = reached;
+                node
+            }
+            None => {
+                self.nodes.push(reached);
+                let node = self.nodes.len() as u32 - 1;
+                self.intervals(scene, vertex)[number].1 = Some(node);
+                node
+            }
+        };
+        self.open.push(Reverse((estimate.to_bits(), node)));
+    }
+
+    /// Expands one node.
+    pub fn step(&mut self, scene: &Scene, checks: &mut u64) -> Expansion {
+        let (number, node) = loop {
+            let Some(Reverse((estimate, number))) = self.open.pop() else {
+                return Expansion::Nothing(self.in_the_way(scene));
+            };
+            let node = self.nodes[number as usize];
+            // Entries that an earlier arrival has made stale are skipped.
+            if (node.time + self.heuristic[node.vertex as usize]).to_bits() == estimate {
+                break (number, node);
+            }
+        };
+        let at = scene.roadmap.pose(node.vertex);
+        if node.vertex == self.goal && node.until == f64::INFINITY {
+            match scene.first_in_conflict(&Motion::standing([node.time, f64::INFINITY], at), checks) {
+                None => return Expansion::Found(self.trajectory(scene, number)),
+                Some((other, _)) => self.refused.insert((self.goal, other)),
+            };
+        }
+        for &(next, way) in scene.roadmap.neighbours(node.vertex) {
+            let duration = way / scene.speed;
+            let count = self.intervals(scene, next).len();
+            for i in 0..count {
+                let (interval, known) = self.intervals(scene, next)[i];
+                let earliest = node.time.max(interval[0] - duration);
+                let latest = node.until.min(interval[1] - duration);
+                let is_known = |known: u32| self.nodes[known as usize].time <= earliest + duration;
+                if earliest > latest || known.is_some_and(is_known) {
+                    continue;
+                }
+                let leave = Leave { at, to: scene.roadmap.pose(next), arrived: node.time, duration };
+                match leave.first_time(scene, [earliest, latest], checks) {
+                    Ok(departure) => {
+                        self.reach(scene, (next, i, interval), departure + duration, departure, number);
+                    }
+                    Err(other) => {
+                        self.refused.insert((next, other));
+                    }
+                }
+            }
+            // Without safe intervals, others stand there for ever.
+            if count == 0 {
+                let stand = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(next));
+                if let Some((other, _)) = scene.first_in_conflict(&stand, checks) {
+                    self.refused.insert((next, other));
+                }
+            }
+        }
+        Expansion::Vertex
+    }
+
+    /// Who is in the way to the vertices that were not reached, or over the goal later.
+    fn in_the_way(&self, scene: &Scene) -> Vec<usize> {
+        if self.heuristic[self.start as usize] == f64::INFINITY {
+            return Vec::new();
+        }
+        let is_reached = |vertex: u32| self.nodes.iter().any(|node| node.vertex == vertex);
+        let mut others: BTreeSet<usize> =
+            self.refused.iter().filter(|(vertex, _)| !is_reached(*vertex)).map(|(_, other)| *other).collect();
+        let goal = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(self.goal));
+        if is_reached(self.goal) || others.is_empty() {
+            let own = &scene.footprints[scene.robot];
+            let crosses = |other: &usize| {
+                let (footprint, trajectory) = (&scene.footprints[*other], &scene.trajectories[*other]);
+                trajectory.first_in_conflict([footprint, own], &goal, scene.slack, &mut 0).is_some()
+            };
+            others.extend((0..scene.trajectories.len()).filter(|other| *other != scene.robot).filter(crosses));
+        }
+        if others.is_empty() {
+            others.extend(self.refused.iter().map(|(_, other)| *other));
+        }
+        others.into_iter().collect()
+    }
+
+    /// The trajectory to a node: along the edges, with the stands before them.
+    fn trajectory(&self, scene: &Scene, last: u32) -> Trajectory {
+        let mut nodes = vec![last];
+        while let parent = self.nodes[nodes[nodes.len() - 1] as usize].parent
+            && parent != ROOT
+        {
+            nodes.push(parent);
+        }
+        let mut trajectory = Trajectory::standing(scene.roadmap.pose(self.start));
+        for pair in nodes.windows(2).rev() {
+            let [to, from] = [pair[0], pair[1]].map(|node| self.nodes[node as usize]);
+            if to.departure > from.time {
+                trajectory.add(to.departure, scene.roadmap.pose(from.vertex));
+            }
+            trajectory.add(to.time, scene.roadmap.pose(to.vertex));
+        }
+        trajectory
+    }
+}
+
+/// A robot that is to leave a pose for another.
+struct Leave {
+    at: Pose,
+    to: Pose,
+    /// When it has arrived at the first pose.
+    arrived: f64,
+    duration: f64,
+}
+
+impl Leave {
+    fn motion(&self, departure: f64) -> Motion {
+        Motion::new([departure, departure + self.duration], self.at, self.to)
+    }
+
+    /// The earliest departure between two times with which stand and motion are proven free of conflict; if there is none, the robot
+    /// that is in the way.
+    fn first_time(&self, scene: &Scene, [earliest, latest]: [f64; 2], checks: &mut u64) -> Result<f64, usize> {
+        let (mut departure, mut in_the_way) = (earliest, None);
+        for _ in 0..MOST_WAITS {
+            let Some((other, motion)) = scene.first_in_conflict(&self.motion(departure), checks) else {
+                let stand = Motion::standing([self.arrived, departure], self.at);
+                return match scene.first_in_conflict(&stand, checks) {
+                    Some((other, _)) if departure > self.arrived => Err(other),
+                    _ => Ok(departure),
+                };
+            };
+            in_the_way = Some(other);
+            let footprints = [&scene.footprints[other], &scene.footprints[scene.robot]];
+            let mut is_past = |departure: f64| {
+                *checks += 1;
+                Pair { footprints, motions: [&motion, &self.motion(departure)], slack: scene.slack }.is_apart()
+            };
+            // Departures that conflict with one motion of a disc are an interval, so all after the first that does not are free of it.
+            let (mut early, mut late) = (departure, latest.min(motion.end.next_up()));
+            if late <= early || late == f64::INFINITY || !is_past(late) {
+                return Err(other);
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (early + late);
+                if is_past(middle) {
+                    late = middle;
+                } else {
+                    early = middle;
+                }
+            }
+            departure = late;
+        }
+        Err(in_the_way.unwrap_or(scene.robot))
+    }
+}

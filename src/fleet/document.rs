@@ -206,9 +206,8 @@ impl Fleet {
                 }
                 let at = pose(q);
                 let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
-                let touched = (0..i).find(|&j| {
-                    footprints[i].distance(at, &footprints[j], ends(&self.robots()[j])) <= slack
-                });
+                let touched =
+                    (0..i).find(|&j| footprints[i].distance(at, &footprints[j], ends(&self.robots()[j])) <= slack);
                 if let Some(j) = touched {
                     return refuse(format!("it touches the {what} of {}", quoted(&self.robots()[j].name)));
                 }

@@ -230,13 +230,12 @@ impl Generator for CorridorOptions {
         let mut random = Random::new(seed, Stream::Scenario);
         let room = 5.0;
         let (wide, all) = (2.8 * robots.radius, 2.0 * room + length);
-        let walls = [
-            ([room, 0.0], [room + length, (room - wide) / 2.0]),
-            ([room, (room + wide) / 2.0], [room + length, room]),
-        ];
+        let walls =
+            [([room, 0.0], [room + length, (room - wide) / 2.0]), ([room, (room + wide) / 2.0], [room + length, room])];
         let walls = walls.map(|(low, high)| Obstacle::Polygon(rectangle(low, high))).to_vec();
         // The mouths of the corridor stay free.
-        let mouths = [room, room + length].map(|x| Disc { center: Point::new(x, room / 2.0), radius: 3.0 * robots.radius });
+        let mouths =
+            [room, room + length].map(|x| Disc { center: Point::new(x, room / 2.0), radius: 3.0 * robots.radius });
         let ways = drawn(&mut random, count, robots.radius, &mouths, |random, robot, is_goal| {
             let is_left = (robot % 2 == 0) != is_goal;
             let low = if is_left { 0.0 } else { all - room };

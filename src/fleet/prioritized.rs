@@ -22,9 +22,9 @@ crate::options! {
     /// Options of prioritized planning.
     pub struct PrioritizedOptions for &[];
     /// Number of free samples of each roadmap: more find narrower passages and shorter ways but take longer.
-    samples: usize = 400, in 0.0..=100_000.0, "Samples";
+    samples: Option<usize>, in 0.0..=100_000.0, "Samples", else "400, and 20 more for each robot";
     /// Each vertex is connected to its k nearest neighbours.
-    k: usize = 10, in 1.0..=100.0, "Neighbours";
+    k: usize = 15, in 1.0..=100.0, "Neighbours";
     /// How often another order, drawn at random, is tried if one fails.
     restarts: u32 = 0, in 0.0..=10_000.0, "Restarts";
     /// Number of iterations after which the planner gives up.
@@ -49,7 +49,8 @@ pub(super) struct Prioritized {
 
 impl Prioritized {
     pub fn new(setup: &Setup, options: &PrioritizedOptions, order: Vec<usize>, seed: u64) -> Result<Self, Error> {
-        let prm = PrmOptions { samples: options.samples, k: Some(options.k), ..PrmOptions::default() };
+        let samples = options.samples.unwrap_or(400 + 20 * order.len());
+        let prm = PrmOptions { samples, k: Some(options.k), ..PrmOptions::default() };
         let roadmap = |(kind, world)| {
             let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
             Roadmap::new(&setup.fleet, world, robots, &prm, seed)

@@ -1,11 +1,11 @@
 //! A planner of a fleet as a value that is stepped, and the document that it ends with.
 
+use super::Setup;
 use super::composite::{self, Composite, CompositeOptions};
 use super::document::Fleet;
 use super::motion::Pose;
 use super::prioritized::{Prioritized, PrioritizedOptions};
 use super::trajectory::Trajectory;
-use super::Setup;
 use crate::error::{Code, Error, quoted};
 use crate::graph::Fingerprint;
 use crate::json;
@@ -340,7 +340,8 @@ impl FleetPlanner {
 
     /// When the last robot arrives, in seconds; 0 unless solved.
     pub fn makespan(&self) -> f64 {
-        let arrivals = (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
+        let arrivals =
+            (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
         if self.status == Status::Solved { arrivals.fold(0.0, f64::max) } else { 0.0 }
     }
 

@@ -127,8 +127,7 @@ impl Trajectory {
         if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
             return Err((format!("the time {} is earlier than the one before", times[i]), i));
         }
-        let is_ambiguous =
-            |i: &usize| difference(poses[i - 1], poses[*i])[2].abs() >= std::f64::consts::PI - 1e-9;
+        let is_ambiguous = |i: &usize| difference(poses[i - 1], poses[*i])[2].abs() >= std::f64::consts::PI - 1e-9;
         if let Some(i) = (1..times.len()).find(is_ambiguous) {
             return Err(("the robot turns by half a turn: the short way round is ambiguous".to_owned(), i));
         }

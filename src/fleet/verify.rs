@@ -118,7 +118,8 @@ pub fn straight(fleet: &Fleet) -> Vec<Trajectory> {
 pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajectory>, Error> {
     let refuse = |pointer: String, sentence: String| Err(Error::new(Code::InvalidResult, pointer, sentence));
     if result.fleet != fleet.name() {
-        let sentence = format!("the result belongs to fleet {}, not to {}", quoted(&result.fleet), quoted(fleet.name()));
+        let sentence =
+            format!("the result belongs to fleet {}, not to {}", quoted(&result.fleet), quoted(fleet.name()));
         return refuse("/fleet".to_owned(), sentence);
     }
     if result.status != Status::Solved {
@@ -267,7 +268,8 @@ impl Advancement<'_> {
     fn rate(&self, motions: &[Motion; 2]) -> f64 {
         let rates = motions.each_ref().map(Motion::rates);
         let (x, y) = (rates[0][0] - rates[1][0], rates[0][1] - rates[1][1]);
-        let turning = |i: usize| self.robots[i].placed_shape().map_or(0.0, |(shape, _)| shape.reach()) * rates[i][2].abs();
+        let turning =
+            |i: usize| self.robots[i].placed_shape().map_or(0.0, |(shape, _)| shape.reach()) * rates[i][2].abs();
         (x * x + y * y).sqrt() + turning(0) + turning(1)
     }
 }

@@ -194,7 +194,11 @@ fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Er
 }
 
 /// A configuration of the robot, within the joint limits if there are any.
-pub(crate) fn checked_configuration(configuration: &[AngleOrCoordinate], pointer: &str, robot: &Robot) -> Result<Vec<f64>, Error> {
+pub(crate) fn checked_configuration(
+    configuration: &[AngleOrCoordinate],
+    pointer: &str,
+    robot: &Robot,
+) -> Result<Vec<f64>, Error> {
     let q: Vec<f64> = configuration.iter().map(|entry| entry.0).collect();
     if q.len() != robot.dimension() {
         let sentence = format!("a configuration of this robot has {} entries, not {}", robot.dimension(), q.len());

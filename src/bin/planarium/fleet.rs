@@ -29,7 +29,9 @@ fn summary(result: &FleetResult) -> String {
     match (&result.blocked, result.status) {
         (_, Status::Solved) => {
             let count = robots.len();
-            format!("solved: {count} robots, makespan {makespan:.3} s, sum of costs {sum_of_costs:.3} s, waits {waits:.3} s")
+            format!(
+                "solved: {count} robots, makespan {makespan:.3} s, sum of costs {sum_of_costs:.3} s, waits {waits:.3} s"
+            )
         }
         (Some(blocked), _) if blocked.by.is_empty() => format!("exhausted: robot {} has no way", blocked.robot),
         (Some(blocked), _) => {

@@ -12,8 +12,8 @@ export class Thrown {
 
 /** Objects whose methods are under way, the innermost last. @type {unknown[]} */
 const entered = [];
-/** Those that wait for a function to return. @type {Set<unknown>} */
-const waiting = new Set();
+/** Whether each of them waits for a function to return. @type {boolean[]} */
+const waits = [];
 
 /** Calls a method, and notes for how long. @template T @param {unknown} self @param {() => T} call @returns {T} */
 export function during(self, call) {
@@ -27,7 +27,7 @@ export function during(self, call) {
 
 /** Refuses an object in the middle of a call. @param {unknown} self @param {string} name */
 export function refuseWaiting(self, name) {
-  if (!waiting.has(self)) return;
+  if (!entered.some((one, i) => one === self && waits[i])) return;
   throw new PlanariumError("in-use", `This ${name} waits for the function that is running, which cannot use it.`);
 }
 
@@ -51,10 +51,15 @@ export function functionsOf(description) {
   return functions;
 }
 
+/** How a batch has ended: evaluated; the function has returned something, or moved the arrays away; it has thrown. */
+const DONE = 0, UNSOUND = 1, THROWN = 2;
+
 /** A function of the caller's, and the arrays that it gets. */
 class Batches {
   #given;
   #owner;
+  /** What the function has thrown last. @type {Thrown | undefined} */
+  #thrown;
   /** The memory of the core, and all of it as numbers: empty after it has grown. @type {WebAssembly.Memory} */
   #memory = glue.initSync({ module: new ArrayBuffer(0) }).memory;
   #numbers = new Float64Array(0);
@@ -69,45 +74,46 @@ class Batches {
 
   /**
    * Evaluates configurations: the core calls it with the places of rows and results in its memory. Copies, since that may grow meanwhile.
+   * Throws nothing: the glue is faster for a function that does not.
    * @param {number} rowsAt  bytes
    * @param {number} resultsAt  bytes
    * @param {number} count
    * @param {number} dimension
-   * @returns {boolean} whether the function has returned nothing, and left the arrays in their place
+   * @returns {number} how it has ended
    */
   evaluate(rowsAt, resultsAt, count, dimension) {
-    // The caller may have given the memory of an array away: then it is empty.
-    const known = this.#arrays[count];
-    const [rows, results] = known?.[0].length === count * dimension && known[1].length === count
-      ? known : [new Float64Array(count * dimension), new Float64Array(count)];
-    this.#arrays[count] = undefined;
-    const from = this.#view();
-    for (let i = 0, at = rowsAt / 8; i < rows.length; i += 1) rows[i] = from[at + i];
-    results.fill(NaN);
-    const returned = this.#call(rows, results);
-    if ((typeof returned === "object" && returned !== null) || typeof returned === "function" || results.length !== count) return false;
-    const to = this.#view();
-    for (let i = 0, at = resultsAt / 8; i < count; i += 1) to[at + i] = results[i];
-    this.#arrays[count] = [rows, results];
-    return true;
+    const top = entered.length - 1;
+    waits[top] = true;
+    try {
+      // The caller may have given the memory of an array away: then it is empty.
+      const known = this.#arrays[count];
+      const [rows, results] = known?.[0].length === count * dimension && known[1].length === count
+        ? known : [new Float64Array(count * dimension), new Float64Array(count)];
+      this.#arrays[count] = undefined;
+      const from = this.#view();
+      for (let i = 0, at = rowsAt / 8; i < rows.length; i += 1) rows[i] = from[at + i];
+      for (let i = 0; i < count; i += 1) results[i] = NaN;
+      const returned = this.#given.call(this.#owner, rows, results);
+      if ((typeof returned === "object" && returned !== null) || typeof returned === "function" || results.length !== count) return UNSOUND;
+      const to = this.#view();
+      for (let i = 0, at = resultsAt / 8; i < count; i += 1) to[at + i] = results[i];
+      this.#arrays[count] = [rows, results];
+      return DONE;
+    } catch (error) {
+      this.#thrown = new Thrown(error);
+      return THROWN;
+    } finally {
+      waits[top] = false;
+    }
+  }
+
+  /** What the function has thrown last. */
+  get thrown() {
+    return this.#thrown;
   }
 
   #view() {
     if (this.#numbers.length === 0) this.#numbers = new Float64Array(this.#memory.buffer);
     return this.#numbers;
-  }
-
-  /** @param {Float64Array} rows @param {Float64Array} results */
-  #call(rows, results) {
-    const self = entered.at(-1);
-    const isFirst = !waiting.has(self);
-    waiting.add(self);
-    try {
-      return this.#given.call(this.#owner, rows, results);
-    } catch (error) {
-      throw new Thrown(error);
-    } finally {
-      if (isFirst) waiting.delete(self);
-    }
   }
 }

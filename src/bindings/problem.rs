@@ -19,9 +19,13 @@ extern "C" {
     type Function;
 
     /// Evaluates configurations: the addresses of rows and results in this memory, and how many there are of how many numbers. One
-    /// crossing for a batch. Returns whether the function has returned nothing.
-    #[wasm_bindgen(method, catch)]
-    fn evaluate(this: &Function, rows: u32, results: u32, count: u32, dimension: u32) -> Result<bool, JsValue>;
+    /// crossing for a batch. Returns how the function has ended, as in `callback.js`: 0 after all results are written, 2 if it has thrown.
+    #[wasm_bindgen(method)]
+    fn evaluate(this: &Function, rows: u32, results: u32, count: u32, dimension: u32) -> u32;
+
+    /// What the function has thrown.
+    #[wasm_bindgen(method, getter)]
+    fn thrown(this: &Function) -> JsValue;
 }
 
 /// A planning problem of a robot of your own: a space told as a product of circles, intervals and lines, a start, goals, and a function
@@ -182,15 +186,19 @@ struct Batches {
 impl Batches {
     fn evaluate(&self, name: &str, rows: &[f64], results: &mut [f64]) -> Result<(), Error> {
         let (rows_at, results_at) = (rows.as_ptr() as u32, results.as_mut_ptr() as u32);
-        let done = self.function.evaluate(rows_at, results_at, results.len() as u32, self.dimension as u32);
-        let is_sound = done.map_err(|thrown| {
-            self.thrown.note(thrown);
-            Error::new(Code::CallbackFailed, format!("/{name}"), format!("{name} has thrown an exception"))
-        })?;
-        if !is_sound {
-            let sentence =
-                format!("{name} must write its results into its second argument before it returns, and return nothing");
-            return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
+        match self.function.evaluate(rows_at, results_at, results.len() as u32, self.dimension as u32) {
+            0 => {}
+            2 => {
+                self.thrown.note(self.function.thrown());
+                let sentence = format!("{name} has thrown an exception");
+                return Err(Error::new(Code::CallbackFailed, format!("/{name}"), sentence));
+            }
+            _ => {
+                let sentence = format!(
+                    "{name} must write its results into its second argument before it returns, and return nothing"
+                );
+                return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
+            }
         }
         let Some(i) = results.iter().position(|result| result.is_nan()) else { return Ok(()) };
         let q = &rows[i * self.dimension..][..self.dimension];

@@ -98,7 +98,7 @@ fn call(u: &mut Unstructured, started: &mut Started) -> Result<Option<Started>> 
         8 => {
             let Some(roadmap) = run.roadmap() else { return Ok(None) };
             assert_eq!(RoadmapDocument::from_bytes(&roadmap.to_bytes()).as_ref(), Ok(&roadmap));
-            let again = Options { seed: 1, ..Options::default() };
+            let again = Options { seed: 1, query: options.query.clone(), ..Options::default() };
             let resumed = run::resume(&*world, &again, &roadmap);
             let resumed = resumed.unwrap_or_else(|error| panic!("its own roadmap: {error}"));
             return Ok(Some(Started { world: world.clone(), options: again, run: resumed, is_plain: false }));

@@ -19,6 +19,7 @@ mod custom;
 mod directed;
 mod driving;
 mod experiment;
+mod fleet;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod fuzz;
 mod generate;

@@ -26,7 +26,7 @@ crate::choice! {
         /// Discs.
         Disc,
         /// Rectangles twice as long as wide, whose corners lie on the circle of the disc.
-        RigidBody,
+        Rectangle,
     }
 }
 

@@ -80,7 +80,7 @@ impl Roadmap {
             self.neighbours[b as usize].push((a, way));
         }
         for neighbours in &mut self.neighbours {
-            neighbours.sort_by(|a, b| a.0.cmp(&b.0));
+            neighbours.sort_by_key(|neighbour| neighbour.0);
             neighbours.dedup_by_key(|neighbour| neighbour.0);
         }
     }

@@ -168,8 +168,8 @@ pub struct FleetPlanner {
 }
 
 enum Algorithm {
-    Prioritized(Prioritized),
-    Composite(Composite),
+    Prioritized(Box<Prioritized>),
+    Composite(Box<Composite>),
 }
 
 impl FleetPlanner {
@@ -195,12 +195,13 @@ impl FleetPlanner {
                 let sentence = "only prioritized planning has an order of priorities";
                 return Err(Error::new(Code::Unsupported, "/order", sentence));
             }
-            (Algorithm::Composite(Composite::new(&setup, &read, options.seed)?), u64::from(read.max_iterations))
+            let planner = Composite::new(&setup, &read, options.seed)?;
+            (Algorithm::Composite(Box::new(planner)), u64::from(read.max_iterations))
         } else {
             let read = PrioritizedOptions::read(&options.parameters)?;
             let order = order(fleet, options.order.as_deref())?;
             let planner = Prioritized::new(&setup, &read, order, options.seed)?;
-            (Algorithm::Prioritized(planner), read.max_iterations)
+            (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
         };
         Ok(Self { setup, id, seed: options.seed, algorithm, most, iterations: 0, status: Status::Running })
     }

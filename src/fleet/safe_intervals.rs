@@ -104,6 +104,9 @@ pub(super) enum Expansion {
     Nothing(Vec<usize>),
 }
 
+/// A safe interval of a vertex, and its node if it has one.
+type SafeInterval = ([f64; 2], Option<u32>);
+
 /// The search of one robot.
 pub(super) struct Search {
     start: u32,
@@ -111,8 +114,8 @@ pub(super) struct Search {
     /// Of every vertex the time to the goal without others.
     heuristic: Vec<f64>,
     nodes: Vec<Node>,
-    /// Of every vertex that was looked at, its safe intervals, each with its node if it has one.
-    intervals: Vec<Option<Vec<([f64; 2], Option<u32>)>>>,
+    /// Of every vertex that was looked at, its safe intervals.
+    intervals: Vec<Option<Vec<SafeInterval>>>,
     /// Estimated arrival at the goal and node: times are not negative, so their bits order as they do.
     open: BinaryHeap<Reverse<(u64, u32)>>,
     /// Vertices, and the robots that were in the way to them.

@@ -1,0 +1,340 @@
+//! Fleets: what a document may contain; plans that another check finds free of conflict at every time; the same plan in any slices and on
+//! every platform; what one order of priorities cannot solve.
+
+use crate::common::documents::refuses;
+use crate::common::{cases, golden};
+use planarium::fleet::{
+    Fleet, FleetOptions, FleetPlanner, Trajectory, conflicts, generate, straight, trajectories, verify,
+};
+use planarium::geometry::wrap;
+use planarium::options::Value;
+use planarium::problem::Status;
+use planarium::random::{Random, Stream};
+use planarium::robot::Part;
+use serde_json::json;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// How far a robot moves at most between two looks of the dense check, in metres.
+const LOOK: f64 = 5e-3;
+
+/// No robot here has a point farther from its own origin, in metres.
+const REACH: f64 = 0.7;
+
+fn two_discs() -> serde_json::Value {
+    json!({
+        "format": "planarium-fleet-1", "name": "two",
+        "world": { "bounds": { "min": [0, 0], "max": [10, 4] }, "obstacles": [ { "type": "disc", "center": [5, 0.5], "radius": 0.2 } ] },
+        "robots": [
+            { "name": "a", "robot": { "type": "disc", "radius": 0.5 }, "start": [1, 2], "goal": [9, 2] },
+            { "name": "b", "robot": { "type": "disc", "radius": 0.5 }, "speed": 2, "start": [9, 2], "goal": [1, 2] }
+        ]
+    })
+}
+
+fn planner(fleet: &Fleet, id: &str, seed: u64, order: Option<&[&str]>) -> FleetPlanner {
+    let order = order.map(|names| names.iter().map(|name| (*name).to_owned()).collect());
+    let options = FleetOptions { planner: Some(id.to_owned()), seed, order, parameters: Vec::new() };
+    FleetPlanner::new(fleet, &options).expect("options of this planner")
+}
+
+fn planned(fleet: &Fleet, id: &str, seed: u64) -> FleetPlanner {
+    let mut planner = planner(fleet, id, seed, None);
+    planner.step(u64::MAX);
+    planner
+}
+
+/// Two convex parts touch or overlap: discs by their centres, else no side of one has the other beyond it.
+fn overlap(a: &Part, b: &Part) -> bool {
+    let outline = |part: &Part| match part {
+        Part::Disc { center, radius } => (vec![[center.x, center.y]], *radius),
+        Part::Polygon { vertices } => (vertices.iter().map(|p| [p.x, p.y]).collect(), 0.0),
+        Part::Capsule { .. } => panic!("no robot of a fleet has links"),
+    };
+    let ((p, r), (q, s)) = (outline(a), outline(b));
+    // The gap along the normals of sides and between corners: the largest is a lower bound of the distance, 0 or less in contact.
+    let mut normals: Vec<[f64; 2]> = Vec::new();
+    for corners in [&p, &q] {
+        for i in 0..corners.len() {
+            let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+            normals.extend([[b[1] - a[1], a[0] - b[0]], [a[1] - b[1], b[0] - a[0]]]);
+        }
+    }
+    normals.extend(p.iter().flat_map(|a| q.iter().map(move |b| [b[0] - a[0], b[1] - a[1]])));
+    let gap = |normal: [f64; 2]| {
+        let length = (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
+        let along = |corner: &[f64; 2]| (corner[0] * normal[0] + corner[1] * normal[1]) / length;
+        let farthest = p.iter().map(along).fold(f64::NEG_INFINITY, f64::max) + r;
+        let nearest = q.iter().map(along).fold(f64::INFINITY, f64::min) - s;
+        if length > 0.0 { nearest - farthest } else { f64::NEG_INFINITY }
+    };
+    normals.into_iter().map(gap).fold(f64::NEG_INFINITY, f64::max) <= 0.0
+}
+
+/// Where a robot is, from its rows alone.
+fn at(trajectory: &Trajectory, time: f64) -> [f64; 3] {
+    let (times, poses) = (trajectory.times(), trajectory.poses());
+    let Some(next) = times.iter().position(|row| *row > time) else { return poses[poses.len() - 1] };
+    let (from, to) = (poses[next - 1], poses[next]);
+    let part = (time - times[next - 1]) / (times[next] - times[next - 1]);
+    let turn = wrap(to[2] - from[2]);
+    [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1]), from[2] + part * turn]
+}
+
+/// The first pair of robots that a look at many times finds in contact.
+fn seen(fleet: &Fleet, trajectories: &[Trajectory]) -> Option<([usize; 2], f64)> {
+    let end = trajectories.iter().map(Trajectory::arrival).fold(0.0, f64::max);
+    let fastest = fleet.robots().iter().map(|member| member.speed).fold(0.0, f64::max);
+    let looks = (end * fastest / LOOK).ceil().max(1.0) as u32;
+    (0..=looks).find_map(|look| {
+        let time = end * f64::from(look) / f64::from(looks);
+        let poses: Vec<[f64; 3]> = trajectories.iter().map(|trajectory| at(trajectory, time)).collect();
+        let parts: Vec<Vec<Part>> = fleet
+            .robots()
+            .iter()
+            .zip(&poses)
+            .map(|(member, pose)| member.footprint(&pose[..member.start.len()]))
+            .collect();
+        let is_near = |i: usize, j: usize| (0..2).all(|axis| (poses[i][axis] - poses[j][axis]).abs() <= 2.0 * REACH);
+        let touch =
+            |i: usize, j: usize| is_near(i, j) && parts[i].iter().any(|a| parts[j].iter().any(|b| overlap(a, b)));
+        (0..parts.len()).find_map(|i| (i + 1..parts.len()).find(|j| touch(i, *j)).map(|j| ([i, j], time)))
+    })
+}
+
+/// Verified, and without contact at any look of other code.
+#[track_caller]
+fn assert_free(planner: &FleetPlanner, about: &str) {
+    let verification = verify(planner.fleet(), &planner.result()).expect("a plan of this fleet");
+    assert!(verification.is_valid(), "{about}: {verification:?}");
+    let trajectories = trajectories(planner.fleet(), &planner.result()).expect("a plan of this fleet");
+    assert_eq!(seen(planner.fleet(), &trajectories), None, "{about}");
+}
+
+/// A fleet drawn at random: of discs or rectangles, in a hall, a ring, at crossroads or at a corridor.
+fn drawn(seed: u64) -> Fleet {
+    let mut random = Random::new(seed, Stream::Samples);
+    let shape = if random.below(3) == 0 { "rectangle" } else { "disc" };
+    let (id, most) =
+        [("hall", 20), ("hall", 20), ("ring", 8), ("crossroads", 8), ("corridor", 6)][random.below(5) as usize];
+    let count = 2 + random.below(most - 1);
+    let speed = 0.5 + random.uniform();
+    let options = json!({ "count": count, "seed": seed, "shape": shape, "speed": speed });
+    generate(id, &options).unwrap_or_else(|error| panic!("{id} {options}: {error}"))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_document_is_read_back_as_the_same_fleet() {
+    let fleet = Fleet::read(&two_discs()).expect("a fleet");
+    assert_eq!(Fleet::parse(&fleet.to_json_string()).expect("its own document"), fleet);
+    assert_eq!(fleet.robots().iter().map(|member| member.speed).collect::<Vec<_>>(), [1.0, 2.0]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_a_fleet_must_not_contain_is_refused_with_its_place() {
+    let refused = |pointer: &str, value: serde_json::Value, code: &str, at: &str| {
+        let mut document = two_discs();
+        *document.pointer_mut(pointer).expect("a field") = value;
+        refuses(Fleet::read(&document), code, at)
+    };
+    refused("/format", json!("planarium-scenario-1"), "unknown-format", "/format");
+    refused("/robots", json!([]), "out-of-range", "/robots");
+    refused("/robots/1/name", json!("a"), "duplicate-name", "/robots/1/name");
+    refused("/robots/1/speed", json!(0), "out-of-range", "/robots/1/speed");
+    refused("/robots/0/start", json!([1, 2, 3]), "wrong-dimension", "/robots/0/start");
+    refused("/robots/0/goal", json!([5, 1]), "goal-in-collision", "/robots/0/goal");
+    refused("/robots/1/start", json!([1.9, 2]), "start-in-collision", "/robots/1/start");
+    refused("/robots/1/goal", json!([9.5, 2]), "goal-in-collision", "/robots/1/goal");
+    refused(
+        "/robots/0/robot",
+        json!({ "type": "arm", "base": [1, 1], "links": [1] }),
+        "unsupported",
+        "/robots/0/robot/type",
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn options_that_do_not_fit_are_refused_with_their_place() {
+    let fleet = Fleet::read(&two_discs()).expect("a fleet");
+    let refused = |options: FleetOptions, code: &str, at: &str| refuses(FleetPlanner::new(&fleet, &options), code, at);
+    let order = |names: &[&str]| Some(names.iter().map(|name| (*name).to_owned()).collect());
+    let default = FleetOptions::default;
+    refused(FleetOptions { planner: Some("cbs".to_owned()), ..default() }, "unknown-planner", "/algorithm");
+    refused(FleetOptions { order: order(&["a"]), ..default() }, "out-of-range", "/order");
+    refused(FleetOptions { order: order(&["a", "c"]), ..default() }, "out-of-range", "/order/1");
+    refused(FleetOptions { order: order(&["a", "0"]), ..default() }, "out-of-range", "/order/1");
+    refused(FleetOptions { seed: u64::MAX, ..default() }, "out-of-range", "/seed");
+    let composite = FleetOptions { planner: Some("composite".to_owned()), ..default() };
+    refused(FleetOptions { order: order(&["b", "a"]), ..composite.clone() }, "unsupported", "/order");
+    let k = vec![("k".to_owned(), Value::Number(0.0))];
+    refused(FleetOptions { parameters: k, ..default() }, "out-of-range", "/k");
+    let four = generate("ring", &json!({ "count": 4 })).expect("a ring");
+    refuses(FleetPlanner::new(&four, &composite), "unsupported", "/robots");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn conflicts_of_two_motions_are_those_that_a_dense_look_sees() {
+    let mut random = Random::new(1, Stream::Samples);
+    let mut met = 0;
+    for case in 0..cases(400) {
+        let mut draw = |low: f64, high: f64| low + random.uniform() * (high - low);
+        let body = json!({ "type": "rigid_body", "shape": { "type": "polygon", "vertices": [[-0.6, -0.2], [0.6, -0.2], [0.6, 0.2], [-0.6, 0.2]] } });
+        let disc = json!({ "type": "disc", "radius": draw(0.1, 0.6) });
+        let mut robot = |name: &str, is_body: bool, x: [f64; 2]| {
+            let place = |x: f64, y: f64, theta: f64| if is_body { json!([x, y, theta]) } else { json!([x, y]) };
+            let (start, goal) =
+                (place(x[0], draw(1.0, 9.0), draw(-3.0, 3.0)), place(x[1], draw(1.0, 9.0), draw(-3.0, 3.0)));
+            json!({ "name": name, "robot": if is_body { &body } else { &disc }, "speed": draw(0.5, 2.0), "start": start, "goal": goal })
+        };
+        let robots = [robot("a", case % 3 > 0, [1.0, 9.0]), robot("b", case % 3 > 1, [9.0, 1.0])];
+        let document = json!({ "format": "planarium-fleet-1", "name": "pair", "robots": robots,
+            "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [] } });
+        let Ok(fleet) = Fleet::read(&document) else { continue };
+        let motions = straight(&fleet);
+        let (found, seen) = (conflicts(&fleet, &motions), seen(&fleet, &motions));
+        met += usize::from(seen.is_some());
+        match (found.first(), seen) {
+            (None, seen) => assert_eq!(seen, None, "{document}"),
+            (Some(conflict), Some((_, time))) => {
+                assert!(conflict.from <= time && time - conflict.from < 0.1, "{conflict:?} {time} {document}")
+            }
+            // Between two looks robots approach by no more than both move.
+            (Some(conflict), None) => {
+                assert!(conflict.to.is_some_and(|to| to - conflict.from < 0.1), "{conflict:?} {document}")
+            }
+        }
+    }
+    assert!(met > cases(400) / 10, "only {met} pairs met");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_two_robots_of_a_random_plan_touch() {
+    let (mut solved, count) = (0, cases(1000).min(if crate::common::deep() { 1000 } else { 60 }) as u64);
+    for seed in 0..count {
+        let planner = planned(&drawn(seed), "prioritized", seed);
+        if planner.status() == Status::Solved {
+            solved += 1;
+            assert_free(&planner, &format!("seed {seed}"));
+        } else {
+            assert!(planner.blocked().is_some(), "seed {seed}: {:?}", planner.status());
+        }
+    }
+    assert!(solved > count / 2, "only {solved} of {count} are solved");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_composite_plan_of_two_or_three_is_free_of_conflict() {
+    for seed in 0..8 {
+        let (shape, count) = [("disc", 2), ("disc", 3), ("rectangle", 2)][seed as usize % 3];
+        let fleet = generate("ring", &json!({ "count": count, "seed": seed, "shape": shape, "pillar": 0.5 }));
+        let planner = planned(&fleet.expect("a ring"), "composite", seed);
+        assert_eq!(planner.status(), Status::Solved, "seed {seed}");
+        assert_free(&planner, &format!("seed {seed}"));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_swap_in_a_corridor_is_solved_by_the_composite_and_by_no_order_of_priorities() {
+    for seed in 0..3 {
+        let fleet = generate("swap", &json!({ "seed": seed })).expect("a swap");
+        let names: Vec<&str> = fleet.robots().iter().map(|member| member.name.as_str()).collect();
+        for order in [[0, 1], [1, 0]] {
+            let mut planner = planner(&fleet, "prioritized", seed, Some(&order.map(|i| names[i])));
+            assert_eq!(planner.step(u64::MAX), Status::Exhausted, "{order:?}");
+            let blocked = planner.blocked().expect("a robot finds no way");
+            assert_eq!((blocked.robot, &blocked.by[..]), (order[0], &[order[1]][..]));
+        }
+        let planner = planned(&fleet, "composite", seed);
+        assert_eq!(planner.status(), Status::Solved);
+        assert_free(&planner, "swap");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn robots_that_cannot_pass_each_other_are_never_said_to() {
+    let mut document = two_discs();
+    document["world"] = json!({ "bounds": { "min": [0, 1], "max": [10, 2.9] }, "obstacles": [] });
+    let fleet = Fleet::read(&document).expect("a fleet");
+    for seed in 0..5 {
+        assert_eq!(planned(&fleet, "prioritized", seed).status(), Status::Exhausted);
+        let parameters = vec![("max_iterations".to_owned(), Value::Number(2000.0))];
+        let options =
+            FleetOptions { planner: Some("composite".to_owned()), seed, parameters, ..FleetOptions::default() };
+        assert_eq!(FleetPlanner::new(&fleet, &options).expect("options").step(u64::MAX), Status::Exhausted);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_plan_that_was_changed_is_found_out() {
+    let fleet = generate("crossroads", &json!({ "count": 6 })).expect("crossroads");
+    let result = planned(&fleet, "prioritized", 1).result();
+    assert!(verify(&fleet, &result).expect("a plan").is_valid());
+    let judged = |change: &dyn Fn(&mut planarium::fleet::FleetResult)| {
+        let mut changed = result.clone();
+        change(&mut changed);
+        verify(&fleet, &changed).expect("still a plan")
+    };
+    let hurried = judged(&|plan| plan.robots[0].times.iter_mut().for_each(|time| *time /= 1.5));
+    assert!(hurried.faults.iter().any(|fault| fault.robot == 0 && fault.why.contains("speed")), "{hurried:?}");
+    let elsewhere = judged(&|plan| plan.robots[1].path.last_mut().expect("a row")[0] += 0.01);
+    assert!(elsewhere.faults.iter().any(|fault| fault.robot == 1), "{elsewhere:?}");
+    let all_at_once = {
+        let straight = straight(&fleet);
+        judged(&|plan| {
+            for (robot, trajectory) in plan.robots.iter_mut().zip(&straight) {
+                robot.times = trajectory.times().to_vec();
+                robot.path = trajectory.poses().iter().map(|pose| pose[..2].to_vec()).collect();
+            }
+        })
+    };
+    assert!(!all_at_once.conflicts.is_empty() && all_at_once.conflicts.is_sorted_by(|a, b| a.from <= b.from));
+    let mut missing = result.clone();
+    missing.robots.pop();
+    refuses(verify(&fleet, &missing), "invalid-result", "/robots");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn another_order_can_succeed_where_one_fails() {
+    // In a corridor for one, "a" cannot pass the start of "b", which can go on first.
+    let mut document = two_discs();
+    document["world"] = json!({ "bounds": { "min": [0, 1], "max": [10, 2.9] }, "obstacles": [] });
+    (document["robots"][0]["goal"], document["robots"][1]["start"]) = (json!([5, 2]), json!([3, 2]));
+    document["robots"][1]["goal"] = json!([9, 2]);
+    let fleet = Fleet::read(&document).expect("a fleet");
+    let mut failed = planned(&fleet, "prioritized", 1);
+    assert_eq!(failed.step(1), Status::Exhausted);
+    assert_eq!(failed.blocked().map(|blocked| (blocked.robot, blocked.by.clone())), Some((0, vec![1])));
+    let mut other = planner(&fleet, "prioritized", 1, Some(&["b", "a"]));
+    assert_eq!(other.step(u64::MAX), Status::Solved);
+    assert_free(&other, "the other order");
+    let parameters = vec![("restarts".to_owned(), Value::Number(20.0))];
+    let options = FleetOptions { seed: 1, parameters, ..FleetOptions::default() };
+    let mut restarted = FleetPlanner::new(&fleet, &options).expect("options");
+    assert_eq!(restarted.step(u64::MAX), Status::Solved);
+    assert!(restarted.stats().restarts > 0);
+    assert_free(&restarted, "restarted");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn slices_change_nothing() {
+    for (id, fleet) in [("prioritized", "hall"), ("prioritized", "corridor"), ("composite", "swap")] {
+        let fleet = generate(fleet, &json!({})).expect("a fleet");
+        let whole = planned(&fleet, id, 3);
+        for slice in [1, 7] {
+            let mut sliced = planner(&fleet, id, 3, None);
+            while sliced.step(slice) == Status::Running {}
+            assert_eq!(sliced.result(), whole.result(), "{id}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn plans_are_the_same_on_every_platform() {
+    golden::check("golden-fleet.json", include_str!("golden-fleet.json"), 8, |case| {
+        let fleet = generate(case["generator"].as_str().expect("a generator"), &case["options"]).expect("a fleet");
+        let planner =
+            planned(&fleet, case["planner"].as_str().expect("a planner"), case["seed"].as_u64().expect("a seed"));
+        let result = planner.result();
+        json!({ "status": result.status, "makespan": result.makespan, "fingerprint": format!("{:016x}", result.fingerprint),
+            "expanded": result.stats.expanded, "pair_checks": result.stats.pair_checks })
+    });
+}

@@ -3,7 +3,7 @@ import catalogue from "./catalogue.js";
 import { Problem, Scenario } from "./core.js";
 import { requireCore } from "./runtime.js";
 
-/** @import { GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
+/** @import { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
 
 /** The phases: a row of `planner.historySince` holds an index into this list. */
 export const phases = Object.freeze(/** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]));
@@ -33,6 +33,12 @@ export function reachMethods() { return chosen().reach_methods; }
 
 /** The indexes that `scenario.neighbours` makes, and their parameters. @returns {IndexInfo[]} */
 export function neighbourIndexes() { return chosen().indexes; }
+
+/** The generators of fleets and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {FleetGeneratorInfo[]} */
+export function fleetGenerators() { return chosen().fleet_generators; }
+
+/** The planners of fleets and their options. @returns {FleetPlannerInfo[]} */
+export function fleetPlanners() { return chosen().fleet_planners; }
 
 /** The options of `new Trajectories`. It takes `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {ParameterInfo[]} */
 export function trajectoryOptions() { return chosen().trajectories; }

@@ -22,6 +22,8 @@ const SOURCES = {
   Drive: "scenario.drive(q)",
   Experiment: "Experiment.parse",
   Trial: "experiment.trial(number)",
+  Fleet: "Fleet.parse or Fleet.generate",
+  FleetPlanner: "fleet.planner(options)",
 };
 
 /**

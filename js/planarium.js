@@ -6,7 +6,7 @@ import { load, loadSync } from "./runtime.js";
 
 export * from "./core.js";
 export { PlanariumError } from "./error.js";
-export { eventKinds, generators, historyColumns, neighbourIndexes, phases, planners, reachMethods, solve, trajectoryOptions } from "./functions.js";
+export { eventKinds, fleetGenerators, fleetPlanners, generators, historyColumns, neighbourIndexes, phases, planners, reachMethods, solve, trajectoryOptions } from "./functions.js";
 export { version } from "./version.js";
 
 /** @import { InitInput, InitOptions, InitSyncInput, InitSyncOptions } from "./core.js" */

@@ -4,7 +4,7 @@
  * @typedef {{ name: string, option: string, kind: string, unit: string, min: number | null, max: number | null, default: unknown,
  *   default_meaning: string | null, choices: string[] | null, meaning: string }} Row
  * @typedef {{ id: string, parameters: Row[], options: Row[], presets?: { settings: Record<string, unknown> }[] }} Entry
- * @typedef {{ planners: Entry[], generators: Entry[], reach_methods: Entry[], indexes: Entry[], trajectories: Row[], particle: Row[], errors?: unknown }} Catalogue
+ * @typedef {{ planners: Entry[], generators: Entry[], reach_methods: Entry[], indexes: Entry[], fleet_planners: Entry[], fleet_generators: Entry[], trajectories: Row[], particle: Row[], errors?: unknown }} Catalogue
  */
 
 /** @param {string} name */
@@ -17,8 +17,8 @@ export function forJavaScript({ planners, errors: _, ...others }) {
 }
 
 /** All rows of options. @param {Catalogue} catalogue */
-export function rowsOf({ planners, generators, reach_methods, indexes, trajectories }) {
-  return [...[...planners, ...generators, ...reach_methods, ...indexes].flatMap(({ parameters, options }) => parameters ?? options), ...trajectories];
+export function rowsOf({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, trajectories }) {
+  return [...[...planners, ...generators, ...reach_methods, ...indexes, ...fleet_planners, ...fleet_generators].flatMap(({ parameters, options }) => parameters ?? options), ...trajectories];
 }
 
 /** @param {readonly string[]} words */
@@ -49,7 +49,7 @@ function merged(rows) {
 }
 
 /** The types of options. @param {Catalogue} catalogue */
-export function optionTypes({ planners, generators, reach_methods, indexes, trajectories, particle }) {
+export function optionTypes({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, trajectories, particle }) {
   /** @param {string} name @param {string} text @param {string} first @param {Omit<Row, "name">[]} rows */
   const type = (name, text, first, rows, common = [SEED]) => `${comment(text)}\nexport interface ${name} {\n${first}${[...common, ...rows].map(member).join("")}}\n`;
   /** @param {string} id */
@@ -78,6 +78,13 @@ export function optionTypes({ planners, generators, reach_methods, indexes, traj
       ["The id of the method; `damped-least-squares` by default.", "method?: ReachMethodId"],
       ["The first start; by default the start of the first query, or all joints at 0 as far as their limits allow.", "start?: readonly number[]"],
     ].map(([text, code]) => `    ${comment(text)}\n    ${code};\n`).join(""), merged(reach_methods.flatMap(({ parameters }) => parameters))),
+    `/** The id of a generator of fleets. */\nexport type FleetGeneratorId = ${ids(fleet_generators)};\n`,
+    type("GenerateFleetOptions", "Options of `Fleet.generate`; `fleetGenerators()` lists which generator takes which.", "", merged(fleet_generators.flatMap(({ options }) => options))),
+    `/** The id of a planner of fleets. */\nexport type FleetPlannerId = ${ids(fleet_planners)};\n`,
+    type("FleetOptions", "Options of `fleet.planner`; `fleetPlanners()` lists which planner takes which.", [
+      ["The id of the planner; `prioritized` by default.", "algorithm?: FleetPlannerId"],
+      ["The order of priorities, the highest first: the names of all robots. For `prioritized` only; that of the document by default.", "order?: readonly string[]"],
+    ].map(([text, code]) => `    ${comment(text)}\n    ${code};\n`).join(""), merged(fleet_planners.flatMap(({ parameters }) => parameters))),
     type("TrajectoryOptions", "Options of `new Trajectories`.", "", trajectories),
     type("ParticleMotion", "A particle with constant speed and turn rate.", "", particle, []),
   ].join("\n");

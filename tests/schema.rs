@@ -79,6 +79,8 @@ pub fn check(document: &Value, is_accepted: bool) {
 fn the_committed_schemas_are_those_of_the_types() {
     let experiment = format!("{:#}\n", planarium::experiment::schema());
     crate::common::golden::committed("schema/experiment.schema.json", &experiment);
+    let fleet = format!("{:#}\n", planarium::fleet::schema());
+    crate::common::golden::committed("schema/fleet.schema.json", &fleet);
     crate::common::golden::committed("schema/scenario.schema.json", &format!("{:#}\n", schema()));
 }
 

@@ -217,7 +217,8 @@ pub(super) fn experiment_document(value: &JsValue) -> Result<Json, Error> {
     document_tree(value, "an experiment")
 }
 
-fn document_tree(value: &JsValue, what: &str) -> Result<Json, Error> {
+/// A document as text or as an object.
+pub(super) fn document_tree(value: &JsValue, what: &str) -> Result<Json, Error> {
     if let Some(text) = value.dyn_ref::<JsString>() {
         let length = text.length();
         let error = || {

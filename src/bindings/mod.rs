@@ -33,6 +33,7 @@ mod arguments;
 mod clock;
 mod drive;
 mod experiment;
+mod fleet;
 mod neighbours;
 mod planner;
 mod problem;

@@ -47,6 +47,7 @@ pub(super) struct Document {
     world: document::World,
     /// The robots; names are distinct.
     #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 1000)))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetRobotDocument[]"))]
     robots: Vec<Member>,
 }
 

@@ -131,6 +131,7 @@ pub struct FleetResult {
     pub waits: f64,
     /// The robot that finds no way; absent if none is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "FleetBlocked"))]
     pub blocked: Option<BlockedNames>,
     /// The work done.
     pub stats: FleetStats,

@@ -37,6 +37,7 @@ pub struct Conflict {
     /// A time at which they are apart again; `None` if they never are.
     pub to: Option<f64>,
     /// Where they are at first: x, y, theta of each; theta of a disc is 0.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[[number, number, number], [number, number, number]]"))]
     pub places: [Pose; 2],
 }
 
@@ -57,8 +58,10 @@ pub struct Verification {
     /// Whether there is no conflict and no fault.
     pub valid: bool,
     /// The conflicts, in the order of their times.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetConflict[]"))]
     pub conflicts: Vec<Conflict>,
     /// What is wrong with single robots: a start or a goal missed, too fast, an obstacle touched.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetFault[]"))]
     pub faults: Vec<Fault>,
     /// How many distances between robots were evaluated.
     pub looks: u64,

@@ -3,6 +3,7 @@
 //! `schema/catalogue.json` holds it; a test compares. It is shipped beside the WebAssembly module, not in it.
 
 use crate::error::Code;
+use crate::fleet::{fleet_generators, fleet_planners};
 use crate::ik::methods;
 use crate::options::{Info, Kind, OptionInfo, Options, Value, in_camel_case};
 use crate::planner::{self, ByControls, PlannerOptions, Preset, planners};
@@ -148,6 +149,32 @@ records! {
         /// Its options, except `seed`.
         options: Vec<ParameterInfo>,
     }
+
+    /// A planner of fleets, as a page would offer it.
+    struct FleetPlannerInfo {
+        /// The value of `algorithm`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetPlannerId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Its options.
+        parameters: Vec<ParameterInfo>,
+    }
+
+    /// A generator of fleets, as a page would offer it.
+    struct FleetGeneratorInfo {
+        /// The first argument of `Fleet.generate`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetGeneratorId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Its options, except `seed`.
+        options: Vec<ParameterInfo>,
+    }
 }
 
 /// The document.
@@ -160,6 +187,15 @@ pub fn catalogue() -> Json {
         let &Info { id, title, summary, ref options } = info;
         ReachMethodInfo { id, title, summary, parameters: table(options) }
     };
+    let fleet_planner = |info: &Info| {
+        let &Info { id, title, summary, ref options } = info;
+        FleetPlannerInfo { id, title, summary, parameters: table(options) }
+    };
+    let fleet_generator = |info: &Info| {
+        let &Info { id, title, summary, ref options } = info;
+        let options: Vec<_> = options.iter().filter(|option| option.name != "seed").cloned().collect();
+        FleetGeneratorInfo { id, title, summary, options: table(&options) }
+    };
     let index = |info: &neighbours::IndexInfo| {
         let &neighbours::IndexInfo { id, title, summary, is_exact: exact, ref parameters, .. } = info;
         IndexInfo { id, title, summary, exact, parameters: table(parameters) }
@@ -169,6 +205,8 @@ pub fn catalogue() -> Json {
         "reach_methods": methods().iter().map(method).collect::<Vec<_>>(),
         "indexes": indexes().iter().map(index).collect::<Vec<_>>(),
         "generators": generators().iter().map(generator).collect::<Vec<_>>(),
+        "fleet_planners": fleet_planners().iter().map(fleet_planner).collect::<Vec<_>>(),
+        "fleet_generators": fleet_generators().iter().map(fleet_generator).collect::<Vec<_>>(),
         "trajectories": table(&TrajectoryOptions::table()),
         "particle": table(&ParticleOptions::table()),
         "errors": Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect::<Vec<_>>(),

@@ -7,11 +7,13 @@ use serde_json::Value;
 use std::fmt::Write;
 
 /// The tables of entries with options: the title, the field of the catalogue, and the field of an entry with its options.
-const TABLES: [(&str, &str, &str); 4] = [
+const TABLES: [(&str, &str, &str); 6] = [
     ("PLANNERS", "planners", "parameters"),
     ("METHODS OF INVERSE KINEMATICS", "reach_methods", "parameters"),
     ("INDEXES", "indexes", "parameters"),
     ("GENERATORS", "generators", "options"),
+    ("PLANNERS OF FLEETS", "fleet_planners", "parameters"),
+    ("GENERATORS OF FLEETS", "fleet_generators", "options"),
 ];
 
 /// Prints tables, or JSON.

@@ -1,0 +1,87 @@
+/** Fleets from JavaScript: documents, planners by steps, the verifier, and what is refused. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Fleet, FleetPlanner, fleetGenerators, fleetPlanners } from "planarium";
+
+/** @param {() => unknown} operation @param {string} code @param {string} pointer */
+function refuses(operation, code, pointer) {
+  assert.throws(operation, (/** @type {any} */ error) => {
+    assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
+    return true;
+  });
+}
+
+/** @type {import("planarium").FleetDocument} */
+const pair = {
+  format: "planarium-fleet-1", name: "pair", world: { bounds: { min: [0, 0], max: [10, 4] }, obstacles: [] },
+  robots: [
+    { name: "a", robot: { type: "disc", radius: 0.5 }, start: [1, 2], goal: [9, 2] },
+    { name: "b", robot: { type: "disc", radius: 0.5 }, speed: 2, start: [9, 3.2], goal: [1, 0.8] },
+  ],
+};
+
+test("a document is read, refused with its place, and written again", () => {
+  const fleet = Fleet.parse(pair);
+  assert.deepEqual([fleet.name, fleet.title, fleet.robotCount], ["pair", "pair", 2]);
+  assert.deepEqual(Fleet.parse(JSON.stringify(fleet)).toJSON(), fleet.toJSON());
+  refuses(() => Fleet.parse({ ...pair, robots: [pair.robots[0], { ...pair.robots[1], start: [1.5, 2] }] }), "start-in-collision", "/robots/1/start");
+  refuses(() => Fleet.parse({ ...pair, name: "" }), "out-of-range", "/name");
+  refuses(() => Fleet.generate(/** @type {any} */ ("heap")), "unknown-generator", "");
+  refuses(() => Fleet.generate("hall", { count: 0 }), "out-of-range", "/count");
+  refuses(() => fleet.planner({ order: ["a", "c"] }), "out-of-range", "/order/1");
+  refuses(() => fleet.planner({ algorithm: /** @type {any} */ ("cbs") }), "unknown-planner", "/algorithm");
+  refuses(() => fleet.footprint(2, [0, 0, 0]), "out-of-range", "/robot");
+  assert.throws(() => new /** @type {any} */ (Fleet)(), { code: "illegal-constructor" });
+  fleet.free();
+  assert.throws(() => fleet.name, { code: "freed" });
+});
+
+test("robots that would meet on the straight way are planned around each other, in any slices", () => {
+  const fleet = Fleet.parse(pair);
+  const [conflict] = fleet.straightConflicts();
+  assert.deepEqual(conflict.robots, [0, 1]);
+  assert.ok(conflict.from > 2 && conflict.from < 3, `${conflict.from}`);
+  const whole = fleet.planner({ seed: 3 });
+  assert.ok(whole instanceof FleetPlanner);
+  assert.equal(whole.step(1e9), "solved");
+  const sliced = fleet.planner({ seed: 3 });
+  while (sliced.step(7) === "running");
+  assert.equal(sliced.fingerprint, whole.fingerprint);
+  assert.deepEqual(sliced.result(), whole.result());
+  assert.deepEqual(fleet.verify(whole.result()), { valid: true, conflicts: [], faults: [], looks: fleet.verify(whole.result()).looks });
+  const rows = whole.trajectory(1);
+  assert.deepEqual([...rows.slice(0, 4)], [0, 9, 3.2, 0]);
+  assert.deepEqual([...rows.slice(-3)], [1, 0.8, 0]);
+  assert.deepEqual([...whole.posesAt(0)], [1, 2, 0, 9, 3.2, 0]);
+  assert.equal(whole.makespan, Math.max(rows.at(-4) ?? NaN, whole.trajectory(0).at(-4) ?? NaN));
+  assert.deepEqual([whole.roadmapCount, whole.roadmapOf(1), whole.planned, [...whole.order()]], [1, 0, 2, [0, 1]]);
+  const vertices = whole.verticesSince(0, 0).length / 3;
+  assert.equal(vertices, whole.result().stats.vertices);
+  assert.ok(whole.edgesSince(0, 0).every((vertex) => vertex < vertices));
+  refuses(() => whole.verticesSince(1, 0), "out-of-range", "/roadmap");
+  refuses(() => whole.edgesSince(0, 1e9), "out-of-range", "/row");
+  const plan = whole.result();
+  plan.robots[0].times = plan.robots[0].times.map((time) => time / 2);
+  assert.equal(fleet.verify(plan).valid, false);
+});
+
+test("a swap is solved by the composite and by no order of priorities", () => {
+  const fleet = Fleet.generate("swap", { seed: 1 });
+  const names = fleet.toJSON().robots.map(({ name }) => name);
+  for (const order of [names, [...names].reverse()]) {
+    const planner = fleet.planner({ order });
+    assert.equal(planner.step(1e9), "exhausted");
+    assert.deepEqual([...planner.blocked()], order.map((name) => names.indexOf(name)));
+  }
+  const composite = fleet.planner({ algorithm: "composite", seed: 1 });
+  assert.equal(composite.step(1e9), "solved");
+  assert.equal(fleet.verify(composite.result()).valid, true);
+});
+
+test("planners and generators are listed with their options", () => {
+  assert.deepEqual(fleetPlanners().map(({ id }) => id), ["prioritized", "composite"]);
+  for (const { id, options } of fleetGenerators()) {
+    assert.ok(options.every(({ name }) => name !== "seed"));
+    assert.ok(Fleet.generate(id, { radius: 0.25 }).robotCount > 0, id);
+  }
+});

@@ -339,6 +339,8 @@ test("the first and the shortest are named in the table, above the stage and to 
   assert.deepEqual((await table(page)).map(({ found }) => found), ["sampling", "232 (first)"]);
   await textMatches(page, "#announcer", /^B found a path\.$/);
   await finish(page);
+  // The shortest path is computed beside the run.
+  await textMatches(page, "#standings", /gap[^]*gap/);
   const [a, b] = await table(page);
   assert.match(a.cost, /^8\.93 rad \(gap \d\.\d %, shortest\)$/);
   assert.match(b.cost, /^9\.19 rad \(gap \d+\.\d %\)$/);

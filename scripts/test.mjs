@@ -2,7 +2,7 @@
  * `npm test`: installs tools, runs every suite in order, and prints the number of passed tests and the seconds of each.
  * `node scripts/test.mjs rust page` runs only those groups: check, rust, wasm, package, page; or quick, format and native tests.
  *
- * A suite that runs no test, or whose count cannot be parsed, has failed.
+ * A suite that runs no test, or whose count cannot be parsed, has failed. The last lines of failed suites are repeated above the table.
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
@@ -17,7 +17,7 @@ import { buildSite } from "./site.mjs";
 /** @typedef {import("./counts.mjs").Counts} Counts */
 /** @typedef {import("./run.mjs").Env} Env */
 /** @typedef {{ groups: string[], name: string, run: () => Promise<Counts | undefined> }} Suite */
-/** @typedef {{ name: string, seconds: number, counts: Counts, note: string }} Result */
+/** @typedef {{ name: string, seconds: number, counts: Counts, note: string, output: string }} Result */
 
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
@@ -25,8 +25,14 @@ const NO_WARNINGS = ["--", "-D", "warnings"];
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
 
+/** How many lines of the output of a failed suite are repeated at the end. */
+const REPEATED_LINES = 40;
+
 /** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";
+
+/** What the program of the present suite printed. */
+let printed = "";
 
 /** @type {Suite[]} */
 const suites = [
@@ -57,15 +63,22 @@ const needs = {
 const ALL = Object.keys(needs);
 needs.quick = [ensureRustComponents];
 
+/** Runs the program of a suite and remembers what it prints. @param {Parameters<typeof watch>} command */
+async function observe(...command) {
+  const result = await watch(...command);
+  printed = result.output;
+  return result;
+}
+
 /** Runs a program that counts as one test. @param {string} program @param {string[]} args @param {Env} [env] */
 async function command(program, args, env) {
-  const { code } = await watch(program, args, env);
+  const { code } = await observe(program, args, env);
   return code === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
 /** Runs Rust's test harness, natively or in WebAssembly. @param {string} program @param {string[]} args @param {Env} [env] */
 async function harness(program, args, env) {
-  const { code, output } = await watch(program, args, env);
+  const { code, output } = await observe(program, args, env);
   return withExitCode(countsOfHarness(output), code);
 }
 
@@ -106,7 +119,7 @@ async function nodeTests(folder, concurrency) {
   if (files.length === 0) return undefined;
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
-  const { code } = await watch(process.execPath, [
+  const { code } = await observe(process.execPath, [
     "--test", `--test-concurrency=${concurrency}`,
     "--test-reporter=spec", "--test-reporter-destination=stdout",
     "--test-reporter=tap", `--test-reporter-destination=${report}`,
@@ -142,8 +155,9 @@ async function prepare(groups) {
 async function runSuite({ name, run }) {
   console.log(`\n=== ${name} ===`);
   const began = performance.now();
+  printed = "";
   const { counts, note } = await run().then(judge, (error) => failure(error instanceof Error ? error.message : String(error)));
-  return { name, seconds: (performance.now() - began) / 1000, counts, note };
+  return { name, seconds: (performance.now() - began) / 1000, counts, note, output: printed };
 }
 
 /** @param {Counts | undefined} counts */
@@ -163,6 +177,13 @@ function compareEngines(results) {
   if (inNode === undefined || inChrome === undefined || inNode.counts.passed === inChrome.counts.passed) return;
   inChrome.counts.failed += 1;
   inChrome.note ||= `${inChrome.counts.passed} passed here but ${inNode.counts.passed} in Node`;
+}
+
+/** Prints the last lines of every suite that failed. @param {Result[]} results */
+function repeatFailures(results) {
+  for (const { name, output } of results.filter(({ counts }) => counts.failed > 0)) {
+    console.log(`\n=== ${name} failed; its last lines ===\n${output.trimEnd().split("\n").slice(-REPEATED_LINES).join("\n")}`);
+  }
 }
 
 /** Prints the table of suites, set-up first. @param {Result[]} results @param {number} setUp  seconds */
@@ -193,6 +214,7 @@ await script(async () => {
   const results = [];
   for (const suite of suites.filter((one) => one.groups.some((group) => groups.includes(group)))) results.push(await runSuite(suite));
   compareEngines(results);
+  repeatFailures(results);
   printTable(results, setUp);
   const passed = results.reduce((sum, { counts }) => sum + counts.passed, 0);
   const failed = results.reduce((sum, { counts }) => sum + counts.failed, 0);

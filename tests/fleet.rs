@@ -2,7 +2,7 @@
 //! every platform; what one order of priorities cannot solve.
 
 use crate::common::documents::refuses;
-use crate::common::{cases, golden};
+use crate::common::{cases, deep, golden, seeds};
 use planarium::fleet::{
     Fleet, FleetOptions, FleetPlanner, Trajectory, conflicts, generate, straight, trajectories, verify,
 };
@@ -208,7 +208,8 @@ fn conflicts_of_two_motions_are_those_that_a_dense_look_sees() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn no_two_robots_of_a_random_plan_touch() {
-    let (mut solved, count) = (0, cases(1000).min(if crate::common::deep() { 1000 } else { 60 }) as u64);
+    let count = if deep() { 1000 } else { seeds(160) };
+    let mut solved = 0;
     for seed in 0..count {
         let planner = planned(&drawn(seed), "prioritized", seed);
         if planner.status() == Status::Solved {

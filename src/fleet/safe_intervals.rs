@@ -12,8 +12,9 @@ use super::trajectory::Trajectory;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 
-/// How often the time of departure is halved in search of the earliest one.
-const HALVINGS: u32 = 30;
+/// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances cost more
+/// the closer they pass.
+const HALVINGS: [u32; 2] = [30, 10];
 
 /// The most motions of others that one departure waits for.
 const MOST_WAITS: u32 = 256;
@@ -314,7 +315,7 @@ impl Leave {
             if late <= early || late == f64::INFINITY || !is_past(late) {
                 return Err(other);
             }
-            for _ in 0..HALVINGS {
+            for _ in 0..HALVINGS[usize::from(footprints.iter().any(|footprint| footprint.is_body()))] {
                 let middle = 0.5 * (early + late);
                 if is_past(middle) {
                     late = middle;

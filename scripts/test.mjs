@@ -47,7 +47,7 @@ const suites = [
   { groups: ["wasm"], name: "Rust, in Chrome", run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }) },
   { groups: ["wasm"], name: "wasm-pack test --node", run: () => harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()) },
   { groups: ["package"], name: "npm package", run: () => nodeTests("package", 2) },
-  { groups: ["page"], name: "page, in Chromium", run: () => nodeTests("page", 1) },
+  { groups: ["page"], name: "page, in Chromium", run: () => nodeTests("page", 2) },
 ];
 
 /** The set-up of each group; each step does nothing if it is already done. @type {Record<string, (() => Promise<unknown>)[]>} */

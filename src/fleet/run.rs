@@ -21,8 +21,8 @@ pub struct FleetOptions {
     pub planner: Option<String>,
     /// The seed, 0 to 2^53 - 1.
     pub seed: u64,
-    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. That of the document if it is
-    /// `None`. For `prioritized` only.
+    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. If it is
+    /// `None`, that of the document, and others if it fails. For `prioritized` only.
     pub order: Option<Vec<String>>,
     /// Options of the planner by name.
     pub parameters: Vec<(String, Value)>,
@@ -201,7 +201,7 @@ impl FleetPlanner {
         } else {
             let read = PrioritizedOptions::read(&options.parameters)?;
             let order = order(fleet, options.order.as_deref())?;
-            let planner = Prioritized::new(&setup, &read, order, options.seed)?;
+            let planner = Prioritized::new(&setup, &read, order, options.seed, options.order.is_some())?;
             (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
         };
         Ok(Self { setup, id, seed: options.seed, algorithm, most, iterations: 0, status: Status::Running })

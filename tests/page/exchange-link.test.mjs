@@ -174,6 +174,8 @@ test("a fault says which entry is wrong", async () => {
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"__proto__":1}}]}`, /__proto__ is wrong/],
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"toString":1}}]}`, /toString is wrong/],
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"prototype":1}}]}`, /prototype is wrong/],
+    [`{"scene":"stones","l\\nes":[]}`, /experiment\.l\\u\{a\}es is wrong/],
+    [`{"scene":"stones","a\u2028\u202e\\ud800b":[]}`, /experiment\.a\\u\{2028\}\\u\{202e\}\\u\{d800\}b is wrong/],
     ["null", /experiment is wrong/], ["7", /experiment is wrong/], ["[]", /experiment is wrong/], ['"text"', /experiment is wrong/],
     ["", /damaged/], ["{", /damaged/], ["{}{}", /damaged/], [`${"[".repeat(300000)}`, /damaged|wrong/], [`${"[".repeat(100000)}${"]".repeat(100000)}`, /wrong/],
   ];

@@ -39,6 +39,9 @@ export const list = (item, least, most) => (value, at) => {
   value.forEach((entry, i) => item(entry, `${at}.${i}`));
 };
 
+/** A text on one line: line breaks and other characters that cannot be seen are written `\u{a}`. @param {string} key */
+const printable = (key) => key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (unseen) => `\\u{${unseen.codePointAt(0)?.toString(16)}}`);
+
 /**
  * A record of at most 64 entries; an undefined one is absent.
  * @template {Record<string, Rule>} R
@@ -50,7 +53,7 @@ export const record = (rules, others) => (value, at) => {
   const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
   must(entries.length <= 64, `${at} is wrong`);
   for (const [key, entry] of entries) {
-    const place = `${at}.${key.slice(0, 64)}`;
+    const place = `${at}.${printable(key.slice(0, 64))}`;
     name(key, place);
     const each = rules[key] ?? others;
     must(each, `${place} is unknown`);

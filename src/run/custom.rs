@@ -28,6 +28,7 @@ const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=LARGEST;
 /// The kind of a coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum CoordinateKind {
     /// An angle in (-pi, pi] that wraps.
     Circle,

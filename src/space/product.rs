@@ -10,6 +10,7 @@ const LAST: f64 = TAU.next_down();
 
 /// One coordinate of a configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Coordinate {
     /// An angle that wraps: in (-pi, pi], differences the short way round.
     Circle,

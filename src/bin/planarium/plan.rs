@@ -99,6 +99,7 @@ fn summary(result: &ResultDocument) -> String {
         Status::Exhausted => "exhausted: no path found".to_owned(),
         Status::Failed => "failed: a configuration cannot be evaluated".to_owned(),
         Status::Running => "running: the time is up, no path found yet".to_owned(),
+        other => other.as_str().to_owned(),
     };
     format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
 }

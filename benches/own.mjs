@@ -3,13 +3,15 @@
  *
  *   node benches/own.mjs [SEEDS] [FILE...]   scenarios of arms in place of the generated ones
  *
- * For each arm: milliseconds to the first path by RRT-Connect, median; the part of them that is not spent in the function; how many
- * configurations it got, in how many calls.
+ * For each arm: milliseconds to the first path by RRT-Connect, median; that time over the time in the function; how many
+ * configurations it got, in how many calls. The last row of an arm is OxMPL's package for JavaScript with the same function, which it
+ * calls for one configuration at a time.
  */
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { Problem, Scenario } from "planarium";
 import { digits, quantile, table } from "./peers/report.mjs";
+import { oxmplInJavaScript } from "./peers/sides.mjs";
 
 /** @typedef {import("planarium").ScenarioDocument} Document */
 /** @typedef {{ milliseconds: number, inside: number, calls: number, configurations: number }} Run */
@@ -83,14 +85,72 @@ function told(document, isProven, note) {
   return new Problem({ space, start, goal, ...(isProven ? { clearance: evaluate, reach } : { isFree: evaluate, resolution: RESOLUTION }) });
 }
 
-/** A run, after a warm-up. @param {Problem | Scenario} problem @param {number} seed @param {Run} run  counts up meanwhile */
-function measured(problem, seed, run) {
+/** Plans with a seed; the time of its construction does not count. @typedef {(seed: number) => () => void} Plan */
+
+/** The planner of a problem. @param {Problem | Scenario} problem @returns {Plan} */
+function ours(problem) {
+  return (seed) => {
+    const planner = problem.planner({ algorithm: "rrt-connect", seed });
+    return () => {
+      if (planner.step(100_000) !== "solved") throw new Error(`seed ${seed}: no path`);
+      planner.free();
+    };
+  };
+}
+
+/**
+ * OxMPL's RRT-Connect on the same arm. Its space of circles has the Euclidean metric, where a motion is shorter than in the sum metric: so at
+ * the same resolution it evaluates fewer samples. The range is OMPL's default.
+ * @param {any} oxmpl
+ * @param {Document} document
+ * @param {(milliseconds: number, count: number) => void} note
+ * @returns {Plan}
+ */
+function theirs(oxmpl, document, note) {
+  const { robot, queries: [{ start, goal }] } = document;
+  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are told here");
+  const n = robot.links.length;
+  const distance = distanceOf(document);
+  const circle = new oxmpl.SO2StateSpace();
+  // A motion is tested at every tenth of this length, which is a fraction of pi for a circle, and of the diagonal for a product.
+  circle.setLongestValidLineSegmentFraction(10 * RESOLUTION / (Math.PI * Math.sqrt(n)));
+  const builder = new oxmpl.CompoundStateSpaceBuilder();
+  for (let i = 0; i < n; i += 1) builder.addSO2StateSpace(circle, 1);
+  const space = builder.build();
+  const stateAt = (/** @type {ArrayLike<number>} */ angles) => {
+    const state = new oxmpl.CompoundStateBuilder();
+    for (let i = 0; i < n; i += 1) state.addSO2State(new oxmpl.SO2State(angles[i]));
+    return state.build();
+  };
+  const target = stateAt(goal);
+  const region = new oxmpl.Goal({
+    isSatisfied: (/** @type {any} */ state) => space.distance(state, target) <= 1e-9,
+    distanceGoal: (/** @type {any} */ state) => space.distance(state, target),
+    sampleGoal: () => stateAt(goal),
+  });
+  const row = new Float64Array(n);
+  const checker = new oxmpl.StateValidityChecker((/** @type {any} */ state) => {
+    for (let i = 0; i < n; i += 1) row[i] = state.getComponent(i).value;
+    const began = performance.now();
+    const isFree = distance(row, 0, 1e-9) > 0;
+    note(performance.now() - began, 1);
+    return isFree;
+  });
+  const problem = oxmpl.ProblemDefinition.fromCompoundState(space, stateAt(start), region);
+  return (seed) => {
+    const planner = new oxmpl.RRTConnect(0.2 * Math.PI * Math.sqrt(n), 0, problem, new oxmpl.PlannerConfig(seed));
+    planner.setup(checker);
+    return () => { planner.solve(10); };
+  };
+}
+
+/** A run, after a warm-up. @param {Plan} plan @param {number} seed @param {Run} run  counts up meanwhile */
+function measured(plan, seed, run) {
   Object.assign(run, { milliseconds: 0, inside: 0, calls: 0, configurations: 0 });
-  const planner = problem.planner({ algorithm: "rrt-connect", seed });
+  const solve = plan(seed);
   const began = performance.now();
-  planner.step(100_000);
+  solve();
   run.milliseconds = performance.now() - began;
-  planner.free();
   return { ...run };
 }
 
@@ -99,6 +159,7 @@ const scenarios = files.length > 0
   ? files.map((file) => ({ name: basename(file, ".json"), scenario: Scenario.parse(readFileSync(file, "utf8")) }))
   : [2, 3, 4].map((links) => ({ name: `forest of ${links} joints`, scenario: Scenario.generate("forest", { links, seed: 7 }) }));
 
+const oxmpl = await oxmplInJavaScript();
 /** @type {string[][]} */
 const rows = [];
 for (const { name, scenario } of scenarios) {
@@ -110,9 +171,18 @@ for (const { name, scenario } of scenarios) {
     run.calls += 1;
     run.configurations += count;
   };
-  for (const [how, problem] of /** @type {const} */ ([["isFree", told(document, false, note)], ["clearance", told(document, true, note)], ["as a scenario", scenario]])) {
-    for (let seed = 0; seed < 20; seed += 1) measured(problem, 1000 + seed, run);
-    const runs = Array.from({ length: Number(seeds) }, (_, seed) => measured(problem, seed, run));
+  /** @type {[string, Plan][]} */
+  const plans = [
+    ["isFree", ours(told(document, false, note))], ["clearance", ours(told(document, true, note))], ["as a scenario", ours(scenario)],
+    ["OxMPL, isFree", theirs(oxmpl, document, note)],
+  ];
+  for (const [, plan] of plans) for (let seed = 0; seed < 20; seed += 1) measured(plan, 1000 + seed, run);
+  // In turn, so that the load of the machine is the same for all.
+  /** @type {Run[][]} */
+  const allRuns = plans.map(() => []);
+  for (let seed = 0; seed < Number(seeds); seed += 1) plans.forEach(([, plan], i) => allRuns[i].push(measured(plan, seed, run)));
+  for (const [i, [how]] of plans.entries()) {
+    const runs = allRuns[i];
     const sum = (/** @type {keyof Run} */ of) => runs.reduce((all, one) => all + one[of], 0);
     const isOwn = how !== "as a scenario";
     rows.push([

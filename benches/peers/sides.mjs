@@ -1,9 +1,10 @@
 /** The sides of the comparison: each is a process that waits for jobs, so that they can run in turn. */
 import { spawn } from "node:child_process";
-import { existsSync, mkdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
+import { pathToFileURL } from "node:url";
 import { Problem, ask, root, run } from "../../scripts/run.mjs";
 
 /** @typedef {"native" | "node" | "ompl" | "oxmpl"} SideName */
@@ -142,4 +143,19 @@ async function oxmpl(build) {
     await run("cargo", ["build", "--release", "--locked", "--manifest-path", join(peers, "oxmpl", "Cargo.toml"), "--target-dir", folder]);
   }
   return [program];
+}
+
+/** OxMPL's package for JavaScript, from its crate; it is not on npm. @returns {Promise<any>} its module, ready to use */
+export async function oxmplInJavaScript() {
+  const folder = join(built, "oxmpl-js");
+  const target = "wasm32-unknown-unknown";
+  const wasm = join(folder, target, "release", "oxmpl_js.wasm");
+  const glue = join(folder, "glue");
+  if (!existsSync(join(glue, "planarium.js"))) {
+    await run("cargo", ["build", "--release", "--locked", "--manifest-path", join(peers, "oxmpl-js", "Cargo.toml"), "-p", "oxmpl-js", "--target", target, "--target-dir", folder]);
+    await run("cargo", ["run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
+  }
+  const module = await import(pathToFileURL(join(glue, "planarium.js")).href);
+  module.initSync({ module: readFileSync(join(glue, "planarium_bg.wasm")) });
+  return module;
 }

@@ -3,7 +3,7 @@ import catalogue from "./catalogue.js";
 import { Problem, Scenario } from "./core.js";
 import { requireCore } from "./runtime.js";
 
-/** @import { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
+/** @import { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, NavigationGeneratorInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
 
 /** The phases: a row of `planner.historySince` holds an index into this list. */
 export const phases = Object.freeze(/** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]));
@@ -36,6 +36,18 @@ export function neighbourIndexes() { return chosen().indexes; }
 
 /** The generators of fleets and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {FleetGeneratorInfo[]} */
 export function fleetGenerators() { return chosen().fleet_generators; }
+
+/** The generators of navigation tasks and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {NavigationGeneratorInfo[]} */
+export function navigationGenerators() { return chosen().navigation_generators; }
+
+/** The options of `navigation.training`. All take `seed` as well. @returns {ParameterInfo[]} */
+export function trainingOptions() { return chosen().training; }
+
+/** The options of `navigation.comparison`. All take `seed` as well. @returns {ParameterInfo[]} */
+export function comparisonOptions() { return chosen().comparison; }
+
+/** The options of `navigation.planner` and `navigation.edgeRollouts` about edges. @returns {ParameterInfo[]} */
+export function rolloutOptions() { return chosen().rollouts; }
 
 /** The planners of fleets and their options. @returns {FleetPlannerInfo[]} */
 export function fleetPlanners() { return chosen().fleet_planners; }

@@ -15,7 +15,7 @@ import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
 /** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
 const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
-  Planner: "scenario.planner(options), scenario.resume(roadmap, options) or problem.planner(options)",
+  Planner: "scenario.planner(options), scenario.resume(roadmap, options) problem.planner(options) or navigation.planner(policy, options)",
   Reach: "scenario.reach(options)",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",
@@ -24,6 +24,9 @@ const SOURCES = {
   Trial: "experiment.trial(number)",
   Fleet: "Fleet.parse or Fleet.generate",
   FleetPlanner: "fleet.planner(options)",
+  Navigation: "Navigation.parse or Navigation.generate",
+  Training: "navigation.training(options)",
+  NavigationComparison: "navigation.comparison(policy, options)",
 };
 
 /**

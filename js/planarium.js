@@ -6,7 +6,9 @@ import { load, loadSync } from "./runtime.js";
 
 export * from "./core.js";
 export { PlanariumError } from "./error.js";
-export { eventKinds, fleetGenerators, fleetPlanners, generators, historyColumns, neighbourIndexes, phases, planners, reachMethods, solve, trajectoryOptions } from "./functions.js";
+export {
+  comparisonOptions, eventKinds, fleetGenerators, fleetPlanners, generators, historyColumns, navigationGenerators, neighbourIndexes, phases, planners, reachMethods, rolloutOptions, solve, trainingOptions, trajectoryOptions,
+} from "./functions.js";
 export { version } from "./version.js";
 
 /** @import { InitInput, InitOptions, InitSyncInput, InitSyncOptions } from "./core.js" */

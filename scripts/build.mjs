@@ -111,8 +111,8 @@ function makeCatalogue() {
 export default function catalogue() { return JSON.parse(text); }
 export const renamed = ${JSON.stringify(renamed)};
 `);
-  writeFileSync(join(glue, "catalogue.d.ts"), `import type { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";
-declare function catalogue(): { planners: PlannerInfo[], generators: GeneratorInfo[], reach_methods: ReachMethodInfo[], indexes: IndexInfo[], fleet_planners: FleetPlannerInfo[], fleet_generators: FleetGeneratorInfo[], trajectories: ParameterInfo[] };
+  writeFileSync(join(glue, "catalogue.d.ts"), `import type { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, NavigationGeneratorInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";
+declare function catalogue(): { planners: PlannerInfo[], generators: GeneratorInfo[], reach_methods: ReachMethodInfo[], indexes: IndexInfo[], fleet_planners: FleetPlannerInfo[], fleet_generators: FleetGeneratorInfo[], navigation_generators: NavigationGeneratorInfo[], rollouts: ParameterInfo[], training: ParameterInfo[], comparison: ParameterInfo[], trajectories: ParameterInfo[] };
 export default catalogue;
 export declare const renamed: readonly string[];
 `);

@@ -4,7 +4,7 @@
  * @typedef {{ name: string, option: string, kind: string, unit: string, min: number | null, max: number | null, default: unknown,
  *   default_meaning: string | null, choices: string[] | null, meaning: string }} Row
  * @typedef {{ id: string, parameters: Row[], options: Row[], presets?: { settings: Record<string, unknown> }[] }} Entry
- * @typedef {{ planners: Entry[], generators: Entry[], reach_methods: Entry[], indexes: Entry[], fleet_planners: Entry[], fleet_generators: Entry[], trajectories: Row[], particle: Row[], errors?: unknown }} Catalogue
+ * @typedef {{ planners: Entry[], generators: Entry[], reach_methods: Entry[], indexes: Entry[], fleet_planners: Entry[], fleet_generators: Entry[], navigation_generators: Entry[], rollouts: Row[], training: Row[], comparison: Row[], trajectories: Row[], particle: Row[], errors?: unknown }} Catalogue
  */
 
 /** @param {string} name */
@@ -17,8 +17,8 @@ export function forJavaScript({ planners, errors: _, ...others }) {
 }
 
 /** All rows of options. @param {Catalogue} catalogue */
-export function rowsOf({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, trajectories }) {
-  return [...[...planners, ...generators, ...reach_methods, ...indexes, ...fleet_planners, ...fleet_generators].flatMap(({ parameters, options }) => parameters ?? options), ...trajectories];
+export function rowsOf({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, navigation_generators, rollouts, training, comparison, trajectories }) {
+  return [...[...planners, ...generators, ...reach_methods, ...indexes, ...fleet_planners, ...fleet_generators, ...navigation_generators].flatMap(({ parameters, options }) => parameters ?? options), ...rollouts, ...training, ...comparison, ...trajectories];
 }
 
 /** @param {readonly string[]} words */
@@ -49,7 +49,7 @@ function merged(rows) {
 }
 
 /** The types of options. @param {Catalogue} catalogue */
-export function optionTypes({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, trajectories, particle }) {
+export function optionTypes({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, navigation_generators, rollouts, training, comparison, trajectories, particle }) {
   /** @param {string} name @param {string} text @param {string} first @param {Omit<Row, "name">[]} rows */
   const type = (name, text, first, rows, common = [SEED]) => `${comment(text)}\nexport interface ${name} {\n${first}${[...common, ...rows].map(member).join("")}}\n`;
   /** @param {string} id */
@@ -85,6 +85,13 @@ export function optionTypes({ planners, generators, reach_methods, indexes, flee
       ["The id of the planner; `prioritized` by default.", "algorithm?: FleetPlannerId"],
       ["The order of priorities, the highest first: the names of all robots. For `prioritized` only; that of the document by default.", "order?: readonly string[]"],
     ].map(([text, code]) => `    ${comment(text)}\n    ${code};\n`).join(""), merged(fleet_planners.flatMap(({ parameters }) => parameters))),
+    `/** The id of a generator of navigation tasks. */\nexport type NavigationGeneratorId = ${ids(navigation_generators)};\n`,
+    type("GenerateNavigationOptions", "Options of `Navigation.generate`; `navigationGenerators()` lists which generator takes which.", "", merged(navigation_generators.flatMap(({ options }) => options))),
+    type("TrainingOptions", "Options of `navigation.training`.", "", training),
+    type("RolloutCounts", "When a policy drives an edge reliably.", "", rollouts, []),
+    `/** Options of \`navigation.planner\`: those of a planner without controls, \`lazy-prm\` by default (\`prm\` for \`navigation.straightPlanner\`), and when an edge is driven reliably. \`margin\` is for \`navigation.straightPlanner\`. */`,
+    `export type PolicyPlannerOptions = RolloutCounts & { margin?: number } & (${planners.filter(({ id }) => id !== "rrt-control" && id !== "sst").map(({ id }) => nameOf(id)).join(" | ")} | Unnamed<LazyPrmOptions>);\n`,
+    type("NavigationComparisonOptions", "Options of `navigation.comparison`.", "", comparison),
     type("TrajectoryOptions", "Options of `new Trajectories`.", "", trajectories),
     type("ParticleMotion", "A particle with constant speed and turn rate.", "", particle, []),
   ].join("\n");

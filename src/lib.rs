@@ -17,6 +17,7 @@
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
+//! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it drives reliably;
 //! - [`driving::Drive`] drives a car by keys, [`trajectories::Trajectories`] adds trajectories that do not cross.
 //!
 //! # Modules, from the ground up
@@ -35,12 +36,14 @@
 #[cfg(target_arch = "wasm32")]
 #[allow(missing_docs, unsafe_code)]
 pub mod bindings;
+pub mod catalogue;
 pub mod certificate;
 pub mod driving;
 pub mod experiment;
 pub mod fleet;
 pub mod geometry;
 pub mod ik;
+pub mod navigation;
 pub mod optimum;
 pub mod path;
 pub mod problem;

@@ -42,6 +42,12 @@ pub enum Stream {
     Costs = 8,
     /// In which order robots of a fleet plan.
     Priorities = 9,
+    /// Weights of a policy, and the changes that its training tries.
+    Weights = 10,
+    /// The tasks that a policy is trained and measured on.
+    Tasks = 11,
+    /// The noise of rollouts.
+    Rollouts = 12,
 }
 
 /// A stream of random numbers.

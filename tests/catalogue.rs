@@ -181,7 +181,7 @@ fn a_resumed_roadmap_lights_lines_too() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_committed_catalogue_is_up_to_date() {
-    let text = format!("{:#}\n", planarium::run::catalogue::catalogue());
+    let text = format!("{:#}\n", planarium::catalogue::catalogue());
     crate::common::golden::committed("schema/catalogue.json", &text);
 }
 

@@ -374,7 +374,7 @@ fn reach_prints_solutions_or_how_near_the_arm_can_come() {
 #[test]
 fn list_describes_everything_in_the_catalogue() {
     let listed = planarium("list --json").json();
-    assert_eq!(listed, planarium::run::catalogue::catalogue());
+    assert_eq!(listed, planarium::catalogue::catalogue());
     let tables = planarium("list");
     assert_eq!((tables.code, tables.stderr.as_str()), (0, ""));
     let rows = |rows: &Value| -> Vec<Value> { rows.as_array().expect("rows").clone() };

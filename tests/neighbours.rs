@@ -3,7 +3,7 @@
 use crate::common::documents::{disc, refuses, scenario};
 use crate::common::golden::scene;
 use crate::common::{begin_with, finish, given};
-use planarium::run::catalogue::catalogue;
+use planarium::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
 use planarium::run::neighbours::{NearestResult, Neighbours, index, indexes, recall};
 use planarium::scenario::Scenario;

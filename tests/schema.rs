@@ -81,6 +81,8 @@ fn the_committed_schemas_are_those_of_the_types() {
     crate::common::golden::committed("schema/experiment.schema.json", &experiment);
     let fleet = format!("{:#}\n", planarium::fleet::schema());
     crate::common::golden::committed("schema/fleet.schema.json", &fleet);
+    let navigation = format!("{:#}\n", planarium::navigation::schema());
+    crate::common::golden::committed("schema/navigation.schema.json", &navigation);
     crate::common::golden::committed("schema/scenario.schema.json", &format!("{:#}\n", schema()));
 }
 

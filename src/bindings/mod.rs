@@ -34,6 +34,7 @@ mod clock;
 mod drive;
 mod experiment;
 mod fleet;
+mod navigation;
 mod neighbours;
 mod planner;
 mod problem;

@@ -57,6 +57,21 @@ plain! {
     JsFleetDocument = "FleetDocument",
     JsFleetResult = "FleetResult",
     JsFleetConflicts = "FleetConflict[]",
+    NavigationInput = "string | NavigationDocument",
+    NavigationGeneratorName = "NavigationGeneratorId",
+    GenerateNavigationOptions = "GenerateNavigationOptions",
+    PolicyInput = "string | PolicyDocument",
+    TrainingOptions = "TrainingOptions",
+    PolicyPlannerOptions = "PolicyPlannerOptions",
+    ExecutionOptions = "ExecutionOptions",
+    ComparisonOptions = "NavigationComparisonOptions",
+    JsNavigationDocument = "NavigationDocument",
+    JsNavigationQueries = "NavigationQueryDocument[]",
+    JsPolicyDocument = "PolicyDocument",
+    JsEdgeRollouts = "EdgeRollouts[]",
+    JsDemonstrations = "Demonstration[]",
+    JsExecutions = "ComparedExecution[]",
+    JsMethodSummaries = "MethodSummary[]",
     ExperimentInput = "string | ExperimentDocument",
     Measures = "Measure[]",
     Sample = "Float64Array | readonly number[]",
@@ -112,6 +127,27 @@ export type Configuration = readonly number[] | Float64Array;
 
 /** The format of a stored roadmap: JSON or bytes, which `scenario.resume` reads, or GraphML for other programs. */
 export type RoadmapFormat = "json" | "binary" | "graphml";
+
+/** How a drive ends: at its goal, before an arc that is not proven free, or when the time is over. */
+export type DriveOutcome = "reached" | "collision" | "timeout";
+
+/** A way to drive far: the policy alone, straight edges tracked by a simple controller, or PRM-RL. */
+export type NavigationMethod = "policy" | "straight" | "prm-rl";
+
+/** The shape of a differential drive about the middle of its axle; x is forward. */
+export type FootprintDocument = { type: "disc"; /** In metres. */ radius: number } | { type: "polygon"; /** The corners, in metres. */ vertices: Point[] };
+
+/** Options of `navigation.execute`. */
+export interface ExecutionOptions {
+  /** The policy that drives; without it a controller turns towards the next position and drives there. */
+  policy?: string | PolicyDocument;
+  /** The name of the query whose start is the robot's; the first by default. */
+  query?: string;
+  /** A whole number from 0 (default) to 2^53 - 1. */
+  seed?: number;
+  /** The number of the trial, 0 by default: each has noise of its own. */
+  trial?: number;
+}
 
 /** What stops a car: the index of an obstacle, the bounds, or `"near"` if it would only come too near to something to be proven free. */
 export type Obstructed = number | "bounds" | "near";

@@ -55,9 +55,9 @@ pub struct ResultDocument {
     #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
     /// `sampled` if edges were checked only at samples, `none` if only vertices were, `joint-lines` if only straight lines of joints
-    /// were: the path is not proven. Absent if it is.
+    /// were, `rollouts` if a learned policy drove them: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\" | \"none\" | \"joint-lines\""))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\" | \"none\" | \"joint-lines\" | \"rollouts\""))]
     pub edge_check: Option<String>,
     /// The estimated share of the free space that a visibility roadmap covers; absent for other planners, and if a stored
     /// roadmap was continued.

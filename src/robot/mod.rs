@@ -5,6 +5,7 @@
 mod arm;
 mod body;
 mod car;
+mod differential_drive;
 mod disc;
 mod range;
 mod space;
@@ -12,6 +13,7 @@ mod space;
 pub use arm::{Arm, MAX_LINKS, Target};
 pub use body::{RigidBody, Weights};
 pub use car::Car;
+pub use differential_drive::{DifferentialDrive, Footprint, Round};
 pub use disc::DiscRobot;
 pub use range::LARGEST;
 pub(crate) use range::check_range;

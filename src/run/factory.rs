@@ -56,6 +56,20 @@ pub fn start_on<S: Space + 'static>(
     Box::new(Runner::new(problem, planner, info, None, None))
 }
 
+/// Begins a run of a planner on a problem whose motions are rolled out: neither proven nor sampled. `names` are those of the world and of
+/// the query, for results.
+pub(crate) fn start_learned<S: Space + 'static>(
+    problem: Problem<S>,
+    planner: PlannerOptions,
+    seed: u64,
+    [scenario, query]: [&str; 2],
+) -> Result<Box<dyn Run>, Error> {
+    let (scenario, query) = (scenario.to_owned(), query.to_owned());
+    let info = RunInfo { scenario, query, is_learned: true, ..run_info(&planner, seed) };
+    let planner = planner.begin(&problem, seed)?;
+    Ok(Box::new(Runner::new(problem, planner, info, None, None)))
+}
+
 /// Begins a run of a planner, from nothing or with a saved roadmap.
 pub(super) fn launch(
     world: &PlanningWorld,

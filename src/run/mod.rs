@@ -31,7 +31,6 @@
 //! slice. A run calls its planner once per iteration, and the planner its collision checker once per check, by virtual calls. Their
 //! cost is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
 
-pub mod catalogue;
 mod custom;
 mod emitted;
 mod factory;
@@ -47,6 +46,7 @@ pub mod storage;
 mod termination;
 
 pub use custom::{CoordinateDescription, CoordinateKind, CustomProblem, Free, SpaceDescription, start_problem};
+pub(crate) use factory::start_learned;
 pub use factory::{start, start_on};
 pub use options::Options;
 pub use resume::resume;

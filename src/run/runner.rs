@@ -27,6 +27,8 @@ pub(super) struct RunInfo {
     /// When a planner that goes on to shorter paths is to end; `None` for others.
     pub termination: Option<Termination>,
     pub edge_check: EdgeCheck,
+    /// Whether motions are rolled out under a learned policy.
+    pub is_learned: bool,
     /// Whether motions are those of controls.
     pub is_driven: bool,
     /// Whether motions are integrated by Euler steps.
@@ -87,6 +89,12 @@ impl<S: Space> Runner<S> {
             history: None,
             viewer_work: [0; 2],
         }
+    }
+
+    /// The word for edges that are not proven.
+    fn edge_check(&self) -> Option<String> {
+        let word = if self.info.is_learned { "rollouts" } else { self.info.edge_check.word() };
+        (self.info.is_learned || self.info.edge_check != EdgeCheck::Proven).then(|| word.to_owned())
     }
 
     /// One iteration: of the planner, or an attempt at improving its path.
@@ -233,7 +241,7 @@ impl<S: Space> Runner<S> {
             integration: self.info.is_euler.then(|| "euler".to_owned()),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
-            edge_check: (self.info.edge_check != EdgeCheck::Proven).then(|| self.info.edge_check.word().to_owned()),
+            edge_check: self.edge_check(),
             coverage: self.planner.coverage(),
             approximate: None,
         }

@@ -95,7 +95,7 @@ fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
 }
 
 /// A simple polygon; its vertices are subtracted from the remaining ones.
-fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
+pub(crate) fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
     let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
     *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {
         let sentence = format!("with this one, the polygons have more than {MAX_VERTICES} vertices");

@@ -39,6 +39,12 @@ pub enum Command {
     Certify(Certify),
     /// Plan for all robots of a fleet, without conflict, and print the result document
     Fleet(Fleet),
+    /// Train a policy that drives by what it senses, and print it
+    Train(Train),
+    /// Plan with edges that a policy drives reliably (PRM-RL), execute the path with noise, and print the result document
+    Navigate(Navigate),
+    /// Compare a policy alone, straight edges, and PRM-RL, on one floor with the same queries
+    Compare(Compare),
     /// Find joint angles that bring the tip of an arm to a target and print the result document
     Reach(Reach),
     /// Verify a result or a certificate against its scenario, by other code than that which made it
@@ -51,11 +57,11 @@ pub enum Command {
     Nearest(Nearest),
     /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
     List(List),
-    /// Generate a scenario or a fleet by seed and print it
+    /// Generate a scenario, a fleet or a navigation task by seed and print it
     Generate(Generate),
     /// Add random trajectories of particles one by one, none of which crosses another, and print counts
     Trajectories(Trajectories),
-    /// Print the JSON Schema of scenarios, of experiments, or of fleets
+    /// Print the JSON Schema of scenarios, of experiments, of fleets, or of navigation tasks
     #[cfg(feature = "schema")]
     Schema(Schema),
 }
@@ -74,6 +80,7 @@ pub enum Document {
     Scenario,
     Experiment,
     Fleet,
+    Navigation,
 }
 
 #[derive(Args)]
@@ -233,6 +240,90 @@ pub enum RoadmapFormat {
     Json,
     Binary,
     Graphml,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` describes the options. The same seed gives the same policy, with any number of threads.
+
+Examples:
+  planarium train --seed 1 --out policy.json
+  planarium train rooms.json --set generations=100 --set hidden=24 --seed 2 --out policy.json")]
+pub struct Train {
+    /// A navigation task, whose robot is trained; - reads it from standard input [default: a disc of radius 0.25 m]
+    pub file: Option<String>,
+
+    #[command(flatten)]
+    pub given: Given,
+
+    /// The threads to use; the result is the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
+    pub threads: Option<NonZeroUsize>,
+
+    /// Write the policy to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Options are those of the planner, and rollouts, least_share and longest_edge.
+Nothing is proven: the result has for each edge how many rollouts reached its end.
+Exit codes: 0 solved; 1 no path; 2 the input is wrong.
+
+Examples:
+  planarium generate rooms --seed 1 --out rooms.json
+  planarium navigate rooms.json --policy policy.json --set samples=800 --set k=20
+  planarium navigate rooms.json --policy policy.json --planner lazy-prm --set samples=800 --set k=20 --trials 100")]
+pub struct Navigate {
+    /// The navigation task, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The policy, a JSON file; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    pub policy: String,
+
+    /// The query, by name [default: the first of the task]
+    #[arg(long, value_name = "NAME")]
+    pub query: Option<String>,
+
+    /// The planner, by id; see `planarium list` [default: lazy-prm]
+    #[arg(long, value_name = "ID")]
+    pub planner: Option<String>,
+
+    #[command(flatten)]
+    pub given: Given,
+
+    /// How many times the path is executed with noise
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(..=100_000))]
+    pub trials: u64,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` describes the options. Intervals have a confidence of 95 %.
+
+Examples:
+  planarium compare rooms.json --policy policy.json --seed 1
+  planarium compare rooms.json --policy policy.json --set queries=50 --set trials=10 --set margin=0.15")]
+pub struct Compare {
+    /// The navigation task, a JSON file; - reads it from standard input
+    pub file: String,
+
+    /// The policy, a JSON file; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    pub policy: String,
+
+    #[command(flatten)]
+    pub given: Given,
+
+    /// Write the summary to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
 }
 
 #[derive(Args)]
@@ -447,7 +538,8 @@ Examples:
   planarium generate maze --set difficulty=hard --seed 3
   planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
 pub struct Generate {
-    /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make fleets
+    /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make fleets;
+    /// or rooms or furnished, which make navigation tasks
     pub kind: String,
 
     #[command(flatten)]

@@ -2,18 +2,27 @@
 
 use crate::arguments::List;
 use crate::{Answer, files};
-use planarium::run::catalogue::catalogue;
+use planarium::catalogue::catalogue;
 use serde_json::Value;
 use std::fmt::Write;
 
 /// The tables of entries with options: the title, the field of the catalogue, and the field of an entry with its options.
-const TABLES: [(&str, &str, &str); 6] = [
+const TABLES: [(&str, &str, &str); 7] = [
     ("PLANNERS", "planners", "parameters"),
     ("METHODS OF INVERSE KINEMATICS", "reach_methods", "parameters"),
     ("INDEXES", "indexes", "parameters"),
     ("GENERATORS", "generators", "options"),
     ("PLANNERS OF FLEETS", "fleet_planners", "parameters"),
     ("GENERATORS OF FLEETS", "fleet_generators", "options"),
+    ("GENERATORS OF NAVIGATION TASKS", "navigation_generators", "options"),
+];
+
+/// The tables of options: the title, and the field of the catalogue.
+const LISTS: [(&str, &str); 4] = [
+    ("ROLLOUTS OF AN EDGE", "rollouts"),
+    ("TRAINING OF A POLICY", "training"),
+    ("COMPARISON OF WAYS TO DRIVE", "comparison"),
+    ("TRAJECTORIES", "trajectories"),
 ];
 
 /// Prints tables, or JSON.
@@ -31,9 +40,11 @@ fn as_tables(catalogue: &Value) -> String {
             push_entry(&mut text, entry, options);
         }
     }
-    text.push_str("\nTRAJECTORIES\n\n");
-    for option in rows(&catalogue["trajectories"]) {
-        push_option(&mut text, option, 18);
+    for (title, field) in LISTS {
+        let _ = writeln!(text, "\n{title}\n");
+        for option in rows(&catalogue[field]) {
+            push_option(&mut text, option, 18);
+        }
     }
     text.push_str("\nERROR CODES\n");
     for error in rows(&catalogue["errors"]) {

@@ -1,4 +1,4 @@
-//! The command line: plan, fleet, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
+//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -11,6 +11,7 @@ mod files;
 mod fleet;
 mod generate;
 mod list;
+mod navigation;
 mod nearest;
 mod npy;
 mod optimum;
@@ -57,6 +58,9 @@ fn run(command: &Command) -> Answer {
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Certify(arguments) => certify::certify(arguments),
         Command::Fleet(arguments) => fleet::fleet(arguments),
+        Command::Train(arguments) => navigation::train(arguments),
+        Command::Navigate(arguments) => navigation::navigate(arguments),
+        Command::Compare(arguments) => navigation::compare(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),
@@ -71,6 +75,7 @@ fn run(command: &Command) -> Answer {
                 arguments::Document::Scenario => planarium::scenario::schema(),
                 arguments::Document::Experiment => planarium::experiment::schema(),
                 arguments::Document::Fleet => planarium::fleet::schema(),
+                arguments::Document::Navigation => planarium::navigation::schema(),
             };
             files::print(&format!("{schema:#}")).map(|()| true)
         }

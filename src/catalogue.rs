@@ -5,6 +5,7 @@
 use crate::error::Code;
 use crate::fleet::{fleet_generators, fleet_planners};
 use crate::ik::methods;
+use crate::navigation::{ComparisonOptions, RolloutOptions, TrainingOptions, navigation_generators};
 use crate::options::{Info, Kind, OptionInfo, Options, Value, in_camel_case};
 use crate::planner::{self, ByControls, PlannerOptions, Preset, planners};
 use crate::run::neighbours::{self, indexes};
@@ -163,6 +164,19 @@ records! {
         parameters: Vec<ParameterInfo>,
     }
 
+    /// A generator of navigation tasks, as a page would offer it.
+    struct NavigationGeneratorInfo {
+        /// The first argument of `Navigation.generate`.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "NavigationGeneratorId"))]
+        id: &'static str,
+        /// The title for people.
+        title: &'static str,
+        /// A summary, in a sentence.
+        summary: &'static str,
+        /// Its options, except `seed`.
+        options: Vec<ParameterInfo>,
+    }
+
     /// A generator of fleets, as a page would offer it.
     struct FleetGeneratorInfo {
         /// The first argument of `Fleet.generate`.
@@ -193,8 +207,11 @@ pub fn catalogue() -> Json {
     };
     let fleet_generator = |info: &Info| {
         let &Info { id, title, summary, ref options } = info;
-        let options: Vec<_> = options.iter().filter(|option| option.name != "seed").cloned().collect();
-        FleetGeneratorInfo { id, title, summary, options: table(&options) }
+        FleetGeneratorInfo { id, title, summary, options: table(&without_seed(options)) }
+    };
+    let navigation_generator = |info: &Info| {
+        let &Info { id, title, summary, ref options } = info;
+        NavigationGeneratorInfo { id, title, summary, options: table(&without_seed(options)) }
     };
     let index = |info: &neighbours::IndexInfo| {
         let &neighbours::IndexInfo { id, title, summary, is_exact: exact, ref parameters, .. } = info;
@@ -207,10 +224,19 @@ pub fn catalogue() -> Json {
         "generators": generators().iter().map(generator).collect::<Vec<_>>(),
         "fleet_planners": fleet_planners().iter().map(fleet_planner).collect::<Vec<_>>(),
         "fleet_generators": fleet_generators().iter().map(fleet_generator).collect::<Vec<_>>(),
+        "navigation_generators": navigation_generators().iter().map(navigation_generator).collect::<Vec<_>>(),
+        "rollouts": table(&RolloutOptions::table()),
+        "training": table(&TrainingOptions::table()),
+        "comparison": table(&ComparisonOptions::table()),
         "trajectories": table(&TrajectoryOptions::table()),
         "particle": table(&ParticleOptions::table()),
         "errors": Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect::<Vec<_>>(),
     })
+}
+
+/// The options without the seed, which all generators have.
+fn without_seed(options: &[OptionInfo]) -> Vec<OptionInfo> {
+    options.iter().filter(|option| option.name != "seed").cloned().collect()
 }
 
 fn planner(planner: &PlannerOptions) -> PlannerInfo {

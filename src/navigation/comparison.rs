@@ -1,0 +1,280 @@
+//! Three ways to drive a long way, compared on the same floor with the same queries: the policy alone, straight edges of a roadmap that are
+//! proven free and tracked by a simple controller, and PRM-RL.
+//!
+//! An iteration is one of a roadmap's planner, or one execution. Queries are drawn from the seed; every execution has noise of its own.
+
+use super::document::{Navigation, NavigationQuery};
+use super::episode;
+use super::execution::Executor;
+use super::floor::Floor;
+use super::policy::Policy;
+use super::roadmap::{self, RolloutOptions};
+use super::rollout::{Drive, Outcome};
+use crate::error::{Code, Error};
+use crate::experiment::statistics::{Mean, Share, mean, share};
+use crate::options::{Options as _, Value};
+use crate::problem::Status;
+use crate::random::{Random, Stream, check_seed};
+use crate::run::{self, Options, Run};
+use serde::Serialize;
+
+crate::options! {
+    /// What is compared.
+    pub struct ComparisonOptions for &[];
+    /// Number of queries, drawn from the seed.
+    queries: usize = 20, in 1.0..=1000.0, "Queries";
+    /// Number of executions of each query by each method.
+    trials: u64 = 5, in 1.0..=1000.0, "Trials";
+    /// Starts and goals are at least this far apart.
+    least_distance: f64 = 10.0, in 0.0..=1000.0, "Least distance", unit "m";
+    /// Number of free samples of a roadmap.
+    samples: usize = 800, in 0.0..=100_000.0, "Samples";
+    /// Number of neighbours that a vertex is connected to.
+    k: usize = 20, in 1.0..=100.0, "Neighbours";
+    /// By what the robot is larger while straight edges are proven: room for errors of the controller.
+    margin: f64 = 0.0, in 0.0..=1.0, "Margin", unit "m";
+    /// When an edge is driven reliably.
+    rollouts: RolloutOptions;
+}
+
+/// The way a query is driven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Method {
+    /// The policy drives to the goal, without a plan.
+    Policy,
+    /// A roadmap of straight edges, proven free, tracked by a simple controller.
+    Straight,
+    /// A roadmap of edges that the policy drives reliably, driven by it.
+    PrmRl,
+}
+
+impl Method {
+    /// All, in the order in which they are tried.
+    pub const ALL: [Method; 3] = [Method::Policy, Method::Straight, Method::PrmRl];
+}
+
+/// One execution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null, rename = "ComparedExecution"))]
+pub struct Execution {
+    /// The query, by its number.
+    pub query: usize,
+    /// The method.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "NavigationMethod"))]
+    pub method: Method,
+    /// How it ended; `None` if the roadmap has no path.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "DriveOutcome | null"))]
+    pub outcome: Option<Outcome>,
+    /// The length of the trace, in metres; 0 without a path.
+    pub length: f64,
+    /// How long it took, in seconds; 0 without a path.
+    pub time: f64,
+}
+
+/// How a method did.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct MethodSummary {
+    /// The method.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "NavigationMethod"))]
+    pub method: Method,
+    /// The executions that reached the goal.
+    pub reached: Share,
+    /// Those that ended in a collision.
+    pub collisions: Share,
+    /// The queries for which the roadmap has a path; all of them for the policy alone.
+    pub planned: Share,
+    /// The lengths of executions that reached the goal, in metres.
+    pub length: Mean,
+    /// Their times, in seconds.
+    pub time: Mean,
+}
+
+/// A comparison: a value that is stepped. How its iterations are divided into steps does not change its result.
+pub struct Comparison {
+    options: ComparisonOptions,
+    seed: u64,
+    time_step: f64,
+    queries: Vec<NavigationQuery>,
+    /// Of straight edges and of PRM-RL.
+    roadmaps: [Box<dyn Run>; 2],
+    executors: [Executor; 2],
+    /// The paths of the present query, by method.
+    paths: Vec<Vec<[f64; 2]>>,
+    executions: Vec<Execution>,
+    iterations: u64,
+}
+
+impl Comparison {
+    /// Begins, with options given by name and a seed, 0 to 2^53 - 1.
+    ///
+    /// # Errors
+    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`; `out-of-range` at
+    /// `/least_distance` if the floor has no two positions so far apart; `unsupported` for a policy that senses in another way.
+    pub fn new(task: &Navigation, policy: &Policy, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
+        let options = ComparisonOptions::read(given)?;
+        check_seed(seed)?;
+        let queries = draw_queries(task, &options, seed)?;
+        let task = task.with_queries(queries.clone())?;
+        let RolloutOptions { rollouts, least_share, longest_edge } = options.rollouts;
+        let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
+        let shared = [number("samples", options.samples as f64), number("k", options.k as f64)];
+        let of = |planner: &str, parameters: Vec<(String, Value)>| Options {
+            planner: Some(planner.to_owned()),
+            seed,
+            parameters,
+            events: false,
+            ..Options::default()
+        };
+        let own = [
+            number("rollouts", f64::from(rollouts)),
+            number("least_share", least_share),
+            number("longest_edge", longest_edge),
+        ];
+        let grown = task.disc_scenario(options.margin)?;
+        let straight = run::start(&grown, &of("prm", [&shared[..], &[number("radius", longest_edge)]].concat()))?;
+        let learned = roadmap::start(&task, policy, &of("lazy-prm", [&shared[..], &own].concat()))?;
+        Ok(Self {
+            options,
+            seed,
+            time_step: task.robot().drive.time_step(),
+            queries,
+            roadmaps: [straight, learned],
+            executors: [Executor::new(&task, None)?, Executor::new(&task, Some(policy))?],
+            paths: Vec::new(),
+            executions: Vec::new(),
+            iterations: 0,
+        })
+    }
+
+    /// Makes at most `iterations` iterations, and none once the status is no longer `Running`.
+    pub fn step(&mut self, iterations: u64) -> Status {
+        for _ in 0..iterations {
+            if self.status() != Status::Running {
+                break;
+            }
+            self.iterations += 1;
+            match self.roadmaps.iter_mut().find(|roadmap| roadmap.status() == Status::Running) {
+                Some(roadmap) => {
+                    roadmap.step(1);
+                }
+                None => self.execute(),
+            }
+        }
+        self.status()
+    }
+
+    /// `Running` until all executions are made, then `Solved`.
+    pub fn status(&self) -> Status {
+        if self.executions.len() < self.count() { Status::Running } else { Status::Solved }
+    }
+
+    /// The number of executions of the whole comparison.
+    pub fn count(&self) -> usize {
+        self.queries.len() * Method::ALL.len() * self.options.trials as usize
+    }
+
+    /// Iterations made so far.
+    pub fn iterations(&self) -> u64 {
+        self.iterations
+    }
+
+    /// The queries.
+    pub fn queries(&self) -> &[NavigationQuery] {
+        &self.queries
+    }
+
+    /// The executions made so far: all methods of a query before the next query.
+    pub fn executions(&self) -> &[Execution] {
+        &self.executions
+    }
+
+    /// The next execution.
+    fn execute(&mut self) {
+        let (trials, number) = (self.options.trials as usize, self.executions.len());
+        let (query, method) = (number / (Method::ALL.len() * trials), number / trials % Method::ALL.len());
+        let NavigationQuery { start, goal, .. } = self.queries[query];
+        let ends = [[start[0], start[1]], goal];
+        if number.is_multiple_of(Method::ALL.len() * trials) {
+            let between = |roadmap: &mut Box<dyn Run>| {
+                let asked = roadmap.query(&ends[0], &ends[1], false);
+                asked.map_or_else(|_| Vec::new(), |result| result.path.iter().map(|q| [q[0], q[1]]).collect())
+            };
+            self.paths = vec![ends.to_vec()];
+            self.paths.extend(self.roadmaps.iter_mut().map(between));
+        }
+        let method_of = Method::ALL[method];
+        let executor = &self.executors[usize::from(method_of != Method::Straight)];
+        let drive = executor.drive(start, &self.paths[method], self.seed, number as u64).ok();
+        self.executions.push(Execution {
+            query,
+            method: method_of,
+            outcome: drive.as_ref().map(|drive| drive.outcome),
+            length: drive.as_ref().map_or(0.0, Drive::length),
+            time: drive.map_or(0.0, |drive| (drive.trace.len() - 1) as f64 * self.time_step),
+        });
+    }
+
+    /// How each method did so far. Confidence intervals are of 95 %.
+    pub fn summary(&self) -> Vec<MethodSummary> {
+        let summary = |method: Method| {
+            let own: Vec<&Execution> = self.executions.iter().filter(|execution| execution.method == method).collect();
+            let is = |wanted: Option<Outcome>| {
+                let sample: Vec<f64> = own.iter().map(|execution| f64::from(execution.outcome == wanted)).collect();
+                share(&sample)
+            };
+            let reached = |value: fn(&Execution) -> f64| {
+                let sample = own.iter().filter(|execution| execution.outcome == Some(Outcome::Reached));
+                mean(&sample.map(|execution| value(execution)).collect::<Vec<_>>())
+            };
+            let firsts = own.iter().step_by(self.options.trials as usize);
+            MethodSummary {
+                method,
+                reached: is(Some(Outcome::Reached)),
+                collisions: is(Some(Outcome::Collision)),
+                planned: share(&firsts.map(|execution| f64::from(execution.outcome.is_some())).collect::<Vec<_>>()),
+                length: reached(|execution| execution.length),
+                time: reached(|execution| execution.time),
+            }
+        };
+        Method::ALL.map(summary).to_vec()
+    }
+}
+
+/// Queries between configurations that are far apart.
+fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
+    let floor = Floor::new(task);
+    let mut random = Random::new(seed, Stream::Tasks);
+    let mut queries = Vec::with_capacity(options.queries);
+    for _ in 0..10_000 {
+        if queries.len() == options.queries {
+            return Ok(queries);
+        }
+        let ends = [(); 2].map(|()| episode::configuration(&floor, &mut random));
+        let [Some(start), Some([x, y, _])] = ends else { break };
+        let squared = (x - start[0]) * (x - start[0]) + (y - start[1]) * (y - start[1]);
+        if squared >= options.least_distance * options.least_distance {
+            queries.push(NavigationQuery { name: format!("{}", queries.len() + 1), start, goal: [x, y] });
+        }
+    }
+    let sentence = format!("the floor has too few pairs of positions that are {} m apart", options.least_distance);
+    Err(Error::new(Code::OutOfRange, "/least_distance", sentence))
+}
+
+/// How many short tasks a policy solves on fresh floors.
+pub fn assess(floors: &[Navigation], policy: &Policy, distance: f64, trials: usize, seed: u64) -> Result<Share, Error> {
+    let executors: Vec<Executor> =
+        floors.iter().map(|floor| Executor::new(floor, Some(policy))).collect::<Result<_, _>>()?;
+    let prepared: Vec<Floor> = floors.iter().map(Floor::new).collect();
+    let mut random = Random::new(seed, Stream::Tasks);
+    let mut sample = Vec::with_capacity(trials);
+    for trial in 0..trials {
+        let floor = trial % floors.len();
+        let Some((from, [x, y])) = episode::draw(&prepared[floor], distance, &mut random) else { continue };
+        let drive = executors[floor].drive(from, &[[from[0], from[1]], [x, y]], seed, trial as u64)?;
+        sample.push(f64::from(drive.outcome == Outcome::Reached));
+    }
+    Ok(share(&sample))
+}

@@ -1,0 +1,457 @@
+//! A navigation task: a floor, a differential drive with a range sensor and noise, and queries. The types that its document is read into,
+//! and the rules that they cannot express.
+
+use super::FORMAT;
+use super::floor::{Fan, Floor};
+use crate::error::{Code, Error, Number, quoted};
+use crate::geometry::{Aabb, Point};
+use crate::json::{self, by_type};
+use crate::options::Range;
+use crate::robot::{DifferentialDrive, Footprint, Part, Round};
+use crate::scenario::document::{self, World as WorldDocument};
+use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive, Speed};
+use crate::scenario::validate::{check_name, checked_polygon, checked_world};
+use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World};
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The most rays of a sensor.
+pub const MAX_RAYS: usize = 64;
+
+/// The widest field of view, in radians: a full circle would have its first ray twice.
+const LARGEST_VIEW: f64 = 6.2;
+
+/// The default distance from a goal at which it is reached, in metres.
+const GOAL_TOLERANCE: f64 = 0.3;
+
+/// The default time step, in seconds.
+const TIME_STEP: f64 = 0.2;
+
+/// The objects of a document: each is read with its fields and no others, and has a schema.
+macro_rules! objects {
+    ($($item:item)*) => {
+        $(
+            #[derive(Deserialize)]
+            #[cfg_attr(feature = "schema", derive(JsonSchema))]
+            #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+            #[serde(deny_unknown_fields)]
+            $item
+        )*
+    };
+}
+
+objects! {
+    /// A navigation task: a floor, a robot that senses distances, and queries. Lengths in metres, angles in radians, counter-clockwise, y up,
+    /// times in seconds.
+    #[cfg_attr(feature = "schema", schemars(title = "Planarium navigation task"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "NavigationDocument"))]
+    pub(super) struct Document {
+        /// The format of the document.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-navigation-1\""))]
+        format: Format,
+        /// The name, used in results.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        name: String,
+        /// The title for people.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        title: Option<String>,
+        /// The bounds, which are required, and obstacles.
+        world: WorldDocument,
+        /// The robot.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "DifferentialDriveDocument"))]
+        robot: RobotDocument,
+        /// A goal is reached at this distance from it; 0.3 by default.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        goal_tolerance: Option<Positive>,
+        /// The queries; names are distinct.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "NavigationQueryDocument[]"))]
+        queries: Vec<QueryDocument>,
+    }
+
+    /// A differential drive with a range sensor. A configuration is [x, y, theta]; a control is a speed and a turn rate, both constant
+    /// during a time step.
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "DifferentialDriveDocument"))]
+    pub(super) struct DriveDocument {
+        /// The shape about the middle of the axle; x is forward.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "FootprintDocument"))]
+        shape: Shape,
+        /// The least and the greatest speed in metres per second, the first less than the second.
+        speed: [Speed; 2],
+        /// The least and the greatest turn rate in radians per second, the first less than the second.
+        turn_rate: [Coordinate; 2],
+        /// How long a control is constant, in seconds, at most 1; 0.2 by default.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        time_step: Option<Positive>,
+        /// The range sensor.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        sensor: Option<Sensor>,
+        /// The noise of sensing and of driving.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        noise: Option<Noise>,
+    }
+
+    /// A disc about the middle of the axle.
+    #[cfg_attr(feature = "schema", schemars(rename = "RoundFootprint"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "RoundFootprintDocument"))]
+    pub(super) struct Circle {
+        /// The radius in metres.
+        radius: Positive,
+    }
+
+    /// One query.
+    #[cfg_attr(feature = "schema", schemars(rename = "NavigationQuery"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "NavigationQueryDocument"))]
+    pub(super) struct QueryDocument {
+        /// The name, distinct within the task.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        name: String,
+        /// The configuration to start from: x, y, theta.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number, number]"))]
+        start: [AngleOrCoordinate; 3],
+        /// The position to reach, with any heading.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
+        goal: [Coordinate; 2],
+    }
+}
+
+/// The one format.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
+enum Format {
+    #[serde(rename = "planarium-navigation-1")]
+    One,
+}
+
+/// The robot: a differential drive.
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
+pub(super) enum RobotDocument {
+    /// A differential drive.
+    DifferentialDrive(DriveDocument),
+}
+
+by_type!(RobotDocument { "differential_drive" => DifferentialDrive });
+
+/// The shape of the robot in its own frame.
+#[cfg_attr(
+    feature = "schema",
+    derive(JsonSchema),
+    schemars(tag = "type", rename_all = "snake_case", rename = "Footprint")
+)]
+pub(super) enum Shape {
+    /// A disc.
+    Disc(Circle),
+    /// A simple polygon, convex or concave, in either direction, open or closed.
+    Polygon(document::Polygon),
+}
+
+by_type!(Shape { "disc" => Disc, "polygon" => Polygon });
+
+/// A range sensor: rays that are spread evenly over a field of view about the heading, from right to left, each of which measures the
+/// distance to what it meets first.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(deny_unknown_fields)]
+pub struct Sensor {
+    /// The number of rays, 2 to 64.
+    pub rays: usize,
+    /// The angle between the first ray and the last, in radians, at most 6.2.
+    pub field_of_view: f64,
+    /// The farthest distance that is measured, in metres.
+    pub range: f64,
+}
+
+impl Sensor {
+    /// Refuses numbers outside their ranges.
+    pub(super) fn check(&self, pointer: &str) -> Result<(), Error> {
+        let Self { rays, field_of_view, range } = *self;
+        within(&format!("{pointer}/rays"), "the number of rays", rays as f64, 2.0..=MAX_RAYS as f64)?;
+        within(&format!("{pointer}/field_of_view"), "a field of view", field_of_view, 1e-3..=LARGEST_VIEW)?;
+        within(&format!("{pointer}/range"), "a range", range, 1e-3..=1e6)
+    }
+}
+
+impl Default for Sensor {
+    fn default() -> Self {
+        Self { rays: 16, field_of_view: 4.2, range: 3.0 }
+    }
+}
+
+/// Standard deviations of normally distributed noise, drawn anew in every time step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(deny_unknown_fields)]
+pub struct Noise {
+    /// Of each measured distance, in metres.
+    pub range: f64,
+    /// Of each coordinate of the position at which the robot believes to be, in metres.
+    pub position: f64,
+    /// Of the heading that the robot believes to have, in radians.
+    pub heading: f64,
+    /// Of the speed that is driven, in metres per second.
+    pub speed: f64,
+    /// Of the turn rate that is driven, in radians per second.
+    pub turn_rate: f64,
+}
+
+impl Default for Noise {
+    fn default() -> Self {
+        Self { range: 0.05, position: 0.08, heading: 0.05, speed: 0.08, turn_rate: 0.15 }
+    }
+}
+
+impl Noise {
+    /// No noise at all.
+    pub fn none() -> Self {
+        Self { range: 0.0, position: 0.0, heading: 0.0, speed: 0.0, turn_rate: 0.0 }
+    }
+}
+
+/// A robot that navigates: a drive, what it senses, and noise.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "differential_drive")]
+pub struct Navigator {
+    /// The drive.
+    #[serde(flatten)]
+    pub drive: DifferentialDrive,
+    /// The range sensor.
+    pub sensor: Sensor,
+    /// The noise.
+    pub noise: Noise,
+}
+
+/// A checked navigation task. Clones share all of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Navigation(Arc<Content>);
+
+/// The content of a task, as its document has it.
+#[derive(Debug, PartialEq, Serialize)]
+#[serde(tag = "format", rename = "planarium-navigation-1")]
+struct Content {
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    world: World,
+    robot: Navigator,
+    goal_tolerance: f64,
+    queries: Vec<NavigationQuery>,
+}
+
+/// A query: from a configuration to a position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NavigationQuery {
+    /// The name, distinct within the task.
+    pub name: String,
+    /// The configuration to start from: x, y, theta.
+    pub start: [f64; 3],
+    /// The position to reach, with any heading.
+    pub goal: [f64; 2],
+}
+
+/// The JSON Schema (draft 2020-12) of the documents that [`Navigation::parse`] accepts.
+#[cfg(feature = "schema")]
+pub fn schema() -> Value {
+    crate::scenario::schema_of::<Document>()
+}
+
+impl Navigation {
+    /// Reads a task from JSON text.
+    ///
+    /// # Errors
+    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of
+    /// [`Scenario::parse`]; `start-in-collision` if the robot touches an obstacle at a start or leaves the bounds, and `goal-in-collision` if
+    /// it cannot turn on the spot at a goal.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        Self::read(&json::parse(text)?)
+    }
+
+    /// Reads a task from a tree of JSON values.
+    ///
+    /// # Errors
+    /// Those of [`Navigation::parse`], except about the text.
+    pub fn read(tree: &Value) -> Result<Self, Error> {
+        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
+            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
+            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
+        }
+        let Document { format: Format::One, name, title, world, robot, goal_tolerance, queries } = json::read(tree)?;
+        check_name(&name, "/name")?;
+        let world = checked_world(world)?;
+        let RobotDocument::DifferentialDrive(robot) = robot;
+        let robot = checked_robot(robot).map_err(|error| error.under("/robot"))?;
+        let tolerance = goal_tolerance.map_or(GOAL_TOLERANCE, |tolerance| tolerance.0);
+        let mut names = BTreeSet::new();
+        let mut checked = Vec::with_capacity(queries.len());
+        for (i, QueryDocument { name, start, goal }) in queries.into_iter().enumerate() {
+            let pointer = format!("/queries/{i}/name");
+            check_name(&name, &pointer)?;
+            if !names.insert(name.clone()) {
+                let sentence = format!("another query has the name {}, too", quoted(&name));
+                return Err(Error::new(Code::DuplicateName, pointer, sentence));
+            }
+            checked.push(NavigationQuery { name, start: start.map(|x| x.0), goal: goal.map(|x| x.0) });
+        }
+        Self::new(name, title, world, robot, tolerance, checked)
+    }
+
+    /// The task of these parts, whose starts and goals are checked.
+    ///
+    /// # Errors
+    /// `missing-field` without bounds, `start-in-collision` and `goal-in-collision`.
+    pub(super) fn new(
+        name: String,
+        title: Option<String>,
+        world: World,
+        robot: Navigator,
+        goal_tolerance: f64,
+        queries: Vec<NavigationQuery>,
+    ) -> Result<Self, Error> {
+        if world.bounds.is_none() {
+            return Err(Error::new(Code::MissingField, "/world/bounds", "the field \"bounds\" is missing"));
+        }
+        let task = Self(Arc::new(Content { name, title, world, robot, goal_tolerance, queries }));
+        let floor = Floor::new(&task);
+        for (i, query) in task.queries().iter().enumerate() {
+            floor.check(query).map_err(|error| error.under(&format!("/queries/{i}")))?;
+        }
+        Ok(task)
+    }
+
+    /// The same floor and robot with other queries.
+    ///
+    /// # Errors
+    /// `start-in-collision` and `goal-in-collision`, with a pointer into `/queries`.
+    pub fn with_queries(&self, queries: Vec<NavigationQuery>) -> Result<Self, Error> {
+        let Content { name, title, world, robot, goal_tolerance, .. } = &*self.0;
+        Self::new(name.clone(), title.clone(), world.clone(), robot.clone(), *goal_tolerance, queries)
+    }
+
+    /// The name, used in results.
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The title for people; the name if there is none.
+    pub fn title(&self) -> &str {
+        self.0.title.as_deref().unwrap_or(self.name())
+    }
+
+    /// Bounds and obstacles.
+    pub fn world(&self) -> &World {
+        &self.0.world
+    }
+
+    /// The bounds of the floor.
+    pub fn bounds(&self) -> &Aabb {
+        self.0.world.bounds.as_ref().expect("a task has bounds")
+    }
+
+    /// The robot.
+    pub fn robot(&self) -> &Navigator {
+        &self.0.robot
+    }
+
+    /// The distance from a goal at which it is reached, in metres.
+    pub fn goal_tolerance(&self) -> f64 {
+        self.0.goal_tolerance
+    }
+
+    /// The queries in the order of the document.
+    pub fn queries(&self) -> &[NavigationQuery] {
+        &self.0.queries
+    }
+
+    /// The query of that name, or the first, and its index.
+    ///
+    /// # Errors
+    /// `unknown-query`, pointer `/query`, naming those that exist.
+    pub fn find_query(&self, name: Option<&str>) -> Result<(usize, &NavigationQuery), Error> {
+        let found = self.queries().iter().enumerate().find(|(_, query)| name.is_none_or(|name| query.name == name));
+        found.ok_or_else(|| {
+            let known: Vec<String> = self.queries().iter().map(|query| quoted(&query.name)).collect();
+            let sentence = match name {
+                Some(name) => {
+                    format!("unknown query {}; the queries of this task are [{}]", quoted(name), known.join(", "))
+                }
+                None => "this task has no query".to_owned(),
+            };
+            Error::new(Code::UnknownQuery, "/query", sentence)
+        })
+    }
+
+    /// The scenario of a disc in which the robot turns on the spot: its queries are those of the task without headings. Straight motions of
+    /// the disc can be driven, turning between them. The disc is larger than the robot by a margin, in metres.
+    ///
+    /// # Errors
+    /// `out-of-range` or `not-finite` for a margin that is not a number from 0 to 1e6.
+    pub fn disc_scenario(&self, margin: f64) -> Result<Scenario, Error> {
+        let query = |query: &NavigationQuery| Query {
+            name: query.name.clone(),
+            start: query.start[..2].to_vec(),
+            goal: Goal::Configuration(query.goal.to_vec()),
+            goal_tolerance: None,
+        };
+        let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().drive.shape().reach() + margin)?);
+        let queries = self.queries().iter().map(query).collect();
+        Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())
+    }
+
+    /// The distance that each ray of the sensor measures at a configuration, from right to left, in metres and without noise. O(obstacles).
+    pub fn sense(&self, q: [f64; 3]) -> Vec<f64> {
+        let sensor = &self.robot().sensor;
+        let mut distances = vec![0.0; sensor.rays];
+        Floor::new(self).sense(q, sensor, &Fan::new(sensor), &mut distances);
+        distances
+    }
+
+    /// The part of the robot at a configuration.
+    pub fn footprint(&self, q: [f64; 3]) -> Part {
+        self.robot().drive.footprint(q)
+    }
+
+    /// The normalised document as text, on one line: it reads back as an equal task.
+    pub fn to_json_string(&self) -> String {
+        json::to_string(self)
+    }
+}
+
+/// A checked robot; pointers are into the robot.
+pub(super) fn checked_robot(robot: DriveDocument) -> Result<Navigator, Error> {
+    let shape = match robot.shape {
+        Shape::Disc(Circle { radius }) => Footprint::Disc(Round { radius: radius.0 }),
+        Shape::Polygon(polygon) => {
+            let mut vertices_left = MAX_VERTICES;
+            let polygon = checked_polygon(&polygon, &mut vertices_left).map_err(|error| error.under("/shape"))?;
+            if !polygon.contains(Point::origin()) {
+                let sentence = "the middle of the axle, the origin, must lie within the shape";
+                return Err(Error::new(Code::OutOfRange, "/shape/vertices", sentence));
+            }
+            Footprint::Polygon(polygon)
+        }
+    };
+    let time_step = robot.time_step.map_or(TIME_STEP, |step| step.0);
+    let drive = DifferentialDrive::new(shape, robot.speed.map(|x| x.0), robot.turn_rate.map(|x| x.0), time_step)?;
+    let (sensor, noise) = (robot.sensor.unwrap_or_default(), robot.noise.unwrap_or_default());
+    sensor.check("/sensor")?;
+    let Noise { range, position, heading, speed, turn_rate } = noise;
+    let deviations = [range, position, heading, speed, turn_rate];
+    for (name, value) in ["range", "position", "heading", "speed", "turn_rate"].into_iter().zip(deviations) {
+        within(&format!("/noise/{name}"), "a standard deviation", value, 0.0..=1e3)?;
+    }
+    Ok(Navigator { drive, sensor, noise })
+}
+
+/// Refuses a number outside its range.
+pub(super) fn within(pointer: &str, what: &str, value: f64, range: Range) -> Result<(), Error> {
+    if range.contains(&value) {
+        return Ok(());
+    }
+    let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+    let [low, high, value] = [*range.start(), *range.end(), value].map(Number);
+    Err(Error::new(code, pointer, format!("{what} must lie within [{low}, {high}], not {value}")))
+}

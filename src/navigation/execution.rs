@@ -1,0 +1,64 @@
+//! A path of positions executed: the robot drives to one after the other, with noise.
+
+use super::document::Navigation;
+use super::policy::Policy;
+use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
+use crate::error::{Code, Error};
+use crate::random::{Stream, check_seed};
+
+/// Executes paths on a floor, under a policy or a controller that looks at no rays.
+pub struct Executor {
+    simulation: Simulation,
+    controller: Controller,
+}
+
+impl Executor {
+    /// The executor of a task's robot: under the policy or, without one, under a controller that turns towards the next position and drives there.
+    ///
+    /// # Errors
+    /// `unsupported` (pointer `/policy/sensor`) if the policy senses in another way.
+    pub fn new(task: &Navigation, policy: Option<&Policy>) -> Result<Self, Error> {
+        Ok(Self { simulation: Simulation::new(task), controller: Controller::new(policy, task.robot())? })
+    }
+
+    /// Drives from a configuration to each position of a path in turn; its first position is the start's and is not driven to. Positions but
+    /// the last are passed at the goal tolerance. A trial number stands for one draw of all noise.
+    ///
+    /// # Errors
+    /// `out-of-range` for a seed beyond 2^53 - 1 or a path without a position to drive to (pointer `/path`); `start-in-collision`.
+    pub fn drive(&self, from: [f64; 3], path: &[[f64; 2]], seed: u64, trial: u64) -> Result<Drive, Error> {
+        check_seed(seed)?;
+        if path.len() < 2 {
+            return Err(Error::new(Code::OutOfRange, "/path", "a path that is executed has at least two positions"));
+        }
+        if !self.simulation.floor.is_free(from) {
+            let sentence = format!("the start {from:?} is in collision");
+            return Err(Error::new(Code::StartInCollision, "/start", sentence));
+        }
+        let mut random = generator(seed, Stream::Rollouts, &[trial]);
+        let mut trace = vec![from];
+        let mut pose = from;
+        for &[x, y] in &path[1..] {
+            let distance = ((x - pose[0]) * (x - pose[0]) + (y - pose[1]) * (y - pose[1])).sqrt();
+            let patience = self.simulation.patience(distance);
+            let visit = |pose| trace.push(pose);
+            let progress = self.simulation.drive(&self.controller, pose, [x, y], patience, &mut random, visit);
+            if progress.outcome != Outcome::Reached {
+                return Ok(Drive { outcome: progress.outcome, trace });
+            }
+            pose = progress.pose;
+        }
+        Ok(Drive { outcome: Outcome::Reached, trace })
+    }
+}
+
+impl Drive {
+    /// The length of the trace, in metres.
+    pub fn length(&self) -> f64 {
+        let step = |pair: &[[f64; 3]]| {
+            let (x, y) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
+            (x * x + y * y).sqrt()
+        };
+        self.trace.windows(2).map(step).sum()
+    }
+}

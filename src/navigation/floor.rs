@@ -1,0 +1,222 @@
+//! The floor of a task, prepared for driving: which arcs are free, and what rays meet.
+
+use super::document::{Navigation, NavigationQuery, Sensor};
+use crate::collision::{BodyCollision, BodyMotion, CollisionWorld, Obstacles, largest_coordinate};
+use crate::error::{Code, Error};
+use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment};
+use crate::robot::{Footprint, Round};
+use crate::scenario::Obstacle;
+use std::cell::RefCell;
+use std::sync::Arc;
+
+/// The slack of proofs, as a fraction of the largest coordinate plus the reach.
+const SLACK: f64 = 1e-12;
+
+/// An arc whose clearance is too small to be proven is halved until its half is shorter than this, in metres; then it is a collision.
+const SHORTEST: f64 = 1e-4;
+
+/// The wanted tolerance of the proofs of a polygon, as a fraction of the longer side of the bounds.
+const TOLERANCE: f64 = 1e-5;
+
+/// Of a world: obstacles and bounds, and the robot's shape among them.
+pub(super) struct Floor {
+    obstacles: Arc<Obstacles>,
+    bounds: Aabb,
+    /// The radius in which the robot turns on the spot.
+    reach: f64,
+    slack: f64,
+    shape: Shape,
+    near: RefCell<Near>,
+}
+
+#[allow(clippy::large_enum_variant, reason = "there is one per floor")]
+enum Shape {
+    Disc,
+    Polygon(BodyCollision),
+}
+
+/// The edges and discs that may be near the robot, gathered anew for each time step.
+#[derive(Default)]
+struct Near {
+    edges: Vec<Segment>,
+    discs: Vec<Disc>,
+}
+
+impl Near {
+    fn gather(&mut self, obstacles: &Obstacles, around: &Aabb) {
+        self.edges.clear();
+        self.discs.clear();
+        obstacles.any_near(around, |i| {
+            match obstacles.shape(i) {
+                Obstacle::Disc(disc) => self.discs.push(*disc),
+                Obstacle::Polygon(polygon) => {
+                    self.edges.extend(polygon.edges().filter(|edge| edge.aabb().intersects(around)));
+                }
+            }
+            false
+        });
+    }
+
+    /// The distance from a point outside all obstacles to the nearest one.
+    fn distance(&self, p: Point) -> f64 {
+        let edges = self.edges.iter().map(|edge| distance_point_segment(p, edge));
+        let discs = self.discs.iter().map(|disc| (p - disc.center).norm() - disc.radius);
+        edges.chain(discs).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The distance along a ray, of unit direction, to the first edge or disc that it meets; `range` if it meets none before.
+    fn cast(&self, from: Point, direction: Vector, range: f64) -> f64 {
+        let mut least = range;
+        for edge in &self.edges {
+            let (along, to) = (edge.b - edge.a, edge.a - from);
+            let cross = direction.perp(&along);
+            // With a positive cross product the ray leaves a polygon, whose corners are counter-clockwise.
+            if cross >= 0.0 {
+                continue;
+            }
+            let (t, s) = (to.perp(&along) / cross, to.perp(&direction) / cross);
+            if t >= 0.0 && t < least && (0.0..=1.0).contains(&s) {
+                least = t;
+            }
+        }
+        for disc in &self.discs {
+            let to = disc.center - from;
+            let (middle, off) = (to.dot(&direction), to.perp(&direction));
+            let squared = disc.radius * disc.radius - off * off;
+            if squared >= 0.0 && middle >= 0.0 {
+                least = least.min((middle - squared.sqrt()).max(0.0));
+            }
+        }
+        least
+    }
+}
+
+impl Floor {
+    /// Prepares the floor of a task.
+    pub(super) fn new(task: &Navigation) -> Self {
+        let world = CollisionWorld::from(task.world());
+        let (obstacles, bounds) = (world.obstacles(), *task.bounds());
+        let shape = task.robot().drive.shape();
+        let reach = shape.reach();
+        let slack = SLACK * (obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + reach);
+        let shape = match shape {
+            Footprint::Disc(Round { .. }) => Shape::Disc,
+            Footprint::Polygon(polygon) => Shape::Polygon(BodyCollision::new(polygon, world, TOLERANCE)),
+        };
+        Self { obstacles, bounds, reach, slack, shape, near: RefCell::default() }
+    }
+
+    /// The bounds of the floor.
+    pub(super) fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    /// The distance from a position to the nearest obstacle or to the bounds, in metres; 0 or less inside one or outside the bounds.
+    pub(super) fn distance(&self, p: Point) -> f64 {
+        self.obstacles.clearance(&Segment::new(p, p)).min(self.bounds.depth(p))
+    }
+
+    /// Whether the robot can turn on the spot at a position, with this margin in metres.
+    pub(super) fn has_room(&self, p: Point, margin: f64) -> bool {
+        self.distance(p) - self.reach > margin + self.slack
+    }
+
+    /// Whether the robot is free at a configuration.
+    pub(super) fn is_free(&self, q: [f64; 3]) -> bool {
+        match &self.shape {
+            Shape::Disc => self.has_room(Point::new(q[0], q[1]), 0.0),
+            Shape::Polygon(body) => body.is_free(&q),
+        }
+    }
+
+    /// Refuses a query whose start is in collision, or at whose goal the robot cannot turn on the spot.
+    pub(super) fn check(&self, query: &NavigationQuery) -> Result<(), Error> {
+        if !self.is_free(query.start) {
+            let sentence = format!("the start {:?} is in collision", query.start);
+            return Err(Error::new(Code::StartInCollision, "/start", sentence));
+        }
+        let [x, y] = query.goal;
+        if !self.has_room(Point::new(x, y), 0.0) {
+            let sentence =
+                format!("at the goal {:?} the robot cannot turn on the spot without a collision", query.goal);
+            return Err(Error::new(Code::GoalInCollision, "/goal", sentence));
+        }
+        Ok(())
+    }
+
+    /// Whether the arc of a control is proven free, both ends included: an arc that comes too close to an obstacle to be proven is not.
+    pub(super) fn is_arc_free(&self, from: [f64; 3], [speed, turn_rate]: [f64; 2], duration: f64) -> bool {
+        let arc = BodyMotion::Arc { from, speed, turn_rate, duration };
+        match &self.shape {
+            Shape::Disc => {
+                let length = (speed * duration).abs();
+                let around =
+                    Segment::new(point(from), point(from)).aabb().grown(length + self.reach + 2.0 * self.slack);
+                let near = &mut *self.near.borrow_mut();
+                near.gather(&self.obstacles, &around);
+                self.is_part_free(near, &arc, [0.0, 1.0], length)
+            }
+            Shape::Polygon(body) => body.is_motion_free(&arc),
+        }
+    }
+
+    /// Whether a part of the arc of a disc is free, by its clearance at the middle, else by halves.
+    fn is_part_free(&self, near: &Near, arc: &BodyMotion, [low, high]: [f64; 2], length: f64) -> bool {
+        let middle = 0.5 * (low + high);
+        let p = point(arc.at(middle));
+        let clearance = near.distance(p).min(self.bounds.depth(p)) - self.reach;
+        let half = 0.5 * (high - low) * length;
+        if clearance - half > self.slack {
+            return true;
+        }
+        clearance > self.slack
+            && half > SHORTEST
+            && self.is_part_free(near, arc, [low, middle], length)
+            && self.is_part_free(near, arc, [middle, high], length)
+    }
+
+    /// Writes the distance that each ray of the sensor measures at a configuration, in metres, without noise; the range if it meets nothing
+    /// before.
+    pub(super) fn sense(&self, q: [f64; 3], sensor: &Sensor, fan: &Fan, distances: &mut [f64]) {
+        let from = point(q);
+        let around = Segment::new(from, from).aabb().grown(sensor.range);
+        let near = &mut *self.near.borrow_mut();
+        near.gather(&self.obstacles, &around);
+        let (sin, cos) = libm::sincos(q[2]);
+        for (distance, [c, s]) in distances.iter_mut().zip(&fan.0) {
+            let direction = Vector::new(cos * c - sin * s, sin * c + cos * s);
+            *distance = near.cast(from, direction, sensor.range.min(self.to_bounds(from, direction)));
+        }
+    }
+
+    /// The distance along a ray from a position within the bounds to their sides.
+    fn to_bounds(&self, from: Point, direction: Vector) -> f64 {
+        let along = |from: f64, direction: f64, low: f64, high: f64| match direction {
+            d if d > 0.0 => (high - from) / d,
+            d if d < 0.0 => (low - from) / d,
+            _ => f64::INFINITY,
+        };
+        let Aabb { min, max } = self.bounds;
+        let (x, y) = (along(from.x, direction.x, min.x, max.x), along(from.y, direction.y, min.y, max.y));
+        x.min(y).max(0.0)
+    }
+}
+
+/// The directions of the rays of a sensor in the robot's frame, as cosine and sine.
+pub(super) struct Fan(Vec<[f64; 2]>);
+
+impl Fan {
+    /// The directions of a sensor, evenly spread from right to left.
+    pub(super) fn new(sensor: &Sensor) -> Self {
+        let Sensor { rays, field_of_view, .. } = *sensor;
+        let direction = |i: usize| {
+            let (sin, cos) = libm::sincos(field_of_view * (i as f64 / (rays - 1) as f64 - 0.5));
+            [cos, sin]
+        };
+        Self((0..rays).map(direction).collect())
+    }
+}
+
+fn point(q: [f64; 3]) -> Point {
+    Point::new(q[0], q[1])
+}

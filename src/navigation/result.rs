@@ -1,0 +1,72 @@
+//! The document of a plan by PRM-RL: the path, the rollouts along its edges, and how often it was executed.
+
+use super::document::Navigation;
+use super::execution::Executor;
+use super::policy::Policy;
+use super::roadmap::{EdgeRollouts, edge_rollouts, start};
+use super::rollout::Outcome;
+use crate::error::Error;
+use crate::experiment::statistics::{Mean, Share, mean, share};
+use crate::json;
+use crate::path::ResultDocument;
+use crate::run::Options;
+use serde::Serialize;
+
+/// The result of [`navigate`].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NavigationResult {
+    /// The plan: `scenario` is the name of the task, `edge_check` is `rollouts`, and configurations are positions. Nothing is proven.
+    #[serde(flatten)]
+    pub plan: ResultDocument,
+    /// The name of the policy.
+    pub policy: String,
+    /// For each step of the path, how many rollouts have reached its end, in both directions.
+    pub rollouts: Vec<EdgeRollouts>,
+    /// The executions of the path that have reached the goal; none if there is no path.
+    pub reached: Share,
+    /// Those that ended in a collision.
+    pub collisions: Share,
+    /// The lengths of the executions that reached the goal, in metres.
+    pub driven_length: Mean,
+    /// Their times, in seconds.
+    pub driven_time: Mean,
+}
+
+impl NavigationResult {
+    /// The document as one line of JSON.
+    pub fn to_json(&self) -> String {
+        json::to_string(self)
+    }
+}
+
+/// Plans for a query with edges that a policy drives reliably, as [`start`] does, and executes the path so many times with noise.
+///
+/// # Errors
+/// Those of [`start`].
+pub fn navigate(task: &Navigation, policy: &Policy, options: &Options, trials: u64) -> Result<NavigationResult, Error> {
+    let mut run = start(task, policy, options)?;
+    run.step(u64::MAX);
+    let plan = run.result();
+    let path: Vec<[f64; 2]> = plan.path.iter().map(|q| [q[0], q[1]]).collect();
+    let (_, query) = task.find_query(options.query.as_deref())?;
+    let executor = Executor::new(task, Some(policy))?;
+    let trials = if path.is_empty() { 0 } else { trials };
+    let drives = (0..trials)
+        .map(|trial| executor.drive(query.start, &path, options.seed, trial))
+        .collect::<Result<Vec<_>, _>>()?;
+    let is =
+        |outcome: Outcome| share(&drives.iter().map(|drive| f64::from(drive.outcome == outcome)).collect::<Vec<_>>());
+    let reached = || drives.iter().filter(|drive| drive.outcome == Outcome::Reached);
+    let lengths: Vec<f64> = reached().map(|drive| drive.length()).collect();
+    let times: Vec<f64> =
+        reached().map(|drive| (drive.trace.len() - 1) as f64 * task.robot().drive.time_step()).collect();
+    Ok(NavigationResult {
+        rollouts: edge_rollouts(task, policy, options, &path)?,
+        plan,
+        policy: policy.name().to_owned(),
+        reached: is(Outcome::Reached),
+        collisions: is(Outcome::Collision),
+        driven_length: mean(&lengths),
+        driven_time: mean(&times),
+    })
+}

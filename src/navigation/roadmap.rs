@@ -1,0 +1,215 @@
+//! A roadmap whose edges a policy drives reliably: PRM-RL (Faust et al. 2018, "PRM-RL: Long-range robotic navigation tasks by combining
+//! reinforcement learning and sampling-based planning"; Francis et al. 2020, "Long-range indoor navigation with PRM-RL").
+//!
+//! Vertices are positions at which the robot can turn on the spot. Two are connected if rollouts of the policy between them, with noise, from
+//! random headings and from anywhere within the goal tolerance of the first, reach the second often enough, in both directions. Nothing of
+//! that is proven: the result says `rollouts`. Planners see it as a [`Validity`] of the plane, so each of those without controls serves;
+//! `lazy-prm` rolls out only the edges that the best path wants.
+
+use super::document::{Navigation, NavigationQuery};
+use super::policy::Policy;
+use super::rollout::{Controller, Outcome, Simulation, generator};
+use crate::collision::DiscValidity;
+use crate::error::{Code, Error};
+use crate::options::{Options as _, Value};
+use crate::planner::{EdgeOptions, PlannerOptions};
+use crate::problem::{Contact, Problem, Validity};
+use crate::random::{Random, Stream, check_seed};
+use crate::robot::{DiscRobot, plane};
+use crate::run::{self, Options, Run};
+use crate::space::{MotionSpace, Space};
+use std::cell::Cell;
+use std::f64::consts::PI;
+
+/// The size of states: coordinates past the second are 0.
+const SIZE: usize = crate::world::SMALL;
+
+/// The planner if none is named.
+const DEFAULT_PLANNER: &str = "lazy-prm";
+
+crate::options! {
+    /// When a policy drives reliably enough from one vertex to another.
+    pub struct RolloutOptions for &[];
+    /// Number of rollouts in each direction.
+    rollouts: u32 = 20, in 1.0..=1000.0, "Rollouts";
+    /// The share of rollouts, in each direction, that must reach the other vertex.
+    least_share: f64 = 0.95, in 0.0..=1.0, "Least share";
+    /// The longest edges that are tried.
+    longest_edge: f64 = 3.0, in 0.1..=1000.0, "Longest edge", unit "m";
+}
+
+/// Rollouts along an edge that have reached its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct EdgeRollouts {
+    /// The rollouts in each direction.
+    pub of: u32,
+    /// Those from the first end to the second that have reached it.
+    pub forward: u32,
+    /// Those back.
+    pub backward: u32,
+}
+
+/// What makes an edge: rollouts of a policy on a floor, that depend on a seed and the ends of the edge alone.
+pub(super) struct Rollouts {
+    simulation: Simulation,
+    controller: Controller,
+    options: RolloutOptions,
+    seed: u64,
+    /// Time steps that were driven.
+    steps: Cell<u64>,
+}
+
+impl Rollouts {
+    pub(super) fn new(task: &Navigation, policy: &Policy, options: RolloutOptions, seed: u64) -> Result<Self, Error> {
+        let simulation = Simulation::new(task);
+        let controller = Controller::new(Some(policy), task.robot())?;
+        Ok(Self { simulation, controller, options, seed, steps: Cell::new(0) })
+    }
+
+    /// Of the rollouts from one position to another, how many reach it; `None` as soon as fewer than `least` can.
+    fn reached(&self, a: [f64; 2], b: [f64; 2], least: u32) -> Option<u32> {
+        let distance = ((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])).sqrt();
+        let patience = self.simulation.patience(distance);
+        let ends = [a[0], a[1], b[0], b[1]].map(f64::to_bits);
+        let mut random = generator(self.seed, Stream::Rollouts, &ends);
+        let mut reached = 0;
+        for i in 0..self.options.rollouts {
+            let from = self.start(a, &mut random);
+            let progress = self.simulation.drive(&self.controller, from, b, patience, &mut random, |_| {});
+            self.steps.set(self.steps.get() + u64::from(progress.steps));
+            reached += u32::from(progress.outcome == Outcome::Reached);
+            if reached + (self.options.rollouts - 1 - i) < least {
+                return None;
+            }
+        }
+        Some(reached)
+    }
+
+    /// A configuration in which a robot that has reached a position may be: within the goal tolerance and free, with any heading.
+    fn start(&self, [x, y]: [f64; 2], random: &mut Random) -> [f64; 3] {
+        let tolerance = self.simulation.task().goal_tolerance();
+        let heading = PI * (1.0 - 2.0 * random.uniform());
+        for _ in 0..100 {
+            let [dx, dy] = [(); 2].map(|()| tolerance * (1.0 - 2.0 * random.uniform()));
+            let pose = [x + dx, y + dy, heading];
+            if dx * dx + dy * dy <= tolerance * tolerance && self.simulation.floor.is_free(pose) {
+                return pose;
+            }
+        }
+        [x, y, heading]
+    }
+
+    /// Whether enough rollouts succeed in both directions.
+    fn is_reliable(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        let RolloutOptions { rollouts, least_share, longest_edge } = self.options;
+        let least = libm::ceil(least_share * f64::from(rollouts)) as u32;
+        let squared = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+        squared <= longest_edge * longest_edge
+            && self.reached(a, b, least).is_some()
+            && self.reached(b, a, least).is_some()
+    }
+
+    /// All rollouts along an edge.
+    pub(super) fn along(&self, a: [f64; 2], b: [f64; 2]) -> EdgeRollouts {
+        let [forward, backward] = [(a, b), (b, a)].map(|(a, b)| self.reached(a, b, 0).unwrap_or(0));
+        EdgeRollouts { of: self.options.rollouts, forward, backward }
+    }
+}
+
+/// Configurations are free where the robot can turn on the spot, motions if the policy drives them reliably.
+struct RolloutValidity {
+    turning: DiscValidity,
+    rollouts: Rollouts,
+}
+
+fn position(q: &[f64; SIZE]) -> [f64; 2] {
+    [q[0], q[1]]
+}
+
+impl Validity<[f64; SIZE]> for RolloutValidity {
+    fn contacts(&self, q: &[f64; SIZE]) -> Vec<Contact> {
+        self.turning.contacts(q)
+    }
+
+    fn is_free(&self, q: &[f64; SIZE]) -> bool {
+        self.turning.is_free(q)
+    }
+
+    fn is_motion_free(&self, a: &[f64; SIZE], b: &[f64; SIZE]) -> bool {
+        self.rollouts.is_reliable(position(a), position(b))
+    }
+
+    /// Each time step proves an arc.
+    fn clearance_evaluations(&self) -> u64 {
+        Validity::<[f64; SIZE]>::clearance_evaluations(&self.turning) + self.rollouts.steps.get()
+    }
+}
+
+/// Options given by name, those of rollouts and the rest, which are the planner's.
+pub(super) fn split(given: &[(String, Value)]) -> Result<(RolloutOptions, Vec<(String, Value)>), Error> {
+    let (own, others): (Vec<_>, Vec<_>) = given.iter().cloned().partition(|(name, _)| RolloutOptions::has(name));
+    Ok((RolloutOptions::read(&own)?, others))
+}
+
+/// Begins a run that builds a roadmap of edges which the policy drives reliably, or grows a tree of them. Parameters are those of the
+/// planner, `lazy-prm` by default, and of [`RolloutOptions`]. The path is of positions, with the query's start and goal as its ends.
+///
+/// # Errors
+/// `unknown-planner`, `unknown-query`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls,
+/// for options about other edges, and for a policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot
+/// cannot turn on the spot at the start.
+pub fn start(task: &Navigation, policy: &Policy, options: &Options) -> Result<Box<dyn Run>, Error> {
+    let (index, query) = task.find_query(options.query.as_deref())?;
+    start_between(task, policy, options, query).map_err(|error| match error.code() {
+        Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),
+        _ => error,
+    })
+}
+
+/// The rollouts along each step of a path of positions, as a run with the same policy and options counts them, but all of them.
+///
+/// # Errors
+/// Those of [`start`] about the policy and the options of rollouts.
+pub fn edge_rollouts(
+    task: &Navigation,
+    policy: &Policy,
+    options: &Options,
+    path: &[[f64; 2]],
+) -> Result<Vec<EdgeRollouts>, Error> {
+    check_seed(options.seed)?;
+    let rollouts = Rollouts::new(task, policy, split(&options.parameters)?.0, options.seed)?;
+    Ok(path.windows(2).map(|ends| rollouts.along(ends[0], ends[1])).collect())
+}
+
+fn start_between(
+    task: &Navigation,
+    policy: &Policy,
+    options: &Options,
+    query: &NavigationQuery,
+) -> Result<Box<dyn Run>, Error> {
+    check_seed(options.seed)?;
+    let (rollouts, parameters) = split(&options.parameters)?;
+    let planner = PlannerOptions::of(options.planner.as_deref().unwrap_or(DEFAULT_PLANNER))?;
+    planner.check_robot("disc")?;
+    let planner = planner.read(&parameters)?;
+    let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
+    if edges != (EdgeOptions { limits: edges.limits, improving: edges.improving, ..EdgeOptions::default() }) {
+        let sentence = "edges are checked by rollouts, in the Euclidean metric of the plane";
+        return Err(Error::new(Code::Unsupported, "/edge_check", sentence));
+    }
+    if edges.improving.blend > 0.0 {
+        return Err(Error::new(Code::Unsupported, "/blend", "corners are rounded only between proven motions"));
+    }
+    let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
+    let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
+    let validity = RolloutValidity {
+        turning: DiscValidity::new(&disc, task.world()),
+        rollouts: Rollouts::new(task, policy, rollouts, options.seed)?,
+    };
+    let [start, goal] = [&query.start[..2], &query.goal[..]].map(|q| space.state(q));
+    let mut problem = Problem::new(space.clone(), Box::new(validity), start, goal)?;
+    problem.end_effector = Some(Box::new(move |a, b| space.distance(a, b)));
+    problem.records_events = options.events;
+    run::start_learned(problem, planner, options.seed, [task.name(), &query.name])
+}

@@ -29,6 +29,7 @@ mod ik;
 mod json;
 mod lazy;
 mod limits;
+mod navigation;
 mod nearest;
 mod neighbours;
 mod optimal;

@@ -262,19 +262,3 @@ fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Re
     let sentence = format!("the floor has too few pairs of positions that are {} m apart", options.least_distance);
     Err(Error::new(Code::OutOfRange, "/least_distance", sentence))
 }
-
-/// How many short tasks a policy solves on fresh floors.
-pub fn assess(floors: &[Navigation], policy: &Policy, distance: f64, trials: usize, seed: u64) -> Result<Share, Error> {
-    let executors: Vec<Executor> =
-        floors.iter().map(|floor| Executor::new(floor, Some(policy))).collect::<Result<_, _>>()?;
-    let prepared: Vec<Floor> = floors.iter().map(Floor::new).collect();
-    let mut random = Random::new(seed, Stream::Tasks);
-    let mut sample = Vec::with_capacity(trials);
-    for trial in 0..trials {
-        let floor = trial % floors.len();
-        let Some((from, [x, y])) = episode::draw(&prepared[floor], distance, &mut random) else { continue };
-        let drive = executors[floor].drive(from, &[[from[0], from[1]], [x, y]], seed, trial as u64)?;
-        sample.push(f64::from(drive.outcome == Outcome::Reached));
-    }
-    Ok(share(&sample))
-}

@@ -1,4 +1,29 @@
-//! Navigation by a learned policy (draft).
+//! Navigation by a learned policy, and PRM-RL: roadmaps whose edges a policy drives reliably.
+//!
+//! A [`Navigation`] task is a floor, a differential drive with a range sensor and noise, and queries. A [`Policy`] maps what the robot senses to
+//! a control; [`Training`] finds one by an evolution strategy. It drives to goals that are near. For those that are far, [`start`] builds a
+//! roadmap whose edges are rolled out under the policy, with noise (Faust et al. 2018; Francis et al. 2020), and an [`Executor`] drives along its
+//! path. Every arc that is driven is proven free; that a policy reaches its goal is never proven: results say `rollouts`.
+//!
+//! ```
+//! use planarium::navigation::{Policy, generate, navigate};
+//! use planarium::run::{Options, Value};
+//!
+//! let task = generate("rooms", &serde_json::json!({ "columns": 2, "rows": 1, "seed": 3 }))?;
+//! let policy = Policy::parse(include_str!("../../www/prm-rl/policy.json"))?;
+//! let parameters = vec![("samples".to_owned(), Value::Number(200.0))];
+//! let result = navigate(&task, &policy, &Options { parameters, ..Options::default() }, 10)?;
+//! assert_eq!(result.plan.edge_check.as_deref(), Some("rollouts"));
+//! assert_eq!(result.rollouts.len() + 1, result.plan.path.len());
+//! # Ok::<(), planarium::Error>(())
+//! ```
+//!
+//! # Files
+//! - `document.rs`: the task; `generate.rs`: tasks by seed; `episode.rs`: short tasks on a floor;
+//! - `floor.rs`: which arcs are free, and what rays meet; `rollout.rs`: a robot that drives to a goal under a controller;
+//! - `policy.rs`: the perceptron and its document; `training.rs`: the evolution strategy;
+//! - `roadmap.rs`: PRM-RL; `execution.rs`: a path that is driven; `result.rs`: both as a document;
+//! - `comparison.rs`: PRM-RL beside the policy alone and straight edges.
 
 mod comparison;
 mod document;
@@ -12,7 +37,7 @@ mod roadmap;
 mod rollout;
 mod training;
 
-pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodSummary, assess};
+pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodSummary};
 #[cfg(feature = "schema")]
 pub use document::schema;
 pub use document::{MAX_RAYS, Navigation, NavigationQuery, Navigator, Noise, Sensor};
@@ -24,7 +49,7 @@ pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, start};
 pub use rollout::{Drive, Outcome};
 #[cfg(feature = "parallel")]
 pub use training::train;
-pub use training::{Generation, Training, TrainingOptions};
+pub use training::{FRESH_FLOORS, Generation, Training, TrainingOptions, assess};
 
 /// The `format` of a navigation task.
 pub const FORMAT: &str = "planarium-navigation-1";

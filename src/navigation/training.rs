@@ -14,6 +14,7 @@ use super::generate::generate_with;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::Error;
+use crate::experiment::statistics::{Share, share};
 use crate::graph::Fingerprint;
 use crate::options::{Options, Value};
 use crate::problem::Status;
@@ -49,7 +50,7 @@ const LAST_RATE: f64 = 0.1;
 /// Seeds of the floors of a training begin here, times the seed, so that no two trainings share them.
 const FLOORS_PER_SEED: u64 = 1_000_000;
 
-/// Seeds of floors stay below this.
+/// Seeds of floors stay below this; those of [`assess`] begin here.
 const FLOOR_SEEDS: u64 = 1 << 52;
 
 /// One generation, once it is over.
@@ -318,6 +319,32 @@ impl Training {
         self.fingerprint.value()
     }
 }
+
+/// The share of random goals within `distance` metres that a policy reaches, with noise, on fresh floors of the kind that it is trained on but
+/// which no training has: `trials` tasks on [`FRESH_FLOORS`] floors, drawn from a seed.
+///
+/// # Errors
+/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1.
+pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, seed: u64) -> Result<Share, Error> {
+    check_seed(seed)?;
+    let floors = (0..FRESH_FLOORS).map(|i| floor(task, FLOOR_SEEDS + i)).collect::<Result<Vec<_>, _>>()?;
+    let controller = Controller::new(Some(policy), task.robot())?;
+    let mut random = Random::new(seed, Stream::Tasks);
+    let mut sample = Vec::new();
+    for trial in 0..trials {
+        let simulation = &floors[(trial % FRESH_FLOORS) as usize];
+        let Some((from, goal)) = episode::draw(&simulation.floor, distance, &mut random) else { continue };
+        let (x, y) = (goal[0] - from[0], goal[1] - from[1]);
+        let patience = simulation.patience((x * x + y * y).sqrt());
+        let mut noise = generator(seed, Stream::Rollouts, &[trial]);
+        let progress = simulation.drive(&controller, from, goal, patience, &mut noise, |_| {});
+        sample.push(f64::from(progress.outcome == Outcome::Reached));
+    }
+    Ok(share(&sample))
+}
+
+/// The number of floors that [`assess`] tries.
+pub const FRESH_FLOORS: u64 = 50;
 
 /// The floor of this seed for the robot of a task.
 fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { Fleet, Scenario } from "planarium";
+import { Fleet, Navigation, Scenario } from "planarium";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
 import { anchorOf } from "../../scripts/site.mjs";
@@ -27,6 +27,7 @@ const PRINTED = {
   "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/, /^solved [1-9]\d* edges\n$/],
   "docs/start.md": [/^solved [1-9]\d* waypoints\n$/],
   "docs/fleet.md": [/^[1-9]\d* conflicts if all drive straight at once\n(?:\d robots have planned\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/],
+  "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
     /^solved \d+\nsolved true\n$/,
@@ -85,12 +86,13 @@ test("every shell example runs, and its paths are valid", () => {
   }
 });
 
-test("every JSON example is a scenario, a fleet, or an experiment, which a native test runs", () => {
+test("every JSON example is a scenario, a fleet, a navigation task, or an experiment, which a native test runs", () => {
   const examples = names.flatMap((name) => blocks(name, "json")).filter((example) => JSON.parse(example).format !== "planarium-experiment-1");
   assert.ok(examples.length > 0);
   for (const example of examples) {
     const { format, queries, robots } = JSON.parse(example);
     if (format === "planarium-fleet-1") assert.equal(Fleet.parse(example).robotCount, robots.length);
+    else if (format === "planarium-navigation-1") assert.equal(Navigation.parse(example).toJSON().queries.length, queries.length);
     else assert.ok(Scenario.parse(example).check(queries[0].start).free);
   }
 });

@@ -38,6 +38,8 @@ test("the tarball holds exactly the files of the package", () => {
     "schema/scenario.schema.json",
     "schema/experiment.schema.json",
     "schema/fleet.schema.json",
+    "schema/navigation.schema.json",
+    "www/prm-rl/policy.json",
   ].sort());
 });
 

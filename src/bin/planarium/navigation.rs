@@ -11,6 +11,12 @@ use planarium::run::Options;
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
+/// How far the goals are on which a policy is assessed, in metres.
+const GOALS_WITHIN: f64 = 5.0;
+
+/// The number of goals.
+const TRIALS: u64 = 1000;
+
 /// Trains a policy and prints it.
 pub fn train(arguments: &arguments::Train) -> Answer {
     let task = match &arguments.file {
@@ -33,15 +39,20 @@ pub fn train(arguments: &arguments::Train) -> Answer {
         true
     })?;
     bar.finish_and_clear();
-    files::write(&training.policy().to_json_string(), arguments.out.as_deref())?;
-    if let Some(last) = training.history().last() {
-        let (reached, seconds) = (100.0 * last.reached, begun.elapsed().as_secs_f64());
-        files::say(&format!(
-            "{} generations: the last solved {reached:.1} % of its tasks, changes of the weights included; {seconds:.1} s, fingerprint {:016x}",
-            training.generation(),
-            training.fingerprint()
-        ));
-    }
+    let (policy, seconds) = (training.policy(), begun.elapsed().as_secs_f64());
+    files::write(&policy.to_json_string(), arguments.out.as_deref())?;
+    let assessed = navigation::assess(&task, &policy, GOALS_WITHIN, TRIALS, arguments.given.seed)?;
+    let percent = |value: Option<f64>| 100.0 * value.unwrap_or(0.0);
+    files::say(&format!(
+        "{} generations in {seconds:.1} s, fingerprint {:016x}; on fresh floors {:.1} % of {} random goals within {GOALS_WITHIN} m are \
+         reached [{:.1}, {:.1}]",
+        training.generation(),
+        training.fingerprint(),
+        percent(assessed.share),
+        assessed.n,
+        percent(assessed.low),
+        percent(assessed.high)
+    ));
     Ok(true)
 }
 

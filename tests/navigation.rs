@@ -1,0 +1,355 @@
+//! Navigation: what a document may contain; what rays measure; arcs that another check finds free; training that is the same in any slices, on
+//! several threads and on every platform; edges that are driven reliably; and how the shipped policy does.
+
+use crate::common::documents::refuses;
+use crate::common::{given, golden};
+use planarium::geometry::{Point, Segment};
+use planarium::navigation::{
+    Comparison, Executor, Method, Navigation, Outcome, Policy, Training, assess, edge_rollouts, generate, navigate,
+    start,
+};
+use planarium::problem::Status;
+use planarium::robot::Part;
+use planarium::run::Options;
+use planarium::scenario::Obstacle;
+use serde_json::{Value, json};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A training that takes a moment.
+const SMALL: &str = "generations=3 pairs=4 tasks=4 floors=3 hidden=4";
+
+fn task() -> Value {
+    json!({
+        "format": "planarium-navigation-1", "name": "hall",
+        "world": { "bounds": { "min": [0, 0], "max": [10, 4] },
+                   "obstacles": [ { "type": "disc", "center": [5, 2], "radius": 0.5 },
+                                  { "type": "polygon", "vertices": [[7, 0], [7.2, 0], [7.2, 1], [7, 1]] } ] },
+        "robot": { "type": "differential_drive", "shape": { "type": "disc", "radius": 0.25 }, "speed": [0, 1], "turn_rate": [-1.5, 1.5] },
+        "queries": [ { "name": "through", "start": [1, 2, 0], "goal": [9, 2] } ]
+    })
+}
+
+fn hall() -> Navigation {
+    Navigation::read(&task()).expect("a task")
+}
+
+fn shipped() -> Policy {
+    Policy::parse(include_str!("../www/prm-rl/policy.json")).expect("our own policy is right")
+}
+
+fn options(settings: &str) -> Options {
+    Options { parameters: given(settings), seed: 1, ..Options::default() }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_document_is_read_and_written_again() {
+    let task = hall();
+    assert_eq!((task.name(), task.goal_tolerance(), task.robot().sensor.rays), ("hall", 0.3, 16));
+    assert_eq!(Navigation::parse(&task.to_json_string()).expect("its own text"), task);
+    let policy = shipped();
+    assert_eq!(Policy::parse(&policy.to_json_string()).expect("its own text"), policy);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn documents_are_refused_with_a_code_and_a_place() {
+    let with = |pointer: &str, value: Value| {
+        let mut document = task();
+        *document.pointer_mut(pointer).expect("a place") = value;
+        Navigation::read(&document)
+    };
+    let refused = [
+        ("/format", json!("planarium-fleet-1"), "unknown-format", "/format"),
+        ("/name", json!(""), "out-of-range", "/name"),
+        ("/robot/type", json!("car"), "unknown-type", "/robot/type"),
+        ("/robot/shape/radius", json!(0), "out-of-range", "/robot/shape/radius"),
+        ("/robot/speed", json!([1, 1]), "out-of-range", "/robot/speed"),
+        ("/robot/turn_rate", json!([-101, 1]), "out-of-range", "/robot/turn_rate/0"),
+        (
+            "/robot/shape",
+            json!({ "type": "polygon", "vertices": [[1, 0], [2, 0], [2, 1]] }),
+            "out-of-range",
+            "/robot/shape/vertices",
+        ),
+        ("/queries/0/start", json!([5, 2, 0]), "start-in-collision", "/queries/0/start"),
+        ("/queries/0/goal", json!([9.9, 2]), "goal-in-collision", "/queries/0/goal"),
+        ("/queries/0/goal", json!([9, 2, 0]), "wrong-dimension", "/queries/0/goal"),
+    ];
+    for (place, value, code, pointer) in refused {
+        refuses(with(place, value), code, pointer);
+    }
+    let with_robot = |field: &str, value: Value| {
+        let mut document = task();
+        document["robot"][field] = value;
+        Navigation::read(&document)
+    };
+    let sensor = |rays: usize, view: f64| json!({ "rays": rays, "field_of_view": view, "range": 3 });
+    refuses(with_robot("sensor", sensor(1, 3.0)), "out-of-range", "/robot/sensor/rays");
+    refuses(with_robot("sensor", sensor(9, 7.0)), "out-of-range", "/robot/sensor/field_of_view");
+    refuses(with_robot("time_step", json!(2)), "out-of-range", "/robot/time_step");
+    refuses(with_robot("wheels", json!(2)), "unknown-field", "/robot/wheels");
+    let mut policy: Value = serde_json::from_str(&shipped().to_json_string()).expect("JSON");
+    policy["weights"].as_array_mut().expect("weights").pop();
+    refuses(Policy::read(&policy), "wrong-dimension", "/weights");
+    refuses(generate("rooms", &json!({ "door": 9 })), "out-of-range", "/door");
+    refuses(Training::new(&hall(), &given("pairs=1"), 0), "out-of-range", "/pairs");
+    refuses(Training::new(&hall(), &[], 1 << 53), "out-of-range", "/seed");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_does_not_fit_a_policy_is_refused() {
+    let (task, policy) = (hall(), shipped());
+    let with = |planner: &str, settings: &str| {
+        let options = Options { planner: Some(planner.to_owned()), ..options(settings) };
+        start(&task, &policy, &options).map(|_| ())
+    };
+    refuses(with("rrt-control", ""), "unsupported", "/algorithm");
+    refuses(with("prm", "edge_check=sampled"), "unsupported", "/edge_check");
+    refuses(with("prm", "blend=0.2"), "unsupported", "/blend");
+    refuses(with("prm", "rollouts=0"), "out-of-range", "/rollouts");
+    refuses(with("prm", "step=1"), "unknown-parameter", "/step");
+    let mut other = self::task();
+    other["robot"]["sensor"] = json!({ "rays": 9, "field_of_view": 3, "range": 3 });
+    let other = Navigation::read(&other).expect("a task");
+    refuses(start(&other, &policy, &options("")).map(|_| ()), "unsupported", "/policy/sensor");
+    refuses(
+        Executor::new(&task, None).and_then(|executor| executor.drive([1.0, 2.0, 0.0], &[[1.0, 2.0]], 0, 0)),
+        "out-of-range",
+        "/path",
+    );
+}
+
+/// The distance along a ray, by small steps of the distance to everything.
+fn marched(task: &Navigation, from: [f64; 3], angle: f64) -> f64 {
+    let (sin, cos) = libm::sincos(from[2] + angle);
+    let mut along = 0.0;
+    while along < task.robot().sensor.range {
+        let p = Point::new(from[0] + along * cos, from[1] + along * sin);
+        let obstacles = task.world().obstacles.iter().map(|one| one.distance_to_segment(&Segment::new(p, p)));
+        let free = obstacles.fold(task.bounds().depth(p), f64::min);
+        if free < 1e-7 {
+            return along;
+        }
+        along += free;
+    }
+    task.robot().sensor.range
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rays_measure_the_distance_to_what_they_meet_first() {
+    for task in [
+        hall(),
+        generate("rooms", &json!({ "seed": 4 })).expect("rooms"),
+        generate("furnished", &json!({})).expect("a floor"),
+    ] {
+        let start = task.queries()[0].start;
+        for turn in 0..20 {
+            let pose = [start[0], start[1], f64::from(turn)];
+            let sensor = task.robot().sensor;
+            for (i, distance) in task.sense(pose).into_iter().enumerate() {
+                let angle = sensor.field_of_view * (i as f64 / (sensor.rays - 1) as f64 - 0.5);
+                let marched = marched(&task, pose, angle);
+                assert!((distance - marched).abs() < 1e-3, "ray {i} at {pose:?}: {distance}, not {marched}");
+            }
+        }
+    }
+}
+
+/// The distance from the robot to everything, 0 or less in contact.
+fn clearance(task: &Navigation, pose: [f64; 3]) -> f64 {
+    let to = |obstacle: &Obstacle| match task.footprint(pose) {
+        Part::Disc { center, radius } => obstacle.distance_to_segment(&Segment::new(center, center)) - radius,
+        Part::Polygon { vertices } => {
+            obstacle.distance_to_polygon(&planarium::geometry::Polygon::new(&vertices).expect("a polygon"))
+        }
+        Part::Capsule { .. } => panic!("a drive has no links"),
+    };
+    task.world().obstacles.iter().map(to).fold(f64::INFINITY, f64::min)
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_arc_that_is_driven_touches_anything() {
+    for shape in ["disc", "rectangle"] {
+        let task = generate("rooms", &json!({ "seed": 2, "shape": shape, "noise": 2 })).expect("rooms");
+        let executor = Executor::new(&task, None).expect("an executor");
+        let query = &task.queries()[0];
+        let ([x, y, _], goal) = (query.start, query.goal);
+        let mut collisions = 0;
+        for trial in 0..10 {
+            let drive = executor.drive(query.start, &[[x, y], goal], 1, trial).expect("a drive");
+            collisions += u32::from(drive.outcome == Outcome::Collision);
+            for pair in drive.trace.windows(2) {
+                let (dx, dy, turn) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1], pair[1][2] - pair[0][2]);
+                let half = 0.5 * turn;
+                let forward = dx * libm::cos(pair[0][2] + half) + dy * libm::sin(pair[0][2] + half);
+                let length = if half.abs() < 1e-9 { forward } else { forward * half / libm::sin(half) };
+                for look in 0..=50 {
+                    let part = f64::from(look) / 50.0;
+                    let pose = planarium::geometry::arc_pose(pair[0], length, turn, part);
+                    assert!(clearance(&task, pose) > 0.0, "{shape} touches something at {pose:?}");
+                }
+            }
+        }
+        assert!(collisions > 0, "straight on through the rooms something is in the way");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn training_is_the_same_in_any_slices_and_by_shares_of_candidates() {
+    let fresh = || Training::new(&hall(), &given(SMALL), 5).expect("a training");
+    let mut whole = fresh();
+    assert_eq!(whole.step(u64::MAX), Status::Solved);
+    assert_eq!((whole.iterations(), whole.generation(), whole.history().len()), (24, 3, 3));
+    let mut sliced = fresh();
+    while sliced.step(5) == Status::Running {}
+    let mut shared = fresh();
+    while shared.status() == Status::Running {
+        let returns = [shared.returns_of(0..3), shared.returns_of(3..8)].concat();
+        shared.advance(&returns).expect("returns of all candidates");
+    }
+    for other in [&sliced, &shared] {
+        assert_eq!(other.policy(), whole.policy());
+        assert_eq!(other.fingerprint(), whole.fingerprint());
+        assert_eq!(other.history(), whole.history());
+    }
+    refuses(fresh().advance(&[[0.0, 0.0]]), "out-of-range", "/returns");
+    let shown = whole.demonstrations(3);
+    assert!(shown.len() == 3 && shown.iter().all(|(floor, _, drive)| *floor < 3 && drive.trace.len() > 1));
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn training_on_threads_is_the_same_to_the_bit() {
+    let mut alone = Training::new(&hall(), &given(SMALL), 5).expect("a training");
+    alone.step(u64::MAX);
+    let threads = std::num::NonZeroUsize::new(3).expect("three");
+    let mut generations = 0;
+    let watch = |_: &Training| {
+        generations += 1;
+        true
+    };
+    let together = planarium::navigation::train(&hall(), &given(SMALL), 5, threads, watch).expect("a training");
+    assert_eq!((together.policy(), generations), (alone.policy(), 3));
+    if crate::common::deep() {
+        let floor = generate("furnished", &json!({})).expect("a floor");
+        let again = planarium::navigation::train(&floor, &[], 4, threads, |_| true).expect("a training");
+        assert_eq!(again.policy().to_json_string(), include_str!("../www/prm-rl/policy.json").trim_end());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_policy_is_better_after_training() {
+    let floor = generate("furnished", &json!({})).expect("a floor");
+    let mut training =
+        Training::new(&floor, &given("generations=12 pairs=12 tasks=12 floors=8"), 1).expect("a training");
+    training.step(u64::MAX);
+    let history = training.history();
+    let (first, last) = (history[0].reached, history[11].reached);
+    assert!(last > first + 0.1, "from {first} to {last}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_shipped_policy_reaches_near_goals_on_fresh_floors() {
+    let reached =
+        assess(&generate("furnished", &json!({})).expect("a floor"), &shipped(), 5.0, 1000, 1).expect("a share");
+    assert!(reached.n == 1000 && reached.share >= Some(0.95), "{reached:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_edge_of_a_path_is_driven_reliably_in_both_directions() {
+    let (task, policy) = (hall(), shipped());
+    let options = options("samples=60 k=8 rollouts=10 least_share=0.9");
+    let result = navigate(&task, &policy, &options, 10).expect("a result");
+    assert_eq!((result.plan.status, result.plan.edge_check.as_deref()), (Status::Solved, Some("rollouts")));
+    assert_eq!(result.rollouts.len() + 1, result.plan.path.len());
+    assert!(
+        result.rollouts.iter().all(|edge| edge.of == 10 && edge.forward >= 9 && edge.backward >= 9),
+        "{:?}",
+        result.rollouts
+    );
+    assert!(result.reached.count >= 8 && result.driven_length.mean >= Some(7.0), "{result:?}");
+    let path: Vec<[f64; 2]> = result.plan.path.iter().map(|q| [q[0], q[1]]).collect();
+    assert_eq!(edge_rollouts(&task, &policy, &options, &path).expect("rollouts"), result.rollouts);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_roadmap_is_the_same_in_any_slices_and_a_lazy_one_has_the_same_path() {
+    let (task, policy) = (hall(), shipped());
+    let run = |planner: &str, slice: u64| {
+        let options = Options { planner: Some(planner.to_owned()), ..options("samples=40 k=6 rollouts=5") };
+        let mut run = start(&task, &policy, &options).expect("a run");
+        while run.step(slice) == Status::Running {}
+        run
+    };
+    let (whole, sliced, lazy) = (run("prm", u64::MAX), run("prm", 3), run("lazy-prm", u64::MAX));
+    assert_eq!(sliced.fingerprint(), whole.fingerprint());
+    assert_eq!(sliced.result(), whole.result());
+    assert_eq!((lazy.path(), lazy.status()), (whole.path(), Status::Solved));
+    assert!(lazy.stats().clearance_evaluations < whole.stats().clearance_evaluations / 2);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn there_is_no_way_through_a_wall() {
+    let mut document = task();
+    document["world"]["obstacles"] =
+        json!([{ "type": "polygon", "vertices": [[5, 0], [5.000001, 0], [5.000001, 4], [5, 4]] }]);
+    let task = Navigation::read(&document).expect("a task");
+    let result = navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0"), 5).expect("a result");
+    // With a least share of 0 every edge counts as driven, yet no execution crosses the wall.
+    assert_eq!((result.plan.status, result.reached.count), (Status::Solved, 0));
+    let result =
+        navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0.3"), 5).expect("a result");
+    assert_eq!((result.plan.status, result.plan.path.len(), result.reached.n), (Status::Exhausted, 0, 0));
+}
+
+/// The claim of PRM-RL, in three fresh offices.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn prm_rl_executes_long_queries_that_the_policy_alone_does_not() {
+    let queries = if crate::common::deep() { "queries=50 trials=10" } else { "queries=10 trials=4" };
+    for seed in [1, 2, 3] {
+        let task = generate("rooms", &json!({ "seed": seed })).expect("rooms");
+        let mut comparison = Comparison::new(&task, &shipped(), &given(queries), seed).expect("a comparison");
+        assert_eq!(comparison.step(u64::MAX), Status::Solved);
+        let summary = comparison.summary();
+        let share = |method: Method| summary.iter().find(|one| one.method == method).and_then(|one| one.reached.share);
+        let shares = Method::ALL.map(share);
+        assert!(shares[2] >= Some(0.9) && shares[0] < Some(0.6) && shares[1] < shares[2], "rooms {seed}: {shares:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_comparison_is_the_same_in_any_slices() {
+    let task = generate("rooms", &json!({ "columns": 2, "rows": 1, "seed": 1 })).expect("rooms");
+    let fresh = || {
+        let settings = "queries=2 trials=2 least_distance=4 samples=60 k=6 rollouts=5 least_share=0.8";
+        Comparison::new(&task, &shipped(), &given(settings), 1).expect("a comparison")
+    };
+    let (mut whole, mut sliced) = (fresh(), fresh());
+    assert_eq!(whole.step(u64::MAX), Status::Solved);
+    while sliced.step(7) == Status::Running {}
+    assert_eq!(whole.executions(), sliced.executions());
+    assert_eq!((whole.executions().len(), whole.count(), whole.iterations()), (12, 12, sliced.iterations()));
+    refuses(
+        Comparison::new(&task, &shipped(), &given("least_distance=100"), 1).map(|_| ()),
+        "out-of-range",
+        "/least_distance",
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn outcomes_are_the_same_on_every_platform() {
+    golden::check("golden-navigation.json", include_str!("golden-navigation.json"), 4, |case| {
+        let seed = case["seed"].as_u64().expect("a seed");
+        let task = generate(case["generator"].as_str().expect("a generator"), &case["options"]).expect("a task");
+        let Some(planner) = case["planner"].as_str() else {
+            let mut training = Training::new(&task, &given(SMALL), seed).expect("a training");
+            training.step(u64::MAX);
+            return json!({ "fingerprint": format!("{:016x}", training.fingerprint()) });
+        };
+        let settings = case["settings"].as_str().expect("settings");
+        let options = Options { planner: Some(planner.to_owned()), seed, ..options(settings) };
+        let result = navigate(&task, &shipped(), &options, 4).expect("a result");
+        json!({ "status": result.plan.status, "fingerprint": format!("{:016x}", result.plan.fingerprint), "reached": result.reached.count,
+            "length": result.driven_length.mean.map(f64::to_bits) })
+    });
+}

@@ -40,12 +40,12 @@ export const commands = {
     return ++id;
   },
 
-  /** Makes at most so many iterations, fewer where they take long; null if another planner has begun since. @param {number} mine  of the planner @param {number} count */
+  /** Makes at most so many iterations, fewer where they take long (`isLate`); null if another planner has begun since. @param {number} mine  of the planner @param {number} count */
   advance(mine, count) {
     if (mine !== id || !planner) return null;
     const end = performance.now() + LONGEST;
     for (let made = 0; made < count && planner.status === "running" && performance.now() < end; made += AT_ONCE) planner.step(Math.min(AT_ONCE, count - made));
-    return { ...growthOf(planner), result: planner.status === "running" ? null : planner.result() };
+    return { ...growthOf(planner), isLate: performance.now() >= end, result: planner.status === "running" ? null : planner.result() };
   },
 
   /** Verifies the solved plan. @param {number} mine */

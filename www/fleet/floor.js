@@ -5,7 +5,7 @@
 import { View, drawObstacles, partPath } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawGround } from "../draw/ground.js";
-import { addLine, cross, disc, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
+import { addLine, cross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
 import { drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
 import { robotColours } from "./colours.js";
 import { partsAt, poseOf, roomOf } from "./trajectory.js";
@@ -45,6 +45,9 @@ export class Floor {
 
   /** The radius of a robot's number, CSS pixels. @param {number} robot */
   roomOf(robot) { return roomOf(this.session.robots[robot].robot) * this.view.scaleX; }
+
+  /** Whether a robot in which no number fits is long enough for one on top of it. @param {number} robot */
+  isLong(robot) { return reachOf(this.session.robots[robot].robot) * this.view.scaleX >= 2 * READABLE; }
 
   /** The robot at a place of the canvas, or null. @param {number} x @param {number} y @param {number} near  CSS pixels */
   robotAt(x, y, near) {
@@ -172,76 +175,98 @@ export class Floor {
     });
     context.globalAlpha = 1;
     const isBlocked = !isStraight && run.blocked.length > 0;
-    const marked = new Set(isBlocked ? run.blocked.slice(1) : touching.flatMap(({ robots: pair }) => pair));
+    const inTheWay = new Set(isBlocked ? run.blocked.slice(1) : []);
+    const hit = new Set(touching.flatMap(({ robots: pair }) => pair));
     const lines = hatch(palette.stage);
+    if (isBlocked) this.drawLinks(context, run.blocked, palette);
+    if (selected !== null) this.drawAhead(context, selected);
     const order = robots.map((_, i) => i).filter((i) => i !== selected);
     for (const i of selected === null ? order : [...order, selected]) {
-      const parts = this.partsOf(i);
-      if (marked.has(i)) drawTouchingParts(context, this.view, parts, palette, lines);
-      this.drawRobot(context, i, palette, marked.has(i));
+      if (hit.has(i)) drawTouchingParts(context, this.view, this.partsOf(i), palette, lines);
+      else this.drawBody(context, i, palette, inTheWay.has(i));
+      this.drawSigns(context, i, palette, hit.has(i));
     }
-    if (isBlocked) this.drawBlocked(context, run.blocked, palette);
+    if (isBlocked) this.drawBlocked(context, run.blocked[0], palette);
     if (selected !== null) this.drawSelected(context, selected, palette);
   }
 
-  /** A robot with its number, and bars while it waits. @param {Context} context @param {number} i @param {Palette} palette @param {boolean} isMarked */
-  drawRobot(context, i, palette, isMarked) {
-    const { session: { shown, time, end, robots }, view, colours } = this;
-    const room = this.roomOf(i);
-    const [x, y] = view.place(this.session.poseAt(i));
-    context.lineWidth = 1.2;
-    context.setLineDash([]);
-    context.strokeStyle = palette.robotEdge;
-    context.fillStyle = colours[i];
-    for (const part of isMarked ? [] : this.partsOf(i)) {
-      partPath(context, view, part);
+  /** The robot in its colour, within a thick red outline if it is in the way of another one. @param {Context} context @param {number} i @param {Palette} palette @param {boolean} isInTheWay */
+  drawBody(context, i, palette, isInTheWay) {
+    context.fillStyle = this.colours[i];
+    for (const part of this.partsOf(i)) {
+      partPath(context, this.view, part);
       context.fill();
+      if (isInTheWay) {
+        setStroke(context, palette.stage, 7);
+        context.stroke();
+        setStroke(context, palette.collision, 3.4);
+      } else setStroke(context, palette.robotEdge, 1.2);
       context.stroke();
     }
+  }
+
+  /** The number of a robot, and bars while it waits. @param {Context} context @param {number} i @param {Palette} palette @param {boolean} isHit */
+  drawSigns(context, i, palette, isHit) {
+    const { session: { shown, time, end, robots }, view } = this;
+    const room = this.roomOf(i);
+    const [x, y] = view.place(this.session.poseAt(i));
     if (room >= READABLE) {
       const text = String(i + 1);
       context.font = `600 ${Math.min(15, (text.length > 2 ? 0.85 : 1.05) * room).toFixed(1)}px system-ui, sans-serif`;
       context.textAlign = "center";
       context.textBaseline = "middle";
-      if (isMarked) {
+      if (isHit) {
         setStroke(context, palette.stage, 3);
         context.strokeText(text, x, y);
         context.fillStyle = palette.ink;
       } else context.fillStyle = palette.stage;
       context.fillText(text, x, y);
     }
+    else if (this.isLong(i)) drawLabel(context, String(i + 1), x, y, palette.ink, palette);
     if (time < end && shown[i]?.isWaiting(time)) drawWait(context, x + 0.75 * reachOf(robots[i].robot) * view.scaleX + 3, y - 0.75 * reachOf(robots[i].robot) * view.scaleX - 3, palette);
   }
 
-  /** The robot that finds no way, crossed, and lines to those in its way. @param {Context} context @param {number[]} blocked @param {Palette} palette */
-  drawBlocked(context, [robot, ...others], palette) {
+  /** Lines from the robot that finds no way to those in its way. @param {Context} context @param {number[]} blocked @param {Palette} palette */
+  drawLinks(context, [robot, ...others], palette) {
+    const [from, ...ends] = [robot, ...others].map((i) => this.view.place(this.session.poseAt(i)));
+    setStroke(context, palette.collision, 1.4, [2, 4]);
+    for (const end of ends) drawLine(context, ...from, ...end);
+  }
+
+  /** The chosen robot's way from now on. @param {Context} context @param {number} i */
+  drawAhead(context, i) {
+    const { shown, time } = this.session;
+    const way = shown[i];
+    if (!way) return;
+    setStroke(context, this.colours[i], 2.6, [7, 5]);
+    this.strokeLine(context, way.between(time, Math.max(time, way.arrival)));
+  }
+
+  /** A ring with a cross around the robot that finds no way. @param {Context} context @param {number} robot @param {Palette} palette */
+  drawBlocked(context, robot, palette) {
     const [x, y] = this.view.place(this.session.poseAt(robot));
     const radius = reachOf(this.session.robots[robot].robot) * this.view.scaleX + 5;
-    setStroke(context, palette.collision, 1.4, [2, 4]);
-    for (const other of others) {
-      const [ox, oy] = this.view.place(this.session.poseAt(other));
-      context.beginPath();
-      addLine(context, x, y, ox, oy);
-      context.stroke();
-    }
     strokeWithHalo(context, [6, 2.4], palette.collision, palette, () => context.arc(x, y, radius, 0, 2 * Math.PI));
     setStroke(context, palette.collision, 2.4);
     cross(context, x + 0.72 * radius, y + 0.72 * radius, 4);
     drawLabel(context, "no way", x, y + radius + 13, palette.collision, palette);
   }
 
-  /** A ring around the chosen robot, and its whole way. @param {Context} context @param {number} i @param {Palette} palette */
+  /** An outline around the chosen robot. @param {Context} context @param {number} i @param {Palette} palette */
   drawSelected(context, i, palette) {
-    const { session: { shown, robots }, view } = this;
-    const way = shown[i];
+    const { session: { robots }, view } = this;
     const [x, y] = view.place(this.session.poseAt(i));
     const radius = reachOf(robots[i].robot) * view.scaleX + 4;
     context.lineJoin = "round";
-    setStroke(context, this.colours[i], 2.6, [7, 5]);
-    if (way) this.strokeLine(context, way.between(this.session.time, way.arrival));
-    setStroke(context, palette.ink, 2);
-    ring(context, x, y, radius);
-    if (this.roomOf(i) < READABLE) drawLabel(context, String(i + 1), x, y - radius - 9, this.colours[i], palette);
+    for (const part of this.partsOf(i)) {
+      if (part.type === "disc") strokeWithHalo(context, [5, 2.4], palette.ink, palette, () => context.arc(x, y, radius, 0, 2 * Math.PI));
+      else {
+        setStroke(context, palette.ink, 2.8);
+        partPath(context, view, part);
+        context.stroke();
+      }
+    }
+    if (this.roomOf(i) < READABLE && !this.isLong(i)) drawLabel(context, String(i + 1), x, y - radius - 9, this.colours[i], palette);
   }
 }
 

@@ -143,7 +143,8 @@ export class FleetSession extends Observable {
       if (isFirst) Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
       this.grow(progress);
       this.update(isFirst ? "plan" : "growth");
-      if (!isStill) await new Promise(requestAnimationFrame);
+      // As long as iterations are fast, there are so many in a frame.
+      if (!isStill && !progress.isLate) await new Promise(requestAnimationFrame);
     }
     this.time = Math.min(this.time, this.end);
     this.update("plan");
@@ -156,7 +157,7 @@ export class FleetSession extends Observable {
   }
 
   /** @param {Progress} progress */
-  grow({ trajectories, roadmaps, isAnew, ...progress }) {
+  grow({ trajectories, roadmaps, isAnew, isLate, ...progress }) {
     const { run } = this;
     if (isAnew) run.trajectories.fill(null);
     for (const { robot, rows } of trajectories) run.trajectories[robot] = new Trajectory(rows);

@@ -1,6 +1,6 @@
 /** The plan in sentences. */
 import { counted, grouped } from "../app/dom.js";
-import { num } from "../widgets/format.js";
+import { capital, num } from "../widgets/format.js";
 
 /** @import { FleetSession } from "./session.js" */
 
@@ -22,6 +22,9 @@ export function namesOf(session, all) {
   return `${rest.length > 0 ? words[0].replace(/^robot/, "robots") : words[0]}${words.slice(1, -1).map((word) => `, ${word}`).join("")} and ${words.at(-1)}`;
 }
 
+/** @param {number} count  of robots, two or more */
+function allOf(count) { return count === 2 ? "both" : `all ${grouped(count)}`; }
+
 /** @param {FleetSession} session @returns {string} */
 export function sentenceOf(session) {
   if (session.isStraight) return straightSentence(session);
@@ -35,7 +38,7 @@ export function sentenceOf(session) {
 function runningSentence({ run, robots, isOrdered }) {
   const vertices = counted(run.roadmaps.reduce((most, roadmap) => Math.max(most, roadmap.vertices.length / 3), 0), "vertex", "vertices");
   const { length } = robots;
-  if (!isOrdered) return `Two trees grow towards each other, for all ${length} robots at once: ${vertices}.`;
+  if (!isOrdered) return `Two trees grow towards each other, for ${allOf(length)} robots at once: ${vertices}.`;
   if (run.planned === 0 && run.isBuilding) {
     if (run.roadmaps.length > 1) return `${run.roadmaps.length} roadmaps grow, one for each kind of robot.`;
     return length === 1 ? `A roadmap grows: ${vertices}.` : `A roadmap grows, which all ${length} robots share: ${vertices}.`;
@@ -48,9 +51,9 @@ function solvedSentence({ run: { result }, robots, isOrdered, order }) {
   if (!result) return "";
   const { waits, stats: { restarts }, makespan } = result;
   const waiting = waits > 0.005 ? `Together they wait ${num(waits, 1)} s.` : "None has to wait.";
-  const all = robots.length === 1 ? "The robot reaches its goal" : `${robots.length === 2 ? "Both" : `All ${grouped(robots.length)}`} robots reach their goals`;
+  const all = robots.length === 1 ? "The robot reaches its goal" : `${capital(allOf(robots.length))} robots reach their goals`;
   const found = `${all} in ${num(makespan, 1)} s${robots.length === 1 ? "." : `, and no two of them touch at any time. ${waiting}`}`;
-  if (!isOrdered) return found.replace(waiting, "The composite planned for all of them at once.");
+  if (!isOrdered) return found.replace(waiting, `The composite planned for ${robots.length === 2 ? "both" : "all"} of them at once.`);
   return restarts > 0 && !order ? `${found} ${restarts === 1 ? "Another order was" : `${restarts} other orders were`} tried before this one.` : found;
 }
 

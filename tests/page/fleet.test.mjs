@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Fleet, fleetGenerators, fleetPlanners } from "planarium";
 import { Trajectory, straightOf } from "../../www/fleet/trajectory.js";
 import { SCENES } from "../../www/fleet/scenes.js";
-import { choose, download, dropFile, fill, linkOf, onPage, pickFile, pixelsOf, pressUntil, textMatches, useBrowser } from "./browser.mjs";
+import { choose, download, dropFile, fill, linkOf, onPage, pickFile, pictureOf, pixelsOf, pressUntil, useBrowser } from "./browser.mjs";
 import { assertRoom } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -106,11 +106,39 @@ test("at first a fleet is planned for and plays by itself; with reduced motion i
   });
 });
 
-test("the plan grows in view: samples, edges, then one robot after the other", () => onFleet(async (page) => {
-  await page.waitForSelector("#stage[data-status=running]");
-  await textMatches(page, "#story", /^A roadmap grows, which all 12 robots share: \d+ vert/);
-  assert.ok(await pixelsOf(page, "floor", "ground", "growth") > 0);
-  await page.waitForSelector("#stage[data-status=solved]");
+test("the roadmap grows in view, and can be hidden", () => onFleet(async (page) => {
+  await page.waitForSelector("#course-play[data-playing=true]");
+  const seen = await page.evaluate(() => new Promise((/** @type {(seen: { vertices: number[], story: string }) => void} */ resolve) => {
+    const stage = document.getElementById("stage") ?? document.body;
+    /** @type {Set<number>} */
+    const vertices = new Set();
+    let story = "";
+    const watch = new MutationObserver(() => {
+      const { status, robots } = stage.dataset;
+      if (robots !== "8") return;
+      if (status === "running") {
+        vertices.add(Number(stage.dataset.vertices));
+        story ||= document.getElementById("story")?.textContent ?? "";
+      }
+      if (status !== "solved") return;
+      watch.disconnect();
+      resolve({ vertices: [...vertices], story });
+    });
+    watch.observe(stage, { attributes: true });
+    /** @type {HTMLInputElement | null} */ (document.querySelector("input[value=crossroads]"))?.click();
+  }));
+  assert.match(seen.story, /^A roadmap grows, which all 8 robots share: \d+ vert/);
+  assert.ok(seen.vertices.length > 5, `${seen.vertices}`);
+  const { result: { stats } } = planned(fleetOf("crossroads"));
+  assert.ok(seen.vertices.every((count, i) => count <= stats.vertices && (i === 0 || count > seen.vertices[i - 1])), `${seen.vertices}`);
+  await page.waitForSelector("#course-play[data-playing=true]");
+  await page.click("#course-play");
+  await rest(page);
+  const inked = async () => Number((await pictureOf(page, "#floor canvas[data-layer=ground]"))[0].split(" ")[2]);
+  const before = await inked();
+  await page.click("#roadmap");
+  await rest(page);
+  assert.ok(await inked() < before);
 }, {}));
 
 test("a time is shown by slider, keys and the robots' times; who waits then is said", () => onFleet(async (page) => {
@@ -313,16 +341,29 @@ test("a fleet of one's own is opened, linked and exported with its plan; a bad o
   assert.equal((await told(page)).fingerprint, result.fingerprint);
 }));
 
-test("axe finds nothing, all fits, with a hundred robots and where an order fails; forced colours are honoured", () => onFleet(async (page) => {
-  await assertRoom(page, {
-    "a hundred robots, everything unfolded": async () => {
-      const { robots } = await chooseFleet(page, "crowd");
-      assert.equal(robots, "100");
-      assert.equal(await page.locator("#order > li").count(), 100);
-      await page.evaluate(() => { for (const details of document.querySelectorAll("details")) details.open = true; });
-      await page.click("#robot-7 .chip");
-      await seek(page, 5);
-    },
-    "an order that fails": () => chooseFleet(page, "swap", "exhausted"),
+test("a hundred robots have a row each; the list scrolls to the chosen one, and its way is shown", () => onFleet(async (page) => {
+  const { robots } = await chooseFleet(page, "crowd");
+  assert.equal(robots, "100");
+  assert.equal(await page.locator("#order > li").count(), 100);
+  await seek(page, 5);
+  const isInView = () => page.locator("#robot-100").evaluate((row) => {
+    const [inner, outer] = [row, row.closest("#lanes") ?? row].map((element) => element.getBoundingClientRect());
+    return inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1;
   });
+  assert.equal(await isInView(), false);
+  const before = await pictureOf(page, "#floor canvas[data-layer=top]");
+  await page.focus("#order");
+  await page.keyboard.press("End");
+  await rest(page);
+  assert.equal(await isInView(), true);
+  assert.notDeepEqual(await pictureOf(page, "#floor canvas[data-layer=top]"), before);
 }));
+
+test("axe finds nothing and all fits, unfolded, and where an order fails; forced colours are honoured", () => onFleet((page) => assertRoom(page, {
+  "everything unfolded": async () => {
+    await page.evaluate(() => { for (const details of document.querySelectorAll("details")) details.open = true; });
+    await page.click("#robot-7 .chip");
+    await seek(page, 5);
+  },
+  "an order that fails": () => chooseFleet(page, "swap", "exhausted"),
+})));

@@ -82,7 +82,7 @@ test("a link that does not work is said not to, in every room, which opens all t
     ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", [await encodeState(forest, () => {})], /The link cannot be opened/],
     ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["fleet", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
-    ["fleet", "body[data-settled=true] #stage[data-status=solved]", [await encodeState({ kind: "maze" }, () => {})], /The link cannot be opened/],
+    ["fleet", "body[data-settled=true] #stage[data-status=solved]", [await encodeState({ kind: "maze" }, () => {}), await encodeState({ given: { haste: 3 } }, () => {}), await encodeState({ order: [0, 900] }, () => {})], /The link cannot be opened/],
     ["experiments", "body[data-settled=true][data-phase=ready]", ["1broken"], /This link does not work/],
   ])) {
     for (const fragment of fragments) {

@@ -7,7 +7,7 @@
  * `data-verified` once it has been verified.
  */
 import { App } from "../app/app.js";
-import { byId, grouped, make } from "../app/dom.js";
+import { byId, counted, grouped, make } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { json } from "../app/files.js";
 import { useLink } from "../app/link.js";
@@ -30,7 +30,7 @@ import { nameOf, sentenceOf } from "./words.js";
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
 /** @import { Refusal } from "./panel.js" */
-/** @import { Change } from "./session.js" */
+/** @import { Change, Source } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** Seconds of an arrow key. */
@@ -69,11 +69,12 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
 
   const list = new RobotList(session, floor, { scrub, reorder: (order) => void attempt(session.reorder(order)) });
   showPanel(session, {
-    load: (source, onRefused) => {
-      app.notice.hide();
-      session.given = { prioritized: {}, composite: {} };
-      void attempt(session.load(source), onRefused).then(playOnce);
+    choose: (entry) => {
+      // A ready fleet is planned for as its text says.
+      Object.assign(session, { algorithm: "prioritized", given: { prioritized: {}, composite: {} } });
+      load(entry);
     },
+    load,
     plan: (onRefused) => void attempt(session.plan(false), onRefused).then(playOnce),
   });
   showConflicts(session, setStraight);
@@ -84,7 +85,6 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   });
   watchFiles(app, (name, bytes) => {
     app.notice.hide();
-    session.given = { prioritized: {}, composite: {} };
     void app.track(session.load({ name, document: new TextDecoder().decode(bytes) }), `${name} could not be opened.`).then(playOnce);
   });
   const names = { name: () => `fleet-${session.document?.name ?? ""}`, title: () => session.title };
@@ -108,8 +108,8 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     open: async (/** @type {State | null} */ state) => {
       transport.pause();
       if (state) await openState(session, state);
-      else if (!session.document) {
-        const begun = attempt(session.load(SCENES[0]));
+      else if (session.run.status === "none") {
+        const begun = attempt(session.load(session.document ? session.source : SCENES[0]));
         if (app.reducedMotion) await begun;
         else void begun.then(playOnce);
       }
@@ -122,6 +122,12 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
       if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
       return false;
     }));
+  }
+
+  /** @param {Source} source @param {Refusal} [onRefused] */
+  function load(source, onRefused) {
+    app.notice.hide();
+    void attempt(session.load(source), onRefused).then(playOnce);
   }
 
   /** Plays a plan that has just been found, unless less motion is wanted. @param {boolean | undefined} isDone */
@@ -172,7 +178,7 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     const waits = shown.reduce((sum, way) => sum + (way?.waits ?? 0), 0);
     const sum = shown.reduce((all, way) => all + (way?.arrival ?? 0), 0);
     app.write({
-      where: `${session.title} \u00b7 ${grouped(robots.length)} robots`,
+      where: `${session.title} \u00b7 ${counted(robots.length, "robot")}`,
       "fact-time": `${num(time, 1)} s`,
       "fact-makespan": isSolved || isStraight ? `${num(end, 2)} s` : "\u2013", "fact-sum": isSolved || isStraight ? `${num(sum, 1)} s` : "\u2013",
       "fact-waits": isSolved || isStraight ? `${num(waits, 1)} s` : "\u2013", "fact-waiting": waiting.length > 6 ? grouped(waiting.length) : waiting.join(", ") || "none",
@@ -182,7 +188,7 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     byId("fact-verified", HTMLElement).dataset.valid = String(isStraight ? "" : verification?.valid ?? "");
     const text = sentenceOf(session);
     app.say(text, { isBad: !isStraight && run.status === "exhausted", isSilent: change === "growth" || change === "time" });
-    figure.describe(`${robots.length} robots at ${num(time, 1)} s. ${text}`);
+    figure.describe(`${counted(robots.length, "robot")} at ${num(time, 1)} s. ${text}`);
   }
 
   /** Offers what may help where an order fails. */

@@ -11,14 +11,14 @@ import { SCENES } from "./scenes.js";
 /** @import { FleetGeneratorId, FleetPlannerId, GenerateFleetOptions } from "planarium" */
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { FleetSession, Change, Source } from "./session.js" */
-/** @import { Generated } from "./scenes.js" */
+/** @import { Entry, Generated } from "./scenes.js" */
 
 /** New seeds are below this: short enough to say aloud. */
 const SEEDS = 100_000;
 /** Options of a planner that are not folded away. */
 const SHOWN = ["seed"];
 
-/** @param {FleetSession} session @param {{ load: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void }} actions */
+/** @param {FleetSession} session @param {{ choose: (entry: Entry) => void, load: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void }} actions */
 export function showPanel(session, actions) {
   const { app } = session;
   const generators = fleetGenerators();
@@ -26,7 +26,7 @@ export function showPanel(session, actions) {
   const [kind, planner] = ["kind", "planner"].map((id) => byId(id, HTMLSelectElement));
   kind.append(...generators.map(({ id, title }) => make("option", { value: id }, title)));
   planner.append(...planners.map(({ id, title }) => make("option", { value: id }, title)));
-  const gallery = makeGallery(SCENES, (entry) => actions.load({ kind: entry.kind, options: entry.options }));
+  const gallery = makeGallery(SCENES, actions.choose);
   const drawAll = () => {
     for (const entry of SCENES) gallery.draw(entry.id, thumbnailOf(entry));
   };

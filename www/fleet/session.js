@@ -133,7 +133,7 @@ export class FleetSession extends Observable {
   async plan(isQuick = true) {
     const plans = ++this.plans;
     const { algorithm, given, order, robots, isOrdered } = this;
-    const id = await this.worker.begin(algorithm, given[algorithm], order && isOrdered ? order.map((robot) => robots[robot].name) : null);
+    const id = await this.worker.begin(algorithm, given[algorithm], order && isOrdered ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null);
     if (plans !== this.plans) return false;
     this.current = id;
     const isStill = isQuick || this.app.reducedMotion;

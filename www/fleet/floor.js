@@ -24,7 +24,7 @@ const MANY_EDGES = 4000;
 /** Robots from which on ways and ends are fainter. */
 const MANY_ROBOTS = 30;
 /** The least radius of a robot with a number, CSS pixels. */
-const READABLE = 6;
+const READABLE = 5;
 
 export class Floor {
   /** @param {FleetSession} session */

@@ -1,0 +1,116 @@
+/** The settings: a ready fleet, a generator with its options, a planner with its options. The forms are built from the core's tables. */
+import { Fleet, fleetGenerators, fleetPlanners, randomSeed } from "planarium";
+import { byId, make } from "../app/dom.js";
+import { withOptions } from "../domain/option-names.js";
+import { withSeed } from "../widgets/field.js";
+import { SIDE, makeGallery } from "../widgets/gallery.js";
+import { Options } from "../widgets/options.js";
+import { fleetThumbnail } from "./floor.js";
+import { SCENES } from "./scenes.js";
+
+/** @import { FleetGeneratorId, FleetPlannerId, GenerateFleetOptions } from "planarium" */
+/** @import { ParameterInfo, Settings } from "../domain/types.js" */
+/** @import { FleetSession, Change, Source } from "./session.js" */
+/** @import { Entry, Generated } from "./scenes.js" */
+
+/** New seeds are below this: short enough to say aloud. */
+const SEEDS = 100_000;
+/** Options of a planner that are not folded away. */
+const SHOWN = ["seed"];
+
+/** @param {FleetSession} session @param {{ choose: (entry: Entry) => void, load: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void }} actions */
+export function showPanel(session, actions) {
+  const { app } = session;
+  const generators = fleetGenerators();
+  const planners = fleetPlanners();
+  const [kind, planner] = ["kind", "planner"].map((id) => byId(id, HTMLSelectElement));
+  kind.append(...generators.map(({ id, title }) => make("option", { value: id }, title)));
+  planner.append(...planners.map(({ id, title }) => make("option", { value: id }, title)));
+  const gallery = makeGallery(SCENES, actions.choose);
+  const drawAll = () => {
+    for (const entry of SCENES) gallery.draw(entry.id, thumbnailOf(entry));
+  };
+  /** The kind whose form is shown, and the planner. */
+  let shown = { kind: "", planner: "" };
+  /** @type {Options | null} */
+  let options = null;
+  app.onTheme(drawAll);
+  drawAll();
+  kind.addEventListener("change", () => actions.load({ kind: /** @type {FleetGeneratorId} */ (kind.value), options: {} }));
+  planner.addEventListener("change", () => {
+    session.algorithm = /** @type {FleetPlannerId} */ (planner.value);
+    buildPlan();
+    actions.plan(() => false);
+  });
+  const newSeed = byId("new-seed", HTMLButtonElement);
+  newSeed.disabled = false;
+  newSeed.addEventListener("click", () => {
+    const { source } = session;
+    const seed = randomSeed() % SEEDS;
+    if ("kind" in source) actions.load({ kind: source.kind, options: { ...source.options, seed } });
+  });
+  session.onChange(show);
+
+  /** @param {Generated} generated */
+  function thumbnailOf(generated) {
+    const fleet = withOptions(generated.options, (/** @type {GenerateFleetOptions} */ named) => Fleet.generate(generated.kind, named));
+    const document = fleet.toJSON();
+    fleet.free();
+    return fleetThumbnail(document, SIDE, app.look);
+  }
+
+  function buildFleet() {
+    const { source } = session;
+    const host = byId("fleet-settings", HTMLElement);
+    byId("make", HTMLElement).hidden = !("kind" in source);
+    if (!("kind" in source)) return;
+    kind.value = source.kind;
+    const info = generators.find(({ id }) => id === source.kind) ?? generators[0];
+    app.write({ "kind-summary": info.summary });
+    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "fleet"));
+    const form = new Options(host, table, source.options, () => {
+      if (form.settings) actions.load({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
+    }, { prefix: "fleet" });
+    options = form;
+  }
+
+  function buildPlan() {
+    const { algorithm, given } = session;
+    planner.value = algorithm;
+    const info = planners.find(({ id }) => id === algorithm) ?? planners[0];
+    app.write({ "planner-summary": info.summary });
+    const form = new Options(byId("plan-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(info.parameters)), given[algorithm], () => {
+      if (!form.settings) return;
+      given[algorithm] = form.given;
+      actions.plan((pointer, reason) => form.refuse(pointer, reason));
+    }, { prefix: "plan", first: SHOWN });
+  }
+
+  /** @param {Change} change */
+  function show(change) {
+    if (change !== "fleet" && change !== "plan") return;
+    const { source, algorithm, canCompose } = session;
+    const entry = SCENES.find((one) => "kind" in source && one.kind === source.kind && sameOptions(one.options, source.options));
+    gallery.mark(entry?.id ?? null);
+    app.write({ what: entry?.what ?? "" });
+    if (change === "fleet") {
+      // The form that the change is from keeps its focus.
+      const key = "kind" in source ? source.kind : "";
+      if (key !== shown.kind || key === "" || !options || !sameOptions(options.given, /** @type {Generated} */ (source).options)) buildFleet();
+      shown.kind = key;
+    }
+    const [, composite] = planner.options;
+    composite.disabled = !canCompose;
+    byId("no-composite", HTMLElement).hidden = canCompose;
+    if (shown.planner !== algorithm || change === "fleet") buildPlan();
+    shown.planner = algorithm;
+  }
+}
+
+/** Shows beside its field why a value is refused. @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field */
+
+/** @param {Settings} a @param {Settings} b */
+function sameOptions(a, b) {
+  const text = (/** @type {Settings} */ settings) => JSON.stringify(Object.entries(settings).sort());
+  return text(a) === text(b);
+}

@@ -1,0 +1,202 @@
+/**
+ * The state of the page: a fleet, how it is planned for, the plan as far as it has grown, and the time that is shown. The worker
+ * plans; only the newest plan counts.
+ */
+import { Observable } from "../app/observable.js";
+import { Trajectory, poseOf, straightOf } from "./trajectory.js";
+
+/** @import { FleetConflict, FleetDocument, FleetPlannerId, FleetResult, FleetVerification, Status } from "planarium" */
+/** @import { App } from "../app/app.js" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Settings } from "../domain/types.js" */
+/** @import { Commands, Opened, Progress } from "./commands.js" */
+/** @import { Generated } from "./scenes.js" */
+/** @import { Pose } from "./trajectory.js" */
+
+/** "growth": the plan grows; "plan": it has ended, or begins anew; "shown": other trajectories are shown. @typedef {"fleet" | "growth" | "plan" | "shown" | "time" | "selected"} Change */
+/** Where a fleet is from. @typedef {Generated | { name: string, document: object | string }} Source */
+/** x, y, theta of each vertex; two vertices of each edge. @typedef {{ vertices: number[], edges: number[] }} Roadmap */
+
+/**
+ * @typedef {object} Run
+ * @property {Status | "none"} status
+ * @property {number} iterations
+ * @property {number} planned
+ * @property {number[]} order
+ * @property {number[]} blocked   the robot that finds no way, then those in its way
+ * @property {Roadmap[]} roadmaps
+ * @property {boolean} isBuilding  vertices or edges were added last
+ * @property {(Trajectory | null)[]} trajectories
+ * @property {FleetResult | null} result
+ * @property {FleetVerification | null} verification
+ */
+
+/** Iterations of the first frame in which a plan grows, and how many more there are in each next one. */
+const FIRST = 4;
+const MORE = 1.06;
+/** The composite plans for so many robots, with so many coordinates at most. */
+const TOGETHER = [2, 3];
+const COORDINATES = 8;
+
+/** @param {number} robots @returns {Run} */
+function nothing(robots) {
+  return {
+    status: "none", iterations: 0, planned: 0, order: Array.from({ length: robots }, (_, i) => i), blocked: [], roadmaps: [], isBuilding: true,
+    trajectories: Array.from({ length: robots }, () => null), result: null, verification: null,
+  };
+}
+
+/** @extends {Observable<Change>} */
+export class FleetSession extends Observable {
+  /** @param {App} app @param {Remote<Commands>} worker */
+  constructor(app, worker) {
+    super(app);
+    this.worker = worker;
+    /** @type {Source} */
+    this.source = { kind: "ring", options: {} };
+    this.title = "";
+    /** @type {FleetDocument | null} */
+    this.document = null;
+    /** The conflicts if all drive straight at once, and their trajectories then. @type {FleetConflict[]} */
+    this.conflicts = [];
+    /** @type {Trajectory[]} */
+    this.straight = [];
+    /** @type {FleetPlannerId} */
+    this.algorithm = "prioritized";
+    /** The options of each planner that differ from the defaults. @type {Record<FleetPlannerId, Settings>} */
+    this.given = { prioritized: {}, composite: {} };
+    /** The order of priorities that was asked for, if any. @type {number[] | null} */
+    this.order = null;
+    this.run = nothing(0);
+    /** Plans begun and fleets asked for. */
+    this.plans = 0;
+    this.requests = 0;
+    /** The planner whose growth is shown, by its number in the worker. */
+    this.current = 0;
+    /** Seconds. */
+    this.time = 0;
+    /** Whether all drive straight at once, in place of the plan. */
+    this.isStraight = false;
+    this.hasRoadmap = true;
+    /** @type {number | null} */
+    this.selected = null;
+  }
+
+  get robots() { return this.document?.robots ?? []; }
+
+  /** The trajectories that are shown. @returns {(Trajectory | null)[]} */
+  get shown() { return this.isStraight ? this.straight : this.run.trajectories; }
+
+  /** When the last robot arrives, as far as is known. */
+  get end() { return this.shown.reduce((end, one) => Math.max(end, one?.arrival ?? 0), 0); }
+
+  /** Whether the composite can plan for this fleet. */
+  get canCompose() {
+    const { length } = this.robots;
+    return length >= TOGETHER[0] && length <= TOGETHER[1] && this.robots.reduce((sum, { start }) => sum + start.length, 0) <= COORDINATES;
+  }
+
+  /** Whether robots can be put into order. */
+  get isOrdered() { return this.algorithm === "prioritized"; }
+
+  /** @param {number} robot @param {number} [time] @returns {Pose} */
+  poseAt(robot, time = this.time) { return this.shown[robot]?.at(time) ?? poseOf(this.robots[robot].start); }
+
+  /** The conflicts at the time shown, if all drive straight. */
+  get touching() { return this.isStraight ? this.conflicts.filter(({ from, to }) => from <= this.time && this.time < (to ?? Infinity)) : []; }
+
+  /**
+   * Opens a fleet and plans for it.
+   * @param {Source} source @param {{ order?: number[] | null, isQuick?: boolean }} [how]  `isQuick`: without showing how it grows
+   * @returns {Promise<boolean>} whether it was not replaced meanwhile
+   * @throws {Error} it is refused, and the fleet before stays
+   */
+  async load(source, { order = null, isQuick = false } = {}) {
+    const request = ++this.requests;
+    const opened = await this.worker.open("kind" in source ? { kind: source.kind, options: source.options } : { document: source.document });
+    if (request !== this.requests) return false;
+    this.enter(source, opened, order);
+    return this.plan(isQuick);
+  }
+
+  /** @param {Source} source @param {Opened} opened @param {number[] | null} order */
+  enter(source, { document, title, conflicts }, order) {
+    Object.assign(this, {
+      source, document, title, conflicts, order, straight: document.robots.map(straightOf), run: nothing(document.robots.length), current: 0, time: 0, isStraight: false,
+      selected: null,
+    });
+    if (!this.canCompose) this.algorithm = "prioritized";
+    this.update("fleet");
+  }
+
+  /** Plans with the planner, its options and the order as they are. @param {boolean} [isQuick] @returns {Promise<boolean>} whether it came to its end @throws {Error} they are refused */
+  async plan(isQuick = true) {
+    const plans = ++this.plans;
+    const { algorithm, given, order, robots, isOrdered } = this;
+    const id = await this.worker.begin(algorithm, given[algorithm], order && isOrdered ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null);
+    if (plans !== this.plans) return false;
+    this.current = id;
+    const isStill = isQuick || this.app.reducedMotion;
+    for (let count = FIRST, isFirst = true; this.run.status === "running" || isFirst; count *= MORE, isFirst = false) {
+      const progress = await this.worker.advance(id, isStill ? Infinity : Math.ceil(count));
+      if (!progress || this.current !== id) return false;
+      if (isFirst) Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
+      this.grow(progress);
+      this.update(isFirst ? "plan" : "growth");
+      // As long as iterations are fast, there are so many in a frame.
+      if (!isStill && !progress.isLate) await new Promise(requestAnimationFrame);
+    }
+    this.time = Math.min(this.time, this.end);
+    this.update("plan");
+    if (this.run.status !== "solved") return true;
+    const verification = await this.worker.verify(id);
+    if (this.current !== id) return false;
+    this.run.verification = verification;
+    this.update("growth");
+    return true;
+  }
+
+  /** @param {Progress} progress */
+  grow({ trajectories, roadmaps, isAnew, isLate, ...progress }) {
+    const { run } = this;
+    if (isAnew) run.trajectories.fill(null);
+    for (const { robot, rows } of trajectories) run.trajectories[robot] = new Trajectory(rows);
+    run.isBuilding = roadmaps.some(({ vertices, edges }) => vertices.length + edges.length > 0);
+    roadmaps.forEach((grown, i) => {
+      const roadmap = run.roadmaps[i] ??= { vertices: [], edges: [] };
+      for (const value of grown.vertices) roadmap.vertices.push(value);
+      for (const vertex of grown.edges) roadmap.edges.push(vertex);
+    });
+    Object.assign(run, progress);
+  }
+
+  /** Plans with another planner. @param {FleetPlannerId} algorithm @returns {Promise<boolean>} */
+  use(algorithm) {
+    this.algorithm = algorithm;
+    return this.plan(false);
+  }
+
+  /** Plans in an order; null: in that of the document, and in others if it fails. @param {number[] | null} order @returns {Promise<boolean>} */
+  reorder(order) {
+    this.order = order;
+    return this.plan();
+  }
+
+  /** @param {number} time */
+  setTime(time) {
+    this.time = Math.min(Math.max(0, time), this.end);
+    this.update("time");
+  }
+
+  /** Shows how all drive straight at once, or the plan. @param {boolean} isStraight @param {number} [time] */
+  setStraight(isStraight, time = 0) {
+    Object.assign(this, { isStraight, time });
+    this.update("shown");
+  }
+
+  /** @param {number | null} robot */
+  select(robot) {
+    this.selected = robot;
+    this.update("selected");
+  }
+}

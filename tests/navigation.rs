@@ -5,8 +5,7 @@ use crate::common::documents::refuses;
 use crate::common::{given, golden};
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, Executor, Method, Navigation, Outcome, Policy, Training, assess, edge_rollouts, generate, navigate,
-    start,
+    Comparison, Executor, Navigation, Outcome, Policy, Training, assess, edge_rollouts, generate, navigate, start,
 };
 use planarium::problem::Status;
 use planarium::robot::Part;
@@ -305,6 +304,7 @@ fn there_is_no_way_through_a_wall() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn prm_rl_executes_long_queries_that_the_policy_alone_does_not() {
+    use planarium::navigation::Method;
     let queries = if crate::common::deep() { "queries=50 trials=10" } else { "queries=10 trials=4" };
     for seed in [1, 2, 3] {
         let task = generate("rooms", &json!({ "seed": seed })).expect("rooms");

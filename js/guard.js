@@ -15,7 +15,7 @@ import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
 /** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
 const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
-  Planner: "scenario.planner(options), scenario.resume(roadmap, options) or problem.planner(options)",
+  Planner: "the methods planner and resume of a Scenario or a Problem",
   Reach: "scenario.reach(options)",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",

@@ -26,7 +26,7 @@ struct Document {
     /// A number; `null` if it is infinite.
     radius: Value,
     edge_check: EdgeCheck,
-    /// Present if, and only if, edges are sampled.
+    /// Present if edges are sampled by number.
     #[serde(skip_serializing_if = "Option::is_none")]
     edge_samples: Option<u32>,
     tolerance: f64,
@@ -47,7 +47,7 @@ impl RoadmapDocument {
             dimension: self.dimension() as u64,
             circles: self.circles.clone(),
             planner: self.planner.clone(),
-            metric: serde_json::to_value(self.metric).expect("words and numbers are JSON"),
+            metric: serde_json::to_value(&self.metric).expect("words and numbers are JSON"),
             k: self.k,
             radius: self.radius.into(),
             edge_check: self.edge_check,

@@ -1,5 +1,6 @@
 //! What a roadmap was built for, as 64 bits: a scenario, or the space of a robot of one's own.
 
+use super::RoadmapMetric;
 use crate::graph::Fingerprint;
 use crate::run::SpaceDescription;
 use crate::scenario::Scenario;
@@ -19,10 +20,10 @@ pub fn fingerprint(scenario: &Scenario) -> u64 {
     hash.value()
 }
 
-/// The same over a space that is described in full. The functions of its robot have none.
+/// The same over the space of a robot of one's own, described in full. Its function has no fingerprint.
 pub(crate) fn fingerprint_of_space(space: &SpaceDescription) -> u64 {
     let mut hash = Fingerprint::default();
-    add(&mut hash, &serde_json::to_value(space).expect("a space has a form in JSON"));
+    add(&mut hash, &RoadmapMetric::Space(space.clone()).to_tree()["space"]);
     hash.value()
 }
 

@@ -6,6 +6,7 @@ use crate::run::SpaceDescription;
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// The metric of a roadmap, with everything needed to compute the length of an edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -62,9 +63,20 @@ impl RoadmapMetric {
         serde_json::to_string(self).expect("words and numbers are JSON")
     }
 
+    /// The JSON form as a tree.
+    pub(super) fn to_tree(&self) -> Value {
+        serde_json::from_str(&self.to_json()).expect("it has just been written")
+    }
+
     /// Reads the JSON form.
     pub(super) fn parse(text: &str) -> Result<Self, Error> {
-        serde_json::from_str(text).map_err(|_| damaged("/metric", format!("{text} is no metric of a roadmap")))
+        let refuse = |_| damaged("/metric", format!("{text} is no metric of a roadmap"));
+        serde_json::from_str(text).map_err(refuse).and_then(|tree| Self::read(&tree))
+    }
+
+    /// Reads the JSON form from a tree.
+    pub(super) fn read(tree: &Value) -> Result<Self, Error> {
+        Self::deserialize(tree).map_err(|_| damaged("/metric", format!("{tree} is no metric of a roadmap")))
     }
 
     /// Refuses weights and radii that make no metric, and a space with other coordinates than those of the vertices.

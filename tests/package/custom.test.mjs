@@ -81,7 +81,7 @@ test("a saved roadmap is continued where the space is the same and all of it is 
       assert.deepEqual(resumed.query([0.7, 1, 3.3, 3], [3.3, 3, 0.7, 1]).path, planner.query([0.7, 1, 3.3, 3], [3.3, 3, 0.7, 1]).path);
     }
     assert.match(planner.roadmap("graphml"), /<graphml/);
-    fails(() => other.resume(text), "other-scenario", "/edge_check");
+    fails(() => other.resume(text), "other-scenario", "/edgeCheck");
     fails(() => problem.resume(text, { samples: 5 }), "unsupported", "/samples");
     fails(() => problem.resume(text.replace('"k":8', '"k":9')), "invalid-roadmap", "/checksum");
     fails(() => Scenario.parse(arm).resume(text), "other-scenario", "/fingerprint");

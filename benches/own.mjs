@@ -3,9 +3,11 @@
  *
  *   node benches/own.mjs [SEEDS] [FILE...]   scenarios of arms in place of the generated ones
  *
- * For each arm: milliseconds to the first path by RRT-Connect, median; that time over the time in the function; how many
- * configurations it got, in how many calls. The last row of an arm is OxMPL's package for JavaScript with the same function, which it
- * calls for one configuration at a time.
+ * For each arm: milliseconds to the first path by RRT-Connect; the same of a run whose function only copies the results recorded before,
+ * which is planner and crossing alone; and of the function alone, called from a loop with the batches recorded before. Each run is measured
+ * several times, in turn with the others, and each number is the median over the seeds of the median of a seed, as is the ratio of the first time to the
+ * last. Then how many configurations the function got, in how many calls. The last row of an arm is OxMPL's package for JavaScript
+ * with the same function, which it calls for one configuration at a time.
  */
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
@@ -14,7 +16,9 @@ import { digits, quantile, table } from "./peers/report.mjs";
 import { oxmplInJavaScript } from "./peers/sides.mjs";
 
 /** @typedef {import("planarium").ScenarioDocument} Document */
-/** @typedef {{ milliseconds: number, inside: number, calls: number, configurations: number }} Run */
+/** What a function got and wrote. @typedef {{ rows: Float64Array, results: Float64Array }} Batch */
+/** A run of a seed, without its construction; it returns how to free it. @typedef {(seed: number) => () => (() => void) | void} Plan */
+/** A way to tell what is free; without `record` it is told by a document. @typedef {{ plan: Plan, record?: (seed: number) => Batch[], replay?: (batches: Batch[]) => Plan, alone?: (batches: Batch[]) => void }} Way */
 
 /** The distance of two neighbouring samples, radians in the sum metric: as the peers sample. */
 const RESOLUTION = 0.05;
@@ -66,35 +70,67 @@ function distanceOf({ world: { obstacles }, robot }) {
   };
 }
 
-/** The arm of a document as a problem; `note` is told how long each call took. @param {Document} document @param {boolean} isProven @param {(milliseconds: number, count: number) => void} note */
-function told(document, isProven, note) {
-  const { robot, queries } = document;
-  if (robot.type !== "arm") throw new Error("only arms are told here");
-  const { links } = robot;
-  const n = links.length;
-  const distance = distanceOf(document);
-  const evaluate = (/** @type {Float64Array} */ rows, /** @type {Float64Array} */ results) => {
-    const began = performance.now();
-    for (let i = 0; i < results.length; i += 1) results[i] = isProven ? distance(rows, n * i) : Number(distance(rows, n * i, 1e-9) > 0);
-    note(performance.now() - began, results.length);
-  };
-  const [{ start, goal }] = queries;
-  if (goal === undefined) throw new Error("the first query has a target");
-  const space = { coordinates: links.map(() => /** @type {const} */ ({ kind: "circle" })), metric: /** @type {const} */ ("sum") };
-  const reach = links.map((_, i) => links.slice(i).reduce((sum, length) => sum + length, 0));
-  return new Problem({ space, start, goal, ...(isProven ? { clearance: evaluate, reach } : { isFree: evaluate, resolution: RESOLUTION }) });
-}
-
-/** Plans with a seed; the time of its construction does not count. @typedef {(seed: number) => () => void} Plan */
-
 /** The planner of a problem. @param {Problem | Scenario} problem @returns {Plan} */
 function ours(problem) {
   return (seed) => {
     const planner = problem.planner({ algorithm: "rrt-connect", seed });
     return () => {
       if (planner.step(100_000) !== "solved") throw new Error(`seed ${seed}: no path`);
-      planner.free();
+      return () => planner.free();
     };
+  };
+}
+
+/** The arm of a document as a problem. @param {Document} document @param {boolean} isProven @returns {Way} */
+function told(document, isProven) {
+  const { robot, queries } = document;
+  if (robot.type !== "arm") throw new Error("only arms are told here");
+  const { links } = robot;
+  const n = links.length;
+  const distance = distanceOf(document);
+  const evaluate = (/** @type {Float64Array} */ rows, /** @type {Float64Array} */ results) => {
+    for (let i = 0; i < results.length; i += 1) results[i] = isProven ? distance(rows, n * i) : Number(distance(rows, n * i, 1e-9) > 0);
+  };
+  const [{ start, goal }] = queries;
+  if (goal === undefined) throw new Error("the first query has a target");
+  const space = { coordinates: links.map(() => /** @type {const} */ ({ kind: "circle" })), metric: /** @type {const} */ ("sum") };
+  const reach = links.map((_, i) => links.slice(i).reduce((sum, length) => sum + length, 0));
+  const problem = (/** @type {typeof evaluate} */ by) => new Problem({ space, start, goal, ...(isProven ? { clearance: by, reach } : { isFree: by, resolution: RESOLUTION }) });
+  /** @type {Batch[]} */
+  let noted = [];
+  const noting = problem((rows, results) => {
+    evaluate(rows, results);
+    noted.push({ rows: rows.slice(), results: results.slice() });
+  });
+  /** @type {Batch[]} */
+  let played = [];
+  let next = 0;
+  const replaying = problem((rows, results) => {
+    if (next === played.length) return evaluate(rows, results); // start and goal, before the run
+    const known = played[next].results;
+    next += 1;
+    for (let i = 0; i < known.length; i += 1) results[i] = known[i];
+  });
+  return {
+    plan: ours(problem(evaluate)),
+    record(seed) {
+      const run = ours(noting)(seed);
+      noted = [];
+      run()?.();
+      return noted;
+    },
+    replay: (batches) => (seed) => {
+      const run = ours(replaying)(seed);
+      return () => {
+        [played, next] = [batches, 0];
+        const free = run();
+        [played, next] = [[], 0];
+        return free;
+      };
+    },
+    alone(batches) {
+      for (const { rows, results } of batches) evaluate(rows, results);
+    },
   };
 }
 
@@ -103,10 +139,9 @@ function ours(problem) {
  * the same resolution it evaluates fewer samples. The range is OMPL's default.
  * @param {any} oxmpl
  * @param {Document} document
- * @param {(milliseconds: number, count: number) => void} note
- * @returns {Plan}
+ * @returns {Way}
  */
-function theirs(oxmpl, document, note) {
+function theirs(oxmpl, document) {
   const { robot, queries: [{ start, goal }] } = document;
   if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are told here");
   const n = robot.links.length;
@@ -129,66 +164,82 @@ function theirs(oxmpl, document, note) {
     sampleGoal: () => stateAt(goal),
   });
   const row = new Float64Array(n);
-  const checker = new oxmpl.StateValidityChecker((/** @type {any} */ state) => {
+  /** @type {Batch[]} */
+  let noted = [];
+  const isFree = (/** @type {any} */ state) => {
     for (let i = 0; i < n; i += 1) row[i] = state.getComponent(i).value;
-    const began = performance.now();
-    const isFree = distance(row, 0, 1e-9) > 0;
-    note(performance.now() - began, 1);
-    return isFree;
+    return distance(row, 0, 1e-9) > 0;
+  };
+  const checker = new oxmpl.StateValidityChecker(isFree);
+  const noting = new oxmpl.StateValidityChecker((/** @type {any} */ state) => {
+    const found = isFree(state);
+    noted.push({ rows: row.slice(), results: new Float64Array(1) });
+    return found;
   });
   const problem = oxmpl.ProblemDefinition.fromCompoundState(space, stateAt(start), region);
-  return (seed) => {
+  const run = (/** @type {number} */ seed, /** @type {any} */ by) => {
     const planner = new oxmpl.RRTConnect(0.2 * Math.PI * Math.sqrt(n), 0, problem, new oxmpl.PlannerConfig(seed));
-    planner.setup(checker);
+    planner.setup(by);
     return () => { planner.solve(10); };
+  };
+  return {
+    plan: (seed) => run(seed, checker),
+    record(seed) {
+      noted = [];
+      run(seed, noting)();
+      return noted;
+    },
+    alone(batches) {
+      for (const { rows, results } of batches) results[0] = Number(distance(rows, 0, 1e-9) > 0);
+    },
   };
 }
 
-/** A run, after a warm-up. @param {Plan} plan @param {number} seed @param {Run} run  counts up meanwhile */
-function measured(plan, seed, run) {
-  Object.assign(run, { milliseconds: 0, inside: 0, calls: 0, configurations: 0 });
-  const solve = plan(seed);
+/** Milliseconds. @param {() => (() => void) | void} run */
+function timed(run) {
   const began = performance.now();
-  solve();
-  run.milliseconds = performance.now() - began;
-  return { ...run };
+  const free = run();
+  const milliseconds = performance.now() - began;
+  free?.();
+  return milliseconds;
 }
 
-const [seeds = "30", ...files] = process.argv.slice(2);
+const [seeds = "100", ...files] = process.argv.slice(2);
 const scenarios = files.length > 0
   ? files.map((file) => ({ name: basename(file, ".json"), scenario: Scenario.parse(readFileSync(file, "utf8")) }))
   : [2, 3, 4].map((links) => ({ name: `forest of ${links} joints`, scenario: Scenario.generate("forest", { links, seed: 7 }) }));
+/** How often each seed is measured; the first few warm up. */
+const ROUNDS = 15, WARM = 5;
 
 const oxmpl = await oxmplInJavaScript();
+const median = (/** @type {number[]} */ values) => quantile(values, 0.5);
 /** @type {string[][]} */
 const rows = [];
 for (const { name, scenario } of scenarios) {
   const document = scenario.document();
-  /** @type {Run} */
-  const run = { milliseconds: 0, inside: 0, calls: 0, configurations: 0 };
-  const note = (/** @type {number} */ milliseconds, /** @type {number} */ count) => {
-    run.inside += milliseconds;
-    run.calls += 1;
-    run.configurations += count;
-  };
-  /** @type {[string, Plan][]} */
-  const plans = [
-    ["isFree", ours(told(document, false, note))], ["clearance", ours(told(document, true, note))], ["as a scenario", ours(scenario)],
-    ["OxMPL, isFree", theirs(oxmpl, document, note)],
-  ];
-  for (const [, plan] of plans) for (let seed = 0; seed < 20; seed += 1) measured(plan, 1000 + seed, run);
-  // In turn, so that the load of the machine is the same for all.
-  /** @type {Run[][]} */
-  const allRuns = plans.map(() => []);
-  for (let seed = 0; seed < Number(seeds); seed += 1) plans.forEach(([, plan], i) => allRuns[i].push(measured(plan, seed, run)));
-  for (const [i, [how]] of plans.entries()) {
-    const runs = allRuns[i];
-    const sum = (/** @type {keyof Run} */ of) => runs.reduce((all, one) => all + one[of], 0);
-    const isOwn = how !== "as a scenario";
+  /** @type {[string, Way][]} */
+  const ways = [["isFree", told(document, false)], ["clearance", told(document, true)], ["as a scenario", { plan: ours(scenario) }], ["OxMPL, isFree", theirs(oxmpl, document)]];
+  const all = Array.from({ length: Number(seeds) }, (_, seed) => ways.map(([, { plan, record, replay, alone }]) => {
+    const batches = record?.(seed) ?? [];
+    /** @type {[string, () => number][]} */
+    const measures = [["whole", () => timed(plan(seed))]];
+    if (replay) measures.push(["planner", () => timed(replay(batches)(seed))]);
+    if (alone) measures.push(["alone", () => timed(() => alone(batches))]);
+    return { batches, measures: measures.map(([what, measure]) => ({ what, measure, times: /** @type {number[]} */ ([]) })) };
+  }));
+  for (let round = 0; round < ROUNDS; round += 1) {
+    for (const { measures } of all.flat()) for (const { measure, times } of measures) times.push(measure());
+  }
+  for (const [i, [how]] of ways.entries()) {
+    const runs = all.map((of) => of[i]);
+    const of = (/** @type {string} */ wanted) => runs.flatMap(({ measures }) => measures.filter(({ what }) => what === wanted).map(({ times }) => median(times.slice(WARM))));
+    const [whole, planner, alone] = ["whole", "planner", "alone"].map(of);
+    const mean = (/** @type {(batches: Batch[]) => number} */ count) => digits(runs.reduce((sum, { batches }) => sum + count(batches), 0) / runs.length);
     rows.push([
-      name, how, digits(quantile(runs.map(({ milliseconds }) => milliseconds), 0.5)), isOwn ? digits(quantile(runs.map(({ milliseconds, inside }) => milliseconds / inside), 0.5)) : "-",
-      ...(isOwn ? [digits(sum("configurations") / runs.length), digits(sum("calls") / runs.length)] : ["-", "-"]),
+      name, how, digits(median(whole)), planner.length ? digits(median(planner)) : "-",
+      ...(alone.length ? [digits(median(alone)), digits(median(whole.map((time, seed) => time / alone[seed])))] : ["-", "-"]),
+      ...(alone.length ? [mean((batches) => batches.reduce((sum, { results }) => sum + results.length, 0)), mean((batches) => batches.length)] : ["-", "-"]),
     ]);
   }
 }
-console.log(table(["arm", "what is free", "ms, median", "time / time in the function", "configurations", "calls"], rows));
+console.log(table(["arm", "what is free", "ms", "planner, crossing: ms", "function alone: ms", "whole / function", "configurations", "calls"], rows));

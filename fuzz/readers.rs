@@ -5,12 +5,15 @@
 use planarium::certificate::{self, Certificate};
 use planarium::error::Code;
 use planarium::experiment::{Experiment, Trials};
+use planarium::fleet::{self, Fleet, FleetOptions, FleetPlanner, FleetResult};
+use planarium::options::Value;
 use planarium::path::{ResultDocument, Verdict, verify};
-use planarium::run::storage::{MAGIC, RoadmapDocument};
-use planarium::run::{self, Options, Run};
+use planarium::problem::Status;
+use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric};
+use planarium::run::{self, CustomProblem, Free, Options, Run};
 use planarium::scenario::Scenario;
 use planarium::{Error, PlanningWorld};
-use serde_json::Value;
+use serde_json::Value as Json;
 use std::sync::{Arc, LazyLock};
 
 #[path = "../src/bin/planarium/npy.rs"]
@@ -18,6 +21,8 @@ mod npy_file;
 
 /// The iterations of a run.
 const ITERATIONS: u64 = 40;
+/// The iterations of a planner of a fleet, a multiple of 7.
+const FLEET_ITERATIONS: u64 = 700;
 
 /// A scenario: its normal form reads back as the same, and a short run keeps the laws of stepping and proof.
 pub fn scenario(bytes: &[u8]) {
@@ -77,6 +82,32 @@ pub fn roadmap(bytes: &[u8]) {
             assert!(run.roadmap().is_some(), "world {i}");
         }
     }
+    own_roadmap(&document);
+}
+
+/// Continues the roadmap of a robot of one's own, all of whose space is free, and that of its fingerprint made right.
+fn own_roadmap(document: &RoadmapDocument) {
+    let (RoadmapMetric::Space(space), Some(q)) = (&document.metric, document.rows().next()) else { return };
+    let clearance = Free::by_clearance(|_, clearances| {
+        clearances.fill(f64::INFINITY);
+        Ok(())
+    });
+    let samples = Free::by_samples(None, |_, free| {
+        free.fill(true);
+        Ok(())
+    });
+    for free in [clearance, samples] {
+        let Ok(problem) = CustomProblem::new(space.clone(), free, q, &[q.to_vec()]) else { return };
+        let _ = run::resume_problem(&problem, &Options::default(), document).map(|mut run| run.step(ITERATIONS));
+        let none = [("samples".to_owned(), Value::Number(0.0))];
+        let options = Options { planner: Some("prm".to_owned()), parameters: none.into(), ..Options::default() };
+        let own = run::start_problem(&problem, &options).expect("it is free").roadmap().expect("a roadmap");
+        let document = RoadmapDocument { fingerprint: own.fingerprint, ..document.clone() };
+        let Ok(mut run) = run::resume_problem(&problem, &Options::default(), &document) else { continue };
+        run.step(ITERATIONS);
+        let again = run.roadmap().expect("a roadmap");
+        assert_eq!(RoadmapDocument::from_bytes(&again.to_bytes()).as_ref(), Ok(&again));
+    }
 }
 
 /// A result or a certificate: what it claims is judged, in every world.
@@ -98,6 +129,53 @@ pub fn judged(bytes: &[u8]) {
     }
 }
 
+/// A fleet, or a plan of one: a fleet reads back as the same, slices change no plan of it, and a plan is valid for the verifier; a plan
+/// that is read is judged in every fleet.
+pub fn fleet(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if let Some(fleet) = read(text, Fleet::parse) {
+        let normal = fleet.to_json_string();
+        let again = Fleet::parse(&normal).expect("the normal form is a fleet");
+        assert_eq!((&again, again.to_json_string()), (&fleet, normal));
+        let samples = ("samples".to_owned(), Value::Number(ITERATIONS as f64));
+        for (id, parameters) in [("prioritized", vec![samples]), ("composite", Vec::new())] {
+            let options = FleetOptions { planner: Some(id.to_owned()), parameters, ..FleetOptions::default() };
+            let Ok(mut whole) = FleetPlanner::new(&fleet, &options) else { continue };
+            let mut sliced = FleetPlanner::new(&fleet, &options).expect("it has just begun");
+            whole.step(FLEET_ITERATIONS);
+            (0..FLEET_ITERATIONS / 7).for_each(|_| {
+                sliced.step(7);
+            });
+            assert_plan(&fleet, &whole.result(), &sliced.result());
+        }
+    }
+    if let Some(result) = read(text, FleetResult::parse) {
+        assert_eq!(FleetResult::parse(&result.to_json()).as_ref(), Ok(&result));
+        for fleet in FLEETS.iter() {
+            // That of another fleet is refused; so it is made one of this.
+            let mut result = FleetResult { fleet: fleet.name().to_owned(), ..result.clone() };
+            let _ = fleet::verify(fleet, &result);
+            result.status = Status::Solved;
+            result.robots.truncate(fleet.robots().len());
+            result.robots.iter_mut().zip(fleet.robots()).for_each(|(of, robot)| of.name.clone_from(&robot.name));
+            if let Ok(verification) = fleet::verify(fleet, &result) {
+                let is_clean = verification.conflicts.is_empty() && verification.faults.is_empty();
+                assert_eq!(verification.is_valid(), is_clean);
+            }
+        }
+    }
+}
+
+/// The plan in one slice is that in many, reads back as the same, and is valid if there is one.
+fn assert_plan(fleet: &Fleet, whole: &FleetResult, sliced: &FleetResult) {
+    assert_eq!(whole, sliced, "slices change nothing");
+    assert_eq!(FleetResult::parse(&whole.to_json()).as_ref(), Ok(whole));
+    if whole.status == Status::Solved {
+        let verification = fleet::verify(fleet, whole).expect("a plan of this fleet");
+        assert!(verification.is_valid(), "{verification:?}: {}", whole.to_json());
+    }
+}
+
 /// A NumPy array: its rows are whole, and no longer than the file.
 pub fn npy(bytes: &[u8]) {
     let Ok(table) = npy_file::read(bytes) else { return };
@@ -116,13 +194,19 @@ pub static WORLDS: LazyLock<[PlanningWorld; 4]> = LazyLock::new(|| {
     texts.map(|text| (&Scenario::parse(text).expect("a scenario")).into())
 });
 
+/// A fleet of discs, and one of bodies.
+static FLEETS: LazyLock<[Fleet; 2]> = LazyLock::new(|| {
+    let texts = [include_str!("corpus/fleet/discs.json"), include_str!("corpus/fleet/bodies.json")];
+    texts.map(|text| Fleet::parse(text).expect("a fleet"))
+});
+
 /// What a reader makes of a text. If it refuses it, then with a pointer to something in it, or to what is missing there.
 fn read<T>(text: &str, parse: impl Fn(&str) -> Result<T, Error>) -> Option<T> {
     let error = parse(text).err();
     let Some(error) = error else { return parse(text).ok() };
     assert!(!error.message().is_empty());
     let is_whole = !matches!(error.code(), Code::InvalidJson | Code::DuplicateField | Code::TooLarge);
-    if let Some(tree) = serde_json::from_str::<Value>(text).ok().filter(|_| is_whole)
+    if let Some(tree) = serde_json::from_str::<Json>(text).ok().filter(|_| is_whole)
         && let Some((above, _)) = error.pointer().rsplit_once('/')
     {
         assert!(tree.pointer(above).is_some(), "{error}");

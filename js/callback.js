@@ -51,8 +51,8 @@ export function functionsOf(description) {
   return functions;
 }
 
-/** How a batch has ended: evaluated; the function has returned something, or moved the arrays away; it has thrown. */
-const DONE = 0, UNSOUND = 1, THROWN = 2;
+/** How a batch has ended: evaluated; the function has returned something, or moved the arrays away; it has thrown; a result is NaN, or was not written. */
+const DONE = 0, UNSOUND = 1, THROWN = 2, NO_NUMBER = 3;
 
 /** A function of the caller's, and the arrays that it gets. */
 class Batches {
@@ -87,8 +87,10 @@ class Batches {
     try {
       // The caller may have given the memory of an array away: then it is empty.
       const known = this.#arrays[count];
-      const [rows, results] = known?.[0].length === count * dimension && known[1].length === count
+      /** @type {[Float64Array, Float64Array]} */
+      const pair = known !== undefined && known[0].length === count * dimension && known[1].length === count
         ? known : [new Float64Array(count * dimension), new Float64Array(count)];
+      const rows = pair[0], results = pair[1];
       this.#arrays[count] = undefined;
       const from = this.#view();
       for (let i = 0, at = rowsAt / 8; i < rows.length; i += 1) rows[i] = from[at + i];
@@ -96,9 +98,14 @@ class Batches {
       const returned = this.#given.call(this.#owner, rows, results);
       if ((typeof returned === "object" && returned !== null) || typeof returned === "function" || results.length !== count) return UNSOUND;
       const to = this.#view();
-      for (let i = 0, at = resultsAt / 8; i < count; i += 1) to[at + i] = results[i];
-      this.#arrays[count] = [rows, results];
-      return DONE;
+      let end = DONE;
+      for (let i = 0, at = resultsAt / 8; i < count; i += 1) {
+        const result = results[i];
+        if (result !== result) end = NO_NUMBER;
+        to[at + i] = result;
+      }
+      this.#arrays[count] = pair;
+      return end;
     } catch (error) {
       this.#thrown = new Thrown(error);
       return THROWN;

@@ -15,7 +15,7 @@ import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
 /** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
 const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
-  Planner: "scenario.planner(options), scenario.resume(roadmap, options) problem.planner(options) or navigation.planner(policy, options)",
+  Planner: "the methods planner and resume of a Scenario or a Problem, or planner and straightPlanner of a Navigation",
   Reach: "scenario.reach(options)",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",

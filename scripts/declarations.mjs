@@ -65,7 +65,7 @@ export function optionTypes({ planners, generators, reach_methods, indexes, flee
     `/** The same options without the planner's id. */\nexport type Unnamed<O> = Omit<O, "algorithm"> & { algorithm?: undefined };\n`,
     `/** Options of \`scenario.planner\`: those of the planner that \`algorithm\` names; by default \`rrt-control\` for a car, \`rrt-connect\` for others. */`,
     `export type PlannerOptions = ${[...planners.map(({ id }) => nameOf(id)), "Unnamed<RrtConnectOptions>", "Unnamed<RrtControlOptions>"].join(" | ")};\n`,
-    `/** Options of \`scenario.resume\`; \`algorithm\` is the planner that built the roadmap. */`,
+    `/** Options of \`scenario.resume\` and \`problem.resume\`; \`algorithm\` is the planner that built the roadmap. */`,
     `export type ResumeOptions = ${roadmaps.flatMap(({ id }) => [nameOf(id), `Unnamed<${nameOf(id)}>`]).join(" | ")};\n`,
     `/** The id of a generator. */\nexport type GeneratorId = ${ids(generators)};\n`,
     type("GenerateOptions", "Options of `Scenario.generate`; `generators()` lists which generator takes which.", "", merged(generators.flatMap(({ options }) => options))),

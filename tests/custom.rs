@@ -6,8 +6,10 @@ use crate::common::golden::check;
 use crate::common::{PLANNERS, SAMPLERS, arm_and_wall, arm_of, deep, disc_and_wall, finish, fitting, options};
 use planarium::problem::Stats;
 use planarium::run::inspect::Inspector;
+use planarium::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
 use planarium::run::{
-    CoordinateDescription, CustomProblem, Free, Options, Run, SpaceDescription, Status, start_problem,
+    self, CoordinateDescription, CustomProblem, Free, Options, Run, SpaceDescription, Status, resume_problem,
+    start_problem,
 };
 use planarium::scenario::{Robot, Scenario};
 use planarium::space::MetricKind;
@@ -116,7 +118,7 @@ fn every_planner_serves_them_in_any_slicing_and_says_whether_edges_are_proven() 
                     (kind == Kind::Samples).then_some("sampled"),
                     "{what}"
                 );
-                assert_eq!((whole.failure(), whole.roadmap()), (None, None), "{what}");
+                assert_eq!(whole.failure(), None, "{what}");
                 assert!(whole.stats().clearance_evaluations > 0, "{what}");
                 if whole.status() == Status::Solved {
                     solved += 1;
@@ -334,6 +336,180 @@ fn a_kept_roadmap_is_queried_again_and_a_failure_of_a_query_is_its_error() {
         assert_eq!(error.code(), Code::NotFinite, "{error}");
     }
     assert_eq!((run.status(), run.step(5)), (Status::Solved, Status::Solved));
+}
+
+/// A point in a box and on a circle of weight 2, around a disc that stands at `x`.
+fn around_a_disc(kind: Kind, x: f64) -> CustomProblem {
+    let clearance = move |q: &[f64]| ((q[0] - x) * (q[0] - x) + q[1] * q[1]).sqrt() - 1.0;
+    let free = match kind {
+        Kind::Clearance => Free::by_reach(&[1.0, 1.0, 0.0], move |rows, clearances| {
+            rows.chunks(3).zip(clearances).for_each(|(q, to)| *to = clearance(q));
+            Ok(())
+        }),
+        Kind::Samples => Free::by_samples(Some(0.02), move |rows, free| {
+            rows.chunks(3).zip(free).for_each(|(q, to)| *to = clearance(q) > 0.0);
+            Ok(())
+        }),
+    };
+    CustomProblem::new(turning_point(), free, &[-1.5, 0.0, 3.0], &[vec![1.5, 0.0, -3.0]]).expect("a problem")
+}
+
+fn turning_point() -> SpaceDescription {
+    let side = CoordinateDescription::interval(-2.0, 2.0);
+    let coordinates = vec![side, CoordinateDescription::line(-2.0, 2.0), CoordinateDescription::circle().weighted(2.0)];
+    SpaceDescription { coordinates, metric: None }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_saved_roadmap_is_continued_in_any_slices_once_all_of_it_is_free_again() {
+    for kind in [Kind::Clearance, Kind::Samples] {
+        for (planner, settings) in [
+            ("prm", "samples=80 k=6"),
+            ("prm", "samples=80 k=6 insertion=one-by-one discard=true"),
+            ("prm-star", "samples=60"),
+            ("visibility-prm", "failures=30"),
+            ("lazy-prm", "samples=80 k=6"),
+            ("lazy-prm-star", "improve_iterations=80"),
+        ] {
+            let what = format!("{planner} {settings} by {kind:?}");
+            let run = finish(begin(&around_a_disc(kind, 0.0), planner, 3, settings));
+            assert_eq!(run.status(), Status::Solved, "{what}");
+            let document = run.roadmap().expect("a roadmap");
+            for form in [document.to_json().into_bytes(), document.to_bytes()] {
+                assert_eq!(RoadmapDocument::read(&form).as_ref(), Ok(&document), "{what}");
+            }
+            let again = || resume_problem(&around_a_disc(kind, 0.0), &options(planner, 0, ""), &document);
+            let [mut sliced, whole] =
+                [again(), again()].map(|run| run.unwrap_or_else(|error| panic!("{what}: {error}")));
+            let mut whole = finish(whole);
+            while sliced.step(3) == Status::Running {}
+            assert_eq!(sliced.result(), whole.result(), "{what}");
+            assert_eq!(
+                (whole.status(), whole.result().edge_check),
+                (Status::Solved, run.result().edge_check),
+                "{what}"
+            );
+            if !planner.starts_with("lazy") {
+                assert_eq!((whole.path(), whole.roadmap()), (run.path(), Some(document.clone())), "{what}");
+            }
+            let asked = whole.query(&[0.0, 1.5, 0.0], &[0.0, -1.5, 1.0], false).expect("a query");
+            assert_eq!(asked.status, Status::Solved, "{what}");
+            // The disc has moved upon the roadmap.
+            let refused = resume_problem(&around_a_disc(kind, 0.4), &options(planner, 0, ""), &document);
+            let error = refused.map(|_| ()).expect_err("not free");
+            assert_eq!(error.code(), Code::InvalidRoadmap, "{what}");
+            assert!(error.pointer().starts_with("/vertices/") || error.pointer().starts_with("/edges/"), "{error}");
+        }
+    }
+    // The form is the same on every platform.
+    let document =
+        finish(begin(&two_discs(Kind::Clearance), "prm", 1, "samples=100 k=8")).roadmap().expect("a roadmap");
+    assert_eq!(format!("{:016x}", document.checksum()), "e442a668a112afdb");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn between_two_configurations_circles_go_the_short_way() {
+    let problem = around_a_disc(Kind::Clearance, 0.0);
+    let (a, b) = ([-1.0, 0.0, 3.0], [1.0, 4.0, -3.0]);
+    let middle = problem.interpolate(&a, &b, 0.5).expect("a configuration");
+    assert_eq!(middle[..2], [0.0, 2.0]);
+    assert!((middle[2].abs() - std::f64::consts::PI).abs() < 1e-12, "{middle:?}");
+    assert_eq!((problem.interpolate(&a, &b, 0.0), problem.interpolate(&a, &b, 1.0)), (Ok(a.to_vec()), Ok(b.to_vec())));
+    for (a, t, code, pointer) in [
+        (&a[..2], 0.5, Code::WrongDimension, "/a"),
+        (&[9.0, 0.0, 0.0], 0.5, Code::OutOfRange, "/a"),
+        (&a, 1.5, Code::OutOfRange, "/t"),
+        (&a, f64::NAN, Code::NotFinite, "/t"),
+    ] {
+        let error = problem.interpolate(a, &b, t).expect_err("refused");
+        assert_eq!((error.code(), error.pointer()), (code, pointer));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_saved_roadmap_of_another_space_is_refused_where_it_differs() {
+    use CoordinateDescription as C;
+    let document = finish(begin(&around_a_disc(Kind::Clearance, 0.0), "prm", 1, "samples=20 k=4")).roadmap();
+    let document = document.expect("a roadmap");
+    let refused = |problem: &CustomProblem, document: &RoadmapDocument, settings: &str| {
+        let error = resume_problem(problem, &options(&document.planner, 0, settings), document).map(|_| ());
+        let error = error.expect_err("refused");
+        (error.code(), error.pointer().to_owned())
+    };
+    let same = around_a_disc(Kind::Clearance, 0.0);
+    let [x, y, angle] = turning_point().coordinates[..] else { panic!("three coordinates") };
+    for (coordinates, metric, pointer) in [
+        (vec![x, y], None, "/coordinates"),
+        (vec![C::line(-2.0, 2.0), y, angle], None, "/coordinates/0/kind"),
+        (vec![C::interval(-2.0, 2.5), y, angle], None, "/coordinates/0/high"),
+        (vec![x, C::line(-3.0, 2.0), angle], None, "/coordinates/1/low"),
+        (vec![x, y, C::circle()], None, "/coordinates/2/weight"),
+        (vec![x, y, angle], Some(MetricKind::Sum), "/metric"),
+    ] {
+        let (space, n) = (SpaceDescription { coordinates, metric }, document.dimension());
+        let ends = [[-1.5, 0.0, 3.0], [1.5, 0.0, -3.0]].map(|q| q[..n.min(space.coordinates.len())].to_vec());
+        let free = Free::by_clearance(|_, clearances| {
+            clearances.fill(1.0);
+            Ok(())
+        });
+        let problem = CustomProblem::new(space, free, &ends[0], &[ends[1].clone()]).expect("a problem");
+        assert_eq!(refused(&problem, &document, ""), (Code::OtherScenario, format!("/metric/space{pointer}")));
+    }
+    let sampled = around_a_disc(Kind::Samples, 0.0);
+    assert_eq!(refused(&sampled, &document, ""), (Code::OtherScenario, "/edge_check".to_owned()));
+    let of_sampled = finish(begin(&sampled, "prm", 1, "samples=20 k=4")).roadmap().expect("a roadmap");
+    assert_eq!(refused(&same, &of_sampled, ""), (Code::OtherScenario, "/edge_check".to_owned()));
+    for (settings, code, pointer) in [
+        ("k=5", Code::OutOfRange, "/k"),
+        ("samples=30", Code::Unsupported, "/samples"),
+        ("metric=sum", Code::Unsupported, "/metric"),
+        ("edge_check=none", Code::OutOfRange, "/edge_check"),
+    ] {
+        assert_eq!(refused(&same, &document, settings), (code, pointer.to_owned()));
+    }
+    // Neither kind of roadmap serves for the other, whatever it says of itself.
+    let world = arm_and_wall(0.1);
+    let of_arm = finish(run::start(&world, &options("prm", 1, "samples=20")).expect("it starts")).roadmap();
+    assert_eq!(refused(&same, &of_arm.expect("a roadmap"), ""), (Code::OtherScenario, "/metric".to_owned()));
+    for (fingerprint, code, pointer) in [
+        (document.fingerprint, Code::OtherScenario, "/fingerprint"),
+        (fingerprint(&world), Code::InvalidRoadmap, "/metric"),
+    ] {
+        let document = RoadmapDocument { fingerprint, ..document.clone() };
+        let error = run::resume(&world, &Options::default(), &document).map(|_| ()).expect_err("refused");
+        assert_eq!((error.code(), error.pointer()), (code, pointer));
+    }
+    let RoadmapMetric::Space(space) = &document.metric else { panic!("the metric is that of a space") };
+    let with = |change: &dyn Fn(&mut SpaceDescription)| {
+        let mut space = space.clone();
+        change(&mut space);
+        RoadmapDocument { metric: RoadmapMetric::Space(space), ..document.clone() }
+    };
+    for (damaged, pointer) in [
+        (with(&|space| space.metric = None), "/metric/space"),
+        (with(&|space| space.coordinates[2].weight = None), "/metric/space"),
+        (with(&|space| space.coordinates[0].high = Some(-2.0)), "/metric/space/coordinates/0/high"),
+        (with(&|space| space.coordinates.truncate(2)), "/circles"),
+        (RoadmapDocument { circles: vec![false; 3], ..document.clone() }, "/circles"),
+        (RoadmapDocument { edge_samples: Some(3), ..document.clone() }, "/edge_samples"),
+        (RoadmapDocument { fingerprint: 1, ..document.clone() }, "/fingerprint"),
+    ] {
+        assert_eq!(refused(&same, &damaged, ""), (Code::InvalidRoadmap, pointer.to_owned()));
+    }
+    // What the function fails with is the error, whenever it fails.
+    for good in [2, 10, 60] {
+        let count = Cell::new(0);
+        let failing = Free::by_reach(&[1.0, 1.0, 0.0], move |rows, clearances| {
+            count.set(count.get() + clearances.len());
+            if count.get() > good {
+                return Err(Error::new(Code::File, "/sensor", "the sensor is gone"));
+            }
+            rows.chunks(3).zip(clearances).for_each(|(q, to)| *to = (q[0] * q[0] + q[1] * q[1]).sqrt() - 1.0);
+            Ok(())
+        });
+        let problem = CustomProblem::new(turning_point(), failing, &[-1.5, 0.0, 3.0], &[vec![1.5, 0.0, -3.0]]);
+        assert_eq!(refused(&problem.expect("a problem"), &document, ""), (Code::File, "/sensor".to_owned()));
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -28,6 +28,7 @@ fn readers_survive_the_corpus() {
     replay("roadmap", readers::roadmap);
     replay("judged", readers::judged);
     replay("npy", readers::npy);
+    replay("fleet", readers::fleet);
 }
 
 #[test]

@@ -114,13 +114,7 @@ impl Planner {
     #[wasm_bindgen(skip_typescript)]
     pub fn roadmap(&self, format: &JsText) -> Result<JsValue, Error> {
         let format = choice(format, "format", &["json", "binary", "graphml"])?;
-        let missing = || {
-            Error::new(
-                Code::Unsupported,
-                "",
-                "there is no roadmap that could be saved: the planner builds none, or no scenario describes its problem",
-            )
-        };
+        let missing = || Error::new(Code::Unsupported, "", "the planner builds no roadmap that could be saved");
         let document = self.read(|run| run.roadmap()).ok_or_else(missing)?;
         Ok(match format {
             0 => document.to_json().into(),

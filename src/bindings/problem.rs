@@ -1,12 +1,13 @@
 //! A problem of a robot of one's own, for JavaScript: what is free is told by a function of the caller's.
 
-use super::arguments::{Fields, fields};
+use super::arguments::{Fields, fields, finite, row, text_or_bytes};
 use super::clock::Thrown;
 use super::planner;
-use super::types::{PlannerOptions, ProblemInput};
+use super::types::{JsConfiguration, JsNumber, PlannerOptions, ProblemInput, ResumeOptions, RoadmapFile};
 use crate::error::{Code, Error};
 use crate::problem::Evaluate;
-use crate::run::{self, CustomProblem, Free, SpaceDescription};
+use crate::run::storage::RoadmapDocument;
+use crate::run::{self, CustomProblem, Free, Options, Run, SpaceDescription};
 use js_sys::Reflect;
 use serde_json::Value as Json;
 use std::rc::Rc;
@@ -19,7 +20,7 @@ extern "C" {
     type Function;
 
     /// Evaluates configurations: the addresses of rows and results in this memory, and how many there are of how many numbers. One
-    /// crossing for a batch. Returns how the function has ended, as in `callback.js`: 0 after all results are written, 2 if it has thrown.
+    /// crossing for a batch. Returns how the function has ended, as in `callback.js`: 0 after all results are written, 2 if it has thrown, 3 if a result is NaN.
     #[wasm_bindgen(method)]
     fn evaluate(this: &Function, rows: u32, results: u32, count: u32, dimension: u32) -> u32;
 
@@ -97,11 +98,28 @@ impl Problem {
     /// and options of other robots; `start-in-collision`, `goal-in-collision`; `not-finite` if a function has written no number; and what a
     /// function throws
     pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, JsValue> {
-        let thrown = Thrown::default();
-        let started = super::scenario::options(options)
-            .and_then(|options| run::start_problem(&self.custom(&thrown)?, &options))
-            .map_err(|error| thrown.or(self.at_goal(error)))?;
-        Ok(planner::Planner::of(started, thrown))
+        self.begin(super::scenario::options(options), run::start_problem)
+    }
+
+    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this space: the function proves, or
+    /// samples, all of it again, start and goals are connected to it, and it is searched. It does not grow. The function may be another one than
+    /// that of the problem that it was built for, as long as all of it is free. Options are those of `scenario.resume`.
+    /// @throws {PlanariumError} `other-scenario` if it belongs to another space (the pointer tells where it differs), or to a problem with
+    /// `isFree` in place of `clearance` or the reverse; `invalid-roadmap` if it is damaged or not free; `out-of-range` and `unsupported` for
+    /// options that contradict it; those of `planner`; and what a function throws
+    pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, JsValue> {
+        let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
+        self.begin(super::scenario::options(options), |problem, options| {
+            run::resume_problem(problem, options, &document)
+        })
+    }
+
+    /// The configuration at the fraction `t`, from 0 to 1, of the motion from `a` to `b`, as planners move: coordinates change evenly, circles
+    /// the short way round. For drawing along a path.
+    /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-dimension`, `wrong-type`
+    pub fn interpolate(&self, a: &JsConfiguration, b: &JsConfiguration, t: &JsNumber) -> Result<Vec<f64>, Error> {
+        let [a, b] = [row(a, self.dimension(), "a")?, row(b, self.dimension(), "b")?];
+        self.custom(&Thrown::default())?.interpolate(&a, &b, finite(t, "t")?)
     }
 
     /// The degrees of freedom: the length of a configuration.
@@ -112,6 +130,19 @@ impl Problem {
 }
 
 impl Problem {
+    /// Starts a planner.
+    fn begin(
+        &self,
+        options: Result<Options, Error>,
+        begin: impl FnOnce(&CustomProblem, &Options) -> Result<Box<dyn Run>, Error>,
+    ) -> Result<planner::Planner, JsValue> {
+        let thrown = Thrown::default();
+        let started = options
+            .and_then(|options| begin(&self.custom(&thrown)?, &options))
+            .map_err(|error| thrown.or(self.at_goal(error)))?;
+        Ok(planner::Planner::of(started, thrown))
+    }
+
     /// The problem of one planner, which notes what its function throws.
     fn custom(&self, thrown: &Thrown) -> Result<CustomProblem, Error> {
         let batches = Batches { function: self.function.clone(), dimension: self.dimension(), thrown: thrown.clone() };
@@ -124,10 +155,7 @@ impl Problem {
                 let margin = move |rows: &[f64], results: &mut [f64]| {
                     batches.evaluate("isFree", rows, results)?;
                     for result in results {
-                        *result = match *result {
-                            0.0 => f64::NEG_INFINITY,
-                            other => other * other * f64::INFINITY,
-                        };
+                        *result = if *result == 0.0 { f64::NEG_INFINITY } else { f64::INFINITY };
                     }
                     Ok(())
                 };
@@ -193,6 +221,13 @@ impl Batches {
                 let sentence = format!("{name} has thrown an exception");
                 return Err(Error::new(Code::CallbackFailed, format!("/{name}"), sentence));
             }
+            3 => {
+                let i = results.iter().position(|result| result.is_nan()).unwrap_or_default();
+                let q = &rows[i * self.dimension..][..self.dimension];
+                let sentence =
+                    format!("{name} must write a number for each configuration; for {q:?} it is NaN or none");
+                return Err(Error::new(Code::NotFinite, format!("/{name}"), sentence));
+            }
             _ => {
                 let sentence = format!(
                     "{name} must write its results into its second argument before it returns, and return nothing"
@@ -200,9 +235,6 @@ impl Batches {
                 return Err(Error::new(Code::WrongType, format!("/{name}"), sentence));
             }
         }
-        let Some(i) = results.iter().position(|result| result.is_nan()) else { return Ok(()) };
-        let q = &rows[i * self.dimension..][..self.dimension];
-        let sentence = format!("{name} must write a number for each configuration; for {q:?} it is NaN or none");
-        Err(Error::new(Code::NotFinite, format!("/{name}"), sentence))
+        Ok(())
     }
 }

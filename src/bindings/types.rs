@@ -291,11 +291,11 @@ export interface Growth {
 
 export interface Planner {
   /**
-   * The roadmap of a planner that builds one, as far as it is built; `scenario.resume` continues with it.
+   * The roadmap of a planner that builds one, as far as it is built; `scenario.resume`, or `problem.resume`, continues with it.
    * @throws {PlanariumError} `unsupported` if the planner builds no roadmap; `out-of-range` for another format
    */
   roadmap(format: "binary"): Uint8Array;
-  /** The roadmap as text: JSON for `scenario.resume`, GraphML for other programs. */
+  /** The roadmap as text: JSON for `resume`, GraphML for other programs. */
   roadmap(format: "json" | "graphml"): string;
   /**
    * Steps the run to its end in slices, and yields what each has added. Between slices other tasks run, so that a page stays

@@ -101,12 +101,13 @@ impl Trajectory {
         })
     }
 
-    /// How fast a point of the robot moves at most, in metres per second, and from which row.
-    pub(super) fn fastest(&self, footprint: &Footprint) -> (f64, usize) {
+    /// How fast a point of the robot moves at most, in metres per second, and from which row; `rounding` metres of each motion do not count:
+    /// they are all of it if the motion is short enough.
+    pub(super) fn fastest(&self, footprint: &Footprint, rounding: f64) -> (f64, usize) {
         let speed = |row: usize| {
             let [from, to] = [row, row + 1].map(|i| self.poses[i]);
-            let way = footprint.travel(from, to);
-            if way == 0.0 { 0.0 } else { way / (self.times[row + 1] - self.times[row]) }
+            let way = footprint.travel(from, to) - rounding;
+            if way <= 0.0 { 0.0 } else { way / (self.times[row + 1] - self.times[row]) }
         };
         let faster = |fastest: (f64, usize), row| if speed(row) > fastest.0 { (speed(row), row) } else { fastest };
         (0..self.times.len() - 1).fold((0.0, 0), faster)

@@ -155,7 +155,9 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
 /// Checks the ends, the speed, and the way among obstacles of one robot.
 fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec<f64>]) -> Result<(), String> {
     let member = &fleet.robots()[robot];
-    let (speed, row) = trajectory.fastest(&Footprint::of(&member.robot));
+    // What places and times are rounded by: a motion of nanoseconds can have any speed.
+    let rounding = fleet.slack() + f64::EPSILON * member.speed * trajectory.times().iter().copied().fold(0.0, f64::max);
+    let (speed, row) = trajectory.fastest(&Footprint::of(&member.robot), rounding);
     if speed > member.speed * (1.0 + REACHED) {
         let [most, speed] = [member.speed, speed].map(Number);
         return Err(format!("from row {row} on it moves at up to {speed} m/s, faster than its speed of {most}"));

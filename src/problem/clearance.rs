@@ -157,8 +157,11 @@ impl<S: Space> ClearanceValidity<S> {
                 if self.failure.borrow().is_some() {
                     return None;
                 }
-                rows.clear();
-                states.iter().for_each(|state| rows.extend_from_slice(self.space.coordinates(state)));
+                rows.resize(states.len() * self.space.dimension(), 0.0);
+                for (row, state) in rows.chunks_exact_mut(self.space.dimension().max(1)).zip(states) {
+                    // The sum makes -0 a 0, and keeps the compiler from a copy of memory: WebAssembly is slow to copy a few bytes.
+                    row.iter_mut().zip(self.space.coordinates(state)).for_each(|(to, from)| *to = from + 0.0);
+                }
                 clearances.clear();
                 clearances.resize(states.len(), f64::NAN);
                 self.evaluations.set(self.evaluations.get() + states.len() as u64);
@@ -191,14 +194,19 @@ impl<S: Space> ClearanceValidity<S> {
         ))
     }
 
-    /// The clearance of one state beyond the slack; `None` if the evaluation has failed.
+    /// Whether a clearance is more than what is left for rounding at the state. That is 0 or more: most clearances of samples do not need it.
+    fn is_beyond_slack(&self, state: &S::State, clearance: f64) -> bool {
+        clearance == f64::INFINITY || (clearance > 0.0 && clearance > self.slack(state, state, 0.0))
+    }
+
+    /// The clearance of one state, and whether it is free; `None` if the evaluation has failed.
     fn clearance(&self, state: &S::State) -> Option<(f64, bool)> {
         let mut found = f64::NAN;
         self.evaluate(std::slice::from_ref(state), |_, clearance| {
             found = clearance;
             true
         })?;
-        Some((found, found > self.slack(state, state, 0.0)))
+        Some((found, self.is_beyond_slack(state, found)))
     }
 
     /// The start, as a fraction of the motion, of an interval that cannot be proven free; `None` if all of it is proven. With `wants_first`
@@ -212,15 +220,16 @@ impl<S: Space> ClearanceValidity<S> {
         let tolerance = self.tolerance.max(FEWEST_SLACKS * slack);
         // In the order of the motion; none begins after the first hit found.
         let (mut open, mut hit, mut left) = (vec![[0.0, 1.0]], None, BUDGET);
+        let (mut next, mut middles) = (Vec::new(), Vec::new());
         while !open.is_empty() {
             if open.len() > left {
                 self.unproven.set(self.unproven.get() + 1);
                 return Some(open[0][0]);
             }
             left -= open.len();
-            let middles: Vec<_> =
-                open.iter().map(|[low, high]| self.space.interpolate(a, b, 0.5 * (low + high))).collect();
-            let mut next = Vec::new();
+            middles.clear();
+            middles.extend(open.iter().map(|[low, high]| self.space.interpolate(a, b, 0.5 * (low + high))));
+            next.clear();
             let done = self.evaluate(&middles, |i, clearance| {
                 let [low, high] = open[i];
                 let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
@@ -243,7 +252,7 @@ impl<S: Space> ClearanceValidity<S> {
             if done.is_none() || (hit.is_some() && !wants_first) {
                 return Some(open[0][0]);
             }
-            open = next;
+            std::mem::swap(&mut open, &mut next);
         }
         hit
     }
@@ -267,7 +276,7 @@ impl<S: Space> Validity<S::State> for ClearanceValidity<S> {
     fn are_free(&self, states: &[S::State]) -> bool {
         let mut are_free = true;
         let done = self.evaluate(states, |i, clearance| {
-            are_free = clearance > self.slack(&states[i], &states[i], 0.0);
+            are_free = self.is_beyond_slack(&states[i], clearance);
             are_free
         });
         done.is_some() && are_free

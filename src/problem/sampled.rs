@@ -4,12 +4,14 @@
 use super::{Contact, Validity};
 use crate::error::Error;
 use crate::space::Space;
+use std::cell::{Cell, RefCell};
 
 /// The most configurations at which one motion is tested; a motion that needs more is refused, and counted.
 const MOST: f64 = 16_384.0;
 
 /// How many configurations of a motion are tested.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Samples {
     /// So many; the far end alone if that is 0 or 1.
     Count(u32),
@@ -23,13 +25,15 @@ pub struct Sampled<S: Space> {
     space: S,
     points: Box<dyn Validity<S::State>>,
     samples: Samples,
-    too_long: std::cell::Cell<u64>,
+    /// The samples of a motion that are tested at once, which motions reuse.
+    states: RefCell<Vec<S::State>>,
+    too_long: Cell<u64>,
 }
 
 impl<S: Space> Sampled<S> {
     /// The checker that tests configurations by another one.
     pub fn new(space: S, points: Box<dyn Validity<S::State>>, samples: Samples) -> Self {
-        Self { space, points, samples, too_long: Default::default() }
+        Self { space, points, samples, states: RefCell::default(), too_long: Cell::default() }
     }
 
     /// The number of configurations to test on a motion, at least 1; `None` if that is too many.
@@ -59,10 +63,19 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
     fn is_motion_free(&self, a: &S::State, b: &S::State) -> bool {
         let Some(count) = self.count(a, b) else { return false };
         // The odd multiples of each power of two: every number from 1 on once. The start is not tested.
-        (0..=count.ilog2()).rev().all(|level| {
-            let states = (1 << level..=count).step_by(2 << level).map(|i| self.at(a, b, i, count));
-            self.points.are_free(&states.collect::<Vec<_>>())
-        })
+        let mut states = self.states.take();
+        let is_free = (0..=count.ilog2()).rev().all(|level| {
+            states.clear();
+            // An iterator by steps costs more than the states.
+            let mut i = 1 << level;
+            while i <= count {
+                states.push(self.at(a, b, i, count));
+                i += 2 << level;
+            }
+            self.points.are_free(&states)
+        });
+        self.states.replace(states);
+        is_free
     }
 
     /// The last configuration tested before the first one in collision.

@@ -4,147 +4,31 @@
 //! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are sampled
 //! ([`Sampled`]), and the result document says so.
 
+use super::description::{SIZES, SpaceDescription, within};
 use super::factory::run_info;
 use super::questions::configuration;
+use super::resume::checked_states;
 use super::runner::{RunInfo, Runner};
+use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
-use crate::error::{Code, Error, Number};
+use crate::error::{Code, Error};
 use crate::options::{Choice, out_of_range};
-use crate::planner::{ByControls, EdgeCheck, EdgeOptions, Limits, PlannerOptions, default_planner};
+use crate::planner::{
+    self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching, default_planner,
+};
 use crate::problem::{ClearanceValidity, Evaluate, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
-use crate::space::{Coordinate, MAX_DIMENSION, Metric, MetricKind, MotionSpace, ProductSpace, Space};
+use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use crate::world::SMALL;
-use serde::Deserialize;
 use std::rc::Rc;
 
 /// The default resolution of sampled motions, as a fraction of the largest distance in the space.
 const DEFAULT_RESOLUTION: f64 = 0.01;
 
-/// The weights, reaches and resolutions that are read.
-const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=LARGEST;
-
-/// The kind of a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum CoordinateKind {
-    /// An angle in (-pi, pi] that wraps.
-    Circle,
-    /// A number between two limits.
-    Interval,
-    /// A number without limits (but within 1e6 where it is given); samples are drawn between two numbers.
-    Line,
-}
-
-/// A coordinate of a space: `low` and `high` are the limits of an interval, or the range that samples of a line are drawn from.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CoordinateDescription {
-    /// The kind.
-    pub kind: CoordinateKind,
-    /// The lower limit, at least -1e6; `None` for a circle.
-    pub low: Option<f64>,
-    /// The upper limit, more than `low`, at most 1e6; `None` for a circle.
-    pub high: Option<f64>,
-    /// By what differences are multiplied in the metric, 1e-6 to 1e6; 1 by default.
-    pub weight: Option<f64>,
-}
-
-impl CoordinateDescription {
-    /// An angle that wraps, in radians.
-    pub fn circle() -> Self {
-        Self { kind: CoordinateKind::Circle, low: None, high: None, weight: None }
-    }
-
-    /// A number between two limits.
-    pub fn interval(low: f64, high: f64) -> Self {
-        Self { kind: CoordinateKind::Interval, low: Some(low), high: Some(high), weight: None }
-    }
-
-    /// A number without limits, drawn between two numbers.
-    pub fn line(low: f64, high: f64) -> Self {
-        Self { kind: CoordinateKind::Line, ..Self::interval(low, high) }
-    }
-
-    /// The same with a weight.
-    #[must_use]
-    pub fn weighted(self, weight: f64) -> Self {
-        Self { weight: Some(weight), ..self }
-    }
-
-    /// The coordinate and its weight.
-    fn read(&self, pointer: &str) -> Result<(Coordinate, f64), Error> {
-        let [low, high] = [("low", self.low), ("high", self.high)].map(|(name, limit)| {
-            let pointer = format!("{pointer}/{name}");
-            match (self.kind, limit) {
-                (CoordinateKind::Circle, None) => Ok(0.0),
-                (CoordinateKind::Circle, Some(_)) => {
-                    Err(Error::new(Code::UnknownField, pointer, format!("a circle has no {name}")))
-                }
-                (_, None) => {
-                    Err(Error::new(Code::MissingField, pointer, format!("the range of a coordinate needs {name}")))
-                }
-                (_, Some(limit)) => within(limit, -LARGEST..=LARGEST, name, pointer),
-            }
-        });
-        let (low, high) = (low?, high?);
-        if self.kind != CoordinateKind::Circle && low >= high {
-            let sentence = format!("high must be greater than low {}, not {}", Number(low), Number(high));
-            return Err(Error::new(Code::OutOfRange, format!("{pointer}/high"), sentence));
-        }
-        let weight = within(self.weight.unwrap_or(1.0), SIZES, "weight", format!("{pointer}/weight"))?;
-        let coordinate = match self.kind {
-            CoordinateKind::Circle => Coordinate::Circle,
-            CoordinateKind::Interval => Coordinate::Interval { low, high },
-            CoordinateKind::Line => Coordinate::Line { low, high },
-        };
-        Ok((coordinate, weight))
-    }
-}
-
-/// A space as a product of coordinates.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SpaceDescription {
-    /// The coordinates, 1 to 8.
-    pub coordinates: Vec<CoordinateDescription>,
-    /// How their weighted differences combine; `euclidean` by default.
-    pub metric: Option<MetricKind>,
-}
-
-impl SpaceDescription {
-    fn read<const N: usize>(&self) -> Result<MotionSpace<N>, Error> {
-        let count = self.coordinates.len();
-        if !(1..=MAX_DIMENSION).contains(&count) {
-            let sentence = format!("a space has 1 to {MAX_DIMENSION} coordinates, not {count}");
-            return Err(Error::new(Code::OutOfRange, "/space/coordinates", sentence));
-        }
-        let read = |(i, one): (usize, &CoordinateDescription)| one.read(&format!("/space/coordinates/{i}"));
-        let (coordinates, weights): (Vec<_>, Vec<_>) =
-            self.coordinates.iter().enumerate().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-        let product = |metric| ProductSpace::new(&coordinates, metric).weighted(&weights);
-        Ok(MotionSpace::new(match self.metric.unwrap_or(MetricKind::Euclidean) {
-            MetricKind::Sum => product(Metric::Sum),
-            MetricKind::Euclidean => product(Metric::Euclidean),
-            MetricKind::Naive => product(Metric::Euclidean).cut_open(),
-        }))
-    }
-}
-
-/// Refuses a number outside its range.
-fn within(value: f64, range: std::ops::RangeInclusive<f64>, name: &str, pointer: String) -> Result<f64, Error> {
-    if range.contains(&value) {
-        return Ok(value);
-    }
-    let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-    let [low, high, value] = [*range.start(), *range.end(), value].map(Number);
-    Err(Error::new(code, pointer, format!("{name} must lie within [{low}, {high}], not {value}")))
-}
-
 /// What is free.
 #[derive(Clone)]
+#[non_exhaustive]
 pub enum Free {
     /// By a lower bound on the clearance of each configuration: motions are proven.
     Clearance {
@@ -237,13 +121,34 @@ impl CustomProblem {
     pub fn dimension(&self) -> usize {
         self.space.coordinates.len()
     }
+
+    /// The configuration a fraction `t` in [0, 1] along the motion from `a` to `b`: coordinates change evenly, circles the short way round.
+    ///
+    /// # Errors
+    /// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer `/a`, `/b` or `/t`.
+    pub fn interpolate(&self, a: &[f64], b: &[f64], t: f64) -> Result<Vec<f64>, Error> {
+        let space: MotionSpace<MAX_DIMENSION> = self.space.read()?;
+        let [a, b] =
+            [configuration(&space, a, "configuration", "/a")?, configuration(&space, b, "configuration", "/b")?];
+        let t = within(t, 0.0..=1.0, "t", "/t".to_owned())?;
+        Ok(space.coordinates(&space.interpolate(&a, &b, t)).to_vec())
+    }
+
+    pub(super) fn space(&self) -> &SpaceDescription {
+        &self.space
+    }
+
+    /// Whether motions are sampled at a resolution.
+    pub(super) fn is_sampled(&self) -> bool {
+        matches!(self.free, Free::Samples { .. })
+    }
 }
 
 /// Begins a run on a problem of a robot of one's own, by a planner and its options by name. Every planner without controls serves it. The
 /// result document names no scenario and no query. Planning uses one thread. If the function that tells what is free fails, the run
 /// ends with its error: see [`Run::failure`].
 ///
-/// A roadmap can be queried again, but not saved: no document describes what it was built in.
+/// A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues with it.
 ///
 /// # Errors
 /// `unknown-planner`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls and for options of
@@ -272,7 +177,16 @@ impl CustomProblem {
 pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<dyn Run>, Error> {
     let planner = PlannerOptions::of(options.planner.as_deref().unwrap_or(default_planner("")))?;
     check_seed(options.seed)?;
-    let planner = planner.read(&options.parameters)?;
+    launch_problem(problem, options, planner.read(&options.parameters)?, None)
+}
+
+/// Begins a run of a planner, from nothing or with a saved roadmap of the same space.
+pub(super) fn launch_problem(
+    problem: &CustomProblem,
+    options: &Options,
+    planner: PlannerOptions,
+    saved: Option<&RoadmapDocument>,
+) -> Result<Box<dyn Run>, Error> {
     let unsupported = |pointer: &str, sentence: &str| Err(Error::new(Code::Unsupported, pointer, sentence));
     if planner.group::<ByControls>().is_some() {
         let sentence = format!("{} plans for cars, not for robots of one's own", planner.info().id);
@@ -294,7 +208,7 @@ pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<d
     }
     let is_given = |name: &str| options.parameters.iter().any(|(given, _)| given == name);
     let mut info = run_info(&planner, options.seed);
-    if matches!(problem.free, Free::Samples { .. }) {
+    if problem.is_sampled() {
         if is_given("edge_check") || is_given("edge_samples") {
             return unsupported("/edge_check", "edges are sampled at the resolution of the problem");
         }
@@ -303,9 +217,11 @@ pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<d
     if info.wanted.blend > 0.0 {
         return unsupported("/blend", "corners are rounded only for the robots of scenarios");
     }
+    // A roadmap that is continued is searched for one path.
+    info.termination = info.termination.filter(|_| saved.is_none());
     match problem.dimension() {
-        ..=SMALL => begin::<SMALL>(problem, options, planner, edges, info),
-        _ => begin::<MAX_DIMENSION>(problem, options, planner, edges, info),
+        ..=SMALL => begin::<SMALL>(problem, options, planner, edges, info, saved),
+        _ => begin::<MAX_DIMENSION>(problem, options, planner, edges, info, saved),
     }
 }
 
@@ -316,29 +232,34 @@ fn begin<const N: usize>(
     planner: PlannerOptions,
     edges: EdgeOptions,
     info: RunInfo,
+    saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let space: MotionSpace<N> = problem.space.read()?;
     let start = space.state(&problem.start);
     let goals: Vec<_> = problem.goals.iter().map(|goal| space.state(goal)).collect();
-    let Limits { tolerance, .. } = edges.limits;
-    let validity = |evaluate: &Evaluate, reach: Option<&[f64]>| {
+    let points = |tolerance: f64| {
+        let (evaluate, reach) = match &problem.free {
+            Free::Clearance { clearance, reach } => (clearance, reach.as_deref()),
+            Free::Samples { margin, .. } => (margin, None),
+        };
         ClearanceValidity::new(space.clone(), Rc::clone(evaluate), reach, tolerance)
     };
-    let sampled = |points: ClearanceValidity<_>, samples| -> Box<dyn Validity<_>> {
+    let checked = |points: ClearanceValidity<_>| -> Box<dyn Validity<_>> {
+        let samples = match (&problem.free, edges.edge_check) {
+            (Free::Samples { resolution, .. }, _) => {
+                Samples::Spacing(resolution.unwrap_or(DEFAULT_RESOLUTION * space.extent()))
+            }
+            (Free::Clearance { .. }, EdgeCheck::Proven | EdgeCheck::JointLines) => return Box::new(points),
+            (Free::Clearance { .. }, EdgeCheck::Sampled | EdgeCheck::None) => {
+                Samples::Count(edges.samples().unwrap_or(0))
+            }
+        };
         Box::new(Sampled::new(space.clone(), Box::new(points), samples))
     };
-    let validity = match &problem.free {
-        Free::Clearance { clearance, reach } => {
-            let proven = validity(clearance, reach.as_deref()).fitted(&[&[start], &goals[..]].concat());
-            match edges.edge_check {
-                EdgeCheck::Proven | EdgeCheck::JointLines => Box::new(proven),
-                EdgeCheck::Sampled | EdgeCheck::None => sampled(proven, Samples::Count(edges.samples().unwrap_or(0))),
-            }
-        }
-        Free::Samples { margin, resolution } => {
-            let spacing = resolution.unwrap_or(DEFAULT_RESOLUTION * space.extent());
-            sampled(validity(margin, None), Samples::Spacing(spacing))
-        }
+    let tolerance = edges.limits.tolerance;
+    let fitted = match problem.is_sampled() {
+        true => points(tolerance),
+        false => points(tolerance).fitted(&[&[start], &goals[..]].concat()),
     };
     let at_goal = |i: usize| {
         move |error: Error| match error.code() {
@@ -346,14 +267,42 @@ fn begin<const N: usize>(
             _ => error,
         }
     };
-    let mut stated = Problem::new(space.clone(), validity, start, goals[0]).map_err(at_goal(0))?;
+    let mut stated = Problem::new(space.clone(), checked(fitted), start, goals[0]).map_err(at_goal(0))?;
     for (i, goal) in goals.iter().enumerate().skip(1) {
         stated.check_ends(&start, goal).map_err(at_goal(i))?;
     }
     stated.add_goals(&goals[1..]);
-    let measure = space;
+    let measure = space.clone();
     stated.end_effector = Some(Box::new(move |a, b| measure.distance(a, b)));
     stated.records_events = options.events;
-    let planner = planner.begin(&stated, info.seed)?;
-    Ok(Box::new(Runner::new(stated, planner, info, None, None)))
+    let planner = match saved {
+        None => planner.begin(&stated, info.seed)?,
+        Some(document) => {
+            // What was proven with any tolerance is proven with the finest.
+            let finest = checked(points(0.0));
+            let states = checked_states(&space, &*finest, document);
+            // What is not evaluated is not free either: the failure is the reason.
+            let states = finest.failure().map_or(states, Err)?;
+            let connection = Connection { k: document.k as usize, radius: document.radius };
+            let searching = planner.group::<Searching>();
+            let rules = searching.copied().unwrap_or_default();
+            planner::resume(&stated, connection, rules, &states, &document.edges, searching.is_none())
+        }
+    };
+    let described = problem.space.in_full();
+    let roadmap = planner.roadmap().map(|roadmap| RoadmapDocument {
+        scenario: String::new(),
+        fingerprint: fingerprint_of_space(&described),
+        circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
+        planner: info.planner.to_owned(),
+        metric: RoadmapMetric::Space(described),
+        k: roadmap.connection.k as u32,
+        radius: roadmap.connection.radius,
+        edge_check: info.edge_check,
+        edge_samples: edges.samples().filter(|_| !problem.is_sampled()),
+        tolerance,
+        vertices: Vec::new(),
+        edges: Vec::new(),
+    });
+    Ok(Box::new(Runner::new(stated, planner, info, roadmap, None)))
 }

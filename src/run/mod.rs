@@ -24,7 +24,7 @@
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
 //! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner that goes on to shorter paths;
 //!   `emitted.rs`: paths and edges as they are reported;
-//! - `custom.rs`: a run of a robot of one's own;
+//! - `custom.rs`: a run of a robot of one's own; `description.rs`: its space;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
@@ -32,6 +32,7 @@
 //! cost is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
 
 mod custom;
+mod description;
 mod emitted;
 mod factory;
 mod goals;
@@ -45,11 +46,12 @@ mod runner;
 pub mod storage;
 mod termination;
 
-pub use custom::{CoordinateDescription, CoordinateKind, CustomProblem, Free, SpaceDescription, start_problem};
+pub use custom::{CustomProblem, Free, start_problem};
+pub use description::{CoordinateDescription, CoordinateKind, SpaceDescription};
 pub(crate) use factory::start_learned;
 pub use factory::{start, start_on};
 pub use options::Options;
-pub use resume::resume;
+pub use resume::{resume, resume_problem};
 
 pub use crate::options::Value;
 pub use crate::planner::{Phase, PlannerInfo, PlannerOptions, Preset, Status, planners};
@@ -173,8 +175,8 @@ pub trait Run {
     /// The result document; seconds are 0.
     fn result(&self) -> ResultDocument;
 
-    /// The roadmap as far as it is built, to be saved: see [`resume`]. `None` for planners that build none, and if no scenario describes
-    /// the problem. Vertices that [`Run::query`] has added are part of it; those in collision since [`Run::reopen`] are not. O(size).
+    /// The roadmap as far as it is built, to be saved: see [`resume`] and [`resume_problem`]. `None` for planners that build none, and for
+    /// runs of [`start_on`]. Vertices that [`Run::query`] has added are part of it; those in collision since [`Run::reopen`] are not. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Queries the roadmap again, as far as it is built: connects start and goal to their neighbours and searches. The

@@ -1,14 +1,15 @@
-//! Continuing with a saved roadmap: whether it fits the scenario, whether all of it is free, and which options it admits.
+//! Continuing with a saved roadmap: whether it fits the scenario, or the space of a robot of one's own, whether all of it is free, and which options it admits.
 
+use super::custom::{CustomProblem, launch_problem};
 use super::factory::{launch, only_metric};
 use super::{Options, Run};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Choice, Options as _, Value, out_of_range, refusal};
-use crate::planner::{Grows, Improving, Limits, PlannerOptions, Searching};
+use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Searching};
 use crate::problem::Validity;
 use crate::random::check_seed;
 use crate::robot::Car;
-use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint};
+use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint, fingerprint_of_space};
 use crate::scenario::Robot;
 use crate::space::steering::Steering;
 use crate::space::{MetricKind, Space};
@@ -45,6 +46,9 @@ pub fn resume(
         );
         return Err(Error::new(Code::OtherScenario, "/fingerprint", sentence));
     }
+    if matches!(document.metric, RoadmapMetric::Space(_)) {
+        return Err(damaged("/metric", "the metric is that of a robot of one's own"));
+    }
     let dimension = scenario.robot().dimension();
     if document.dimension() != dimension {
         let sentence = format!("this robot has {dimension} coordinates, not {}", document.dimension());
@@ -58,6 +62,48 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
+    let planner = settings(builder(options, document)?, options, document, steering)?;
+    launch(&world, options, planner, Some(document))
+}
+
+/// The same for a robot of one's own: its function proves or samples all of the roadmap again, whatever function it was built with. So a
+/// roadmap can be continued after obstacles have moved, as long as all of it is still free. Start and goals are those of the problem.
+///
+/// # Errors
+/// `other-scenario` with a pointer into the JSON form if the roadmap was built in another space (other coordinates, limits or weights, or
+/// another metric), or if edges were sampled by `Free::Samples` and are to be proven, or the reverse; `invalid-roadmap`, `out-of-range`
+/// and `unsupported` as [`resume`]; those of [`start_problem`](super::start_problem); the error of the function.
+pub fn resume_problem(
+    problem: &CustomProblem,
+    options: &Options,
+    document: &RoadmapDocument,
+) -> Result<Box<dyn Run>, Error> {
+    document.check()?;
+    let other = |pointer: &str, sentence| Err(Error::new(Code::OtherScenario, pointer, sentence));
+    let RoadmapMetric::Space(built) = &document.metric else {
+        let sentence = format!("the roadmap was built for scenario {}, not for this robot", quoted(&document.scenario));
+        return other("/metric", sentence);
+    };
+    let space = problem.space().in_full();
+    if let Some((pointer, [there, here])) = built.difference(&space) {
+        let sentence = format!("the roadmap was built in another space: {there}, here {here}");
+        return other(&format!("/metric/space{pointer}"), sentence);
+    }
+    if document.fingerprint != fingerprint_of_space(&space) {
+        return Err(damaged("/fingerprint", "the fingerprint is not that of the space"));
+    }
+    let is_at_resolution = document.edge_check == EdgeCheck::Sampled && document.edge_samples.is_none();
+    if is_at_resolution != problem.is_sampled() {
+        let [there, here] = [is_at_resolution, problem.is_sampled()]
+            .map(|is_sampled| if is_sampled { "whether a configuration is free" } else { "a bound on clearance" });
+        return other("/edge_check", format!("the roadmap was built with {there}, and the problem tells {here}"));
+    }
+    let planner = settings(builder(options, document)?, options, document, None)?;
+    launch_problem(problem, options, planner, Some(document))
+}
+
+/// The planner that built the roadmap.
+fn builder(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
     let builds_roadmap = |planner: &PlannerOptions| planner.info().grows == Grows::Roadmap;
     let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged(
@@ -70,7 +116,7 @@ pub fn resume(
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     check_seed(options.seed)?;
-    launch(&world, options, settings(planner, options, document, steering)?, Some(document))
+    Ok(planner)
 }
 
 /// How the car was steered when the roadmap was built.
@@ -101,9 +147,16 @@ fn settings(
         RoadmapMetric::Sum => Some(MetricKind::Sum),
         RoadmapMetric::Euclidean => Some(MetricKind::Euclidean),
         RoadmapMetric::Naive => Some(MetricKind::Naive),
-        RoadmapMetric::Placement { .. } | RoadmapMetric::Dubins { .. } | RoadmapMetric::ReedsShepp { .. } => None,
+        RoadmapMetric::Placement { .. }
+        | RoadmapMetric::Dubins { .. }
+        | RoadmapMetric::ReedsShepp { .. }
+        | RoadmapMetric::Space(_) => None,
     };
-    let mut all = vec![text("edge_check", document.edge_check.word()), number("tolerance", document.tolerance)];
+    let mut all = vec![number("tolerance", document.tolerance)];
+    // Else edges are sampled at the resolution of a problem, whatever the options.
+    if document.edge_check != EdgeCheck::Sampled || document.edge_samples.is_some() {
+        all.push(text("edge_check", document.edge_check.word()));
+    }
     all.extend(metric.map(|metric| text("metric", metric.word())));
     all.extend(steering.map(|steering| text("steering", steering.word())));
     all.extend(document.edge_samples.map(|samples| number("edge_samples", f64::from(samples))));

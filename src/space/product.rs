@@ -35,6 +35,7 @@ pub enum Coordinate {
 
 /// The combination of the distances of the coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Metric {
     /// Their sum.
     Sum,

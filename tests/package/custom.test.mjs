@@ -62,8 +62,47 @@ test("a problem is solved in one call, streamed, and its roadmap asked again", a
   assert.equal(vertices, planner.vertexCount);
   assert.equal(planner.query([0, 1.5], [0, -1.5]).status, "solved");
   assert.deepEqual([...planner.firstHits([-1.5, 1.5, 1.5, 1.5])], [1]);
-  fails(() => planner.roadmap("json"), "unsupported");
   fails(() => planner.reopen(Scenario.parse(arm)), "unsupported");
+  fails(() => new Problem(disc).planner({ algorithm: "rrt" }).roadmap("json"), "unsupported");
+});
+
+test("a saved roadmap is continued where the space is the same and all of it is free", () => {
+  for (const free of /** @type {const} */ (["clearance", "samples"])) {
+    const [problem, other] = [new Problem(twoDiscs(free)), new Problem(twoDiscs(free === "clearance" ? "samples" : "clearance"))];
+    const planner = problem.planner({ algorithm: "prm", samples: 100, k: 8, seed: 1 });
+    planner.step(1e6);
+    const text = planner.roadmap("json");
+    if (free === "clearance") assert.equal(JSON.parse(text).checksum, "e442a668a112afdb", "the form of the crate's own tests");
+    for (const kept of [text, planner.roadmap("binary")]) {
+      const resumed = problem.resume(kept, { shortcut: 0 });
+      while (resumed.step(7) === "running");
+      assert.deepEqual([resumed.status, resumed.path(), resumed.result().edge_check], [planner.status, planner.path(), planner.result().edge_check]);
+      assert.equal(resumed.roadmap("json"), text);
+      assert.deepEqual(resumed.query([0.7, 1, 3.3, 3], [3.3, 3, 0.7, 1]).path, planner.query([0.7, 1, 3.3, 3], [3.3, 3, 0.7, 1]).path);
+    }
+    assert.match(planner.roadmap("graphml"), /<graphml/);
+    fails(() => other.resume(text), "other-scenario", "/edgeCheck");
+    fails(() => problem.resume(text, { samples: 5 }), "unsupported", "/samples");
+    fails(() => problem.resume(text.replace('"k":8', '"k":9')), "invalid-roadmap", "/checksum");
+    fails(() => Scenario.parse(arm).resume(text), "other-scenario", "/fingerprint");
+    fails(() => new Problem(disc).resume(text), "other-scenario", "/metric/space/coordinates");
+  }
+  const planner = new Problem(disc).planner({ algorithm: "prm", samples: 60, k: 6 });
+  planner.step(1e6);
+  const text = planner.roadmap("json");
+  const thrown = new Error("own");
+  assert.throws(() => new Problem({ ...disc, clearance() { throw thrown; } }).resume(text), (error) => error === thrown);
+  assert.throws(() => new Problem({ ...disc, clearance(rows, clearances) { disc.clearance(rows, clearances); clearances.forEach((c, i) => { clearances[i] = c - 0.3; }); } }).resume(text), { code: "invalid-roadmap" });
+  fails(() => new Problem(disc).resume(/** @type {any} */ (3)), "wrong-type", "/roadmap");
+});
+
+test("configurations between two others are those of planners", () => {
+  const problem = new Problem({ ...disc, space: { coordinates: [square.coordinates[0], { kind: "circle" }] }, start: [-1.5, 3], goal: [1.5, -3] });
+  const middle = problem.interpolate([-1.5, 3], new Float64Array([1.5, -3]), 0.5);
+  assert.ok(middle[0] === 0 && Math.abs(Math.abs(middle[1]) - Math.PI) < 1e-12, String(middle));
+  fails(() => problem.interpolate([0], [0, 0], 0.5), "wrong-dimension", "/a");
+  fails(() => problem.interpolate([0, 0], [9, 0], 0.5), "out-of-range", "/b");
+  fails(() => problem.interpolate([0, 0], [1, 0], 2), "out-of-range", "/t");
 });
 
 test("what a function throws comes out of step as it is, and stays", async () => {

@@ -35,7 +35,7 @@ const PRINTED = {
     /^solved \d+\n$/,
     /^(?:solved [1-9]\d* motions\n){2}3\n$/,
     /^\d+\.\d\d % longer true \d+\n$/,
-    /^solved proven true\n$/,
+    /^solved proven true\nsolved solved\n$/,
     /^solved true\n$/,
     /^infeasible [1-9]\d* 0 [\d.e-]+\n$/,
     /^the forest found \d+ of 10; the tree visited \d+ of 20000, up to \d\.\d\d\n$/,

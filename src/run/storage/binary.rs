@@ -1,9 +1,10 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
 //! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
-//! per edge (u32; 0 if edges are proven, all bits set if only vertices are checked, all but the lowest if straight lines of joints are),
-//! radius and tolerance (f64), then scenario, planner and metric as in JSON (u32 length, UTF-8), the counts of vertices and edges (u32),
-//! the vertices (f64 rows), the edges (u32 pairs), and FNV-1a over all of that (u64). About 8 bytes per coordinate and 8 per edge.
+//! per edge (u32; 0 if edges are proven, all bits set if only vertices are checked, all but the lowest if straight lines of joints are,
+//! all but the second lowest if edges are sampled at the resolution of a problem), radius and tolerance (f64), then scenario, planner
+//! and metric as in JSON (u32 length, UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs),
+//! and FNV-1a over all of that (u64). About 8 bytes per coordinate and 8 per edge.
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
@@ -19,6 +20,8 @@ const VERSION: u32 = 2;
 const UNCHECKED: u32 = u32::MAX;
 /// The checks per edge of a roadmap whose joints are checked along straight lines.
 const JOINT_LINES: u32 = u32::MAX - 1;
+/// The checks per edge of a roadmap whose edges are sampled at the resolution of a problem.
+const AT_RESOLUTION: u32 = u32::MAX - 2;
 
 impl RoadmapDocument {
     /// The document as bytes. O(size).
@@ -45,7 +48,7 @@ impl RoadmapDocument {
             EdgeCheck::Proven => 0,
             EdgeCheck::None => UNCHECKED,
             EdgeCheck::JointLines => JOINT_LINES,
-            EdgeCheck::Sampled => self.edge_samples.unwrap_or(0),
+            EdgeCheck::Sampled => self.edge_samples.unwrap_or(AT_RESOLUTION),
         };
         bytes.extend(checks.to_le_bytes());
         [self.radius, self.tolerance].into_iter().for_each(|number| bytes.extend(number.to_le_bytes()));
@@ -90,6 +93,7 @@ impl RoadmapDocument {
             0 => (EdgeCheck::Proven, None),
             UNCHECKED => (EdgeCheck::None, None),
             JOINT_LINES => (EdgeCheck::JointLines, None),
+            AT_RESOLUTION => (EdgeCheck::Sampled, None),
             samples => (EdgeCheck::Sampled, Some(samples)),
         };
         let [radius, tolerance] = [f64::from_le_bytes(source.array()?), f64::from_le_bytes(source.array()?)];

@@ -1,12 +1,14 @@
-//! The scenario of a roadmap, as 64 bits.
+//! What a roadmap was built for, as 64 bits: a scenario, or the space of a robot of one's own.
 
+use super::RoadmapMetric;
 use crate::graph::Fingerprint;
+use crate::run::SpaceDescription;
 use crate::scenario::Scenario;
 use serde_json::Value;
 
-/// The fields of world and robot in the order of their contract, which is that of their objects' fields.
+/// The fields of world and robot in the order of their contract, which is that of their objects' fields; then those of a space.
 const ORDER: &str = "type bounds min max obstacles shape center vertices base links wheelbase speed steering \
-    integration_step radius joint_limits metric translation rotation";
+    integration_step radius joint_limits metric translation rotation coordinates kind low high weight";
 
 /// 64-bit FNV-1a over world and robot of the scenario in their normal form: scenarios that differ in name, title or queries
 /// alone have the same. Numbers count by their bits, however they are written. O(size).
@@ -15,6 +17,13 @@ pub fn fingerprint(scenario: &Scenario) -> u64 {
     for value in [serde_json::to_value(scenario.world()), serde_json::to_value(scenario.robot())] {
         add(&mut hash, &value.expect("world and robot have a form in JSON"));
     }
+    hash.value()
+}
+
+/// The same over the space of a robot of one's own, described in full. Its function has no fingerprint.
+pub(crate) fn fingerprint_of_space(space: &SpaceDescription) -> u64 {
+    let mut hash = Fingerprint::default();
+    add(&mut hash, &RoadmapMetric::Space(space.clone()).to_tree()["space"]);
     hash.value()
 }
 

@@ -26,7 +26,7 @@ struct Document {
     /// A number; `null` if it is infinite.
     radius: Value,
     edge_check: EdgeCheck,
-    /// Present if, and only if, edges are sampled.
+    /// Present if edges are sampled by number.
     #[serde(skip_serializing_if = "Option::is_none")]
     edge_samples: Option<u32>,
     tolerance: f64,
@@ -47,7 +47,7 @@ impl RoadmapDocument {
             dimension: self.dimension() as u64,
             circles: self.circles.clone(),
             planner: self.planner.clone(),
-            metric: serde_json::to_value(self.metric).expect("words and numbers are JSON"),
+            metric: self.metric.to_tree(),
             k: self.k,
             radius: self.radius.into(),
             edge_check: self.edge_check,
@@ -102,8 +102,7 @@ impl Document {
             let sentence = format!("a vertex has {dimension} numbers here, not {}", self.vertices[i].len());
             return Err(damaged(format!("/vertices/{i}"), sentence));
         }
-        let metric = RoadmapMetric::deserialize(&self.metric)
-            .map_err(|_| damaged("/metric", format!("{} is no metric of a roadmap", self.metric)))?;
+        let metric = RoadmapMetric::read(&self.metric)?;
         let document = RoadmapDocument {
             scenario: self.scenario,
             fingerprint: self.fingerprint,

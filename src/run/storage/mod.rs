@@ -1,8 +1,9 @@
 //! Saved roadmaps: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
 //!
 //! It holds a fingerprint of the world and the robot, how it was built, its vertices and its edges, and
-//! ends with a checksum. Reading refuses damaged documents; whether its edges are free is proven again by
-//! [`run::resume`](crate::run::resume), since a file proves nothing.
+//! ends with a checksum. Of a robot of one's own it holds the space; what is free there is known to a function alone. Reading refuses
+//! damaged documents; whether edges are free is proven again by [`run::resume`](crate::run::resume) and
+//! [`run::resume_problem`](crate::run::resume_problem), since a file proves nothing.
 
 mod binary;
 mod fingerprint;
@@ -12,6 +13,7 @@ mod metric;
 
 pub use binary::MAGIC;
 pub use fingerprint::fingerprint;
+pub(crate) use fingerprint::fingerprint_of_space;
 pub use json::FORMAT;
 pub use metric::RoadmapMetric;
 
@@ -23,12 +25,15 @@ use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace,
 /// The most neighbours of a vertex: with a radius, as many as a roadmap may try.
 const MOST_NEIGHBOURS: u32 = 20_000_000;
 
+/// The most checks per edge, as in the option `edge_samples`.
+const MOST_SAMPLES: u32 = 10_000;
+
 /// A roadmap with everything needed to query it again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoadmapDocument {
-    /// The name of the scenario, for people.
+    /// The name of the scenario, for people; empty for a robot of one's own.
     pub scenario: String,
-    /// What the roadmap depends on: the [`fingerprint`] of world and robot.
+    /// What the roadmap depends on: the [`fingerprint`] of world and robot; for a robot of one's own, that of its space.
     pub fingerprint: u64,
     /// For every coordinate of a configuration whether it is a circle, an angle that wraps at a full turn; 1 to 8 of them.
     pub circles: Vec<bool>,
@@ -42,7 +47,8 @@ pub struct RoadmapDocument {
     pub radius: f64,
     /// How its edges were checked.
     pub edge_check: EdgeCheck,
-    /// The number of checks per edge: given if, and only if, edges are sampled.
+    /// The number of checks per edge: given if, and only if, edges are sampled; but not if a robot of one's own is sampled at the
+    /// resolution of its problem.
     pub edge_samples: Option<u32>,
     /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.
     pub tolerance: f64,
@@ -108,7 +114,7 @@ impl RoadmapDocument {
     /// The length of an edge in the metric, to the bit that of the space it was built in.
     ///
     /// # Panics
-    /// If a vertex does not exist.
+    /// If a vertex does not exist, or [`RoadmapDocument::check`] refuses the metric.
     pub fn length(&self, edge: [u32; 2]) -> f64 {
         let dimension = self.dimension();
         let [a, b] = edge.map(|vertex| {
@@ -129,6 +135,7 @@ impl RoadmapDocument {
         let product = |metric| MotionSpace::new(ProductSpace::new(&coordinates, metric));
         let placements = |translation, rotation| ProductSpace::of_placements([0.0; 2], [1.0; 2], translation, rotation);
         match self.metric {
+            RoadmapMetric::Space(ref space) => space.read().expect("a checked document"),
             RoadmapMetric::Sum => product(Metric::Sum),
             RoadmapMetric::Euclidean | RoadmapMetric::Naive => product(Metric::Euclidean),
             RoadmapMetric::Placement { translation, rotation } => MotionSpace::new(placements(translation, rotation)),
@@ -151,9 +158,15 @@ impl RoadmapDocument {
         if !(1..=MOST_NEIGHBOURS).contains(&self.k) {
             return Err(damaged("/k", format!("k must lie within [1, {MOST_NEIGHBOURS}], not {}", self.k)));
         }
-        self.metric.check()?;
-        if self.edge_samples.is_some_and(|samples| samples > 0) != (self.edge_check == EdgeCheck::Sampled) {
-            let sentence = "edges that are sampled, and only they, have edge_samples of 1 or more";
+        self.metric.check(&self.circles)?;
+        let is_sampled = self.edge_check == EdgeCheck::Sampled;
+        let is_sound = match self.edge_samples {
+            Some(samples) => is_sampled && (1..=MOST_SAMPLES).contains(&samples),
+            None => !is_sampled || matches!(self.metric, RoadmapMetric::Space(_)),
+        };
+        if !is_sound {
+            let sentence =
+                format!("edges that are sampled, and only they, have edge_samples within [1, {MOST_SAMPLES}]");
             return Err(damaged("/edge_samples", sentence));
         }
         let is_positive = |x: f64| x > 0.0;

@@ -60,6 +60,7 @@ objects! {
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         title: Option<String>,
         /// The bounds, which are required, and obstacles.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "World"))]
         world: WorldDocument,
         /// The robot.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "DifferentialDriveDocument"))]

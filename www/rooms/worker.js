@@ -2,7 +2,8 @@
 import { serve } from "../app/worker-server.js";
 import * as experiments from "../experiments/commands.js";
 import * as neighbours from "../neighbours/commands.js";
+import * as learned from "../prm-rl/commands.js";
 import * as reach from "../reach/commands.js";
 import * as trajectories from "../trajectories/commands.js";
 
-serve({ experiments, neighbours, reach, trajectories });
+serve({ experiments, neighbours, "prm-rl": learned, reach, trajectories });

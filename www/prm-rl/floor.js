@@ -24,11 +24,16 @@ export class Floor {
     this.drawn = [0, 0, 0];
   }
 
-  /** The places of start, turning handle and goal on the canvas. @returns {[name: "start" | "turn" | "goal", x: number, y: number][]} */
+  /** Whether the robot is shown on its way: its start cannot be turned then. */
+  get isDriven() { return this.session.run.drives.length > 0 && this.session.time > 0; }
+
+  /** The places of goal, turning handle and start on the canvas. @returns {[name: "start" | "turn" | "goal", x: number, y: number][]} */
   get handles() {
     const { view, session: { start, goal } } = this;
     const [x, y] = view.place(start);
-    return [["goal", ...view.place(goal)], ["turn", x + AHEAD * Math.cos(start[2]), y - AHEAD * Math.sin(start[2])], ["start", x, y]];
+    /** @type {["turn", number, number]} */
+    const turn = ["turn", x + AHEAD * Math.cos(start[2]), y - AHEAD * Math.sin(start[2])];
+    return [["start", x, y], ["goal", ...view.place(goal)], ...(this.isDriven ? [] : [turn])];
   }
 
   /** The step of the path at a place, or null. @param {number} x @param {number} y @param {number} near */
@@ -93,13 +98,10 @@ export class Floor {
     if (shown) drawDrive(context, view, shown, palette, { rows, width: 2.6, alpha: 1 });
     drawGoal(context, ...view.place(goal), palette);
     drawStart(context, ...view.place(start), palette);
-    const isDriven = shown !== undefined && time > 0;
-    const pose = isDriven ? poseAt(shown, time, timeStep) : /** @type {[number, number, number]} */ ([start[0], start[1], start[2]]);
+    const { isDriven } = this;
+    const pose = isDriven && shown ? poseAt(shown, time, timeStep) : /** @type {[number, number, number]} */ ([start[0], start[1], start[2]]);
     drawRobotAt(context, view, task, document.robot.sensor ?? null, pose, palette);
-    if (!isDriven) {
-      const [[, , ], [, x, y]] = this.handles;
-      drawHandle(context, x, y, palette.start, palette);
-    }
+    for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
     if (refusal) {
       const [x, y] = view.place(refusal.end === "start" ? start : goal);
       drawLabel(context, "in collision", x, y - 22, palette.collision, palette);

@@ -6,7 +6,7 @@
  */
 import { byId, make } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
-import { countsOf } from "./session.js";
+import { FIRST, countsOf } from "./session.js";
 import { leastOf } from "./words.js";
 
 /** @import { App } from "../app/app.js" */
@@ -23,12 +23,12 @@ import { leastOf } from "./words.js";
  */
 
 /** The floor of the lesson, and a start with a near and a far goal. */
-const FLOOR = /** @type {const} */ ({ kind: "rooms", options: {} });
-const START = [1.2, 1.2, 0.6];
-const NEAR = [3.6, 3.4];
-const FAR = [18.6, 13.4];
+const FLOOR = FIRST;
+const START = [3.22, 0.37, -2.4];
+const NEAR = [3.9, 4];
+const FAR = [18.35, 6.6];
 const TRIALS = 20;
-/** Drives of one step run with so much less reliable edges. */
+/** The least share of a step with edges that are less reliable. */
 const CARELESS = 0.5;
 
 export class Lesson {
@@ -86,11 +86,11 @@ export class Lesson {
       {
         question: "Now the goal is several rooms away. In how many of 20 drives will the policy alone reach it?", choices: ["Nearly all", "About half", "Hardly any"], answer: 2,
         ends: { start: START, goal: FAR }, run: () => this.drive("policy"),
-        text: () => `The policy alone reached it in ${reached()} drives: it drives towards the goal, and no ray tells it that a wall is in the way without a door.`,
+        text: () => `The policy alone reached it in ${reached()} drives: it drives towards the goal, into rooms whose door is elsewhere. Its rays show what is near, not the way.`,
       },
       {
         question: `Two vertices become an edge if enough rollouts of the policy succeed. If half of them are enough (least share ${CARELESS}), how does the robot fare along the path?`,
-        choices: ["It still reaches the goal in most drives", "Failures of several edges add up"], answer: 1,
+        choices: ["It reaches the goal every time", "Now and then it fails: the failures of many edges add up"], answer: 1,
         ends: { start: START, goal: FAR },
         run: async () => {
           session.given["prm-rl"] = { least_share: CARELESS };

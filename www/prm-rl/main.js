@@ -250,7 +250,6 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       "fact-solved": last ? `${num(100 * last.reached, 0)} %` : "\u2013", "fact-workers": grouped(training.pool.workers.length), "fact-trained": training.fingerprint || "\u2013",
       "fact-time": `${num(time, 1)} s`, "fact-vertices": grouped(run.vertices.length / 2), "fact-edges": grouped(run.edges.length / 2),
       "fact-checked": way === "prm-rl" ? grouped((run.edges.length + run.refused.length) / 2) : "none", "fact-length": run.result && run.path.length > 0 ? `${num(run.result.length ?? 0, 1)} m` : "\u2013", "fact-planned": run.result?.fingerprint ?? "\u2013",
-      "train-text": training.status === "none" ? "" : `${grouped(training.generation)} of ${grouped(training.generations)} generations`,
       "compare-text": comparison.count === 0 ? "" : `${grouped(comparison.executions.length)} of ${grouped(comparison.count)} drives`,
     });
     const text = sentenceOf(session);

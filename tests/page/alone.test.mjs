@@ -47,7 +47,7 @@ test("a page that was open once opens without a network with all its rooms, and 
   await chooseScene(page, "rings");
   for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
   assert.equal(await page.isHidden("#notice"), true);
-  for (const room of ["reach", "neighbours", "trajectories", "experiments", "gallery"]) {
+  for (const room of ["reach", "neighbours", "trajectories", "prm-rl", "experiments", "gallery"]) {
     await page.goto(`${url}${room}.html`);
     await page.waitForSelector("body[data-state=ready][data-settled=true]");
   }

@@ -138,6 +138,15 @@ export class Floor {
   drawPath(context, palette) {
     const { view, session: { run: { path }, way, edge } } = this;
     if (path.length < 2) return;
+    if (way === "policy") {
+      // It is no plan: only where the goal lies.
+      setStroke(context, palette.quiet, 1, [2, 5]);
+      context.beginPath();
+      addLine(context, ...view.place(path[0]), ...view.place(path[1]));
+      context.stroke();
+      context.setLineDash([]);
+      return;
+    }
     const colour = way === "straight" ? palette.path : palette.unproven;
     context.save();
     context.lineCap = context.lineJoin = "round";

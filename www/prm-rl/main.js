@@ -51,8 +51,8 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const floor = new Floor(session);
   const demonstrations = new Demonstrations(session);
   const figures = {
-    demonstrations: new Figure(app, stage, { id: "demonstrations", kind: "workspace", caption: "Twelve short tasks", note: "the same in every generation, driven by the policy so far" }, demonstrations),
     floor: new Figure(app, stage, { id: "floor", kind: "workspace", caption: "Floor" }, floor),
+    demonstrations: new Figure(app, stage, { id: "demonstrations", kind: "workspace", caption: "Twelve short tasks", note: "the same in every generation, driven by the policy so far" }, demonstrations),
   };
   const all = Object.values(figures);
   const drawCharts = makeCharts(session);

@@ -19,7 +19,7 @@ export class TrainingPool {
   constructor(first, hire) {
     this.workers = [first];
     this.hire = hire;
-    this.most = Math.max(1, (navigator.hardwareConcurrency || 1) - 1);
+    this.most = 1;
     /** Another number for each training: replies of an earlier one are dropped. */
     this.epoch = 0;
     this.isRunning = false;
@@ -42,6 +42,7 @@ export class TrainingPool {
     const info = await first.beginTraining(document, settings);
     this.epoch++;
     this.beginning = [document, settings];
+    this.most = Math.max(1, (navigator.hardwareConcurrency || 1) - 1);
     this.known = new Map([[first, 0]]);
     this.ended = [];
     this.prepare(info.candidates);

@@ -35,8 +35,8 @@ import { TrainingRun } from "./training.js";
  * @property {Execution[]} drives
  */
 
-/** The floor at first. @type {Source} */
-export const FIRST = { kind: "rooms", options: { seed: 2 } };
+/** The floor at first. */
+export const FIRST = /** @type {const} */ ({ kind: "rooms", options: { seed: 2 } });
 
 /** @type {Way[]} */
 export const WAYS = ["policy", "straight", "prm-rl"];

@@ -1,6 +1,6 @@
 /** The state that a link stores. A policy is too long for one: that of a training is trained again, and one from a file is left out. */
 import { json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
-import { WAYS } from "./session.js";
+import { FIRST, WAYS } from "./session.js";
 
 /** @import { NavigationDocument, NavigationGeneratorId } from "planarium" */
 /** @import { Rule } from "../formats/rules.js" */
@@ -21,7 +21,7 @@ export const stateRule = withDefaults({
   // A step of the lesson, from 1.
   step: whole(5),
 }, {
-  part: "plan", kind: "rooms", options: {}, train: {}, generations: 0, policy: "shipped", way: "prm-rl", given: {}, planned: 0, trials: 20, driven: 0, selected: 0, time: 0, compare: {},
+  part: "plan", ...FIRST, train: {}, generations: 0, policy: "shipped", way: "prm-rl", given: {}, planned: 0, trials: 20, driven: 0, selected: 0, time: 0, compare: {},
   executions: 0, step: 0,
 });
 

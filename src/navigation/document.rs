@@ -397,6 +397,7 @@ impl Navigation {
             goal: Goal::Configuration(query.goal.to_vec()),
             goal_tolerance: None,
         };
+        within("/margin", "a margin", margin, 0.0..=1e6)?;
         let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().drive.shape().reach() + margin)?);
         let queries = self.queries().iter().map(query).collect();
         Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())

@@ -3,7 +3,7 @@ import { View } from "planarium/draw";
 import { drawGround } from "../draw/ground.js";
 import { setStroke } from "../draw/marks.js";
 import { drawGoal } from "../draw/shapes.js";
-import { drawDrive, drawRobotAt } from "./marks.js";
+import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
 import { poseAt } from "./session.js";
 
 /** @import { Demonstration } from "planarium" */
@@ -69,9 +69,10 @@ export class Demonstrations {
     training.demonstrations.forEach((drive, i) => this.within(brush, drive, i, (view) => {
       const { sensor, time_step: step = 0.2 } = training.floors[i].robot;
       drawGoal(context, ...view.place(drive.goal), palette);
-      drawDrive(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2, alpha: 1 });
+      drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2, alpha: 1 });
       const isSelected = i === training.selected;
       if (this.time < drive.time || isSelected) drawRobotAt(context, view, training.tasks[i], isSelected ? sensor ?? null : null, poseAt(drive, Math.min(this.time, drive.time), step), palette);
+      if (this.time >= drive.time) drawOutcome(context, view, drive, palette);
     }));
   }
 

@@ -5,7 +5,7 @@ import { drawGround } from "../draw/ground.js";
 import { addLine, drawHandle, setStroke } from "../draw/marks.js";
 import { drawGoal, drawLabel, drawStart } from "../draw/shapes.js";
 import { distanceToSegment } from "../draw/trace.js";
-import { drawDrive, drawRobotAt } from "./marks.js";
+import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
 import { poseAt } from "./session.js";
 
 /** @import { Brush } from "../draw/figure.js" */
@@ -92,15 +92,16 @@ export class Floor {
     const timeStep = document.robot.time_step ?? 0.2;
     const rows = time / timeStep + 1;
     run.drives.forEach((drive, i) => {
-      if (i !== selected) drawDrive(context, view, drive, palette, { rows, width: 1.4, alpha: 0.55 });
+      if (i !== selected) drawTrace(context, view, drive, palette, { rows, width: 1.4, alpha: 0.55 });
     });
     const shown = run.drives[selected];
-    if (shown) drawDrive(context, view, shown, palette, { rows, width: 2.6, alpha: 1 });
+    if (shown) drawTrace(context, view, shown, palette, { rows, width: 2.6, alpha: 1 });
     drawGoal(context, ...view.place(goal), palette);
     drawStart(context, ...view.place(start), palette);
     const { isDriven } = this;
     const pose = isDriven && shown ? poseAt(shown, time, timeStep) : /** @type {[number, number, number]} */ ([start[0], start[1], start[2]]);
     drawRobotAt(context, view, task, document.robot.sensor ?? null, pose, palette);
+    for (const drive of run.drives) if (time >= drive.time) drawOutcome(context, view, drive, palette);
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
     if (refusal) {
       const [x, y] = view.place(refusal.end === "start" ? start : goal);

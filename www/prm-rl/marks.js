@@ -11,11 +11,11 @@ import { addCross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../dr
 const STYLES = { reached: { colour: "goal", dash: [] }, collision: { colour: "collision", dash: [7, 4] }, timeout: { colour: "rejected", dash: [2, 4] } };
 
 /**
- * The trace of a drive up to a time, with its mark if it has ended by then.
+ * The trace of a drive up to a time.
  * @param {Context} context @param {View} view @param {Execution} drive @param {Palette} palette
- * @param {{ rows: number, width: number, alpha: number }} style  `rows`: of the trace, that are drawn; all of them end in the mark
+ * @param {{ rows: number, width: number, alpha: number }} style  `rows`: of the trace, that are drawn
  */
-export function drawDrive(context, view, { trace, outcome }, palette, { rows, width, alpha }) {
+export function drawTrace(context, view, { trace, outcome }, palette, { rows, width, alpha }) {
   const { colour, dash } = STYLES[outcome];
   const count = trace.length / 3;
   const last = Math.min(count, Math.max(1, Math.ceil(rows)));
@@ -27,11 +27,11 @@ export function drawDrive(context, view, { trace, outcome }, palette, { rows, wi
   for (let i = 0; i < last; i++) context.lineTo(view.x(trace[3 * i]), view.y(trace[3 * i + 1]));
   context.stroke();
   context.restore();
-  if (last === count) drawOutcome(context, view.x(trace[3 * count - 3]), view.y(trace[3 * count - 2]), outcome, palette);
 }
 
-/** The mark of an outcome: a dot, a cross, or a clock. @param {Context} context @param {number} x @param {number} y @param {DriveOutcome} outcome @param {Palette} palette */
-export function drawOutcome(context, x, y, outcome, palette) {
+/** The mark at the end of a drive: a dot, a cross, or a clock. @param {Context} context @param {View} view @param {Execution} drive @param {Palette} palette */
+export function drawOutcome(context, view, { trace, outcome }, palette) {
+  const [x, y] = view.place(trace.slice(-3));
   const colour = palette[STYLES[outcome].colour];
   context.save();
   context.setLineDash([]);

@@ -41,7 +41,12 @@ export class ComparisonRun {
     this.status = "running";
     session.update("comparison");
     while (this.status === "running" && this.executions.length < until) {
-      const progress = await session.worker.advanceComparison(id);
+      const progress = await session.worker.advanceComparison(id).catch((error) => {
+        // The worker has lost the comparison.
+        if (id === this.id) this.clear();
+        session.update("comparison");
+        throw error;
+      });
       if (!progress || id !== this.id) return;
       this.executions.push(...progress.executions);
       Object.assign(this, { iterations: progress.iterations, summary: progress.summary });

@@ -70,9 +70,12 @@ export class Demonstrations {
       const { sensor, time_step: step = 0.2 } = training.floors[i].robot;
       drawGoal(context, ...view.place(drive.goal), palette);
       drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2, alpha: 1 });
+      const hasEnded = this.time >= drive.time;
+      // Failures are marked on top of the robot.
+      if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);
       const isSelected = i === training.selected;
-      if (this.time < drive.time || isSelected) drawRobotAt(context, view, training.tasks[i], isSelected ? sensor ?? null : null, poseAt(drive, Math.min(this.time, drive.time), step), palette);
-      if (this.time >= drive.time) drawOutcome(context, view, drive, palette);
+      if (!hasEnded || isSelected) drawRobotAt(context, view, training.tasks[i], isSelected ? sensor ?? null : null, poseAt(drive, Math.min(this.time, drive.time), step), palette);
+      if (hasEnded && drive.outcome !== "reached") drawOutcome(context, view, drive, palette);
     }));
   }
 

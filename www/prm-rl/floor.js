@@ -98,10 +98,15 @@ export class Floor {
     if (shown) drawTrace(context, view, shown, palette, { rows, width: 2.6, alpha: 1 });
     drawGoal(context, ...view.place(goal), palette);
     drawStart(context, ...view.place(start), palette);
+    // Failures are marked on top of the robot.
+    const drawEnds = (/** @type {boolean} */ isReached) => {
+      for (const drive of run.drives) if (time >= drive.time && isReached === (drive.outcome === "reached")) drawOutcome(context, view, drive, palette);
+    };
+    drawEnds(true);
     const { isDriven } = this;
     const pose = isDriven && shown ? poseAt(shown, time, timeStep) : /** @type {[number, number, number]} */ ([start[0], start[1], start[2]]);
     drawRobotAt(context, view, task, document.robot.sensor ?? null, pose, palette);
-    for (const drive of run.drives) if (time >= drive.time) drawOutcome(context, view, drive, palette);
+    drawEnds(false);
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
     if (refusal) {
       const [x, y] = view.place(refusal.end === "start" ? start : goal);

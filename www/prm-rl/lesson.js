@@ -56,7 +56,7 @@ export class Lesson {
     });
     const leave = button("lesson-leave", "Exit", () => this.leave(), { className: "quiet" });
     const head = make("p", { className: "head" }, make("strong", {}, "Learned edges"), " ", this.count);
-    this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
+    this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Step of the lesson", hidden: true },
       make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome)), make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
     byId("begin-lesson", HTMLButtonElement).addEventListener("click", () => void app.track(this.put(1)).then(() => this.run.focus()));

@@ -186,8 +186,21 @@ export class NavigationSession extends Observable {
     const run = this.runs[way] = { ...nothing(), status: "running" };
     Object.assign(this, { time: 0, edge: null, selected: 0 });
     this.update("plan");
+    try {
+      return await this.grow(id, run, turn, isQuick || app.reducedMotion);
+    } catch (error) {
+      // The worker has lost the plan.
+      if (this.runs[way] === run) this.runs[way] = nothing();
+      this.update("plan");
+      throw error;
+    }
+  }
+
+  /** Lets a roadmap grow to its end. @param {number} id @param {Run} run @param {number} turn @param {boolean} isQuick @returns {Promise<boolean>} whether no other one began since */
+  async grow(id, run, turn, isQuick) {
+    const { worker } = this;
     while (run.status === "running") {
-      const progress = await worker.advancePlan(id, isQuick || app.reducedMotion);
+      const progress = await worker.advancePlan(id, isQuick);
       if (!progress || turn !== this.turn) return false;
       for (const value of progress.vertices) run.vertices.push(value);
       for (const vertex of progress.edges) run.edges.push(vertex);

@@ -51,6 +51,7 @@ export async function openState(session, lesson, { part, document, kind, options
   session.setWay(way);
   training.given = train;
   comparison.given = compare;
+  Object.assign(training, { status: "none", generation: 0, history: [] });
   if (part === "train" || generations > 0) {
     await training.begin();
     await training.run(generations);

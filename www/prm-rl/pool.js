@@ -49,6 +49,12 @@ export class TrainingPool {
     return { ...info, ...await first.demonstrate() };
   }
 
+  /** Stops; replies that are on their way are dropped. */
+  cancel() {
+    this.isRunning = false;
+    this.epoch++;
+  }
+
   /** Divides a generation into parts. @param {number} candidates */
   prepare(candidates) {
     const size = Math.max(1, Math.ceil(candidates / (PARTS * this.most)));

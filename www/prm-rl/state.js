@@ -51,7 +51,7 @@ export async function openState(session, lesson, { part, document, kind, options
   session.setWay(way);
   training.given = train;
   comparison.given = compare;
-  Object.assign(training, { status: "none", generation: 0, history: [] });
+  training.clear();
   if (part === "train" || generations > 0) {
     await training.begin();
     await training.run(generations);

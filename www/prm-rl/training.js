@@ -70,5 +70,12 @@ export class TrainingRun {
     }
   }
 
+  /** Forgets the training: the next one begins anew. */
+  clear() {
+    this.begun++;
+    this.pool.cancel();
+    Object.assign(this, { status: "none", generation: 0, fingerprint: "", history: [] });
+  }
+
   pause() { this.pool.isRunning = false; }
 }

@@ -20,6 +20,8 @@ export class Demonstrations {
   /** @param {NavigationSession} session */
   constructor(session) {
     this.session = session;
+    /** Scale of strong lines, for projectors. */
+    this.bold = 1;
     /** Seconds of the drives; those of others would be shorter or longer. Infinity: their ends. */
     this.time = Infinity;
     this.columns = 4;
@@ -69,7 +71,7 @@ export class Demonstrations {
     training.demonstrations.forEach((drive, i) => this.within(brush, drive, i, (view) => {
       const { sensor, time_step: step = 0.2 } = training.floors[i].robot;
       drawGoal(context, ...view.place(drive.goal), palette);
-      drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2, alpha: 1 });
+      drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
       const hasEnded = this.time >= drive.time;
       // Failures are marked on top of the robot.
       if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);

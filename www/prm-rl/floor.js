@@ -19,6 +19,8 @@ export class Floor {
   /** @param {NavigationSession} session */
   constructor(session) {
     this.session = session;
+    /** Scale of strong lines, for projectors. */
+    this.bold = 1;
     this.view = NO_VIEW;
     /** Edges, refused edges and vertices on the ground. */
     this.drawn = [0, 0, 0];
@@ -84,7 +86,7 @@ export class Floor {
 
   /** @param {Brush} brush */
   top({ context, palette }) {
-    const { session, view } = this;
+    const { session, view, bold } = this;
     const { task, document, run, start, goal, refusal, time, selected, edge } = session;
     if (!task || !document) return;
     if (session.part === "compare") return this.drawQueries(context, palette);
@@ -92,10 +94,10 @@ export class Floor {
     const timeStep = document.robot.time_step ?? 0.2;
     const rows = time / timeStep + 1;
     run.drives.forEach((drive, i) => {
-      if (i !== selected) drawTrace(context, view, drive, palette, { rows, width: 1.4, alpha: 0.55 });
+      if (i !== selected) drawTrace(context, view, drive, palette, { rows, width: 1.4 * bold, alpha: 0.55 });
     });
     const shown = run.drives[selected];
-    if (shown) drawTrace(context, view, shown, palette, { rows, width: 2.6, alpha: 1 });
+    if (shown) drawTrace(context, view, shown, palette, { rows, width: 2.6 * bold, alpha: 1 });
     drawGoal(context, ...view.place(goal), palette);
     drawStart(context, ...view.place(start), palette);
     // Failures are marked on top of the robot.
@@ -142,7 +144,7 @@ export class Floor {
 
   /** The path: a learned one has the colour of what is not proven. @param {CanvasRenderingContext2D} context @param {Palette} palette */
   drawPath(context, palette) {
-    const { view, session: { run: { path }, way, edge } } = this;
+    const { view, bold, session: { run: { path }, way, edge } } = this;
     if (path.length < 2) return;
     if (way === "policy") {
       // It is no plan: only where the goal lies.
@@ -164,14 +166,14 @@ export class Floor {
       context.stroke();
       context.globalAlpha = 1;
     }
-    setStroke(context, palette.stage, 5.5, []);
+    setStroke(context, palette.stage, 5.5 * bold, []);
     const trace = () => {
       context.beginPath();
       for (const q of path) context.lineTo(...view.place(q));
       context.stroke();
     };
     trace();
-    setStroke(context, colour, 3, way === "straight" ? [] : [9, 5]);
+    setStroke(context, colour, 3 * bold, way === "straight" ? [] : [9, 5]);
     trace();
     context.setLineDash([]);
     context.fillStyle = colour;

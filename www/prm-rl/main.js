@@ -75,7 +75,10 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const rewind = () => { if (transport.isPlaying && session.time >= session.end) session.setTime(0); };
   transport.play.addEventListener("click", rewind);
   const lesson = new Lesson(app, session, play);
-  new Projector(() => app.setTheme());
+  new Projector(() => {
+    floor.bold = demonstrations.bold = app.look.bold;
+    app.setTheme();
+  });
 
   byId("parts", HTMLElement).append(...PARTS.map(([part, title]) => button(`part-${part}`, title, () => session.setPart(part))));
   byId("ways", HTMLElement).append(...WAYS.map((way) => button(`way-${way}`, WAY_WORDS[way].title, () => {

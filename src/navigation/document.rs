@@ -63,7 +63,7 @@ objects! {
         #[cfg_attr(target_arch = "wasm32", tsify(type = "World"))]
         world: WorldDocument,
         /// The robot.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "DifferentialDriveDocument"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "{ type: \"differential_drive\" } & DifferentialDriveDocument"))]
         robot: RobotDocument,
         /// A goal is reached at this distance from it; 0.3 by default.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]

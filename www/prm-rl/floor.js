@@ -118,8 +118,8 @@ export class Floor {
       const [a, b] = [run.path[edge], run.path[edge + 1]].map((q) => view.place(q));
       const { of, forward, backward } = run.rollouts[edge];
       const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-      const half = 90;
-      drawLabel(context, `${forward} of ${of} there, ${backward} of ${of} back`, Math.min(view.width - half, Math.max(half, x)), y < 40 ? y + 20 : y - 18, palette.ink, palette);
+      const half = 122;
+      drawLabel(context, `rollouts: ${forward} of ${of} there, ${backward} of ${of} back`, Math.min(view.width - half, Math.max(half, x)), y < 40 ? y + 20 : y - 18, palette.ink, palette);
     }
   }
 

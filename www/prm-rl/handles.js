@@ -32,10 +32,12 @@ export function watchHandles(session, stage, { floor, demonstrations }, move) {
       else move({ start: [start[0], start[1], Math.atan2(py - start[1], px - start[0])] });
     };
   });
-  floor.canvas.addEventListener("pointermove", ({ offsetX, offsetY }) => {
-    const edge = session.part === "plan" ? floor.drawing.edgeAt(offsetX, offsetY, NEAR) : null;
-    if (edge !== session.edge) session.select({ edge });
-  });
+  for (const type of /** @type {const} */ (["pointermove", "pointerdown"])) {
+    floor.canvas.addEventListener(type, ({ offsetX, offsetY }) => {
+      const edge = session.part === "plan" ? floor.drawing.edgeAt(offsetX, offsetY, NEAR) : null;
+      if (edge !== session.edge) session.select({ edge });
+    });
+  }
   floor.canvas.addEventListener("pointerleave", () => { if (session.edge !== null) session.select({ edge: null }); });
   demonstrations.canvas.addEventListener("click", ({ offsetX, offsetY }) => {
     const piece = demonstrations.drawing.pieceAt(offsetX, offsetY);

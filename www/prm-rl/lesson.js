@@ -60,22 +60,17 @@ export class Lesson {
       make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome)), make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
     byId("story", HTMLElement).before(this.band);
     byId("begin-lesson", HTMLButtonElement).addEventListener("click", () => void app.track(this.put(1)).then(() => this.run.focus()));
-    /** What was set in the step before. */
-    this.careless = { reached: 0, collision: 0, timeout: 0 };
   }
 
   /** @returns {Step[]} */
   get steps() {
     const { session } = this;
-    const driven = () => countsOf(session.run.drives);
-    const reached = () => `${driven().reached} of ${TRIALS}`;
+    const reached = () => `${countsOf(session.run.drives).reached} of ${TRIALS}`;
     return [
       {
         question: "What does the robot know of the floor while the policy drives it?", choices: ["The whole map", "What its rays meet, and the direction of the goal", "A picture from above"], answer: 1,
         ends: { start: START, goal: NEAR },
-        run: async () => {
-          await this.turn();
-        },
+        run: () => this.turn(),
         text: () => `It knows ${session.floor.robot.sensor?.rays ?? 16} noisy distances and where the goal lies, no more. Drag the robot: the rays follow.`,
       },
       {
@@ -95,7 +90,6 @@ export class Lesson {
         run: async () => {
           session.given["prm-rl"] = { least_share: CARELESS };
           await this.drive("prm-rl");
-          this.careless = driven();
         },
         text: () => `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share.`,
       },

@@ -81,7 +81,7 @@ test("a link that does not work is said not to, in every room, which opens all t
     ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", ["1abc", "nothing"], /This link does not work/],
     ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", [await encodeState(forest, () => {})], /The link cannot be opened/],
     ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
-    ["prm-rl", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
+    ["prm-rl", "body[data-state=ready][data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["experiments", "body[data-settled=true][data-phase=ready]", ["1broken"], /This link does not work/],
   ])) {
     for (const fragment of fragments) {

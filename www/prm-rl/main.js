@@ -171,7 +171,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     Object.assign(training, { tasks: [], floors: [], demonstrations: [], status: "none" });
     session.update("training");
   };
-  await useLink(app, stateRule, {
+  await app.track(useLink(app, stateRule, {
     save: () => stateOf(session, lesson), spare: "document",
     contents: (isWhole) => `${isWhole ? "the floor, start and goal, the settings, and what was trained, planned and driven" : "the settings, but not your floor: it is too long"}${session.origin === "file" ? "; your policy is too long and is not included" : ""}`,
     open: async (/** @type {State | null} */ state) => {
@@ -183,7 +183,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       if (app.reducedMotion) await begun;
       else void app.track(begun);
     },
-  });
+  }));
 
   /** Plans unless that is done, drives, and plays it. */
   async function drive() {

@@ -11,7 +11,7 @@ import { root } from "./run.mjs";
 const dist = join(root, "dist");
 
 /** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
-const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["fleet", "Fleet"], ["experiments", "Experiments"], ["gallery", "Gallery"]];
+const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours"], ["trajectories", "Trajectories"], ["fleet", "Fleet"], ["prm-rl", "PRM-RL"], ["experiments", "Experiments"], ["gallery", "Gallery"]];
 /** The part of the package that needs no core: each script has what it uses of it. */
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const NOTICES = "THIRD-PARTY-NOTICES.txt";

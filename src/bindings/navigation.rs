@@ -237,8 +237,13 @@ impl Training {
     #[wasm_bindgen(js_name = returnsOf)]
     pub fn returns_of(&self, first: &JsNumber, end: &JsNumber) -> Result<Vec<f64>, Error> {
         let training = &self.0.borrow().run;
-        let end = cursor(end, training.candidates())?;
-        let first = cursor(first, end)?;
+        let (first, end) = (size(first, "first")?, size(end, "end")?);
+        for (name, value, most) in [("end", end, training.candidates()), ("first", first, end)] {
+            if value > most {
+                let sentence = format!("\"{name}\" must lie within [0, {most}], not {value}");
+                return Err(Error::new(Code::OutOfRange, format!("/{name}"), sentence));
+            }
+        }
         Ok(training.returns_of(first..end).into_iter().flatten().collect())
     }
 

@@ -60,9 +60,10 @@ objects! {
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         title: Option<String>,
         /// The bounds, which are required, and obstacles.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "World"))]
         world: WorldDocument,
         /// The robot.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "DifferentialDriveDocument"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "{ type: \"differential_drive\" } & DifferentialDriveDocument"))]
         robot: RobotDocument,
         /// A goal is reached at this distance from it; 0.3 by default.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -396,6 +397,7 @@ impl Navigation {
             goal: Goal::Configuration(query.goal.to_vec()),
             goal_tolerance: None,
         };
+        within("/margin", "a margin", margin, 0.0..=1e6)?;
         let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().drive.shape().reach() + margin)?);
         let queries = self.queries().iter().map(query).collect();
         Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())

@@ -47,15 +47,15 @@ test("a page that was open once opens without a network with all its rooms, and 
   await chooseScene(page, "rings");
   for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
   assert.equal(await page.isHidden("#notice"), true);
-  for (const room of ["reach", "neighbours", "trajectories", "fleet", "experiments", "gallery"]) {
+  for (const room of ["reach", "neighbours", "trajectories", "fleet", "prm-rl", "experiments", "gallery"]) {
     await page.goto(`${url}${room}.html`);
     await page.waitForSelector("body[data-state=ready][data-settled=true]");
   }
   await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
 }, { serviceWorkers: "allow" }, { expectErrors: true }));
 
-test("the page in one file has at most 1420 KB and asks for nothing", () => {
-  assert.ok(statSync(oneFile).size <= 1420 * 1024, `${statSync(oneFile).size}`);
+test("the page in one file has at most 1500 KB and asks for nothing", () => {
+  assert.ok(statSync(oneFile).size <= 1500 * 1024, `${statSync(oneFile).size}`);
   const html = readFileSync(oneFile, "utf8");
   assert.match(html, /default-src 'none'/);
   assert.doesNotMatch(html, /<(script|link|img)[^>]*(src|href)="(?!data:)/);

@@ -202,7 +202,7 @@ test("where the browser has no video encoder there are GIFs alone, and the panel
 test("what writes WebM is loaded with the first film only, and its licence is among the notices", () => {
   const parts = readdirSync(join(pageRoot, "parts")).filter((name) => /^webm-.*\.js$/.test(name));
   assert.ok(parts.length > 0);
-  for (const name of ["index", "reach", "trajectories", "fleet"]) assert.doesNotMatch(readFileSync(join(pageRoot, `${name}.html`), "utf8"), /webm-/);
+  for (const name of ["index", "reach", "trajectories", "fleet", "prm-rl"]) assert.doesNotMatch(readFileSync(join(pageRoot, `${name}.html`), "utf8"), /webm-/);
   const notice = /mediabunny \d[\d.]* \(MPL-2\.0\), https:\/\/\S+$/m;
   assert.match(readFileSync(join(pageRoot, "THIRD-PARTY-NOTICES.txt"), "utf8"), notice);
   assert.match(readFileSync(join(root, "dist", "planarium.html"), "utf8"), notice);

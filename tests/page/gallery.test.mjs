@@ -9,6 +9,7 @@ import { decodeExperiment } from "../../www/experiments/link.js";
 import { REPORTS } from "../../www/gallery/reports.js";
 import { stateRule as neighboursRule } from "../../www/neighbours/state.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
+import { stateRule as learnedRule } from "../../www/prm-rl/state.js";
 import { stateRule as reachRule } from "../../www/reach/state.js";
 import { stateRule as trajectoriesRule } from "../../www/trajectories/state.js";
 import { PHONE, coloursOf, onPage, pageRoot, textMatches, useBrowser, violations } from "./browser.mjs";
@@ -29,7 +30,7 @@ const shots = join(targetFolder(), "gallery");
 /** How each page says that a state is open and drawn. @type {Record<Entry["page"], string>} */
 const READY = {
   planner: "body[data-state=ready][data-settled=true]:has(#counters[data-settled=true])", reach: "body[data-state=ready][data-settled=true]",
-  neighbours: "body[data-state=ready][data-settled=true][data-found]", trajectories: "body[data-state=ready][data-settled=true]", experiments: "body[data-state=ready][data-settled=true]",
+  neighbours: "body[data-state=ready][data-settled=true][data-found]", trajectories: "body[data-state=ready][data-settled=true]", "prm-rl": "body[data-state=ready][data-settled=true]", experiments: "body[data-state=ready][data-settled=true]",
 };
 /** The layer that shows it, and its colours unless any will do, by what is expected. @type {Record<string, [layer: string, ...colours: string[]]>} */
 const SHOWS = {
@@ -70,7 +71,7 @@ test("every link is one that its page reads", async () => {
   /** @type {Record<Entry["page"], (fragment: string) => Promise<{ fault: string | null }>>} */
   const read = {
     planner: decodeLink, experiments: decodeExperiment, reach: (fragment) => decodeState(fragment, reachRule),
-    neighbours: (fragment) => decodeState(fragment, neighboursRule), trajectories: (fragment) => decodeState(fragment, trajectoriesRule),
+    neighbours: (fragment) => decodeState(fragment, neighboursRule), trajectories: (fragment) => decodeState(fragment, trajectoriesRule), "prm-rl": (fragment) => decodeState(fragment, learnedRule),
   };
   for (const { id, page } of entries) {
     const [path, fragment] = addresses[id].split("#");
@@ -114,6 +115,7 @@ function outcomeOf(page, name) {
       }
       case "reach": return dataOf("#stage").free === "true" ? "free" : "in collision";
       case "neighbours": return dataOf("body").ask === "false" ? "drawn" : dataOf("body").found === "" ? "nothing" : "found";
+      case "prm-rl":
       case "trajectories": return dataOf("#stage").status;
       default: return "open";
     }

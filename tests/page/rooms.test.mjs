@@ -83,6 +83,7 @@ test("a link that does not work is said not to, in every room, which opens all t
     ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["fleet", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["fleet", "body[data-settled=true] #stage[data-status=solved]", [await encodeState({ kind: "maze" }, () => {}), await encodeState({ given: { haste: 3 } }, () => {}), await encodeState({ order: [0, 900] }, () => {})], /The link cannot be opened/],
+    ["prm-rl", "body[data-state=ready][data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["experiments", "body[data-settled=true][data-phase=ready]", ["1broken"], /This link does not work/],
   ])) {
     for (const fragment of fragments) {
@@ -121,9 +122,9 @@ test("links that were made before states had defaults still open", async () => {
 const KIT = "app domain draw formats widgets";
 const BELOW = {
   formats: "", domain: "", app: "formats", draw: "app domain formats", widgets: "app domain draw formats",
-  neighbours: `${KIT} planner/scenes`, trajectories: KIT, fleet: KIT, reach: `${KIT} planner/link planner/scenes`,
-  rooms: "app experiments fleet neighbours reach trajectories", experiments: `${KIT} planner/link planner/scenes`,
-  gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage reach trajectories`,
+  neighbours: `${KIT} planner/scenes`, trajectories: KIT, fleet: KIT, "prm-rl": KIT, reach: `${KIT} planner/link planner/scenes`,
+  rooms: "app experiments fleet neighbours prm-rl reach trajectories", experiments: `${KIT} planner/link planner/scenes`,
+  gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
   planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
   "planner/worker": KIT, "planner/settings": KIT, "planner/scenes": KIT,
   "planner/run-log": `${KIT} planner/worker`, "planner/stage": `${KIT} planner/run-log`, "planner/pose": `${KIT} planner/run-log planner/stage`,

@@ -24,10 +24,11 @@
 /** @import { State as ReachState } from "../reach/state.js" */
 /** @import { State as NeighboursState } from "../neighbours/state.js" */
 /** @import { State as TrajectoriesState } from "../trajectories/state.js" */
+/** @import { State as LearnedState } from "../prm-rl/state.js" */
 
 /** @typedef {"yes" | "partly" | "no"} Verdict */
 /** @typedef {"figure" | "table" | "animation" | "experiment" | "system" | "function" | "algorithm" | "claim" | "interaction" | "other"} Kind */
-/** What is planned for, or drawn. @typedef {"arm" | "point" | "body" | "car" | "particle"} Robot */
+/** What is planned for, or drawn. @typedef {"arm" | "point" | "body" | "car" | "drive" | "particle"} Robot */
 
 /**
  * The state in the link of each page, without what the entry's world adds to it.
@@ -36,6 +37,7 @@
  * @property {Partial<ReachState>} reach
  * @property {Partial<NeighboursState>} neighbours
  * @property {Partial<TrajectoriesState>} trajectories
+ * @property {Partial<LearnedState>} prm-rl
  * @property {{ document: string, worlds?: string[], view?: View }} experiments   the name of a document in `www/experiments/documents`, the
  *   names of those of its scenarios that are kept, all by default, and what is shown of its rows
  */
@@ -46,7 +48,7 @@
  * - of the planner's page "solved", "exhausted" or "running" for the first planner at the iteration; "flawed" for a path that collides;
  *   "refused" where planning is refused, as the start or the goal is in collision;
  * - of Reach "free" or "in collision", the configuration shown;
- * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories "solved" or "exhausted", of Experiments "open".
+ * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories and PRM-RL "solved" or "exhausted", of Experiments "open".
  * @typedef {"solved" | "exhausted" | "running" | "flawed" | "refused" | "free" | "in collision" | "found" | "drawn" | "open"} Expect
  */
 
@@ -89,4 +91,4 @@
 /** Whether a report holds, in words. @type {Record<Verdict, string>} */
 export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold" };
 /** The pages, as the links to them are called. @type {Record<PageName, string>} */
-export const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", experiments: "Experiments" };
+export const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", "prm-rl": "PRM-RL", experiments: "Experiments" };

@@ -15,7 +15,7 @@ import { HOLDS, PAGES } from "./format.js";
 const FILTERS = [
   ["report", "Report", {}],
   ["holds", "Holds", HOLDS],
-  ["robot", "Robot", {}],
+  ["robot", "Robot", { drive: "differential drive" }],
   ["planner", "Planner", { "": "without a planner" }],
   ["kind", "Kind", {}],
   ["page", "Page", PAGES],

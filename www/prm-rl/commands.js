@@ -1,0 +1,153 @@
+/**
+ * The commands of this page, which its workers run: a training, a roadmap that grows and what is driven along its path, and a comparison.
+ * Only the newest of each counts.
+ */
+import { Navigation, eventKinds } from "planarium";
+import { withOptions } from "../domain/option-names.js";
+
+/** @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions, NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions } from "planarium" */
+/** @import { Settings } from "../domain/types.js" */
+
+/** How a goal is driven to. @typedef {NavigationMethod} Way */
+
+/** Milliseconds of a call, about. */
+const SLICE = 24;
+
+/** @type {Training | null} */
+let training = null;
+/** @type {{ id: number, task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null, vertices: number, edges: number, events: number } | null} */
+let plan = null;
+/** @type {{ id: number, comparison: NavigationComparison, rows: number } | null} */
+let compared = null;
+/** Another number for each plan and comparison. */
+let count = 0;
+
+/** Calls with a task that lives no longer. @template T @param {NavigationDocument | string} document @param {(task: Navigation) => T} use */
+function withTask(document, use) {
+  const task = Navigation.parse(document);
+  try {
+    return use(task);
+  } finally {
+    task.free();
+  }
+}
+
+/** @returns {Training} */
+function trained() {
+  if (!training) throw new Error("No training has begun.");
+  return training;
+}
+
+export const commands = {
+  /** Begins a training for the robot of a task. @param {NavigationDocument} document @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  beginTraining(document, settings) {
+    const begun = withTask(document, (task) => withOptions(settings, (/** @type {TrainingOptions} */ options) => task.training(options)));
+    training?.free();
+    training = begun;
+    return { candidates: begun.candidates, generations: begun.generations };
+  },
+
+  /** The returns of some candidates, after generations that were ended elsewhere. @param {number} first @param {number} end @param {Float64Array[]} ended  their returns */
+  returnsOf(first, end, ended) {
+    for (const returns of ended) trained().advance(returns);
+    return trained().returnsOf(first, end);
+  },
+
+  /** Ends generations with their returns. @param {Float64Array[]} ended */
+  advance(ended) {
+    const run = trained();
+    for (const returns of ended) run.advance(returns);
+    const { generation, fingerprint } = run;
+    return { generation, fingerprint, history: run.historySince(generation - ended.length), demonstrations: run.demonstrations(DEMONSTRATIONS), policy: run.policy() };
+  },
+
+  /** Drives of the policy at the beginning, and the floors that they are on. */
+  demonstrate() {
+    const run = trained();
+    const demonstrations = run.demonstrations(DEMONSTRATIONS);
+    return { demonstrations, floors: demonstrations.map(({ floor }) => run.floor(floor)), policy: run.policy() };
+  },
+
+  /**
+   * Begins a roadmap.
+   * @param {NavigationDocument} document  with one query @param {PolicyDocument} policy @param {Exclude<Way, "policy">} way @param {Settings} settings
+   * @throws {Error} they are refused, and nothing changes
+   */
+  beginPlan(document, policy, way, settings) {
+    const task = Navigation.parse(document);
+    try {
+      const planner = withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => (way === "straight" ? task.straightPlanner(options) : task.planner(policy, options)));
+      const rollouts = way === "straight" ? null : (/** @type {number[][]} */ path) => withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => task.edgeRollouts(policy, path.flat(), options));
+      plan?.planner.free();
+      plan?.task.free();
+      plan = { id: ++count, task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
+      return plan.id;
+    } catch (error) {
+      task.free();
+      throw error;
+    }
+  },
+
+  /** Lets the roadmap grow for a moment, or to its end; null if another one has begun since. @param {number} id @param {boolean} isWhole */
+  advancePlan(id, isWhole) {
+    if (!plan || plan.id !== id) return null;
+    const { planner, vertices, edges, events } = plan;
+    const status = isWhole ? planner.step(Number.MAX_SAFE_INTEGER) : planner.stepFor(SLICE);
+    Object.assign(plan, { vertices: planner.vertexCount, edges: planner.edgeCount, events: planner.eventCount });
+    return {
+      status, iterations: planner.iterations, vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges),
+      refused: refusedOf(planner.eventsSince(events), planner.eventWidth),
+      result: status === "running" ? null : planner.result(),
+    };
+  },
+
+  /** All rollouts along a path of the roadmap. @param {number} id @param {number[][]} path */
+  rollouts(id, path) { return plan?.id === id && path.length > 1 ? plan.rollouts?.(path) ?? null : null; },
+
+  /**
+   * Drives along a path several times, each with noise of its own.
+   * @param {NavigationDocument} document  with one query @param {PolicyDocument | null} policy  null: by a controller that looks at no rays
+   * @param {number[][]} path @param {number} seed @param {number} trials
+   * @returns {Execution[]}
+   */
+  drive(document, policy, path, seed, trials) {
+    return withTask(document, (task) => Array.from({ length: trials }, (_, trial) => {
+      const options = /** @type {ExecutionOptions} */ ({ seed, trial, ...(policy && { policy }) });
+      return task.execute(path.flat(), options);
+    }));
+  },
+
+  /** Begins a comparison of the three ways to drive. @param {NavigationDocument} document @param {PolicyDocument} policy @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  beginComparison(document, policy, settings) {
+    const comparison = withTask(document, (task) => withOptions(settings, (/** @type {NavigationComparisonOptions} */ options) => task.comparison(policy, options)));
+    compared?.comparison.free();
+    compared = { id: ++count, comparison, rows: 0 };
+    return { id: compared.id, count: comparison.count, queries: comparison.queries() };
+  },
+
+  /** Goes on with a comparison for a moment; null if another one has begun since. @param {number} id */
+  advanceComparison(id) {
+    if (!compared || compared.id !== id) return null;
+    const { comparison, rows } = compared;
+    const status = comparison.stepFor(2 * SLICE);
+    compared.rows = comparison.executionCount;
+    return { status, iterations: comparison.iterations, executions: comparison.executionsSince(rows), summary: comparison.summary() };
+  },
+};
+
+/** The edges of a roadmap that were refused, two vertices each. @param {Float64Array} events @param {number} width */
+function refusedOf(events, width) {
+  const refused = eventKinds.indexOf("refused");
+  return Array.from({ length: events.length / width }, (_, i) => events.subarray(i * width, i * width + 4)).flatMap(([kind, , from, to]) => (kind === refused && to >= 0 ? [from, to] : []));
+}
+
+/** Drives that show what a policy in training can do. */
+const DEMONSTRATIONS = 12;
+
+/** @typedef {typeof commands} Commands */
+/** @typedef {ReturnType<Commands["advance"]>} Generation */
+
+export function reset() {
+  training = plan = compared = null;
+  count++;
+}

@@ -1,0 +1,33 @@
+/** The options of the ways that plan: those of the core, with usual values of this page for the roadmap. */
+import { comparisonOptions, rolloutOptions } from "planarium";
+import { withSeed } from "../widgets/field.js";
+
+/** @import { ParameterInfo, Settings } from "../domain/types.js" */
+
+/** The planners of the roadmap, the usual one of each way first. */
+const PLANNERS = { "prm-rl": ["lazy-prm", "prm"], straight: ["prm", "lazy-prm"] };
+const MEANINGS = {
+  "prm-rl": "lazy-prm rolls out only the edges that the best path so far wants; prm those to all neighbours, which takes far longer.",
+  straight: "prm proves the edges to all neighbours; lazy-prm only those that the best path so far wants.",
+};
+/** Samples and neighbours of a roadmap: enough for one query on a floor of this page. @type {Record<string, number>} */
+const ROADMAP = { samples: 400, k: 15 };
+
+/** @param {"prm-rl" | "straight"} way @returns {ParameterInfo[]} */
+export function optionsOf(way) {
+  const choices = PLANNERS[way];
+  /** @type {ParameterInfo} */
+  const algorithm = {
+    name: "algorithm", title: "Planner", kind: "choice", unit: "", min: null, max: null, default: choices[0], choices, robots: [],
+    meaning: MEANINGS[way],
+  };
+  const shared = /** @type {ParameterInfo[]} */ (comparisonOptions());
+  const roadmap = shared.filter(({ name }) => name in ROADMAP).map((info) => ({ ...info, default: ROADMAP[info.name] }));
+  const own = way === "straight" ? shared.filter(({ name }) => name === "margin") : /** @type {ParameterInfo[]} */ (rolloutOptions());
+  return [algorithm, ...own, ...roadmap, ...withSeed([])];
+}
+
+/** All options of a way. @param {"prm-rl" | "straight"} way @param {Settings} given  those that differ @returns {Settings} */
+export function withDefaults(way, given) {
+  return { .../** @type {Settings} */ (Object.fromEntries(optionsOf(way).map((info) => [info.name, info.default]))), ...given };
+}

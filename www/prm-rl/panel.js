@@ -1,0 +1,140 @@
+/** The settings: the floor, the options of the training, of the plans and of the comparison, start and goal. The forms are built from the core's tables. */
+import { comparisonOptions, navigationGenerators, randomSeed, trainingOptions } from "planarium";
+import { byId, make } from "../app/dom.js";
+import { button, press } from "../widgets/elements.js";
+import { Field, withSeed } from "../widgets/field.js";
+import { Options } from "../widgets/options.js";
+import { Slider } from "../widgets/slider.js";
+import { optionsOf } from "./options.js";
+
+/** @import { NavigationGeneratorId } from "planarium" */
+/** @import { ParameterInfo } from "../domain/types.js" */
+/** @import { Change, NavigationSession, Source } from "./session.js" */
+
+/** Shows beside its field why a value is refused. @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field */
+
+/** New seeds are below this: short enough to say aloud. */
+const SEEDS = 100_000;
+/** Options that are not folded away. */
+const FIRST = { floor: ["seed"], train: ["seed", "hidden", "pairs", "tasks", "generations"], "prm-rl": ["algorithm", "rollouts", "least_share", "longest_edge", "seed"], straight: ["algorithm", "margin", "seed"], compare: ["seed", "queries", "trials", "least_distance"] };
+
+/** @type {ParameterInfo} */
+const TRIALS = {
+  name: "trials", title: "Drives", kind: "integer", unit: "", min: 1, max: 200, default: 20, choices: null, robots: [], meaning: "Number of drives along the path, each with noise of its own.",
+};
+
+/**
+ * @param {NavigationSession} session
+ * @param {{ open: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void, train: (onRefused: Refusal) => void, compare: () => void }} actions
+ * @returns {{ refuseComparison: Refusal }}
+ */
+export function showPanel(session, actions) {
+  const { app, training, comparison } = session;
+  const kind = byId("kind", HTMLSelectElement);
+  const generators = navigationGenerators();
+  kind.append(...generators.map(({ id, title }) => make("option", { value: id }, title)));
+  kind.addEventListener("change", () => actions.open({ kind: /** @type {NavigationGeneratorId} */ (kind.value), options: {} }));
+  const newSeed = byId("new-seed", HTMLButtonElement);
+  newSeed.disabled = false;
+  newSeed.addEventListener("click", () => {
+    const { source } = session;
+    const from = "kind" in source ? source : { kind: /** @type {const} */ ("rooms"), options: {} };
+    actions.open({ kind: from.kind, options: { ...from.options, seed: randomSeed() % SEEDS } });
+  });
+  const trials = new Field(TRIALS, session.trials, () => { session.trials = Number(trials.value); }, "drives");
+  byId("trials", HTMLElement).append(trials.element);
+  byId("moved", HTMLElement).append(.../** @type {const} */ (["goal", "start"]).map((end) => button(`moved-${end}`, end, () => {
+    session.moved = end;
+    session.update("selected");
+  })));
+  const coordinates = [
+    { name: "start-x", title: "start x", end: "start", i: 0, unit: "m" }, { name: "start-y", title: "start y", end: "start", i: 1, unit: "m" }, { name: "start-theta", title: "heading", end: "start", i: 2, unit: "rad" },
+    { name: "goal-x", title: "goal x", end: "goal", i: 0, unit: "m" }, { name: "goal-y", title: "goal y", end: "goal", i: 1, unit: "m" },
+  ].map(({ name, title, end, i, unit }) => {
+    const key = /** @type {"start" | "goal"} */ (end);
+    const slider = new Slider({ name, title, unit, min: unit === "rad" ? -Math.PI : 0, max: unit === "rad" ? Math.PI : 1 }, 0, (value) => session.setEnds({ [key]: session[key].with(i, value) }));
+    return { slider, key, i };
+  });
+  byId("ends", HTMLElement).append(...coordinates.map(({ slider }) => slider.element));
+  /** The floor and the way whose forms are shown. */
+  let shown = { floor: "", way: "", train: "", compare: "" };
+  /** @type {Options | null} */
+  let compareForm = null;
+  session.onChange(show);
+  return { refuseComparison: (pointer, reason) => compareForm?.refuse(pointer, reason) ?? false };
+
+  /** @param {Change} change */
+  function show(change) {
+    const { source, way, start, goal, document, moved } = session;
+    if (!document) return;
+    for (const end of ["goal", "start"]) press(byId(`moved-${end}`, HTMLElement), end === moved);
+    if (change === "time" || change === "growth" || change === "generation" || change === "selected") return;
+    const { min, max } = document.world.bounds ?? { min: [0, 0], max: [1, 1] };
+    for (const { slider, key, i } of coordinates) {
+      if (i < 2 && change === "floor") slider.setLimits(min[i], max[i]);
+      const value = (key === "start" ? start : goal)[i];
+      slider.show(i < 2 ? value : Math.atan2(Math.sin(value), Math.cos(value)));
+    }
+    if (trials.current !== session.trials) trials.set(session.trials);
+    const floor = "kind" in source ? JSON.stringify([source.kind, Object.entries(source.options).sort()]) : "";
+    if (change === "floor" && floor !== shown.floor) buildFloor();
+    const train = JSON.stringify(training.given);
+    if (train !== shown.train) buildTraining();
+    const compare = JSON.stringify(comparison.given);
+    if (compare !== shown.compare) buildComparison();
+    const plan = way === "policy" ? way : JSON.stringify([way, session.given[way]]);
+    if (plan !== shown.way) buildPlan();
+    shown = { floor, train, compare, way: plan };
+  }
+
+  function buildFloor() {
+    const { source } = session;
+    const host = byId("floor-settings", HTMLElement);
+    const info = generators.find(({ id }) => "kind" in source && id === source.kind);
+    kind.value = info?.id ?? "";
+    byId("floor-fold", HTMLElement).hidden = !info;
+    app.write({ "kind-summary": info?.summary ?? "From a file. Choose a generator for another floor." });
+    if (!info || !("kind" in source)) return;
+    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor"));
+    const form = new Options(host, table, source.options, () => {
+      if (!form.settings) return;
+      shown.floor = JSON.stringify([source.kind, Object.entries(form.given).sort()]);
+      actions.open({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
+    }, { prefix: "floor" });
+  }
+
+  function buildPlan() {
+    const { way } = session;
+    const host = byId("plan-settings", HTMLElement);
+    if (way === "policy") {
+      host.replaceChildren(make("p", { className: "hint" }, "Without a plan there is nothing to set."));
+      return;
+    }
+    const form = new Options(host, optionsOf(way), session.given[way], () => {
+      if (!form.settings) return;
+      session.given[way] = form.given;
+      shown.way = JSON.stringify([way, form.given]);
+      actions.plan((pointer, reason) => form.refuse(pointer, reason));
+    }, { prefix: "plan", first: FIRST[way] });
+  }
+
+  function buildTraining() {
+    const form = new Options(byId("train-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training")), training.given, () => {
+      if (!form.settings) return;
+      training.given = form.given;
+      shown.train = JSON.stringify(form.given);
+      actions.train((pointer, reason) => form.refuse(pointer, reason));
+    }, { prefix: "train", first: FIRST.train });
+  }
+
+  function buildComparison() {
+    const form = new Options(byId("compare-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison")), comparison.given, () => {
+      if (!form.settings) return;
+      comparison.given = form.given;
+      shown.compare = JSON.stringify(form.given);
+      actions.compare();
+    }, { prefix: "compare", first: FIRST.compare });
+    compareForm = form;
+  }
+}
+

@@ -1,0 +1,258 @@
+/**
+ * The state of the page: a floor with its robot, a start and a goal, a policy, what is planned and driven, a training and a comparison. The
+ * worker plans and drives; only the newest plan counts.
+ */
+import { Navigation } from "planarium";
+import { Observable } from "../app/observable.js";
+import { withOptions } from "../domain/option-names.js";
+import { ComparisonRun } from "./comparison.js";
+import { withDefaults } from "./options.js";
+import { TrainingRun } from "./training.js";
+
+/** @import { EdgeRollouts, Execution, GenerateNavigationOptions, NavigationDocument, NavigationGeneratorId, PolicyDocument, ResultDocument, Status } from "planarium" */
+/** @import { App } from "../app/app.js" */
+/** @import { Remote } from "../app/worker-client.js" */
+/** @import { Settings } from "../domain/types.js" */
+/** @import { Commands, Way } from "./commands.js" */
+/** @import { TrainingWorker } from "./pool.js" */
+
+/** @typedef {"train" | "plan" | "compare"} Part */
+/** @typedef {"part" | "floor" | "policy" | "ends" | "growth" | "plan" | "drives" | "time" | "selected" | "training" | "generation" | "comparison"} Change */
+/** Where a floor is from: a generator, or a document. @typedef {{ kind: NavigationGeneratorId, options: Settings } | { document: NavigationDocument | string }} Source */
+/** Where the policy is from. @typedef {"shipped" | "trained" | "file"} Origin */
+
+/**
+ * A plan of one way to drive: its roadmap, its path, and drives along it.
+ * @typedef {object} Run
+ * @property {Status | "none"} status
+ * @property {number} iterations
+ * @property {number[]} vertices   x and y in turn
+ * @property {number[]} edges      two vertices each
+ * @property {number[]} refused    edges that were refused, in the same form
+ * @property {ResultDocument | null} result
+ * @property {number[][]} path
+ * @property {EdgeRollouts[] | null} rollouts   along the steps of the path
+ * @property {Execution[]} drives
+ */
+
+/** The floor at first. */
+export const FIRST = /** @type {const} */ ({ kind: "rooms", options: { seed: 2 } });
+
+/** @type {Way[]} */
+export const WAYS = ["policy", "straight", "prm-rl"];
+
+/** @returns {Run} */
+const nothing = () => ({ status: "none", iterations: 0, vertices: [], edges: [], refused: [], result: null, path: [], rollouts: null, drives: [] });
+
+/** @extends {Observable<Change>} */
+export class NavigationSession extends Observable {
+  /** @param {App} app @param {Remote<Commands>} worker @param {PolicyDocument} shipped */
+  constructor(app, worker, shipped) {
+    super(app);
+    this.worker = worker;
+    this.shipped = shipped;
+    this.policy = shipped;
+    /** @type {Origin} */
+    this.origin = "shipped";
+    /** @type {Part} */
+    this.part = "plan";
+    /** @type {Source} */
+    this.source = FIRST;
+    /** @type {NavigationDocument | null} */
+    this.document = null;
+    /** The core's task, for rays and outlines; its query is an earlier one where the present one is refused. @type {Navigation | null} */
+    this.task = null;
+    /** @type {number[]} */
+    this.start = [0, 0, 0];
+    /** @type {number[]} */
+    this.goal = [0, 0];
+    /** Why start or goal are refused, if they are. @type {{ message: string, end: "start" | "goal" } | null} */
+    this.refusal = null;
+    /** Which of the two arrow keys move. @type {"start" | "goal"} */
+    this.moved = "goal";
+    /** @type {Way} */
+    this.way = "prm-rl";
+    /** Options that differ from the defaults, of each way that plans. @type {Record<"straight" | "prm-rl", Settings>} */
+    this.given = { straight: {}, "prm-rl": {} };
+    this.trials = 20;
+    /** @type {Record<Way, Run>} */
+    this.runs = { policy: nothing(), straight: nothing(), "prm-rl": nothing() };
+    /** Plans and drives begun: replies of earlier ones are dropped. */
+    this.turn = 0;
+    /** Seconds, of the drives. */
+    this.time = 0;
+    /** The drive with the rays, and the step of the path that is marked. */
+    this.selected = 0;
+    /** @type {number | null} */
+    this.edge = null;
+    const hire = () => /** @type {TrainingWorker} */ (app.hire());
+    this.training = new TrainingRun(this, worker, hire);
+    this.comparison = new ComparisonRun(this);
+  }
+
+  /** The plan of the way that is shown. */
+  get run() { return this.runs[this.way]; }
+
+  /** When the last drive ends. */
+  get end() { return this.run.drives.reduce((end, { time }) => Math.max(end, time), 0); }
+
+  /** The floor with the query from start to goal. @returns {NavigationDocument} */
+  get asked() {
+    const { start: [x, y, theta], goal: [gx, gy] } = this;
+    return { ...this.floor, queries: [{ name: "query", start: [x, y, theta], goal: [gx, gy] }] };
+  }
+
+  /** The floor without queries, where start and goal may be anywhere. */
+  get robotDocument() { return { ...this.floor, queries: [] }; }
+
+  /** @returns {NavigationDocument} */
+  get floor() {
+    if (!this.document) throw new Error("No floor has been opened.");
+    return this.document;
+  }
+
+  /** @param {Part} part */
+  setPart(part) {
+    this.part = part;
+    this.update("part");
+  }
+
+  /** Opens a floor. @param {Source} source @param {{ start?: number[], goal?: number[] }} [ends]  those of its first query by default @throws {Error} it is refused, and nothing changes */
+  open(source, ends = {}) {
+    const task = "kind" in source ? withOptions(source.options, (/** @type {GenerateNavigationOptions} */ options) => Navigation.generate(source.kind, options)) : Navigation.parse(source.document);
+    const document = task.toJSON();
+    const { min, max } = document.world.bounds ?? { min: [0, 0], max: [0, 0] };
+    const middle = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+    const query = document.queries[0] ?? { start: [...middle, 0], goal: middle };
+    this.task?.free();
+    Object.assign(this, { source, document, task });
+    this.comparison.clear();
+    this.setEnds({ start: ends.start ?? query.start, goal: ends.goal ?? query.goal }, "floor");
+  }
+
+  /** Moves start or goal: what was planned is gone. @param {{ start?: number[], goal?: number[] }} ends @param {Change} [change] */
+  setEnds({ start = this.start, goal = this.goal }, change = "ends") {
+    Object.assign(this, { start, goal, refusal: null });
+    this.clear();
+    try {
+      const task = Navigation.parse(this.asked);
+      this.task?.free();
+      this.task = task;
+    } catch (error) {
+      const { code, message } = /** @type {{ code?: string, message: string }} */ (error);
+      if (code !== "start-in-collision" && code !== "goal-in-collision") throw error;
+      this.refusal = { message, end: code === "start-in-collision" ? "start" : "goal" };
+    }
+    this.update(change);
+  }
+
+  /** Forgets all plans and drives. */
+  clear() {
+    this.turn++;
+    Object.assign(this, { runs: { policy: nothing(), straight: nothing(), "prm-rl": nothing() }, time: 0, selected: 0, edge: null });
+  }
+
+  /** @param {PolicyDocument} policy @param {Origin} origin @throws {Error} the core refuses it, and nothing changes */
+  usePolicy(policy, origin) {
+    // The path has one position and so no edge, but the core reads the policy and compares its sensor with the robot's.
+    this.task?.edgeRollouts(policy, this.goal, {});
+    Object.assign(this, { policy, origin });
+    this.clear();
+    this.comparison.clear();
+    this.update("policy");
+  }
+
+  /** @param {Way} way */
+  setWay(way) {
+    Object.assign(this, { way, time: 0, edge: null, selected: 0 });
+    this.update("plan");
+  }
+
+  /** The options of the way, complete with the seed. */
+  get seed() { return this.way === "policy" ? 0 : Number(this.given[this.way].seed ?? 0); }
+
+  /** Plans for the way that is shown. @param {boolean} [isQuick]  without showing how it grows @returns {Promise<boolean>} whether it came to its end @throws {Error} the options are refused */
+  async plan(isQuick = false) {
+    const { way, worker, policy, app } = this;
+    const turn = ++this.turn;
+    if (this.refusal) return false;
+    if (way === "policy") {
+      this.runs.policy = { ...nothing(), status: "solved", path: [this.start.slice(0, 2), this.goal] };
+      this.update("plan");
+      return true;
+    }
+    const id = await worker.beginPlan(this.asked, policy, way, withDefaults(way, this.given[way]));
+    if (turn !== this.turn) return false;
+    const run = this.runs[way] = { ...nothing(), status: "running" };
+    Object.assign(this, { time: 0, edge: null, selected: 0 });
+    this.update("plan");
+    try {
+      return await this.grow(id, run, turn, isQuick || app.reducedMotion);
+    } catch (error) {
+      // The worker has lost the plan.
+      if (this.runs[way] === run) this.runs[way] = nothing();
+      this.update("plan");
+      throw error;
+    }
+  }
+
+  /** Lets a roadmap grow to its end. @param {number} id @param {Run} run @param {number} turn @param {boolean} isQuick @returns {Promise<boolean>} whether no other one began since */
+  async grow(id, run, turn, isQuick) {
+    const { worker } = this;
+    while (run.status === "running") {
+      const progress = await worker.advancePlan(id, isQuick);
+      if (!progress || turn !== this.turn) return false;
+      for (const value of progress.vertices) run.vertices.push(value);
+      for (const vertex of progress.edges) run.edges.push(vertex);
+      run.refused.push(...progress.refused);
+      Object.assign(run, { status: progress.status, iterations: progress.iterations, result: progress.result, path: progress.result?.path ?? [] });
+      this.update("growth");
+    }
+    run.rollouts = await worker.rollouts(id, run.path);
+    if (turn !== this.turn) return false;
+    this.update("plan");
+    return true;
+  }
+
+  /** Drives along the path of the way that is shown, which is planned for first. @param {boolean} [isQuick] @returns {Promise<boolean>} whether it has driven */
+  async drive(isQuick = false) {
+    if (this.run.status === "none" && !await this.plan(isQuick)) return false;
+    const { run, way, policy, seed, trials } = this;
+    if (run.path.length < 2) return false;
+    const turn = ++this.turn;
+    const drives = await this.worker.drive(this.asked, way === "straight" ? null : policy, run.path, seed, trials);
+    if (turn !== this.turn) return false;
+    Object.assign(run, { drives });
+    Object.assign(this, { time: 0, selected: 0 });
+    this.update("drives");
+    return true;
+  }
+
+  /** @param {number} time */
+  setTime(time) {
+    this.time = Math.min(Math.max(0, time), this.end);
+    this.update("time");
+  }
+
+  /** Marks a step of the path, or a drive. @param {{ edge?: number | null, selected?: number }} changes */
+  select(changes) {
+    Object.assign(this, changes);
+    this.update("selected");
+  }
+}
+
+/** How many drives ended in each way. @param {Execution[]} drives */
+export function countsOf(drives) {
+  const of = (/** @type {Execution["outcome"]} */ outcome) => drives.filter((drive) => drive.outcome === outcome).length;
+  return { reached: of("reached"), collision: of("collision"), timeout: of("timeout") };
+}
+
+/** The configuration of a drive at a time. @param {Execution} drive @param {number} time @param {number} timeStep @returns {[x: number, y: number, theta: number]} */
+export function poseAt({ trace }, time, timeStep) {
+  const last = trace.length / 3 - 1;
+  const at = Math.min(last, time / timeStep);
+  const row = Math.min(Math.floor(at), Math.max(0, last - 1));
+  const part = last > 0 ? at - row : 0;
+  const value = (/** @type {number} */ i) => trace[3 * row + i] + part * ((trace[3 * (row + 1) + i] ?? trace[3 * row + i]) - trace[3 * row + i]);
+  return [value(0), value(1), value(2)];
+}

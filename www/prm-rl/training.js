@@ -1,0 +1,81 @@
+/** A training as the page shows it: its settings, the pool that runs it, its curves, and drives of the policy so far. */
+import { Navigation } from "planarium";
+import { TrainingPool } from "./pool.js";
+
+/** @import { Demonstration, NavigationDocument, PolicyDocument } from "planarium" */
+/** @import { Settings } from "../domain/types.js" */
+/** @import { TrainingWorker } from "./pool.js" */
+/** @import { NavigationSession } from "./session.js" */
+
+/** A generation. @typedef {{ mean: number, best: number, reached: number }} Row */
+
+export class TrainingRun {
+  /** @param {NavigationSession} session @param {TrainingWorker} worker @param {() => TrainingWorker} hire */
+  constructor(session, worker, hire) {
+    this.session = session;
+    this.pool = new TrainingPool(worker, hire);
+    /** The options that differ from the defaults. @type {Settings} */
+    this.given = {};
+    this.generation = 0;
+    this.generations = 0;
+    this.fingerprint = "";
+    /** @type {Row[]} */
+    this.history = [];
+    /** @type {Demonstration[]} */
+    this.demonstrations = [];
+    /** Their floors: to draw, and to sense. @type {NavigationDocument[]} */
+    this.floors = [];
+    /** @type {Navigation[]} */
+    this.tasks = [];
+    /** The policy so far. @type {PolicyDocument | null} */
+    this.policy = null;
+    /** "refused": the settings are not valid. @type {"none" | "ready" | "running" | "over" | "refused"} */
+    this.status = "none";
+    /** Trainings begun. */
+    this.begun = 0;
+    /** The drive whose rays are drawn. */
+    this.selected = 0;
+  }
+
+  /** Begins anew. @throws {Error} the settings are refused */
+  async begin() {
+    const begun = ++this.begun;
+    const { session, pool, given } = this;
+    this.status = "refused";
+    const { generations, demonstrations, floors, policy } = await pool.begin(session.robotDocument, given);
+    if (begun !== this.begun) return;
+    for (const task of this.tasks) task.free();
+    Object.assign(this, { generations, demonstrations, policy, floors, tasks: floors.map((floor) => Navigation.parse(floor)), history: [], generation: 0, fingerprint: "", status: "ready", selected: 0 });
+    session.update("training");
+  }
+
+  /** Trains until it is paused, or up to a generation. @param {number} [until] */
+  async run(until = Infinity) {
+    if (this.status !== "ready" || this.generation >= Math.min(until, this.generations)) return;
+    this.status = "running";
+    this.session.update("training");
+    const begun = this.begun;
+    try {
+      await this.pool.run(({ generation, fingerprint, history, demonstrations, policy }) => {
+        for (let at = 0; at < history.length; at += 3) this.history.push({ mean: history[at], best: history[at + 1], reached: history[at + 2] });
+        Object.assign(this, { generation, fingerprint, demonstrations, policy });
+        this.session.update("generation");
+        return generation < Math.min(until, this.generations);
+      });
+    } finally {
+      if (begun === this.begun && this.status === "running") {
+        this.status = this.generation < this.generations ? "ready" : "over";
+        this.session.update("training");
+      }
+    }
+  }
+
+  /** Forgets the training: the next one begins anew. */
+  clear() {
+    this.begun++;
+    this.pool.cancel();
+    Object.assign(this, { status: "none", generation: 0, fingerprint: "", history: [] });
+  }
+
+  pause() { this.pool.isRunning = false; }
+}

@@ -1,0 +1,63 @@
+/** What the page says of its state. */
+import { counted, grouped } from "../app/dom.js";
+import { countsOf } from "./session.js";
+
+/** @import { NavigationSession } from "./session.js" */
+/** @import { Way } from "./commands.js" */
+
+/** The ways to drive. @type {Record<Way, { title: string, does: string }>} */
+export const WAY_WORDS = {
+  policy: { title: "Policy alone", does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays." },
+  straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. A simple controller follows them and looks at no rays." },
+  "prm-rl": { title: "PRM-RL", does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next." },
+};
+
+/** @param {NavigationSession} session */
+export function sentenceOf(session) {
+  if (session.part === "train") return trainingSentence(session);
+  if (session.part === "compare") return comparisonSentence(session);
+  const { refusal, run, way } = session;
+  if (refusal) return `The ${refusal.end} is in collision: move it away from obstacles.`;
+  if (run.status === "none") return "Drag the ring to move the robot and the diamond to move its goal. Then plan.";
+  if (run.status === "running") return `The roadmap grows: ${counted(run.vertices.length / 2, "vertex", "vertices")}, ${counted(run.edges.length / 2, "edge")}.`;
+  if (run.status === "exhausted") return `No path: with ${counted(run.vertices.length / 2, "vertex", "vertices")} the roadmap does not connect start and goal by edges that are reliable enough.`;
+  if (run.drives.length > 0) return `${WAY_WORDS[way].title}: ${drivenText(session)}`;
+  if (way === "policy") return "The policy alone has no plan: it drives towards the goal.";
+  const least = leastOf(session);
+  return least ? `A path of ${counted(run.path.length - 1, "edge")}. The least reliable one: rollouts: ${least.count} of ${least.of}.` : `A path of ${counted(run.path.length - 1, "straight edge")}, each proven free.`;
+}
+
+/** @param {NavigationSession} session */
+function drivenText({ run: { drives } }) {
+  const { reached, collision, timeout } = countsOf(drives);
+  const others = [collision > 0 ? counted(collision, "collision") : "", timeout > 0 ? `${grouped(timeout)} not there in time` : ""].filter(Boolean).join(", ");
+  return `${grouped(reached)} of ${counted(drives.length, "drive")} reached the goal${others ? `; ${others}` : ""}.`;
+}
+
+/** The fewest successful rollouts of an edge of the path, in either direction. @param {NavigationSession} session */
+export function leastOf({ run: { rollouts } }) {
+  if (!rollouts || rollouts.length === 0) return null;
+  return { count: Math.min(...rollouts.flatMap(({ forward, backward }) => [forward, backward])), of: rollouts[0].of };
+}
+
+/** @param {NavigationSession} session */
+function trainingSentence({ training: { status, generation, generations, history } }) {
+  if (status === "refused") return "These settings are not valid; see the message in the panel.";
+  const last = history.at(-1);
+  if (!last) return "Random changes of the policy are tried on short tasks; it moves along those that drive better. Press Play.";
+  const solved = `${Math.round(100 * last.reached)}\u00a0% of the tasks solved`;
+  if (status === "over") return `Trained for ${counted(generation, "generation")}: ${solved}. Use this policy in Plan and Compare.`;
+  return `Generation ${grouped(generation)} of ${grouped(generations)}: ${solved}.`;
+}
+
+/** @param {NavigationSession} session */
+function comparisonSentence({ comparison: { status, executions, count, iterations, summary } }) {
+  if (status === "none") return "The same long ways are driven in three ways, each several times with noise. Press Run.";
+  if (executions.length === 0) return `Two roadmaps are built: ${counted(iterations, "iteration")}.`;
+  if (status !== "over") return `${grouped(executions.length)} of ${counted(count, "drive")}.`;
+  const shares = summary.map(({ method, reached }) => `${WAY_WORDS[method].title} ${percentText(reached.share)}`);
+  return `Goals reached: ${shares.join(", ")}.`;
+}
+
+/** A share in percent. @param {number | null} share */
+export function percentText(share) { return share === null ? "\u2013" : `${Math.round(100 * share)} %`; }

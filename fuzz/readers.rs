@@ -6,6 +6,7 @@ use planarium::certificate::{self, Certificate};
 use planarium::error::Code;
 use planarium::experiment::{Experiment, Trials};
 use planarium::fleet::{self, Fleet, FleetOptions, FleetPlanner, FleetResult};
+use planarium::navigation::{self, Executor, Navigation, Policy, Training};
 use planarium::options::Value;
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::problem::Status;
@@ -108,6 +109,39 @@ fn own_roadmap(document: &RoadmapDocument) {
         let again = run.roadmap().expect("a roadmap");
         assert_eq!(RoadmapDocument::from_bytes(&again.to_bytes()).as_ref(), Ok(&again));
     }
+}
+
+/// A navigation task: its normal form reads back as the same, its robot drives, and a training and a planner are the same in slices. Or a
+/// policy: it reads back as the same.
+pub fn navigation(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if let Some(policy) = read(text, Policy::parse) {
+        assert_eq!(Policy::parse(&policy.to_json_string()).as_ref(), Ok(&policy));
+    }
+    let Some(task) = read(text, Navigation::parse) else { return };
+    assert_eq!(Navigation::parse(&task.to_json_string()).as_ref(), Ok(&task));
+    let Some(query) = task.queries().first() else { return };
+    assert!(task.sense(query.start).iter().all(|distance| (0.0..=task.robot().sensor.range).contains(distance)));
+    let path = [[query.start[0], query.start[1]], query.goal];
+    let drive = Executor::new(&task, None).and_then(|executor| executor.drive(query.start, &path, 0, 0));
+    assert!(drive.expect("its ends are checked").trace.iter().flatten().all(|x| x.is_finite()));
+    let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
+    let small = [("generations", 1.0), ("pairs", 2.0), ("tasks", 2.0), ("floors", 1.0), ("hidden", 2.0)];
+    let small = small.map(|(name, value)| number(name, value));
+    let training = || Training::new(&task, &small, 0);
+    let (Ok(mut whole), Ok(mut sliced)) = (training(), training()) else { return };
+    whole.step(u64::MAX);
+    while sliced.step(1) == Status::Running {}
+    assert_eq!(whole.fingerprint(), sliced.fingerprint(), "slices change nothing");
+    let parameters = vec![number("samples", 8.0), number("rollouts", 1.0), number("least_share", 0.0)];
+    let options = Options { parameters, ..Options::default() };
+    let run = || navigation::start(&task, &whole.policy(), &options);
+    let (Ok(mut run), Ok(mut sliced)) = (run(), run()) else { return };
+    run.step(ITERATIONS);
+    (0..ITERATIONS).for_each(|_| {
+        sliced.step(1);
+    });
+    assert_eq!(run.fingerprint(), sliced.fingerprint(), "slices change nothing");
 }
 
 /// A result or a certificate: what it claims is judged, in every world.

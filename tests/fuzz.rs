@@ -29,6 +29,7 @@ fn readers_survive_the_corpus() {
     replay("judged", readers::judged);
     replay("npy", readers::npy);
     replay("fleet", readers::fleet);
+    replay("navigation", readers::navigation);
 }
 
 #[test]

@@ -62,6 +62,7 @@ fn documents_are_refused_with_a_code_and_a_place() {
         ("/robot/type", json!("car"), "unknown-type", "/robot/type"),
         ("/robot/shape/radius", json!(0), "out-of-range", "/robot/shape/radius"),
         ("/robot/speed", json!([1, 1]), "out-of-range", "/robot/speed"),
+        ("/robot/speed", json!([-1, 0]), "out-of-range", "/robot/speed/1"),
         ("/robot/turn_rate", json!([-101, 1]), "out-of-range", "/robot/turn_rate/0"),
         (
             "/robot/shape",
@@ -90,6 +91,11 @@ fn documents_are_refused_with_a_code_and_a_place() {
     policy["weights"].as_array_mut().expect("weights").pop();
     refuses(Policy::read(&policy), "wrong-dimension", "/weights");
     refuses(generate("rooms", &json!({ "door": 9 })), "out-of-range", "/door");
+    refuses(generate("rooms", &json!({ "room": 3, "door": 2.9 })), "out-of-range", "/door");
+    refuses(generate("rooms", &json!({ "door": 0.9, "radius": 0.45 })), "out-of-range", "/door");
+    refuses(generate("rooms", &json!({ "room": 3, "furniture": 8 })), "out-of-range", "/furniture");
+    refuses(generate("furnished", &json!({ "door": 2.5 })), "out-of-range", "/door");
+    refuses(Training::new(&hall(), &given("distance=0.5"), 0), "out-of-range", "/distance");
     refuses(Training::new(&hall(), &given("pairs=1"), 0), "out-of-range", "/pairs");
     refuses(Training::new(&hall(), &[], 1 << 53), "out-of-range", "/seed");
 }
@@ -110,11 +116,40 @@ fn what_does_not_fit_a_policy_is_refused() {
     other["robot"]["sensor"] = json!({ "rays": 9, "field_of_view": 3, "range": 3 });
     let other = Navigation::read(&other).expect("a task");
     refuses(start(&other, &policy, &options("")).map(|_| ()), "unsupported", "/policy/sensor");
-    refuses(
-        Executor::new(&task, None).and_then(|executor| executor.drive([1.0, 2.0, 0.0], &[[1.0, 2.0]], 0, 0)),
-        "out-of-range",
-        "/path",
-    );
+    let executor = Executor::new(&task, None).expect("no policy");
+    let from = [1.0, 2.0, 0.0];
+    refuses(executor.drive(from, &[], 0, 0), "out-of-range", "/path");
+    refuses(executor.drive(from, &[[1.0, 2.0], [f64::NAN, 2.0]], 0, 0), "not-finite", "/path/1");
+    refuses(executor.drive([f64::NAN, 2.0, 0.0], &[[1.0, 2.0]], 0, 0), "not-finite", "/start");
+    let stays = executor.drive(from, &[[1.0, 2.0]], 0, 0).expect("a path of one position");
+    assert_eq!((stays.outcome, stays.trace), (Outcome::Reached, vec![from]));
+    refuses(edge_rollouts(&task, &policy, &options("rolouts=5"), &[]), "unknown-parameter", "/rolouts");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_may_have_turned_many_times() {
+    for shape in ["disc", "rectangle"] {
+        let task = generate("rooms", &json!({ "seed": 2, "shape": shape })).expect("rooms");
+        let [x, y, theta] = task.queries()[0].start;
+        let executor = Executor::new(&task, None).expect("no policy");
+        let goal = [x + 0.01, y];
+        let drive = executor.drive([x, y, theta + 1e5], &[[x, y], goal], 0, 0).expect("a drive");
+        assert_eq!(drive.outcome, Outcome::Reached);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_vertices_of_a_shortened_path_are_free() {
+    let task = generate("rooms", &json!({ "columns": 2, "rows": 1, "seed": 3 })).expect("rooms");
+    let settings = options("samples=150 k=8 rollouts=4 least_share=0.5 shortcut=100");
+    let mut run = start(&task, &shipped(), &settings).expect("a run");
+    assert_eq!(run.step(u64::MAX), Status::Solved);
+    let reach = task.robot().drive.shape().reach();
+    for q in run.path() {
+        let p = Point::new(q[0], q[1]);
+        let obstacles = task.world().obstacles.iter().map(|one| one.distance_to_segment(&Segment::new(p, p)));
+        assert!(obstacles.fold(task.bounds().depth(p), f64::min) > reach, "{q:?}");
+    }
 }
 
 /// The distance along a ray, by small steps of the distance to everything.

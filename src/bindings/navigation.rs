@@ -158,7 +158,9 @@ impl Navigation {
         let mut fields = fields(options)?;
         let policy = fields.take::<serde_json::Value>("policy")?;
         let policy = match policy {
-            Some(serde_json::Value::String(text)) => Some(Policy::parse(&text)?),
+            Some(serde_json::Value::String(text)) => {
+                Some(Policy::parse(&text).map_err(|error| error.under("/policy"))?)
+            }
             Some(tree) => Some(Policy::read(&tree).map_err(|error| error.under("/policy"))?),
             None => None,
         };

@@ -114,7 +114,13 @@ impl Planner {
     #[wasm_bindgen(skip_typescript)]
     pub fn roadmap(&self, format: &JsText) -> Result<JsValue, Error> {
         let format = choice(format, "format", &["json", "binary", "graphml"])?;
-        let missing = || Error::new(Code::Unsupported, "", "the planner builds no roadmap that could be saved");
+        let missing = || {
+            Error::new(
+                Code::Unsupported,
+                "",
+                "there is no roadmap to save: the planner builds none, or its edges are rollouts of a policy",
+            )
+        };
         let document = self.read(|run| run.roadmap()).ok_or_else(missing)?;
         Ok(match format {
             0 => document.to_json().into(),

@@ -12,6 +12,7 @@ use super::roadmap::{self, RolloutOptions};
 use super::rollout::{Drive, Outcome};
 use crate::error::{Code, Error};
 use crate::experiment::statistics::{Mean, Share, mean, share};
+use crate::geometry::Point;
 use crate::options::{Options as _, Value};
 use crate::problem::Status;
 use crate::random::{Random, Stream, check_seed};
@@ -112,7 +113,7 @@ impl Comparison {
     ///
     /// # Errors
     /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`; `out-of-range` at
-    /// `/least_distance` if the floor has no two positions so far apart; `unsupported` for a policy that senses in another way.
+    /// `/least_distance` if the floor has no two positions so far apart, with room for the margin; at `/robot/shape` if it has no room for the robot; `unsupported` for a policy that senses in another way.
     pub fn new(task: &Navigation, policy: &Policy, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options = ComparisonOptions::read(given)?;
         check_seed(seed)?;
@@ -198,6 +199,7 @@ impl Comparison {
         let NavigationQuery { start, goal, .. } = self.queries[query];
         let ends = [[start[0], start[1]], goal];
         if number.is_multiple_of(Method::ALL.len() * trials) {
+            // Queries have room for both robots, so that all of them can be asked.
             let between = |roadmap: &mut Box<dyn Run>| {
                 let asked = roadmap.query(&ends[0], &ends[1], false);
                 asked.map_or_else(|_| Vec::new(), |result| result.path.iter().map(|q| [q[0], q[1]]).collect())
@@ -246,17 +248,20 @@ impl Comparison {
 /// Queries between configurations that are far apart.
 fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
     let floor = Floor::new(task);
+    let no_room = || Error::new(Code::OutOfRange, "/robot/shape", "the floor has no room for the robot");
     let mut random = Random::new(seed, Stream::Tasks);
     let mut queries = Vec::with_capacity(options.queries);
     for _ in 0..10_000 {
+        let ends = [(); 2].map(|()| episode::configuration(&floor, &mut random));
+        let [Some(start), Some([x, y, _])] = ends else { return Err(no_room()) };
+        let squared = (x - start[0]) * (x - start[0]) + (y - start[1]) * (y - start[1]);
+        let has_room =
+            [[start[0], start[1]], [x, y]].iter().all(|[x, y]| floor.has_room(Point::new(*x, *y), options.margin));
+        if has_room && squared >= options.least_distance * options.least_distance {
+            queries.push(NavigationQuery { name: format!("{}", queries.len() + 1), start, goal: [x, y] });
+        }
         if queries.len() == options.queries {
             return Ok(queries);
-        }
-        let ends = [(); 2].map(|()| episode::configuration(&floor, &mut random));
-        let [Some(start), Some([x, y, _])] = ends else { break };
-        let squared = (x - start[0]) * (x - start[0]) + (y - start[1]) * (y - start[1]);
-        if squared >= options.least_distance * options.least_distance {
-            queries.push(NavigationQuery { name: format!("{}", queries.len() + 1), start, goal: [x, y] });
         }
     }
     let sentence = format!("the floor has too few pairs of positions that are {} m apart", options.least_distance);

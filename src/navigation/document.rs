@@ -26,10 +26,10 @@ pub const MAX_RAYS: usize = 64;
 const LARGEST_VIEW: f64 = 6.2;
 
 /// The default distance from a goal at which it is reached, in metres.
-const GOAL_TOLERANCE: f64 = 0.3;
+pub(super) const GOAL_TOLERANCE: f64 = 0.3;
 
 /// The default time step, in seconds.
-const TIME_STEP: f64 = 0.2;
+pub(super) const TIME_STEP: f64 = 0.2;
 
 /// The objects of a document: each is read with its fields and no others, and has a schema.
 macro_rules! objects {
@@ -159,10 +159,13 @@ by_type!(Shape { "disc" => Disc, "polygon" => Polygon });
 #[serde(deny_unknown_fields)]
 pub struct Sensor {
     /// The number of rays, 2 to 64.
+    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = 64)))]
     pub rays: usize,
     /// The angle between the first ray and the last, in radians, at most 6.2.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.001, max = 6.2)))]
     pub field_of_view: f64,
     /// The farthest distance that is measured, in metres.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.001, max = 1e6)))]
     pub range: f64,
 }
 
@@ -189,14 +192,19 @@ impl Default for Sensor {
 #[serde(deny_unknown_fields)]
 pub struct Noise {
     /// Of each measured distance, in metres.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
     pub range: f64,
-    /// Of each coordinate of the position at which the robot believes to be, in metres.
+    /// Of each coordinate of the robot's estimate of its position, in metres.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
     pub position: f64,
-    /// Of the heading that the robot believes to have, in radians.
+    /// Of the robot's estimate of its heading, in radians.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
     pub heading: f64,
     /// Of the speed that is driven, in metres per second.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
     pub speed: f64,
     /// Of the turn rate that is driven, in radians per second.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
     pub turn_rate: f64,
 }
 

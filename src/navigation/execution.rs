@@ -25,11 +25,15 @@ impl Executor {
     /// the last are passed at the goal tolerance. A trial number stands for one draw of all noise.
     ///
     /// # Errors
-    /// `out-of-range` for a seed beyond 2^53 - 1 or a path without a position to drive to (pointer `/path`); `start-in-collision`.
+    /// `out-of-range` for a seed beyond 2^53 - 1 or an empty path (pointer `/path`); `not-finite`; `start-in-collision`.
     pub fn drive(&self, from: [f64; 3], path: &[[f64; 2]], seed: u64, trial: u64) -> Result<Drive, Error> {
         check_seed(seed)?;
-        if path.len() < 2 {
-            return Err(Error::new(Code::OutOfRange, "/path", "a path that is executed has at least two positions"));
+        if path.is_empty() {
+            return Err(Error::new(Code::OutOfRange, "/path", "a path that is executed has at least one position"));
+        }
+        check_finite(&from, "/start")?;
+        for (i, position) in path.iter().enumerate() {
+            check_finite(position, &format!("/path/{i}"))?;
         }
         if !self.simulation.floor.is_free(from) {
             let sentence = format!("the start {from:?} is in collision");
@@ -50,6 +54,14 @@ impl Executor {
         }
         Ok(Drive { outcome: Outcome::Reached, trace })
     }
+}
+
+/// Refuses coordinates that are not finite.
+pub(super) fn check_finite(coordinates: &[f64], pointer: &str) -> Result<(), Error> {
+    if coordinates.iter().all(|x| x.is_finite()) {
+        return Ok(());
+    }
+    Err(Error::new(Code::NotFinite, pointer, format!("a coordinate must be a finite number, not {coordinates:?}")))
 }
 
 impl Drive {

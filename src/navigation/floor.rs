@@ -15,6 +15,9 @@ const SLACK: f64 = 1e-12;
 /// An arc whose clearance is too small to be proven is halved until its half is shorter than this, in metres; then it is a collision.
 const SHORTEST: f64 = 1e-4;
 
+/// The most clearances that the proof of one arc of a disc computes; an arc that needs more is a collision.
+const BUDGET: u32 = 10_000;
+
 /// The wanted tolerance of the proofs of a polygon, as a fraction of the longer side of the bounds.
 const TOLERANCE: f64 = 1e-5;
 
@@ -154,14 +157,18 @@ impl Floor {
                     Segment::new(point(from), point(from)).aabb().grown(length + self.reach + 2.0 * self.slack);
                 let near = &mut *self.near.borrow_mut();
                 near.gather(&self.obstacles, &around);
-                self.is_part_free(near, &arc, [0.0, 1.0], length)
+                self.is_part_free(near, &arc, [0.0, 1.0], length, &mut BUDGET.clone())
             }
             Shape::Polygon(body) => body.is_motion_free(&arc),
         }
     }
 
     /// Whether a part of the arc of a disc is free, by its clearance at the middle, else by halves.
-    fn is_part_free(&self, near: &Near, arc: &BodyMotion, [low, high]: [f64; 2], length: f64) -> bool {
+    fn is_part_free(&self, near: &Near, arc: &BodyMotion, [low, high]: [f64; 2], length: f64, left: &mut u32) -> bool {
+        if *left == 0 {
+            return false;
+        }
+        *left -= 1;
         let middle = 0.5 * (low + high);
         let p = point(arc.at(middle));
         let clearance = near.distance(p).min(self.bounds.depth(p)) - self.reach;
@@ -171,8 +178,8 @@ impl Floor {
         }
         clearance > self.slack
             && half > SHORTEST
-            && self.is_part_free(near, arc, [low, middle], length)
-            && self.is_part_free(near, arc, [middle, high], length)
+            && self.is_part_free(near, arc, [low, middle], length, left)
+            && self.is_part_free(near, arc, [middle, high], length, left)
     }
 
     /// Writes the distance that each ray of the sensor measures at a configuration, in metres, without noise; the range if it meets nothing

@@ -1,6 +1,6 @@
 //! Navigation tasks generated from a seed: the same options give the same document on every platform.
 
-use super::document::{Navigation, NavigationQuery, Navigator, Noise, Sensor};
+use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, Sensor, TIME_STEP};
 use super::episode;
 use super::floor::Floor;
 use crate::error::{Code, Error, quoted};
@@ -25,8 +25,8 @@ const DRAWS: u32 = 20_000;
 /// The thickness of walls, in metres.
 const WALL: f64 = 0.2;
 
-/// A goal is reached at this distance, in metres.
-const GOAL_TOLERANCE: f64 = 0.3;
+/// The widest door in a wall of 3 m, in metres.
+const WIDEST_DOOR: f64 = 1.8;
 
 crate::choice! {
     /// The shape of the robot.
@@ -81,7 +81,7 @@ crate::options! {
     room: f64 = 5.0, in 3.0..=20.0, "Room", unit "m";
     /// The width of the doors.
     door: f64 = 1.1, in 0.5..=3.0, "Door", unit "m";
-    /// The share of the walls without a door that get one all the same; 0 makes the rooms a tree.
+    /// The share of the remaining walls that also get a door; 0 makes the rooms a tree.
     loops: f64 = 0.2, in 0.0..=1.0, "Loops";
     /// Number of pieces of furniture in each room.
     furniture: usize = 2, in 0.0..=8.0, "Furniture";
@@ -147,9 +147,20 @@ impl DriveOptions {
         let Noise { range, position, heading, speed, turn_rate } = Noise::default();
         let [range, position, heading, speed, turn_rate] =
             [range, position, heading, speed, turn_rate].map(|deviation| self.noise * deviation);
-        let drive = DifferentialDrive::new(shape, [0.0, 1.0], [-1.5, 1.5], 0.2)?;
+        let drive = DifferentialDrive::new(shape, [0.0, 1.0], [-1.5, 1.5], TIME_STEP)?;
         let noise = Noise { range, position, heading, speed, turn_rate };
         Ok(Navigator { drive, sensor: Sensor::default(), noise })
+    }
+
+    /// Refuses doors that the robot does not fit through, or wider than the wall allows.
+    fn check_door(&self, door: f64, widest: f64) -> Result<(), Error> {
+        let narrowest = 2.0 * self.radius;
+        if door > narrowest && door <= widest {
+            return Ok(());
+        }
+        let sentence =
+            format!("a door must be wider than the robot, {narrowest} m, and at most {widest} m wide here, not {door}");
+        Err(out_of_range("door", sentence))
     }
 
     /// The task on a floor, with one query: from a random configuration to a position as far away as any of a few random ones.
@@ -177,6 +188,7 @@ impl DriveOptions {
 impl Generator for FurnishedOptions {
     fn generate(&self) -> Result<Navigation, Error> {
         let Self { side, furniture, walls, doors, door, gap, drive, seed } = *self;
+        drive.check_door(door, WIDEST_DOOR)?;
         let mut random = Random::new(seed, Stream::Scenario);
         let mut placed: Vec<Polygon> = Vec::new();
         // Stretches of a wall, along x or along y.
@@ -191,13 +203,13 @@ impl Generator for FurnishedOptions {
         scatter("doors", doors, gap, &mut placed, || {
             let length = 3.0 + 2.0 * random.uniform().min(side / 2.0 - 2.0);
             let at = 0.5 + random.uniform() * (length - 1.0 - door);
-            wall(&mut random, length, &[[0.0, at], [at + door, length]])
+            Some(wall(&mut random, length, &[[0.0, at], [at + door, length]]))
         })?;
         scatter("walls", walls, gap, &mut placed, || {
             let length = 1.0 + 2.0 * random.uniform();
-            wall(&mut random, length, &[[0.0, length]])
+            Some(wall(&mut random, length, &[[0.0, length]]))
         })?;
-        scatter("furniture", furniture, gap, &mut placed, || vec![piece(&mut random, [0.0, 0.0], [side, side])])?;
+        scatter("furniture", furniture, gap, &mut placed, || Some(vec![piece(&mut random, [0.0, 0.0], [side, side])]))?;
         let title = format!("A furnished floor of {side} m, seed {seed}");
         let obstacles = placed.into_iter().map(Obstacle::Polygon).collect();
         drive.task((format!("furnished-{seed}"), title), [side, side], obstacles, &mut random)
@@ -207,6 +219,7 @@ impl Generator for FurnishedOptions {
 impl Generator for RoomsOptions {
     fn generate(&self) -> Result<Navigation, Error> {
         let Self { columns, rows, room, door, loops, furniture, drive, seed } = *self;
+        drive.check_door(door, room - 3.0 * WALL)?;
         let mut random = Random::new(seed, Stream::Scenario);
         let count = columns * rows;
         // Walls between neighbours: the room on the left or below, and whether the other is on the right.
@@ -250,13 +263,9 @@ impl Generator for RoomsOptions {
             let mut pieces: Vec<Polygon> = Vec::new();
             let clear = 0.5 * door + 2.0 * drive.radius + 0.4;
             scatter("furniture", furniture, 0.9, &mut pieces, || {
-                loop {
-                    let piece = piece(&mut random, low, high);
-                    let is_clear = |door: &Point| distance_point_polygon(*door, &piece) > clear;
-                    if doors.iter().all(is_clear) {
-                        break vec![piece];
-                    }
-                }
+                let piece = piece(&mut random, low, high);
+                let is_clear = doors.iter().all(|door| distance_point_polygon(*door, &piece) > clear);
+                is_clear.then(|| vec![piece])
             })?;
             obstacles.extend(pieces);
         }
@@ -267,20 +276,20 @@ impl Generator for RoomsOptions {
     }
 }
 
-/// Adds `count` groups of polygons that are farther than `gap` from those before. If too few fit, the error names the option.
+/// Adds `count` groups of polygons that are farther than `gap` from those before; `draw` returns `None` if the one that it draws does not fit. If too few fit, the error names the option.
 fn scatter(
     option: &str,
     count: usize,
     gap: f64,
     placed: &mut Vec<Polygon>,
-    mut draw: impl FnMut() -> Vec<Polygon>,
+    mut draw: impl FnMut() -> Option<Vec<Polygon>>,
 ) -> Result<(), Error> {
     let mut left = count;
     for _ in 0..DRAWS {
         if left == 0 {
             return Ok(());
         }
-        let drawn = draw();
+        let Some(drawn) = draw() else { continue };
         let is_apart = |new: &Polygon| placed.iter().all(|old| distance_polygon_polygon(old, new) > gap);
         if drawn.iter().all(is_apart) {
             placed.extend(drawn);

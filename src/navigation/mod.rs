@@ -11,8 +11,9 @@
 //!
 //! let task = generate("rooms", &serde_json::json!({ "columns": 2, "rows": 1, "seed": 3 }))?;
 //! let policy = Policy::parse(include_str!("../../www/prm-rl/policy.json"))?;
-//! let parameters = vec![("samples".to_owned(), Value::Number(200.0))];
+//! let parameters = vec![("samples".to_owned(), Value::Number(400.0))];
 //! let result = navigate(&task, &policy, &Options { parameters, ..Options::default() }, 10)?;
+//! assert!(result.reached.count > 5);
 //! assert_eq!(result.plan.edge_check.as_deref(), Some("rollouts"));
 //! assert_eq!(result.rollouts.len() + 1, result.plan.path.len());
 //! # Ok::<(), planarium::Error>(())

@@ -51,15 +51,16 @@ pub fn navigate(task: &Navigation, policy: &Policy, options: &Options, trials: u
     let (_, query) = task.find_query(options.query.as_deref())?;
     let executor = Executor::new(task, Some(policy))?;
     let trials = if path.is_empty() { 0 } else { trials };
-    let drives = (0..trials)
-        .map(|trial| executor.drive(query.start, &path, options.seed, trial))
-        .collect::<Result<Vec<_>, _>>()?;
-    let is =
-        |outcome: Outcome| share(&drives.iter().map(|drive| f64::from(drive.outcome == outcome)).collect::<Vec<_>>());
-    let reached = || drives.iter().filter(|drive| drive.outcome == Outcome::Reached);
-    let lengths: Vec<f64> = reached().map(|drive| drive.length()).collect();
-    let times: Vec<f64> =
-        reached().map(|drive| (drive.trace.len() - 1) as f64 * task.robot().drive.time_step()).collect();
+    let time_step = task.robot().drive.time_step();
+    let driven = |trial| {
+        let drive = executor.drive(query.start, &path, options.seed, trial)?;
+        Ok((drive.outcome, drive.length(), (drive.trace.len() - 1) as f64 * time_step))
+    };
+    let drives = (0..trials).map(driven).collect::<Result<Vec<_>, Error>>()?;
+    let is = |outcome: Outcome| share(&drives.iter().map(|drive| f64::from(drive.0 == outcome)).collect::<Vec<_>>());
+    let reached = || drives.iter().filter(|drive| drive.0 == Outcome::Reached);
+    let lengths: Vec<f64> = reached().map(|drive| drive.1).collect();
+    let times: Vec<f64> = reached().map(|drive| drive.2).collect();
     Ok(NavigationResult {
         rollouts: edge_rollouts(task, policy, options, &path)?,
         plan,

@@ -7,6 +7,7 @@
 //! `lazy-prm` rolls out only the edges that the best path wants.
 
 use super::document::{Navigation, NavigationQuery};
+use super::execution::check_finite;
 use super::policy::Policy;
 use super::rollout::{Controller, Outcome, Simulation, generator};
 use crate::collision::DiscValidity;
@@ -103,7 +104,8 @@ impl Rollouts {
     /// Whether enough rollouts succeed in both directions.
     fn is_reliable(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         let RolloutOptions { rollouts, least_share, longest_edge } = self.options;
-        let least = libm::ceil(least_share * f64::from(rollouts)) as u32;
+        let is_enough = |count: &u32| f64::from(*count) / f64::from(rollouts) >= least_share;
+        let least = (0..rollouts).find(is_enough).unwrap_or(rollouts);
         let squared = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
         squared <= longest_edge * longest_edge
             && self.reached(a, b, least).is_some()
@@ -137,7 +139,8 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
     }
 
     fn is_motion_free(&self, a: &[f64; SIZE], b: &[f64; SIZE]) -> bool {
-        self.rollouts.is_reliable(position(a), position(b))
+        // The ends may be new, as those of a shortcut are: on an edge that is rolled out not every position is free.
+        self.turning.is_free(a) && self.turning.is_free(b) && self.rollouts.is_reliable(position(a), position(b))
     }
 
     /// Each time step proves an arc.
@@ -170,7 +173,7 @@ pub fn start(task: &Navigation, policy: &Policy, options: &Options) -> Result<Bo
 /// The rollouts along each step of a path of positions, as a run with the same policy and options counts them, but all of them.
 ///
 /// # Errors
-/// Those of [`start`] about the policy and the options of rollouts.
+/// Those of [`start`] about the planner, the policy and options; `not-finite` with the pointer `/path/i`.
 pub fn edge_rollouts(
     task: &Navigation,
     policy: &Policy,
@@ -178,7 +181,12 @@ pub fn edge_rollouts(
     path: &[[f64; 2]],
 ) -> Result<Vec<EdgeRollouts>, Error> {
     check_seed(options.seed)?;
-    let rollouts = Rollouts::new(task, policy, split(&options.parameters)?.0, options.seed)?;
+    let (own, others) = split(&options.parameters)?;
+    PlannerOptions::of(options.planner.as_deref().unwrap_or(DEFAULT_PLANNER))?.read(&others)?;
+    for (i, position) in path.iter().enumerate() {
+        check_finite(position, &format!("/path/{i}"))?;
+    }
+    let rollouts = Rollouts::new(task, policy, own, options.seed)?;
     Ok(path.windows(2).map(|ends| rollouts.along(ends[0], ends[1])).collect())
 }
 
@@ -194,9 +202,19 @@ fn start_between(
     planner.check_robot("disc")?;
     let planner = planner.read(&parameters)?;
     let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
-    if edges != (EdgeOptions { limits: edges.limits, improving: edges.improving, ..EdgeOptions::default() }) {
-        let sentence = "edges are checked by rollouts, in the Euclidean metric of the plane";
-        return Err(Error::new(Code::Unsupported, "/edge_check", sentence));
+    let standard = EdgeOptions::default();
+    for (name, is_standard) in [
+        ("edge_check", edges.edge_check == standard.edge_check),
+        ("edge_samples", edges.edge_samples == standard.edge_samples),
+        ("metric", edges.measuring == standard.measuring),
+        ("steering", edges.steering == standard.steering),
+    ] {
+        if !is_standard {
+            let sentence = format!(
+                "{name} is not for learned edges: they are checked by rollouts, in the Euclidean metric of the plane"
+            );
+            return Err(Error::new(Code::Unsupported, format!("/{name}"), sentence));
+        }
     }
     if edges.improving.blend > 0.0 {
         return Err(Error::new(Code::Unsupported, "/blend", "corners are rounded only between proven motions"));

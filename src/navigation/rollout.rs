@@ -4,15 +4,19 @@ use super::document::{Navigation, Navigator};
 use super::floor::{Fan, Floor};
 use super::policy::{Perceptron, Policy};
 use crate::error::Error;
+use crate::geometry::wrap;
 use crate::random::{Random, Stream};
 use serde::Serialize;
 use std::cell::RefCell;
 
-/// A goal is given up after the time that the straight way takes at full speed, times this, and [`EXTRA`] seconds.
+/// The time limit is the time of the straight way at full speed, times this, plus [`EXTRA`] seconds.
 const PATIENCE: f64 = 3.0;
 
 /// Seconds beyond.
 const EXTRA: f64 = 5.0;
+
+/// A heading beyond this is wrapped, in radians.
+const MOST_TURNED: f64 = 1000.0;
 
 /// How a rollout ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -23,11 +27,11 @@ pub enum Outcome {
     Reached,
     /// The next arc is not proven free: the robot would touch something.
     Collision,
-    /// The time is over.
+    /// The time limit was reached.
     Timeout,
 }
 
-/// What a robot does that knows its pose, up to noise, and what its rays measure.
+/// What drives the robot, given a noisy pose and the distances that its rays measure.
 pub(super) enum Controller {
     /// A learned policy.
     Policy(Perceptron),
@@ -75,7 +79,8 @@ pub(super) struct Simulation {
 pub struct Drive {
     /// How it ended.
     pub outcome: Outcome,
-    /// The configurations after each time step, from the start on: x, y, theta; the heading is not wrapped.
+    /// The configurations after each time step, from the start on: x, y, theta; the heading is wrapped only where it
+    /// exceeds 1000 radians.
     pub trace: Vec<[f64; 3]>,
 }
 
@@ -122,7 +127,7 @@ impl Simulation {
         let Navigator { drive, noise, sensor } = robot;
         let tolerance = self.task.goal_tolerance();
         let distances = &mut *self.distances.borrow_mut();
-        let mut pose = from;
+        let mut pose = bounded(from);
         let left = |pose: [f64; 3]| {
             let (x, y) = (goal[0] - pose[0], goal[1] - pose[1]);
             (x * x + y * y).sqrt()
@@ -144,12 +149,17 @@ impl Simulation {
             if !self.floor.is_arc_free(pose, control, drive.time_step()) {
                 return end(Outcome::Collision, step + 1, pose);
             }
-            pose = drive.drive(pose, control);
+            pose = bounded(drive.drive(pose, control));
             visit(pose);
         }
         let outcome = if left(pose) <= tolerance { Outcome::Reached } else { Outcome::Timeout };
         end(outcome, steps, pose)
     }
+}
+
+/// A configuration whose heading is wrapped once it has turned many times: proofs cover no larger angles.
+fn bounded([x, y, theta]: [f64; 3]) -> [f64; 3] {
+    [x, y, if theta.abs() > MOST_TURNED { wrap(theta) } else { theta }]
 }
 
 /// A generator that depends on a seed and some bits alone, whatever was drawn before.

@@ -13,7 +13,7 @@ use super::episode;
 use super::generate::generate_with;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
-use crate::error::Error;
+use crate::error::{Code, Error};
 use crate::experiment::statistics::{Share, share};
 use crate::graph::Fingerprint;
 use crate::options::{Options, Value};
@@ -37,8 +37,8 @@ crate::options! {
     rate: f64 = 0.05, in 1e-6..=10.0, "Rate";
     /// Number of generated floors.
     floors: usize = 60, in 1.0..=1000.0, "Floors";
-    /// The farthest goals.
-    distance: f64 = 5.0, in 0.5..=50.0, "Distance", unit "m";
+    /// The largest distance of a goal.
+    distance: f64 = 5.0, in 1.0..=50.0, "Distance", unit "m";
 }
 
 /// The decay of the means of Adam.
@@ -47,7 +47,7 @@ const DECAY: [f64; 2] = [0.9, 0.99];
 /// What is left of the step size at the last generation.
 const LAST_RATE: f64 = 0.1;
 
-/// Seeds of the floors of a training begin here, times the seed, so that no two trainings share them.
+/// Floors of a training begin at its seed, modulo this, times this: trainings of different seeds below this share none.
 const FLOORS_PER_SEED: u64 = 1_000_000;
 
 /// Seeds of floors stay below this; those of [`assess`] begin here.
@@ -96,14 +96,14 @@ impl Training {
     /// the generator `furnished`.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
+    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`; `out-of-range` at
+    /// `/robot/shape` if the floors have no room for the robot.
     pub fn new(task: &Navigation, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options = TrainingOptions::read(given)?;
         check_seed(seed)?;
         let floors = options.floors as u64;
         let first = (seed % FLOORS_PER_SEED) * FLOORS_PER_SEED;
-        let simulations: Vec<Simulation> =
-            (0..floors).map(|i| floor(task, (first + i) % FLOOR_SEEDS)).collect::<Result<_, _>>()?;
+        let simulations: Vec<Simulation> = (0..floors).map(|i| floor(task, first + i)).collect::<Result<_, _>>()?;
         let sizes = Sizes::new(&task.robot().sensor, options.hidden);
         let weights = sizes.random(&mut Random::new(seed, Stream::Weights));
         let count = weights.len();
@@ -122,6 +122,9 @@ impl Training {
             fingerprint: Fingerprint::default(),
         };
         training.prepare();
+        if training.tasks.len() < options.tasks {
+            return Err(no_room());
+        }
         Ok(training)
     }
 
@@ -200,7 +203,8 @@ impl Training {
     /// Ends this generation with the returns of all of its candidates, as [`Training::returns_of`] gives them.
     ///
     /// # Errors
-    /// `out-of-range` (pointer `/returns`) if there are fewer or more, or if the training is over; `not-finite`.
+    /// `out-of-range` (pointer `/returns`) if there are fewer or more, or one is beyond 1000; `not-finite`. Once the training is over nothing
+    /// changes.
     pub fn advance(&mut self, returns: &[[f64; 2]]) -> Result<Status, Error> {
         let count = self.candidates();
         within("/returns", "the number of returns", returns.len() as f64, count as f64..=count as f64)?;
@@ -291,7 +295,10 @@ impl Training {
         self.fingerprint.integer(self.generation);
         self.fingerprint.numbers(&self.weights);
         self.generation += 1;
-        self.prepare();
+        self.returns.clear();
+        if self.status() == Status::Running {
+            self.prepare();
+        }
     }
 
     /// The policy so far.
@@ -324,7 +331,8 @@ impl Training {
 /// which no training has: `trials` tasks on [`FRESH_FLOORS`] floors, drawn from a seed.
 ///
 /// # Errors
-/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1.
+/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1, and at `/robot/shape` if the floors have no
+/// room for the robot.
 pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, seed: u64) -> Result<Share, Error> {
     check_seed(seed)?;
     let floors = (0..FRESH_FLOORS).map(|i| floor(task, FLOOR_SEEDS + i)).collect::<Result<Vec<_>, _>>()?;
@@ -340,7 +348,15 @@ pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, se
         let progress = simulation.drive(&controller, from, goal, patience, &mut noise, |_| {});
         sample.push(f64::from(progress.outcome == Outcome::Reached));
     }
+    if sample.is_empty() && trials > 0 {
+        return Err(no_room());
+    }
     Ok(share(&sample))
+}
+
+fn no_room() -> Error {
+    let sentence = "the floors on which policies are trained have no room for this robot";
+    Error::new(Code::OutOfRange, "/robot/shape", sentence)
 }
 
 /// The number of floors that [`assess`] tries.
@@ -375,9 +391,14 @@ pub fn train(
 ) -> Result<Training, Error> {
     use rayon::prelude::*;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().map_err(|error| {
-        Error::new(crate::error::Code::Unsupported, "/threads", format!("the threads cannot be started: {error}"))
+        Error::new(Code::Unsupported, "/threads", format!("the threads cannot be started: {error}"))
     })?;
-    let mut team = (0..threads.get()).map(|_| Training::new(task, given, seed)).collect::<Result<Vec<_>, _>>()?;
+    let first = Training::new(task, given, seed)?;
+    // No more than there are candidates.
+    let others = threads.get().min(first.candidates()) - 1;
+    let mut team = std::iter::once(Ok(first))
+        .chain((0..others).map(|_| Training::new(task, given, seed)))
+        .collect::<Result<Vec<_>, _>>()?;
     let (count, members) = (team[0].candidates(), team.len());
     while team[0].status() == Status::Running {
         let part = |i: usize| i * count / members;

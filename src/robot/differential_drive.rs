@@ -57,13 +57,14 @@ impl DifferentialDrive {
     /// the time step in seconds.
     ///
     /// # Errors
-    /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a document: a radius that is not positive, speeds beyond
+    /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a document: a radius or a greatest speed that is not positive, speeds beyond
     /// 1e6, turn rates beyond 100, a time step outside (0, 1], limits of which the lower is not less than the upper.
     pub fn new(shape: Footprint, speed: [f64; 2], turn_rate: [f64; 2], time_step: f64) -> Result<Self, Error> {
         if let Footprint::Disc(Round { radius }) = shape {
             check_positive("/shape/radius", "the radius of the robot", radius, LARGEST)?;
         }
         check_limits("/speed", "a speed", speed, LARGEST)?;
+        check_positive("/speed/1", "the greatest speed", speed[1], LARGEST)?;
         check_limits("/turn_rate", "a turn rate", turn_rate, FASTEST_TURN)?;
         check_positive("/time_step", "the time step", time_step, LONGEST_STEP)?;
         Ok(Self { shape, speed, turn_rate, time_step })

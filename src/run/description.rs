@@ -106,8 +106,13 @@ pub struct SpaceDescription {
 impl SpaceDescription {
     /// The same with every weight and the metric, so that equal spaces have equal descriptions.
     pub(super) fn in_full(&self) -> Self {
-        let coordinate =
-            |one: &CoordinateDescription| CoordinateDescription { weight: Some(one.weight.unwrap_or(1.0)), ..*one };
+        // Without -0, which is another number in a fingerprint only.
+        let coordinate = |one: &CoordinateDescription| CoordinateDescription {
+            low: one.low.map(|x| x + 0.0),
+            high: one.high.map(|x| x + 0.0),
+            weight: Some(one.weight.unwrap_or(1.0)),
+            ..*one
+        };
         Self {
             coordinates: self.coordinates.iter().map(coordinate).collect(),
             metric: Some(self.metric.unwrap_or(MetricKind::Euclidean)),

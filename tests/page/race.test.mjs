@@ -147,6 +147,8 @@ test("the transport counts clearance evaluations and says so; going back shows w
   await click(page, "#step-100");
   assert.equal(await time(page), 1000);
   assert.match(await page.innerText("#time-head"), /^of 1,000 evaluations$/);
+  // The shortest path is computed beside the run.
+  await textMatches(page, "#standings", /gap/);
   const pictures = () => Promise.all(["lane-A", "lane-B", "lane-C"].map((pane) => growthHash(page, pane)));
   const [rows, then] = [await table(page), await pictures()];
   assert.equal(new Set(then).size, 3, "each sheet shows its own planner");

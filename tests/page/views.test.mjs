@@ -269,12 +269,19 @@ test("a slice shows what collides with the other joints as the robot has them", 
   const { start: pose } = scenario.document().queries[0];
   const at = await square(page);
   const grid = Array.from({ length: 900 }, (_, i) => [-3.05 + (6.1 * (i % 30)) / 29, -3.05 + (6.1 * Math.floor(i / 30)) / 29]);
-  const { width, alpha } = await alphaOf(page, "cspace", "ground");
-  const filled = grid.map(([a, b]) => at(a, b)).map(({ x, y }) => alpha[Math.floor(y) * width + Math.floor(x)] > 128);
   const hits = grid.map(([a, b]) => !scenario.check([a, b, pose[2], pose[3]]).free);
-  const agree = hits.filter((hit, i) => hit === filled[i]).length / hits.length;
   assert.ok(hits.some(Boolean) && !hits.every(Boolean));
-  assert.ok(agree > 0.95, `${(100 * agree).toFixed(1)} % of the points agree`);
+  const agreeing = async () => {
+    const { width, alpha } = await alphaOf(page, "cspace", "ground");
+    const filled = grid.map(([a, b]) => at(a, b)).map(({ x, y }) => alpha[Math.floor(y) * width + Math.floor(x)] > 128);
+    return hits.filter((hit, i) => hit === filled[i]).length / hits.length;
+  };
+  // A rough picture comes first. The runner ends a test that waits for ever.
+  let agree = await agreeing();
+  while (agree <= 0.95) {
+    await frames(page);
+    agree = await agreeing();
+  }
   await see(page, "view-slice", false);
   assert.ok(await pixelsOf(page, "cspace", "ground", "obstacle") < 50);
 }));

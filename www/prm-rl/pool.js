@@ -69,7 +69,9 @@ export class TrainingPool {
     while (this.workers.length < this.most) this.workers.push(this.hire());
     try {
       while (this.isRunning && epoch === this.epoch) {
-        await Promise.all(this.workers.map((worker) => this.evaluate(worker, epoch)));
+        // All of them end before a failure is thrown, so that none counts for a later run.
+        const ended = await Promise.allSettled(this.workers.map((worker) => this.evaluate(worker, epoch)));
+        for (const end of ended) if (end.status === "rejected") throw end.reason;
         if (epoch !== this.epoch || !this.isRunning) return;
         // Again where a worker was lost and the others had nothing left.
         if (this.left.length > 0) continue;

@@ -104,19 +104,20 @@ pub struct SpaceDescription {
 }
 
 impl SpaceDescription {
-    /// The same with every weight and the metric, so that equal spaces have equal descriptions.
+    /// The same with every weight and the metric, and without -0.
     pub(super) fn in_full(&self) -> Self {
-        // Without -0, which is another number in a fingerprint only.
-        let coordinate = |one: &CoordinateDescription| CoordinateDescription {
-            low: one.low.map(|x| x + 0.0),
-            high: one.high.map(|x| x + 0.0),
-            weight: Some(one.weight.unwrap_or(1.0)),
-            ..*one
-        };
-        Self {
-            coordinates: self.coordinates.iter().map(coordinate).collect(),
-            metric: Some(self.metric.unwrap_or(MetricKind::Euclidean)),
+        let mut full = self.clone().without_negative_zero();
+        full.coordinates.iter_mut().for_each(|one| one.weight = Some(one.weight.unwrap_or(1.0)));
+        full.metric = Some(self.metric.unwrap_or(MetricKind::Euclidean));
+        full
+    }
+
+    /// The same with 0 in place of -0, which JSON does not tell apart.
+    pub(super) fn without_negative_zero(mut self) -> Self {
+        for one in &mut self.coordinates {
+            [&mut one.low, &mut one.high].into_iter().flatten().for_each(|limit| *limit += 0.0);
         }
+        self
     }
 
     /// The first field in which another space differs, as a JSON pointer into the description, and its values here and there. Both are

@@ -76,7 +76,11 @@ impl RoadmapMetric {
 
     /// Reads the JSON form from a tree.
     pub(super) fn read(tree: &Value) -> Result<Self, Error> {
-        Self::deserialize(tree).map_err(|_| damaged("/metric", format!("{tree} is no metric of a roadmap")))
+        let metric = Self::deserialize(tree);
+        Ok(match metric.map_err(|_| damaged("/metric", format!("{tree} is no metric of a roadmap")))? {
+            RoadmapMetric::Space(space) => RoadmapMetric::Space(space.without_negative_zero()),
+            metric => metric,
+        })
     }
 
     /// Refuses weights and radii that make no metric, and a space with other coordinates than those of the vertices.

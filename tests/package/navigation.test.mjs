@@ -123,7 +123,8 @@ test("a planner rolls edges out, tells how many rollouts succeed, and its path i
   refuses(() => task.planner({ ...policy, sensor: { ...policy.sensor, range: 3 } }, options), "unsupported", "/policy/sensor");
   refuses(() => task.planner(policy, { query: "back" }), "unknown-query", "/query");
   refuses(() => task.planner(policy, { algorithm: /** @type {any} */ ("sst") }), "unsupported", "/algorithm");
-  refuses(() => task.execute(path.slice(0, 2), { policy }), "out-of-range", "/path");
+  refuses(() => task.execute([], { policy }), "out-of-range", "/path");
+  assert.equal(task.execute(path.slice(0, 2), { policy }).outcome, "reached");
   refuses(() => task.execute([1, 1, 7], { policy }), "wrong-dimension", "/path");
 });
 

@@ -258,17 +258,26 @@ export async function download(page, selector) {
   return { name: file.suggestedFilename(), bytes, text: bytes.toString() };
 }
 
-/** The times of the next five changes of an element, milliseconds. @param {Page} page @param {string} selector @param {MutationObserverInit} what */
-export const changes = (page, selector, what) => page.locator(selector).evaluate((element, options) => new Promise((/** @type {(times: number[]) => void} */ resolve) => {
-  /** @type {number[]} */
-  const times = [];
-  const watch = new MutationObserver(() => {
-    if (times.push(performance.now()) < 5) return;
-    watch.disconnect();
-    resolve(times);
-  });
-  watch.observe(element, options);
-}), what);
+/**
+ * The times of the next five changes of an element, milliseconds of the page's clock. The clock is stopped and then moved by this function
+ * alone, so that the times are those the page itself reads, however slow the machine is. It must have been installed before the page opened.
+ * @param {Page} page
+ * @param {string} selector
+ * @param {MutationObserverInit} what
+ * @param {() => Promise<unknown>} [begin]  is called while the clock stands
+ */
+export async function changes(page, selector, what, begin) {
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
+  const times = await page.locator(selector).evaluateHandle((element, options) => {
+    /** @type {number[]} */
+    const all = [];
+    new MutationObserver(() => all.push(performance.now())).observe(element, options);
+    return all;
+  }, what);
+  await begin?.();
+  while (await times.evaluate(({ length }) => length) < 5) await page.clock.runFor(20);
+  return times.jsonValue();
+}
 
 /** Hands a file to the page as if it were picked. @param {Page} page @param {string} name @param {string | Uint8Array} content @param {string} [selector]  of the field */
 export async function pickFile(page, name, content, selector = "#file") {

@@ -6,12 +6,14 @@
  * For each arm: milliseconds to the first path by RRT-Connect; the same of a run whose function only copies the results recorded before,
  * which is planner and crossing alone; and of the function alone, called from a loop with the batches recorded before. Each run is measured
  * several times, in turn with the others, and each number is the median over the seeds of the median of a seed, as is the ratio of the first time to the
- * last. Then how many configurations the function got, in how many calls. The last row of an arm is OxMPL's package for JavaScript
- * with the same function, which it calls for one configuration at a time.
+ * last. Then how many configurations the function got, in how many calls. The last row of a planar arm is OxMPL's package for JavaScript
+ * with the same function, which it calls for one configuration at a time. Then the arm of six joints in `examples/own`, by its clearance and by
+ * the sign of that.
  */
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { Problem, Scenario } from "planarium";
+import { description as sixJoints } from "../examples/own/six-joints.js";
 import { digits, quantile, table } from "./peers/report.mjs";
 import { oxmplInJavaScript } from "./peers/sides.mjs";
 
@@ -81,21 +83,38 @@ function ours(problem) {
   };
 }
 
-/** The arm of a document as a problem. @param {Document} document @param {boolean} isProven @returns {Way} */
-function told(document, isProven) {
-  const { robot, queries } = document;
-  if (robot.type !== "arm") throw new Error("only arms are told here");
+/** Evaluates rows of configurations. @typedef {(rows: Float64Array, results: Float64Array) => void} Evaluate */
+/** A problem, and its two functions. @typedef {{ base: { space: import("planarium").SpaceDescription, start: number[], goal: number[] }, reach: number[], clearance: Evaluate, isFree: Evaluate }} Twins */
+
+/** The arm of a document. @param {Document} document @returns {Twins} */
+function twinsOf(document) {
+  const { robot, queries: [{ start, goal }] } = document;
+  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are told here");
   const { links } = robot;
   const n = links.length;
   const distance = distanceOf(document);
-  const evaluate = (/** @type {Float64Array} */ rows, /** @type {Float64Array} */ results) => {
-    for (let i = 0; i < results.length; i += 1) results[i] = isProven ? distance(rows, n * i) : Number(distance(rows, n * i, 1e-9) > 0);
+  return {
+    base: { space: { coordinates: links.map(() => ({ kind: "circle" })), metric: "sum" }, start, goal },
+    reach: links.map((_, i) => links.slice(i).reduce((sum, length) => sum + length, 0)),
+    clearance(rows, results) { for (let i = 0; i < results.length; i += 1) results[i] = distance(rows, n * i); },
+    isFree(rows, results) { for (let i = 0; i < results.length; i += 1) results[i] = Number(distance(rows, n * i, 1e-9) > 0); },
   };
-  const [{ start, goal }] = queries;
-  if (goal === undefined) throw new Error("the first query has a target");
-  const space = { coordinates: links.map(() => /** @type {const} */ ({ kind: "circle" })), metric: /** @type {const} */ ("sum") };
-  const reach = links.map((_, i) => links.slice(i).reduce((sum, length) => sum + length, 0));
-  const problem = (/** @type {typeof evaluate} */ by) => new Problem({ space, start, goal, ...(isProven ? { clearance: by, reach } : { isFree: by, resolution: RESOLUTION }) });
+}
+
+/** The arm of six joints. @returns {Twins} */
+function twinsInSpace() {
+  const { space, start, goal, reach, clearance } = /** @type {any} */ (sixJoints);
+  const isFree = (/** @type {Float64Array} */ rows, /** @type {Float64Array} */ results) => {
+    clearance(rows, results);
+    for (let i = 0; i < results.length; i += 1) results[i] = Number(results[i] > 0);
+  };
+  return { base: { space, start, goal }, reach, clearance, isFree };
+}
+
+/** An arm as a problem. @param {Twins} twins @param {boolean} isProven @returns {Way} */
+function told({ base, reach, clearance, isFree }, isProven) {
+  const evaluate = isProven ? clearance : isFree;
+  const problem = (/** @type {Evaluate} */ by) => new Problem({ ...base, ...(isProven ? { clearance: by, reach } : { isFree: by, resolution: RESOLUTION }) });
   /** @type {Batch[]} */
   let noted = [];
   const noting = problem((rows, results) => {
@@ -136,7 +155,8 @@ function told(document, isProven) {
 
 /**
  * OxMPL's RRT-Connect on the same arm. Its space of circles has the Euclidean metric, where a motion is shorter than in the sum metric: so at
- * the same resolution it evaluates fewer samples. The range is OMPL's default.
+ * the same resolution it evaluates fewer samples. The range is OMPL's default. What it makes is freed by hand: what is left to the garbage
+ * collector slows it, after some hundred runs to a hundredth.
  * @param {any} oxmpl
  * @param {Document} document
  * @returns {Way}
@@ -167,7 +187,12 @@ function theirs(oxmpl, document) {
   /** @type {Batch[]} */
   let noted = [];
   const isFree = (/** @type {any} */ state) => {
-    for (let i = 0; i < n; i += 1) row[i] = state.getComponent(i).value;
+    for (let i = 0; i < n; i += 1) {
+      const angle = state.getComponent(i);
+      row[i] = angle.value;
+      angle.free();
+    }
+    state.free();
     return distance(row, 0, 1e-9) > 0;
   };
   const checker = new oxmpl.StateValidityChecker(isFree);
@@ -180,7 +205,10 @@ function theirs(oxmpl, document) {
   const run = (/** @type {number} */ seed, /** @type {any} */ by) => {
     const planner = new oxmpl.RRTConnect(0.2 * Math.PI * Math.sqrt(n), 0, problem, new oxmpl.PlannerConfig(seed));
     planner.setup(by);
-    return () => { planner.solve(10); };
+    return () => {
+      planner.solve(10);
+      return () => planner.free();
+    };
   };
   return {
     plan: (seed) => run(seed, checker),
@@ -205,20 +233,28 @@ function timed(run) {
 }
 
 const [seeds = "100", ...files] = process.argv.slice(2);
-const scenarios = files.length > 0
-  ? files.map((file) => ({ name: basename(file, ".json"), scenario: Scenario.parse(readFileSync(file, "utf8")) }))
-  : [2, 3, 4].map((links) => ({ name: `forest of ${links} joints`, scenario: Scenario.generate("forest", { links, seed: 7 }) }));
+const oxmpl = await oxmplInJavaScript();
+/** @param {string} name @param {Scenario} scenario @returns {{ name: string, ways: [string, Way][] }} */
+const planar = (name, scenario) => {
+  const document = scenario.document();
+  const twins = twinsOf(document);
+  return { name, ways: [["isFree", told(twins, false)], ["clearance", told(twins, true)], ["as a scenario", { plan: ours(scenario) }], ["OxMPL, isFree", theirs(oxmpl, document)]] };
+};
+const inSpace = twinsInSpace();
+/** @type {{ name: string, ways: [string, Way][] }[]} */
+const arms = files.length > 0
+  ? files.map((file) => planar(basename(file, ".json"), Scenario.parse(readFileSync(file, "utf8"))))
+  : [
+    ...[2, 3, 4].map((links) => planar(`forest of ${links} joints`, Scenario.generate("forest", { links, seed: 7 }))),
+    { name: "six joints in space", ways: [["isFree", told(inSpace, false)], ["clearance", told(inSpace, true)]] },
+  ];
 /** How often each seed is measured; the first few warm up. */
 const ROUNDS = 15, WARM = 5;
 
-const oxmpl = await oxmplInJavaScript();
 const median = (/** @type {number[]} */ values) => quantile(values, 0.5);
 /** @type {string[][]} */
 const rows = [];
-for (const { name, scenario } of scenarios) {
-  const document = scenario.document();
-  /** @type {[string, Way][]} */
-  const ways = [["isFree", told(document, false)], ["clearance", told(document, true)], ["as a scenario", { plan: ours(scenario) }], ["OxMPL, isFree", theirs(oxmpl, document)]];
+for (const { name, ways } of arms) {
   const all = Array.from({ length: Number(seeds) }, (_, seed) => ways.map(([, { plan, record, replay, alone }]) => {
     const batches = record?.(seed) ?? [];
     /** @type {[string, () => number][]} */

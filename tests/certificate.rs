@@ -290,6 +290,34 @@ fn a_false_certificate_is_refused() {
     refused(&world, &wide, "not proven to keep");
 }
 
+/// A wall whose clearance is that of the far corner of its cell, less a rounding error: halving the cell there never ends, since its parts
+/// become as small as the distance of two numbers. Found by fuzzing.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_cell_that_fails_in_one_corner_alone_is_refused() {
+    let world = room(0.1, &[disc([1.0, 1.0], 0.3)]);
+    let mut certificate = certify(&world, 0.0, 20_000);
+    certificate.verdict = Verdict::Unknown;
+    certificate.channel.clear();
+    let mut refused = 0;
+    for (column, row) in (5..15).flat_map(|column| (5..15).map(move |row| (column, row))) {
+        let cell = [4, column, row];
+        let [[_, x], [_, y]] = ranges(&world, cell);
+        let mut most = (x - 1.0).hypot(y - 1.0) - 0.3 - 0.1 - 2.0 * 4.1e-12;
+        certificate.wall = vec![planarium::certificate::Blocked {
+            cell: cell.into(),
+            part: 0,
+            along: 0.0,
+            with: planarium::problem::Touched::Obstacle(0),
+        }];
+        for _ in 0..8 {
+            most = most.next_down();
+            certificate.clearance_at_most = Some(most);
+            refused += usize::from(verify(&world, &certificate).expect("of this scenario").is_some());
+        }
+    }
+    assert!(refused > 400, "{refused}");
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn what_cannot_be_decided_is_refused() {
     let begin = |world: &Scenario, options: &Options| Subdivision::new(world, options);

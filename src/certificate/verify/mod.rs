@@ -17,6 +17,9 @@ use std::f64::consts::{PI, TAU};
 /// The most parts of cells of one certificate that are examined.
 const MOST_EXAMINED: u64 = 10_000_000;
 
+/// How often a cell is halved: its parts are then as small as what rounding moves.
+const MOST_HALVINGS: u32 = 32;
+
 /// How far a point may be from a cell that contains it, in sides of the smallest cells: more than rounding moves it.
 const ROUNDED: f64 = 1e-6;
 
@@ -130,7 +133,7 @@ impl<'a> Verifier<'a> {
                     None => return Err(format!("{name} names obstacle {i}, which does not exist")),
                 },
             };
-            if !self.stays_near(blocked, &shapes, ranges, most) {
+            if !self.stays_near(blocked, &shapes, ranges, most, MOST_HALVINGS) {
                 return Err(format!("{name}: link {} is not proven to stay near {:?}", blocked.part, blocked.with));
             }
         }
@@ -138,8 +141,8 @@ impl<'a> Verifier<'a> {
     }
 
     /// Whether the point stays within `most` of the last shape, or of one of the convex ones before it that are contained in it; without
-    /// shapes, whether it stays outside the bounds.
-    fn stays_near(&mut self, blocked: &Blocked, shapes: &[Obstacle], ranges: Ranges, most: f64) -> bool {
+    /// shapes, whether it stays outside the bounds. The ranges are halved at most so often.
+    fn stays_near(&mut self, blocked: &Blocked, shapes: &[Obstacle], ranges: Ranges, most: f64, halvings: u32) -> bool {
         self.examined += 1;
         let [[a, b], [c, d]] = ranges;
         let middle = [0.5 * (a + b), 0.5 * (c + d)];
@@ -169,8 +172,9 @@ impl<'a> Verifier<'a> {
         };
         is_proven
             || (!is_hopeless
+                && halvings > 0
                 && self.examined < MOST_EXAMINED
-                && quarters(ranges).into_iter().all(|part| self.stays_near(blocked, shapes, part, most)))
+                && quarters(ranges).into_iter().all(|part| self.stays_near(blocked, shapes, part, most, halvings - 1)))
     }
 
     /// Checks that the cells lead from the start to the goal, and that the clearance is greater all over them.
@@ -181,7 +185,7 @@ impl<'a> Verifier<'a> {
         for (i, cell) in channel.iter().enumerate() {
             let name = format!("cell {i} of the channel");
             let ranges = self.ranges_of(cell, &name)?;
-            if !self.is_clear(ranges, clearance) {
+            if !self.is_clear(ranges, clearance, MOST_HALVINGS) {
                 return Err(format!("{name} is not proven to keep more than {clearance} m"));
             }
         }
@@ -207,8 +211,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the robot keeps more than the clearance over the ranges, and stays within the bounds.
-    fn is_clear(&mut self, ranges: Ranges, clearance: f64) -> bool {
+    /// Whether the robot keeps more than the clearance over the ranges, which are halved at most so often, and stays within the bounds.
+    fn is_clear(&mut self, ranges: Ranges, clearance: f64, halvings: u32) -> bool {
         self.examined += 1;
         let [[a, b], [c, d]] = ranges;
         let middle = [0.5 * (a + b), 0.5 * (c + d)];
@@ -234,8 +238,9 @@ impl<'a> Verifier<'a> {
         }
         is_proven
             || (!is_hopeless
+                && halvings > 0
                 && self.examined < MOST_EXAMINED
-                && quarters(ranges).into_iter().all(|part| self.is_clear(part, clearance)))
+                && quarters(ranges).into_iter().all(|part| self.is_clear(part, clearance, halvings - 1)))
     }
 
     /// The point at a fraction of the axis of a part.

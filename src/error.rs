@@ -1,6 +1,7 @@
 //! The error type of the crate.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 /// The kind of an error, as a stable kebab-case code that programs may match on. Versions may add codes; none changes its meaning.
@@ -136,6 +137,24 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// The number, if it lies within a range: `what` names it in the sentence.
+///
+/// # Errors
+/// `out-of-range`, `not-finite`
+pub(crate) fn within(
+    pointer: impl Into<String>,
+    what: &str,
+    value: f64,
+    range: RangeInclusive<f64>,
+) -> Result<f64, Error> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+    let [low, high, value] = [*range.start(), *range.end(), value].map(Number);
+    Err(Error::new(code, pointer, format!("{what} must lie within [{low}, {high}], not {value}")))
+}
 
 /// A string in quotes for a sentence, its control characters escaped, cut to 60 characters.
 pub(crate) fn quoted(text: &str) -> String {

@@ -3,10 +3,9 @@
 
 use super::FORMAT;
 use super::floor::{Fan, Floor};
-use crate::error::{Code, Error, Number, quoted};
+use crate::error::{Code, Error, quoted, within};
 use crate::geometry::{Aabb, Point};
 use crate::json::{self, by_type};
-use crate::options::Range;
 use crate::robot::{DifferentialDrive, Footprint, Part, Round};
 use crate::scenario::document::{self, World as WorldDocument};
 use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive, Speed};
@@ -173,9 +172,9 @@ impl Sensor {
     /// Refuses numbers outside their ranges.
     pub(super) fn check(&self, pointer: &str) -> Result<(), Error> {
         let Self { rays, field_of_view, range } = *self;
-        within(&format!("{pointer}/rays"), "the number of rays", rays as f64, 2.0..=MAX_RAYS as f64)?;
-        within(&format!("{pointer}/field_of_view"), "a field of view", field_of_view, 1e-3..=LARGEST_VIEW)?;
-        within(&format!("{pointer}/range"), "a range", range, 1e-3..=1e6)
+        within(format!("{pointer}/rays"), "the number of rays", rays as f64, 2.0..=MAX_RAYS as f64)?;
+        within(format!("{pointer}/field_of_view"), "a field of view", field_of_view, 1e-3..=LARGEST_VIEW)?;
+        within(format!("{pointer}/range"), "a range", range, 1e-3..=1e6).map(drop)
     }
 }
 
@@ -451,17 +450,7 @@ pub(super) fn checked_robot(robot: DriveDocument) -> Result<Navigator, Error> {
     let Noise { range, position, heading, speed, turn_rate } = noise;
     let deviations = [range, position, heading, speed, turn_rate];
     for (name, value) in ["range", "position", "heading", "speed", "turn_rate"].into_iter().zip(deviations) {
-        within(&format!("/noise/{name}"), "a standard deviation", value, 0.0..=1e3)?;
+        within(format!("/noise/{name}"), "a standard deviation", value, 0.0..=1e3)?;
     }
     Ok(Navigator { drive, sensor, noise })
-}
-
-/// Refuses a number outside its range.
-pub(super) fn within(pointer: &str, what: &str, value: f64, range: Range) -> Result<(), Error> {
-    if range.contains(&value) {
-        return Ok(());
-    }
-    let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-    let [low, high, value] = [*range.start(), *range.end(), value].map(Number);
-    Err(Error::new(code, pointer, format!("{what} must lie within [{low}, {high}], not {value}")))
 }

@@ -5,8 +5,8 @@
 //! the policy has none either: it is evaluated for the view and for its mirror image, whose turn rate has the other sign, and the two are
 //! averaged. That halves what is to be learned.
 
-use super::document::{Navigator, Sensor, within};
-use crate::error::{Code, Error, quoted};
+use super::document::{Navigator, Sensor};
+use crate::error::{Code, Error, quoted, within};
 use crate::json;
 use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
@@ -219,7 +219,7 @@ impl Policy {
             return Err(Error::new(Code::WrongDimension, "/weights", sentence));
         }
         for (i, &weight) in weights.iter().enumerate() {
-            within(&format!("/weights/{i}"), "a weight", weight, -1e6..=1e6)?;
+            within(format!("/weights/{i}"), "a weight", weight, -1e6..=1e6)?;
         }
         Ok(Self::new(name, sensor, hidden, seed, generations, &weights))
     }

@@ -8,12 +8,12 @@
 //! An iteration is one candidate. [`Training::returns_of`] depends on nothing but the generation, so that several threads or workers can share
 //! the candidates of a generation, and give their returns to [`Training::advance`].
 
-use super::document::{Navigation, within};
+use super::document::Navigation;
 use super::episode;
 use super::generate::generate_with;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, within};
 use crate::experiment::statistics::{Share, share};
 use crate::graph::Fingerprint;
 use crate::options::{Options, Value};
@@ -210,7 +210,7 @@ impl Training {
         within("/returns", "the number of returns", returns.len() as f64, count as f64..=count as f64)?;
         for (i, returned) in returns.iter().enumerate() {
             for value in returned {
-                within(&format!("/returns/{i}"), "a return", *value, -1e3..=1e3)?;
+                within(format!("/returns/{i}"), "a return", *value, -1e3..=1e3)?;
             }
         }
         if self.status() == Status::Running {

@@ -4,14 +4,14 @@
 //! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are sampled
 //! ([`Sampled`]), and the result document says so.
 
-use super::description::{SIZES, SpaceDescription, within};
+use super::description::{SIZES, SpaceDescription};
 use super::factory::run_info;
 use super::questions::configuration;
 use super::resume::checked_states;
 use super::runner::{RunInfo, Runner};
 use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, within};
 use crate::options::{Choice, out_of_range};
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching, default_planner,
@@ -106,11 +106,11 @@ impl CustomProblem {
                     return Err(Error::new(Code::WrongDimension, "/reach", sentence));
                 }
                 for (i, &reach) in reach.iter().enumerate() {
-                    within(reach, 0.0..=LARGEST, "a reach", format!("/reach/{i}"))?;
+                    within(format!("/reach/{i}"), "a reach", reach, 0.0..=LARGEST)?;
                 }
             }
             Free::Samples { resolution: Some(resolution), .. } => {
-                within(*resolution, SIZES, "resolution", "/resolution".to_owned())?;
+                within("/resolution", "resolution", *resolution, SIZES)?;
             }
             Free::Clearance { reach: None, .. } | Free::Samples { resolution: None, .. } => {}
         }
@@ -130,7 +130,7 @@ impl CustomProblem {
         let space: MotionSpace<MAX_DIMENSION> = self.space.read()?;
         let [a, b] =
             [configuration(&space, a, "configuration", "/a")?, configuration(&space, b, "configuration", "/b")?];
-        let t = within(t, 0.0..=1.0, "t", "/t".to_owned())?;
+        let t = within("/t", "t", t, 0.0..=1.0)?;
         Ok(space.coordinates(&space.interpolate(&a, &b, t)).to_vec())
     }
 

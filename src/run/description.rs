@@ -1,6 +1,6 @@
 //! A space as a product of circles, intervals and lines, as a user describes it: plain values that are checked when they are read.
 
-use crate::error::{Code, Error, Number};
+use crate::error::{Code, Error, Number, within};
 use crate::json;
 use crate::scenario::LARGEST;
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, MetricKind, MotionSpace, ProductSpace};
@@ -74,7 +74,7 @@ impl CoordinateDescription {
                 (_, None) => {
                     Err(Error::new(Code::MissingField, pointer, format!("the range of a coordinate needs {name}")))
                 }
-                (_, Some(limit)) => within(limit, -LARGEST..=LARGEST, name, pointer),
+                (_, Some(limit)) => within(pointer, name, limit, -LARGEST..=LARGEST),
             }
         });
         let (low, high) = (low?, high?);
@@ -82,7 +82,7 @@ impl CoordinateDescription {
             let sentence = format!("high must be greater than low {}, not {}", Number(low), Number(high));
             return Err(Error::new(Code::OutOfRange, format!("{pointer}/high"), sentence));
         }
-        let weight = within(self.weight.unwrap_or(1.0), SIZES, "weight", format!("{pointer}/weight"))?;
+        let weight = within(format!("{pointer}/weight"), "weight", self.weight.unwrap_or(1.0), SIZES)?;
         let coordinate = match self.kind {
             CoordinateKind::Circle => Coordinate::Circle,
             CoordinateKind::Interval => Coordinate::Interval { low, high },
@@ -167,14 +167,4 @@ impl SpaceDescription {
 /// Two numbers as text, if they differ.
 fn differing(a: Option<f64>, b: Option<f64>) -> Option<[String; 2]> {
     (a != b).then(|| [a, b].map(|number| number.map_or("none".to_owned(), |number| Number(number).to_string())))
-}
-
-/// Refuses a number outside its range.
-pub(super) fn within(value: f64, range: RangeInclusive<f64>, name: &str, pointer: String) -> Result<f64, Error> {
-    if range.contains(&value) {
-        return Ok(value);
-    }
-    let code = if value.is_finite() { Code::OutOfRange } else { Code::NotFinite };
-    let [low, high, value] = [*range.start(), *range.end(), value].map(Number);
-    Err(Error::new(code, pointer, format!("{name} must lie within [{low}, {high}], not {value}")))
 }

@@ -6,7 +6,7 @@ mod clearance;
 use clearance::Boundary;
 pub use clearance::Clearance;
 
-use crate::error::{Code, Error, Number};
+use crate::error::{Code, Error, Number, within};
 use crate::geometry::{Aabb, Point};
 use crate::planner::DEFAULT_TOLERANCE;
 use crate::problem::{Contact, Validity};
@@ -221,9 +221,6 @@ impl Inspector {
     /// The same, or if `t` is no fraction of it.
     fn refuse_part(&self, a: &[f64], b: &[f64], t: f64) -> Result<(), Error> {
         self.refuse_motion(a, b)?;
-        if !(0.0..=1.0).contains(&t) {
-            return Err(Error::new(Code::OutOfRange, "/t", format!("t must lie within [0, 1], not {}", Number(t))));
-        }
-        Ok(())
+        within("/t", "t", t, 0.0..=1.0).map(drop)
     }
 }

@@ -85,7 +85,9 @@ fn documents_are_refused_with_a_code_and_a_place() {
     let sensor = |rays: usize, view: f64| json!({ "rays": rays, "field_of_view": view, "range": 3 });
     refuses(with_robot("sensor", sensor(1, 3.0)), "out-of-range", "/robot/sensor/rays");
     refuses(with_robot("sensor", sensor(9, 7.0)), "out-of-range", "/robot/sensor/field_of_view");
-    refuses(with_robot("time_step", json!(2)), "out-of-range", "/robot/time_step");
+    for step in [1e-27, 2.0] {
+        refuses(with_robot("time_step", json!(step)), "out-of-range", "/robot/time_step");
+    }
     refuses(with_robot("wheels", json!(2)), "unknown-field", "/robot/wheels");
     let mut policy: Value = serde_json::from_str(&shipped().to_json_string()).expect("JSON");
     policy["weights"].as_array_mut().expect("weights").pop();

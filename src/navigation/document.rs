@@ -83,7 +83,7 @@ objects! {
         speed: [Speed; 2],
         /// The least and the greatest turn rate in radians per second, the first less than the second.
         turn_rate: [Coordinate; 2],
-        /// How long a control is constant, in seconds, at most 1; 0.2 by default.
+        /// How long a control is constant, in seconds, 0.001 to 1; 0.2 by default.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         time_step: Option<Positive>,
         /// The range sensor.

@@ -3,15 +3,16 @@
 
 use super::Part;
 use super::range::{LARGEST, check_limits, check_positive};
-use crate::error::Error;
+use crate::error::{Error, within};
 use crate::geometry::{Point, Polygon, arc_pose};
 use serde::Serialize;
+use std::ops::RangeInclusive;
 
 /// The fastest turn, in radians per second.
 const FASTEST_TURN: f64 = 100.0;
 
-/// The longest time step, in seconds.
-const LONGEST_STEP: f64 = 1.0;
+/// The time steps, in seconds: a shorter one would not come far in the greatest number of steps of a drive.
+const STEPS: RangeInclusive<f64> = 0.001..=1.0;
 
 /// The shape of a robot on wheels, in its own frame; x is forward.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -58,7 +59,7 @@ impl DifferentialDrive {
     ///
     /// # Errors
     /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a document: a radius or a greatest speed that is not positive, speeds beyond
-    /// 1e6, turn rates beyond 100, a time step outside (0, 1], limits of which the lower is not less than the upper.
+    /// 1e6, turn rates beyond 100, a time step outside [0.001, 1], limits of which the lower is not less than the upper.
     pub fn new(shape: Footprint, speed: [f64; 2], turn_rate: [f64; 2], time_step: f64) -> Result<Self, Error> {
         if let Footprint::Disc(Round { radius }) = shape {
             check_positive("/shape/radius", "the radius of the robot", radius, LARGEST)?;
@@ -66,7 +67,7 @@ impl DifferentialDrive {
         check_limits("/speed", "a speed", speed, LARGEST)?;
         check_positive("/speed/1", "the greatest speed", speed[1], LARGEST)?;
         check_limits("/turn_rate", "a turn rate", turn_rate, FASTEST_TURN)?;
-        check_positive("/time_step", "the time step", time_step, LONGEST_STEP)?;
+        within("/time_step", "the time step", time_step, STEPS)?;
         Ok(Self { shape, speed, turn_rate, time_step })
     }
 

@@ -9,7 +9,8 @@ import { Problem, root as project } from "./run.mjs";
 const HOST = "127.0.0.1";
 
 /**
- * Serves a folder, and the documentation at `/docs/`; files are read again for each request.
+ * Serves a folder, and the documentation at `/docs/`; files are read again for each request. A file with a compressed one beside it is
+ * sent compressed to those who accept it.
  * @param {{ root: string, port: number, policy?: string, docs?: string }} options  two folders; port 0 chooses a free one; the policy is sent with every
  *   file of the first
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
@@ -18,7 +19,7 @@ const HOST = "127.0.0.1";
 export async function serve({ root, port, policy, docs }) {
   // Imported here, so that the port can be checked before the development tools are installed.
   const { default: sirv } = await import("sirv");
-  const files = sirv(root, { dev: true, setHeaders: (response) => { if (policy) response.setHeader("content-security-policy", policy); } });
+  const files = sirv(root, { dev: true, brotli: true, gzip: true, setHeaders: (response) => { if (policy) response.setHeader("content-security-policy", policy); } });
   const documentation = docs === undefined ? files : sirv(docs, { dev: true });
   const server = createServer((request, response) => {
     const inDocs = docs === undefined ? null : /^\/docs(\/.*)$/.exec(request.url ?? "");

@@ -162,3 +162,17 @@ test("every page has the same policy as the planner's, and its own entry, style 
     for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)"/g)) if (address !== "docs/") assert.ok(existsSync(join(pageRoot, address)), `${name}: ${address}`);
   }
 });
+
+test("files are sent compressed to those who accept it, and are the same", () => onPage({}, async (_, url) => {
+  for (const file of ["", "planarium/planarium_bg.wasm", "style.css"]) {
+    const [plain, ...compressed] = await Promise.all(["identity", "gzip", "br"].map(async (encoding) => {
+      const response = await fetch(new URL(file, url), { headers: { "accept-encoding": encoding } });
+      return { encoding: response.headers.get("content-encoding"), type: response.headers.get("content-type"), size: Number(response.headers.get("content-length")), bytes: Buffer.from(await response.arrayBuffer()) };
+    }));
+    assert.deepEqual([plain, ...compressed].map(({ encoding }) => encoding), [null, "gzip", "br"], file);
+    for (const { bytes, type, size } of compressed) {
+      assert.ok(bytes.equals(plain.bytes) && type === plain.type, file);
+      assert.ok(size < plain.size / 2, `${file}: ${size} of ${plain.size}`);
+    }
+  }
+}));

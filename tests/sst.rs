@@ -72,8 +72,7 @@ impl<'a> Witnesses<'a> {
 
     /// Adds the vertex at the end of the next edge, which must be the cheapest about its witness, or in the goal region.
     fn add(&mut self, edge: &Edge, place: [f64; 3]) {
-        let pace = 0.7 * edge.speed.abs() + 0.3 * car(self.world).turn_rate(edge.speed, edge.steering).abs();
-        let cost = self.costs[edge.from] + pace * edge.duration;
+        let cost = self.costs[edge.from] + edge.speed.abs() * edge.duration;
         self.costs.push(cost);
         let far = |&i: &usize| distance(self.places[i], place);
         let near = (0..self.places.len()).min_by(|a, b| far(a).total_cmp(&far(b))).expect("the start has one");
@@ -180,6 +179,10 @@ impl Dynamics<[f64; 4]> for Noted {
 
     fn length(&self, motion: Motion) -> f64 {
         self.driving.length(motion)
+    }
+
+    fn reach(&self, motion: Motion) -> f64 {
+        self.driving.reach(motion)
     }
 
     fn steer(&self, from: &[f64; 4], to: &[f64; 4]) -> Vec<(Motion, [f64; 4])> {

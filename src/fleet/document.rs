@@ -199,8 +199,13 @@ impl Fleet {
                 [("start", Code::StartInCollision, &member.start), ("goal", Code::GoalInCollision, &member.goal)]
             {
                 let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
-                let touches =
-                    |at: Pose, j: usize| footprints[i].distance(at, &footprints[j], ends(&self.robots()[j])) <= slack;
+                let touches = |at: Pose, j: usize| {
+                    let there = ends(&self.robots()[j]);
+                    let apart = libm::hypot(at[0] - there[0], at[1] - there[1]);
+                    // Robots whose bounding discs are apart need no distance of shapes.
+                    apart <= footprints[i].radius() + footprints[j].radius() + slack
+                        && footprints[i].distance(at, &footprints[j], there) <= slack
+                };
                 let refuse = |why: String| {
                     let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
                     let error = Error::new(code, format!("/robots/{i}/{what}"), sentence);

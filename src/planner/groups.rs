@@ -124,7 +124,7 @@ crate::options! {
     tolerance: f64 = DEFAULT_TOLERANCE, in 1e-9..=0.1, "Tolerance", unit "of the world's longer side";
     /// Number of iterations without a path after which the planner gives up: more solve harder problems.
     max_iterations: u32 = 100_000, in 1.0..=4e9, "Most iterations";
-    /// Moves a start or a goal in collision to the nearest free configuration that is found, at most this far; results say so.
+    /// Moves a start or goal in collision to the nearest free configuration found, at most this far.
     free_ends: Option<f64>, in 0.0..=1e7, "Free ends within", unit "distance in the metric", else "they are refused";
 }
 

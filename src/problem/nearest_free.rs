@@ -204,7 +204,7 @@ impl<'a, S: Space, F: Fn(&S::State) -> bool> Search<'a, S, F> {
         let beyond = rooms.into_iter().find(|&beyond| self.is_free_at(direction, beyond)).unwrap_or(distance);
         let state = self.at(direction, beyond);
         let mut places = 1.0;
-        while places * (beyond - distance).max(1e-9 * room) < 1.0 {
+        while places < 1e12 && places * (beyond - distance).max(1e-9 * room) < 1.0 {
             places *= 10.0;
         }
         let mut coordinates = [0.0; MAX_DIMENSION];

@@ -11,7 +11,7 @@ export class PlanariumError extends Error {
    * @param {string} code     stable, in kebab-case; programs may match on it
    * @param {string} message  a sentence for people
    * @param {string} [pointer]  JSON pointer (RFC 6901) of the offending value; empty for the whole
-   * @param {ErrorOptions} [options]  the `cause`, if any
+   * @param {ErrorOptions & { nearest?: readonly number[] }} [options]  the `cause` and the `nearest` free configuration, if any
    */
   constructor(code, message, pointer = "", options = undefined) {
     super(message, options);
@@ -21,6 +21,8 @@ export class PlanariumError extends Error {
     this.code = code;
     /** JSON pointer of the offending value in the document or the arguments; empty for the whole. @type {string} */
     this.pointer = pointer;
+    /** Of a start or a goal in collision, the nearest free configuration that was found; else undefined. @type {readonly number[] | undefined} */
+    this.nearest = options?.nearest;
   }
 }
 
@@ -42,7 +44,7 @@ export function reasonOf(thrown) {
   }
 }
 
-/** Whether an error is one of the core, with code and pointer. @param {unknown} error @returns {error is { code: string, pointer: string, message: string }} @internal */
+/** Whether an error is one of the core, with code and pointer. @param {unknown} error @returns {error is { code: string, pointer: string, message: string, nearest?: number[] }} @internal */
 export function isFromCore(error) {
   return error instanceof Error
     && "code" in error && typeof error.code === "string"

@@ -145,7 +145,7 @@ function inCamelCase(error, given) {
   const own = given.filter((copy) => typeof copy === "object" && copy !== null).flatMap(Object.keys);
   const names = new Map([...renamed, ...own].map((name) => [name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`), name]));
   const spelled = (/** @type {string} */ text) => text.replace(/[a-z]\w*_\w+/g, (word) => names.get(word) ?? word);
-  return new PlanariumError(error.code, spelled(error.message), spelled(error.pointer), { cause: cause ?? error.cause });
+  return new PlanariumError(error.code, spelled(error.message), spelled(error.pointer), { cause: cause ?? error.cause, nearest: error.nearest });
 }
 
 /**

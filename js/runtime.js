@@ -37,7 +37,7 @@ export function requireCore() {
 /** What a call of the core has thrown, as an error of the package; after a trap the core is lost. @param {unknown} error @returns {PlanariumError} */
 export function asOwn(error) {
   if (isOwn(error)) return error;
-  if (isFromCore(error)) return new PlanariumError(error.code, error.message, error.pointer);
+  if (isFromCore(error)) return new PlanariumError(error.code, error.message, error.pointer, { nearest: error.nearest });
   if (isTrap(error)) {
     fault = error;
     return lost();

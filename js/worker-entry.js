@@ -40,8 +40,8 @@ async function answer(run) {
     const { value: growth } = /** @type {IteratorResult<WorkerGrowth, undefined>} */ (await runs.get(run)?.next());
     if (growth !== undefined) port.postMessage({ run, growth }, [growth.vertices.buffer, growth.edges.buffer, growth.events.buffer]);
   } catch (error) {
-    const { code, message, pointer } = error instanceof PlanariumError ? error : new PlanariumError("internal", reasonOf(error));
-    port.postMessage({ run, fault: { code, message, pointer } });
+    const { code, message, pointer, nearest } = error instanceof PlanariumError ? error : new PlanariumError("internal", reasonOf(error));
+    port.postMessage({ run, fault: { code, message, pointer, nearest } });
   }
 }
 

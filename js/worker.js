@@ -245,13 +245,13 @@ class PlanningWorker {
     if ("ref" in this.#worker) this.#worker[isNeeded ? "ref" : "unref"]();
   }
 
-  /** @param {{ run: number, growth?: WorkerGrowth, fault?: { code: string, message: string, pointer: string } }} answer */
+  /** @param {{ run: number, growth?: WorkerGrowth, fault?: { code: string, message: string, pointer: string, nearest?: readonly number[] } }} answer */
   #hear({ run, growth, fault }) {
     this.#hasAnswered = true;
     const sent = this.#waiting.get(run);
     if (growth !== undefined) return sent?.resolve(growth);
-    const { code, message, pointer } = /** @type {PlanariumError} */ (fault);
-    const error = new PlanariumError(code, message, pointer);
+    const { code, message, pointer, nearest } = /** @type {PlanariumError} */ (fault);
+    const error = new PlanariumError(code, message, pointer, { nearest });
     // The core is lost with all runs in it, or was never there.
     if (code === "internal" || code === "init-failed") this.lose(error);
     else sent?.reject(error);

@@ -95,12 +95,14 @@ struct Detail {
     code: Code,
     message: String,
     pointer: String,
+    /// The bits of the coordinates of a free configuration.
+    nearest: Option<Vec<u64>>,
 }
 
 impl Error {
     /// An error about the value at `pointer`.
     pub fn new(code: Code, pointer: impl Into<String>, message: impl Into<String>) -> Self {
-        Self(Box::new(Detail { code, message: message.into(), pointer: pointer.into() }))
+        Self(Box::new(Detail { code, message: message.into(), pointer: pointer.into(), nearest: None }))
     }
 
     /// The stable code.
@@ -116,6 +118,27 @@ impl Error {
     /// The JSON pointer of the offending value.
     pub fn pointer(&self) -> &str {
         &self.0.pointer
+    }
+
+    /// Of a start or a goal in collision, the nearest free configuration that a bounded search has found.
+    pub fn nearest(&self) -> Option<Vec<f64>> {
+        self.0.nearest.as_ref().map(|bits| bits.iter().map(|&bits| f64::from_bits(bits)).collect())
+    }
+
+    /// The same error with the free configuration nearest to the offending one, and their distance.
+    #[must_use]
+    pub(crate) fn with_nearest(mut self, nearest: &[f64], distance: f64) -> Self {
+        let distance = Number(format!("{distance:.3e}").parse().unwrap_or(distance));
+        self.0.message += &format!("; the nearest free configuration found is {nearest:?}, {distance} away");
+        self.0.nearest = Some(nearest.iter().map(|x| x.to_bits()).collect());
+        self
+    }
+
+    /// The same error with another pointer.
+    #[must_use]
+    pub(crate) fn at(mut self, pointer: impl Into<String>) -> Self {
+        self.0.pointer = pointer.into();
+        self
     }
 
     /// The same error about a value deeper in a document: `prefix` is put before the pointer.

@@ -48,6 +48,8 @@ pub enum Stream {
     Tasks = 11,
     /// The noise of rollouts.
     Rollouts = 12,
+    /// In which directions a free configuration is looked for.
+    Ends = 13,
 }
 
 /// A stream of random numbers.

@@ -18,6 +18,7 @@ mod control;
 mod custom;
 mod directed;
 mod driving;
+mod ends;
 mod experiment;
 mod fleet;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
@@ -28,6 +29,7 @@ mod golden;
 mod ik;
 mod json;
 mod lazy;
+mod lengths;
 mod limits;
 mod navigation;
 mod nearest;

@@ -2,12 +2,14 @@
 //! faulty searches, lengths by chords. They obey the laws of all runs, and what they miss shows.
 
 use crate::common::documents::{arm, judged, refuses, scenario};
+use crate::common::driven::car;
 use crate::common::graphs::{edges, rows, tried};
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish, no_way, options, seeds, worlds,
 };
 use planarium::geometry::{Point, Segment};
 use planarium::planner::{EdgeCheck, planners};
+use planarium::problem::Motion;
 use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Options, Status, start};
 use planarium::scenario::Robot;
@@ -335,7 +337,13 @@ fn chords_are_no_longer_than_arcs_and_are_verified() {
     for seed in 0..seeds(10) {
         let result = finish(begin_with(&world, "rrt-control", seed, "")).result();
         let chords = result.chord_length.expect("a driven path has chords");
-        assert!(chords > 0.5 * result.length && chords < result.length, "{chords} of {}", result.length);
+        // Along the arcs, in the metric of the car, by which the chords are measured too.
+        let along = |Motion { control, duration }: &Motion| {
+            let turn = car(&world).turn_rate(control.speed, control.steering).abs();
+            (0.7 * control.speed.abs() + 0.3 * turn) * duration
+        };
+        let arcs: f64 = result.motions.iter().flatten().map(along).sum();
+        assert!(chords > 0.5 * arcs && chords < arcs, "{chords} of {arcs}");
         judged(&world, &result).expect("a valid path");
         let wrong = planarium::path::ResultDocument { chord_length: Some(1.01 * chords), ..result };
         assert!(judged(&world, &wrong).expect_err("a wrong length").contains("chord"));

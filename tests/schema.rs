@@ -117,3 +117,35 @@ fn what_is_written_follows_the_schema() {
         assert!(is_valid(&serde_json::from_str(&scenario.unwrap().to_json_string()).unwrap()));
     }
 }
+
+/// The JSON examples in `docs/scenarios.md`.
+fn examples() -> Vec<&'static str> {
+    let blocks = include_str!("../docs/scenarios.md").split("```json\n").skip(1);
+    blocks.map(|block| block.split("```").next().unwrap_or_default()).collect()
+}
+
+/// The names of all fields of the objects in a schema.
+fn fields(schema: &Value, found: &mut Vec<String>) {
+    let own = schema.get("properties").and_then(Value::as_object);
+    found.extend(own.into_iter().flat_map(|properties| properties.keys().cloned()));
+    let inner: Vec<&Value> = match schema {
+        Value::Object(object) => object.values().collect(),
+        Value::Array(items) => items.iter().collect(),
+        _ => Vec::new(),
+    };
+    inner.into_iter().for_each(|value| fields(value, found));
+}
+
+#[test]
+fn the_documentation_shows_every_field_in_an_example_that_is_a_scenario() {
+    let examples = examples();
+    for example in &examples {
+        Scenario::parse(example).unwrap_or_else(|error| panic!("{error}: {example}"));
+    }
+    let mut all = Vec::new();
+    fields(&schema(), &mut all);
+    assert!(all.len() > 30, "{all:?}");
+    let is_shown = |name: &String| examples.iter().any(|example| example.contains(&format!("\"{name}\"")));
+    let hidden: Vec<&String> = all.iter().filter(|name| !is_shown(name)).collect();
+    assert!(hidden.is_empty(), "docs/scenarios.md shows no {hidden:?}");
+}

@@ -68,7 +68,7 @@ fn the_reported_clearance_is_the_distance() {
     let obstacle = Obstacle::Polygon(rectangle([1.9, 1.0], [2.1, 2.0]));
     let world = world([0.0, 0.0], [4.0, 4.0], vec![obstacle]);
     let reported = |leg: Leg| match verify_legs(&world, &body, &[leg]) {
-        Verdict::Valid { clearance, samples, waypoints: 1 } if samples > 100 => clearance,
+        Verdict::Valid { clearance, samples, waypoints: 1, .. } if samples > 100 => clearance,
         other => panic!("{other:?}"),
     };
     assert!((reported(Leg::straight(&[0.5, 0.75, 0.0], &[3.4, 0.75, 0.0])) - 0.15).abs() < 1e-12);

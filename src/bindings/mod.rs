@@ -48,13 +48,17 @@ mod types;
 use crate::Error;
 use wasm_bindgen::prelude::*;
 
-/// An `Error` with `code` and `pointer`.
+/// An `Error` with `code` and `pointer`, and `nearest` if it has one.
 impl From<Error> for JsValue {
     fn from(error: Error) -> Self {
         let thrown = JsValue::from(js_sys::Error::new(error.message()));
         for (key, value) in [("code", error.code().as_str()), ("pointer", error.pointer())] {
             // Setting a property of a fresh object cannot fail.
             let _ = js_sys::Reflect::set(&thrown, &key.into(), &value.into());
+        }
+        if let Some(nearest) = error.nearest() {
+            let numbers: js_sys::Array = nearest.into_iter().map(JsValue::from).collect();
+            let _ = js_sys::Reflect::set(&thrown, &"nearest".into(), &numbers.into());
         }
         thrown
     }

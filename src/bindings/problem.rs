@@ -168,7 +168,10 @@ impl Problem {
     /// The error with the pointer into the description.
     fn at_goal(&self, error: Error) -> Error {
         match error.pointer().strip_prefix("/goals/0") {
-            Some(rest) if self.has_one_goal => Error::new(error.code(), format!("/goal{rest}"), error.message()),
+            Some(rest) if self.has_one_goal => {
+                let pointer = format!("/goal{rest}");
+                error.at(pointer)
+            }
             _ => error,
         }
     }

@@ -103,7 +103,13 @@ impl<const N: usize> Dynamics<[f64; N]> for CarDynamics<N> {
         }
     }
 
+    /// The metres driven, forwards or in reverse.
     fn length(&self, motion: Motion) -> f64 {
+        motion.control.speed.abs() * motion.duration
+    }
+
+    /// Metres and radians along the arc, weighted. In a space of curves that is no bound: it has no motions by controls.
+    fn reach(&self, motion: Motion) -> f64 {
         let weights = self.car.weights();
         let pace =
             weights.translation * motion.control.speed.abs() + weights.rotation * self.turn_rate(motion.control).abs();

@@ -9,8 +9,9 @@ pub use key::{Key, SPEED_PRESS, STEERING_PRESS};
 pub use road::{MAX_STEPS, Rollout, RolloutOptions, rollout};
 
 use crate::error::{Code, Error, Number};
-use crate::problem::{Control, Touched};
-use crate::world::PlanningWorld;
+use crate::problem::{Control, Touched, naming_nearest};
+use crate::space::{ProductSpace, Space};
+use crate::world::{PlanningWorld, SMALL};
 use key::Levels;
 use road::Road;
 use serde::{Deserialize, Serialize};
@@ -54,7 +55,10 @@ impl Drive {
         let start = road.pose(start, "/q")?;
         if let Some(contact) = road.collision.contacts(&start).first() {
             let sentence = format!("the car cannot start there: {contact}");
-            return Err(Error::new(Code::StartInCollision, "/q", sentence));
+            let error = Error::new(Code::StartInCollision, "/q", sentence);
+            let space: ProductSpace<SMALL> = world.default_space();
+            let is_free = |q: &[f64; SMALL]| road.collision.is_free(&[q[0], q[1], q[2]]);
+            return Err(naming_nearest(error, &space, is_free, &space.state(&start)));
         }
         let road = road.fitted(&start);
         let levels = Levels::new(&road.car);

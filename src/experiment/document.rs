@@ -168,7 +168,7 @@ pub enum Measure {
     Edges,
     /// Configurations of the path, start and goal included.
     Waypoints,
-    /// The length of the path in the metric of the space.
+    /// The length of the path, as results state it: metres of a disc or a car, radians of an arm, both weighted of a body.
     Length,
     /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it.
     ChordLength,

@@ -6,7 +6,7 @@ use super::motion::{Footprint, Pose};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::Aabb;
 use crate::json;
-use crate::problem::Contact;
+use crate::problem::{Contact, naming_nearest};
 use crate::robot::Part;
 use crate::scenario::document;
 use crate::scenario::number::{AngleOrCoordinate, Positive};
@@ -193,23 +193,34 @@ impl Fleet {
         let slack = self.slack();
         for (i, member) in self.robots().iter().enumerate() {
             let world = &worlds.1[worlds.0[i]];
-            let checker = world.checker::<SMALL>(&MotionSpace::new(world.default_space()), ANY_TOLERANCE).validity();
+            let space = MotionSpace::new(world.default_space());
+            let checker = world.checker::<SMALL>(&space, ANY_TOLERANCE).validity();
             for (what, code, q) in
                 [("start", Code::StartInCollision, &member.start), ("goal", Code::GoalInCollision, &member.goal)]
             {
+                let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
+                let touches = |at: Pose, j: usize| {
+                    let there = ends(&self.robots()[j]);
+                    let apart = libm::hypot(at[0] - there[0], at[1] - there[1]);
+                    // Robots whose bounding discs are apart need no distance of shapes.
+                    apart <= footprints[i].radius() + footprints[j].radius() + slack
+                        && footprints[i].distance(at, &footprints[j], there) <= slack
+                };
                 let refuse = |why: String| {
                     let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
-                    Err(Error::new(code, format!("/robots/{i}/{what}"), sentence))
+                    let error = Error::new(code, format!("/robots/{i}/{what}"), sentence);
+                    let is_free = |state: &[f64; SMALL]| {
+                        let at = pose(&state[..q.len()]);
+                        checker.is_free(state) && (0..self.robots().len()).all(|j| j == i || !touches(at, j))
+                    };
+                    Err(naming_nearest(error, &space, is_free, &state(q)))
                 };
                 let contacts = checker.contacts(&state(q));
                 if !contacts.is_empty() {
                     return refuse(contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "));
                 }
                 let at = pose(q);
-                let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
-                let touched =
-                    (0..i).find(|&j| footprints[i].distance(at, &footprints[j], ends(&self.robots()[j])) <= slack);
-                if let Some(j) = touched {
+                if let Some(j) = (0..i).find(|&j| touches(at, j)) {
                     return refuse(format!("it touches the {what} of {}", quoted(&self.robots()[j].name)));
                 }
             }

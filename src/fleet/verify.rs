@@ -180,12 +180,15 @@ fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec
         blends: None,
         integration: None,
         length: length.sum::<f64>() + 0.0,
+        length_measure: None,
         blended_length: None,
         chord_length: None,
         stats: Stats::default(),
         fingerprint: 0,
         edge_check: None,
         coverage: None,
+        moved_start: None,
+        moved_goal: None,
         approximate: None,
     };
     match path::verify(&scenario, &result) {

@@ -36,8 +36,7 @@ impl Executor {
             check_finite(position, &format!("/path/{i}"))?;
         }
         if !self.simulation.floor.is_free(from) {
-            let sentence = format!("the start {from:?} is in collision");
-            return Err(Error::new(Code::StartInCollision, "/start", sentence));
+            return Err(self.simulation.floor.start_in_collision(from));
         }
         let mut random = generator(seed, Stream::Rollouts, &[trial]);
         let mut trace = vec![from];

@@ -4,8 +4,10 @@ use super::document::{Navigation, NavigationQuery, Sensor};
 use crate::collision::{BodyCollision, BodyMotion, CollisionWorld, Obstacles, largest_coordinate};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment};
-use crate::robot::{Footprint, Round};
+use crate::problem::naming_nearest;
+use crate::robot::{Footprint, Round, plane};
 use crate::scenario::Obstacle;
+use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -135,16 +137,26 @@ impl Floor {
     /// Refuses a query whose start is in collision, or at whose goal the robot cannot turn on the spot.
     pub(super) fn check(&self, query: &NavigationQuery) -> Result<(), Error> {
         if !self.is_free(query.start) {
-            let sentence = format!("the start {:?} is in collision", query.start);
-            return Err(Error::new(Code::StartInCollision, "/start", sentence));
+            return Err(self.start_in_collision(query.start));
         }
         let [x, y] = query.goal;
         if !self.has_room(Point::new(x, y), 0.0) {
             let sentence =
                 format!("at the goal {:?} the robot cannot turn on the spot without a collision", query.goal);
-            return Err(Error::new(Code::GoalInCollision, "/goal", sentence));
+            let error = Error::new(Code::GoalInCollision, "/goal", sentence);
+            let has_room = |q: &[f64; 2]| self.has_room(Point::new(q[0], q[1]), 0.0);
+            return Err(naming_nearest(error, &plane(&self.bounds), has_room, &query.goal));
         }
         Ok(())
+    }
+
+    /// The error of a start in collision, with the nearest free one: a radian counts as a metre.
+    pub(super) fn start_in_collision(&self, start: [f64; 3]) -> Error {
+        let sentence = format!("the start {start:?} is in collision");
+        let error = Error::new(Code::StartInCollision, "/start", sentence);
+        let Aabb { min, max } = self.bounds;
+        let space = ProductSpace::of_placements([min.x, min.y], [max.x, max.y], 1.0, 1.0);
+        naming_nearest(error, &space, |&q| self.is_free(q), &space.state(&start))
     }
 
     /// Whether the arc of a control is proven free, both ends included: an arc that comes too close to an obstacle to be proven is not.

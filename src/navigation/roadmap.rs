@@ -216,6 +216,10 @@ fn start_between(
             return Err(Error::new(Code::Unsupported, format!("/{name}"), sentence));
         }
     }
+    if edges.limits.free_ends.is_some() {
+        let sentence = "start and goal of a task are not moved: the start has a heading, at the goal the robot turns";
+        return Err(Error::new(Code::Unsupported, "/free_ends", sentence));
+    }
     if edges.improving.blend > 0.0 {
         return Err(Error::new(Code::Unsupported, "/blend", "corners are rounded only between proven motions"));
     }

@@ -15,7 +15,7 @@ mod tangent_graph;
 use crate::error::{Code, Error};
 use crate::geometry::{Point, wrap};
 use crate::options::{Options as _, Value};
-use crate::path::{length, split};
+use crate::path::{LengthMeasure, length, split};
 use crate::planner::MetricOptions;
 use crate::problem::Problem;
 use crate::scenario::{Query, Robot};
@@ -52,8 +52,14 @@ pub struct Optimum {
     pub exact: bool,
     /// The distance between two lines of the grid along each coordinate, in its units; null if there is none.
     pub resolution: Option<[f64; 2]>,
-    /// The length in the metric of the space; null without a path: none exists if `exact`, else the grid has none.
+    /// The length; null without a path: none exists if `exact`, else the grid has none.
     pub length: Option<f64>,
+    /// What the length measures, as in results of the same robot and `metric`.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"metres\" | \"sum-of-joints\" | \"euclidean-of-joints\" | \"weighted\"")
+    )]
+    pub length_measure: LengthMeasure,
     /// The configurations from the start to the goal. An exact path touches obstacles, and its arcs are replaced by chords of at most
     /// 0.05 radians, which are shorter.
     pub path: Vec<Vec<f64>>,
@@ -94,6 +100,7 @@ pub fn optimum(
         exact: method == Method::TangentGraph,
         resolution: (method == Method::Grid).then(|| [0, 1].map(|i| grid::resolution(&space, i))),
         length,
+        length_measure: LengthMeasure::of(world.robot(), metric),
         path,
     };
     if let Robot::Disc(disc) = world.robot() {

@@ -4,5 +4,5 @@ mod result;
 mod verify;
 
 pub use crate::shortening::{Blending, Improvement, LONGEST_TURN, Wanted, blend_saving, length, split};
-pub use result::{Approximate, ResultDocument};
+pub use result::{Approximate, LengthMeasure, ResultDocument};
 pub use verify::{Leg, Verdict, verify, verify_legs};

@@ -3,8 +3,39 @@
 use crate::error::{Code, Error};
 use crate::json;
 use crate::problem::{Motion, Stats, Status};
+use crate::scenario::Robot;
+use crate::space::MetricKind;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
+
+/// What the length of a path is the sum of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum LengthMeasure {
+    /// Metres: of a disc along its path; of a car driven, forwards or in reverse.
+    Metres,
+    /// The turns of all joints of an arm, in radians: the metric `sum`.
+    SumOfJoints,
+    /// The roots of the sums of the squares of turns of joints, in radians: the metrics `euclidean` and `naive`.
+    EuclideanOfJoints,
+    /// Metres and radians of a rigid body, weighted by its `metric`.
+    Weighted,
+    /// Distances in the metric of the space of a robot of one's own.
+    Space,
+}
+
+impl LengthMeasure {
+    /// That of paths of a robot that is planned for with this metric.
+    pub(crate) fn of(robot: &Robot, metric: Option<MetricKind>) -> Self {
+        match robot {
+            Robot::Disc(_) | Robot::Car(_) => Self::Metres,
+            Robot::RigidBody(_) => Self::Weighted,
+            Robot::Arm(_) if matches!(metric, None | Some(MetricKind::Sum)) => Self::SumOfJoints,
+            Robot::Arm(_) => Self::EuclideanOfJoints,
+        }
+    }
+}
 
 /// The result of a plan, in the order and under the names of its JSON form. Numbers are written with the fewest digits
 /// that parse back to the same bits.
@@ -38,14 +69,21 @@ pub struct ResultDocument {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"euler\""))]
     pub integration: Option<String>,
-    /// The sum of the space's distances along the path, of a car along its arcs; 0 without one.
+    /// The length of the path, by the measure that planners minimise; 0 without one.
     #[serde(deserialize_with = "json::not_negative")]
     pub length: f64,
+    /// What the length measures. Absent in results written before it was named, and for a robot in a space of one's own type.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"metres\" | \"sum-of-joints\" | \"euclidean-of-joints\" | \"weighted\" | \"space\"")
+    )]
+    pub length_measure: Option<LengthMeasure>,
     /// The length along the blends, at most `length`. Absent without them.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub blended_length: Option<f64>,
-    /// Of a path by controls, the sum of the distances between its waypoints, as course reports measure it: at most the length
-    /// along its arcs. Absent for others.
+    /// Of a path by controls, the sum of the distances between its waypoints in the `metric` of the car, metres and radians weighted, by
+    /// which course reports compare paths. No planner minimises it. Absent for others.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub chord_length: Option<f64>,
     /// The work done.
@@ -63,6 +101,13 @@ pub struct ResultDocument {
     /// roadmap was continued.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "share")]
     pub coverage: Option<f64>,
+    /// The configuration from which was planned in place of the query's start: that is in collision, and the option `free_ends` has moved it to
+    /// the nearest free configuration that was found. Absent if the start was not moved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moved_start: Option<Vec<f64>>,
+    /// The same of the goal; of a problem with several goals, of the one that the path ends at.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moved_goal: Option<Vec<f64>>,
     /// The approximate solution of an RRT that found no path; absent otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub approximate: Option<Approximate>,
@@ -78,7 +123,8 @@ pub struct Approximate {
     /// Of a car, the motion from each to the next.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motions: Option<Vec<Motion>>,
-    /// The distance from its end to the goal, in the metric of the space.
+    /// The distance from its end to the goal in the metric by which the planner takes the nearest vertex. That is the measure of
+    /// [`ResultDocument::length`], except by controls: there metres and radians are weighted by the `metric` of the car.
     #[serde(deserialize_with = "json::not_negative")]
     pub goal_distance: f64,
 }

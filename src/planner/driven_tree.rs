@@ -183,11 +183,11 @@ pub(super) fn dynamics<S: Space>(problem: &Problem<S>) -> &dyn Dynamics<S::State
     problem.dynamics.as_deref().expect("planners by controls require a problem with dynamics")
 }
 
-/// The length of the fastest straight motion of this duration, in the metric of the space.
+/// How far the fastest straight motion of this duration leads, in the metric of the space.
 pub(super) fn straight_reach<S: Space>(problem: &Problem<S>, duration: f64) -> f64 {
     let dynamics = dynamics(problem);
     let straight = |control| Motion { control: Control { steering: 0.0, ..control }, duration };
-    dynamics.extremes().into_iter().map(|control| dynamics.length(straight(control))).fold(0.0, f64::max)
+    dynamics.extremes().into_iter().map(|control| dynamics.reach(straight(control))).fold(0.0, f64::max)
 }
 
 /// The motion until it first meets the goal, and whether it does.
@@ -201,7 +201,7 @@ pub(super) fn up_to_goal<S: Space>(
     if test == GoalTest::Along {
         // The distance to the goal falls by at most this per step, so steps that cannot reach it are skipped.
         let motion = Motion { control: drive.control, duration: dynamics.step() };
-        let (pace, mut steps) = (dynamics.length(motion), 0);
+        let (pace, mut steps) = (dynamics.reach(motion), 0);
         let (mut state, mut left) = (*from, drive.steps);
         while left > 0 {
             let far = space.distance(&state, problem.goal()) - problem.goal_reach();

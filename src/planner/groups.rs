@@ -124,6 +124,8 @@ crate::options! {
     tolerance: f64 = DEFAULT_TOLERANCE, in 1e-9..=0.1, "Tolerance", unit "of the world's longer side";
     /// Number of iterations without a path after which the planner gives up: more solve harder problems.
     max_iterations: u32 = 100_000, in 1.0..=4e9, "Most iterations";
+    /// Moves a start or goal in collision to the nearest free configuration found, at most this far.
+    free_ends: Option<f64>, in 0.0..=1e7, "Free ends within", unit "distance in the metric", else "they are refused";
 }
 
 impl Choice for Steering {}
@@ -197,8 +199,8 @@ crate::options! {
     improve_iterations: u32 = 5000, in 0.0..=1e9, "Improve for";
     /// Number of clearance evaluations after which to stop, with or without a path.
     stop_evaluations: Option<u64>, in 1.0..=1e15, "Evaluations", else "any number";
-    /// Length of a path that is short enough.
-    stop_cost: Option<f64>, in 0.0..=1e9, "Length at most", unit "distance in the metric", else "none is";
+    /// Length of a path that is short enough, as results report it: metres of a disc or a car, radians of an arm.
+    stop_cost: Option<f64>, in 0.0..=1e9, "Length at most", unit "length of the path", else "none is";
     /// Number of iterations without a shorter path after which to stop.
     stop_stale: Option<u32>, in 1.0..=1e9, "No shorter for", else "any number";
     /// Stops when the last half of the iterations since the first path, 500 or more, gained no more than this.

@@ -3,7 +3,7 @@
 //! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
 //! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
 //! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
-//! path in the metric of the space, along its arcs.
+//! path as results report it, in metres driven; what is near is decided by the metric of the space.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, GoalBias, Termination};

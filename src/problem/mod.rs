@@ -3,12 +3,15 @@
 
 mod clearance;
 mod dynamics;
+mod nearest_free;
 mod report;
 mod sampled;
 mod validity;
 
 pub use clearance::{ClearanceValidity, Evaluate};
 pub use dynamics::{Control, Dynamics, Motion};
+pub(crate) use nearest_free::naming_nearest;
+pub use nearest_free::nearest_free;
 pub use report::{Phase, Stats, Status};
 pub use sampled::{Sampled, Samples};
 pub use validity::{Contact, Touched, Validity};
@@ -61,8 +64,8 @@ impl<S: Space> Problem<S> {
     /// The problem of moving from `start` to `goal`.
     ///
     /// # Errors
-    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches; the error of a
-    /// checker that has failed.
+    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches, and the nearest free
+    /// state that [`nearest_free`] finds; the error of a checker that has failed.
     pub fn new(
         space: S,
         validity: Box<dyn Validity<S::State>>,
@@ -109,7 +112,9 @@ impl<S: Space> Problem<S> {
         }
         let Some(why) = collision else { return Ok(()) };
         let q = self.space.coordinates(state);
-        Err(Error::new(code, format!("/{what}"), format!("the {what} {q:?} is in collision: {why}")))
+        let error = Error::new(code, format!("/{what}"), format!("the {what} {q:?} is in collision: {why}"));
+        let error = naming_nearest(error, &self.space, |q| self.validity.is_free(q), state);
+        self.validity.failure().map_or(Err(error), Err)
     }
 
     /// The configuration space.

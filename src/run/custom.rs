@@ -13,6 +13,7 @@ use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
 use crate::options::{Choice, out_of_range};
+use crate::path::LengthMeasure;
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching, default_planner,
 };
@@ -207,7 +208,7 @@ pub(super) fn launch_problem(
         return Err(out_of_range("edge_check", "\"joint-lines\" is for arms among polygons and discs"));
     }
     let is_given = |name: &str| options.parameters.iter().any(|(given, _)| given == name);
-    let mut info = run_info(&planner, options.seed);
+    let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..run_info(&planner, options.seed) };
     if problem.is_sampled() {
         if is_given("edge_check") || is_given("edge_samples") {
             return unsupported("/edge_check", "edges are sampled at the resolution of the problem");
@@ -231,12 +232,12 @@ fn begin<const N: usize>(
     options: &Options,
     planner: PlannerOptions,
     edges: EdgeOptions,
-    info: RunInfo,
+    mut info: RunInfo,
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let space: MotionSpace<N> = problem.space.read()?;
-    let start = space.state(&problem.start);
-    let goals: Vec<_> = problem.goals.iter().map(|goal| space.state(goal)).collect();
+    let mut start = space.state(&problem.start);
+    let mut goals: Vec<_> = problem.goals.iter().map(|goal| space.state(goal)).collect();
     let points = |tolerance: f64| {
         let (evaluate, reach) = match &problem.free {
             Free::Clearance { clearance, reach } => (clearance, reach.as_deref()),
@@ -257,13 +258,16 @@ fn begin<const N: usize>(
         Box::new(Sampled::new(space.clone(), Box::new(points), samples))
     };
     let tolerance = edges.limits.tolerance;
+    if let Some(most) = edges.limits.free_ends {
+        info.move_ends(&space, &points(tolerance), &mut start, &mut goals, most);
+    }
     let fitted = match problem.is_sampled() {
         true => points(tolerance),
         false => points(tolerance).fitted(&[&[start], &goals[..]].concat()),
     };
     let at_goal = |i: usize| {
         move |error: Error| match error.code() {
-            Code::GoalInCollision => Error::new(error.code(), format!("/goals/{i}"), error.message()),
+            Code::GoalInCollision => error.at(format!("/goals/{i}")),
             _ => error,
         }
     };

@@ -16,6 +16,9 @@ const STEPS: u32 = 10;
 #[derive(Debug, Clone)]
 pub(super) struct EmittedPath<S: Space> {
     pub states: Vec<S::State>,
+    /// The length: along controlled motions that of the dynamics, else in the metric of the space, whose curves are measured whole. To
+    /// the bit the cost that planners minimise.
+    pub length: f64,
     /// Of a car, from each waypoint to the next.
     pub motions: Option<Vec<Motion>>,
     /// The shares of the blends of its inner waypoints; empty if none were tried.
@@ -26,8 +29,9 @@ impl<S: Space> EmittedPath<S> {
     /// The path through these states, if any: curves are split into their segments, straight motions if they turn too far.
     pub fn through(problem: &Problem<S>, states: &[S::State]) -> Self {
         let Some(dynamics) = &problem.dynamics else {
-            return Self { states: path::split(problem.space(), states), motions: None, blends: Vec::new() };
+            return Self::cornered(problem, path::split(problem.space(), states), Vec::new());
         };
+        let length = path::length(problem.space(), states);
         let (mut waypoints, mut motions) = (states.first().copied().into_iter().collect::<Vec<_>>(), Vec::new());
         for pair in states.windows(2) {
             for (motion, end) in dynamics.steer(&pair[0], &pair[1]) {
@@ -35,7 +39,12 @@ impl<S: Space> EmittedPath<S> {
                 waypoints.push(end);
             }
         }
-        Self { states: waypoints, motions: Some(motions), blends: Vec::new() }
+        Self { states: waypoints, length, motions: Some(motions), blends: Vec::new() }
+    }
+
+    /// The path of straight motions through these states, with these blends.
+    pub fn cornered(problem: &Problem<S>, states: Vec<S::State>, blends: Vec<[f64; 2]>) -> Self {
+        Self { length: path::length(problem.space(), &states), states, motions: None, blends }
     }
 
     /// The path along these vertices of the planner's graph, as it was found.
@@ -45,16 +54,11 @@ impl<S: Space> EmittedPath<S> {
             return Self::through(problem, &states);
         }
         // Vertex i of a driven tree is the end of edge i - 1.
-        let motions = vertices.iter().skip(1).map(|vertex| graph.motions()[vertex.index() - 1]).collect();
-        Self { states, motions: Some(motions), blends: Vec::new() }
-    }
-
-    /// The length: of a car along its motions, else in the metric of the space.
-    pub fn length(&self, problem: &Problem<S>) -> f64 {
-        match problem.dynamics.as_ref().zip(self.motions.as_ref()) {
-            Some((dynamics, motions)) => motions.iter().map(|&motion| dynamics.length(motion)).sum::<f64>() + 0.0,
-            None => path::length(problem.space(), &self.states),
-        }
+        let motions: Vec<_> = vertices.iter().skip(1).map(|vertex| graph.motions()[vertex.index() - 1]).collect();
+        let length_of = |&motion: &Motion| problem.dynamics.as_ref().map_or(0.0, |dynamics| dynamics.length(motion));
+        // The sum of nothing is -0.
+        let length = motions.iter().map(length_of).sum::<f64>() + 0.0;
+        Self { states, length, motions: Some(motions), blends: Vec::new() }
     }
 }
 

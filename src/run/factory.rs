@@ -8,7 +8,7 @@ use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
 use crate::options::Choice;
-use crate::path::Wanted;
+use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
     Termination,
@@ -65,7 +65,8 @@ pub(crate) fn start_learned<S: Space + 'static>(
     [scenario, query]: [&str; 2],
 ) -> Result<Box<dyn Run>, Error> {
     let (scenario, query) = (scenario.to_owned(), query.to_owned());
-    let info = RunInfo { scenario, query, is_learned: true, ..run_info(&planner, seed) };
+    let measure = Some(LengthMeasure::Metres);
+    let info = RunInfo { scenario, query, measure, is_learned: true, ..run_info(&planner, seed) };
     let planner = planner.begin(&problem, seed)?;
     Ok(Box::new(Runner::new(problem, planner, info, None, None)))
 }
@@ -89,6 +90,8 @@ struct Launch<'a> {
     /// The options of its edges, if they are not controlled motions.
     edges: Option<EdgeOptions>,
     tolerance: f64,
+    /// How far a start or a goal in collision may be moved.
+    free_ends: Option<f64>,
     /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
@@ -146,13 +149,14 @@ impl<'a> Launch<'a> {
             return Err(Error::new(Code::Unsupported, "/blend", sentence));
         }
         let metric = edges.and_then(|edges| edges.measuring.metric);
+        let info = RunInfo { measure: Some(LengthMeasure::of(scenario.robot(), metric)), ..info };
         let goals = goals(world, query, index, options.seed)?;
-        let (tolerance, query) = (limits.tolerance, (index, query));
-        Ok(Self { world, options, planner, edges, tolerance, metric, info, saved, query, goals })
+        let (tolerance, free_ends, query) = (limits.tolerance, limits.free_ends, (index, query));
+        Ok(Self { world, options, planner, edges, tolerance, free_ends, metric, info, saved, query, goals })
     }
 
     /// The run over states of `N` numbers, with a roadmap of another world if one is kept.
-    fn run<const N: usize>(self, kept: Option<Kept<MotionSpace<N>>>) -> Result<Box<dyn Run>, Error> {
+    fn run<const N: usize>(mut self, kept: Option<Kept<MotionSpace<N>>>) -> Result<Box<dyn Run>, Error> {
         let robot = self.world.robot();
         let product: ProductSpace<N> = self.world.space(self.metric)?;
         let space = match robot {
@@ -160,12 +164,15 @@ impl<'a> Launch<'a> {
             Robot::Arm(_) | Robot::Disc(_) | Robot::RigidBody(_) => MotionSpace::new(product.clone()),
         };
         let (index, query) = self.query;
-        let start = space.state(&query.start);
-        let goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
+        let mut start = space.state(&query.start);
+        let mut goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = {
             let (world, space, tolerance) = (self.world.clone(), space.clone(), self.tolerance);
             move || world.checker(&space, tolerance)
         };
+        if let Some(most) = self.free_ends {
+            self.info.move_ends(&space, &*checker().validity(), &mut start, &mut goals, most);
+        }
         let fitted = {
             let (checker, goals) = (checker.clone(), goals.clone());
             move || goals.iter().fold(checker(), |checker, goal| checker.fitted(&start, goal))

@@ -104,7 +104,7 @@ pub trait Run {
     fn history_count(&self) -> usize;
 
     /// The rows recorded from row `row` on; empty if nothing is recorded. Row i of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
-    /// [`Run::stats`], the last one the length of the best path so far in the metric of the space, infinite while there is
+    /// [`Run::stats`], the last one the length of the best path so far, measured as [`Run::length`], infinite while there is
     /// none; it only ever falls. [`Run::finish`] is not an iteration and adds no row.
     fn history_since(&self, row: usize) -> Vec<f64>;
 
@@ -154,7 +154,7 @@ pub trait Run {
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
-    /// The length of the path in the metric of the space, along its arcs if it is driven; 0 until solved.
+    /// The length of the path as [`ResultDocument::length`] states it; 0 until solved.
     fn length(&self) -> f64;
 
     /// The first refused points of motions, in the run's own space and by its own test, proven or sampled: `ends` are rows of two

@@ -5,9 +5,9 @@ use super::termination::Progress;
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
 use crate::options::Choice;
-use crate::path::{self, Approximate, Blending, Improvement, ResultDocument, Wanted};
+use crate::path::{self, Approximate, Blending, Improvement, LengthMeasure, ResultDocument, Wanted};
 use crate::planner::{EdgeCheck, Phase, Planner, Roadmap, Status, Termination};
-use crate::problem::{Motion, Problem, Stats};
+use crate::problem::{Motion, Problem, Stats, Validity, nearest_free};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
 use crate::world::PlanningWorld;
@@ -27,12 +27,45 @@ pub(super) struct RunInfo {
     /// When a planner that goes on to shorter paths is to end; `None` for others.
     pub termination: Option<Termination>,
     pub edge_check: EdgeCheck,
+    /// What lengths measure; `None` if that is not known.
+    pub measure: Option<LengthMeasure>,
+    /// The start, if it was moved out of a collision, and the goals that were.
+    pub moved_start: Option<Vec<f64>>,
+    pub moved_goals: Vec<Vec<f64>>,
     /// Whether motions are rolled out under a learned policy.
     pub is_learned: bool,
     /// Whether motions are those of controls.
     pub is_driven: bool,
     /// Whether motions are integrated by Euler steps.
     pub is_euler: bool,
+}
+
+impl RunInfo {
+    /// Moves a start and goals in collision to the nearest free states that are found, at most so far, and notes which were. Those without
+    /// one stay as they are, to be refused.
+    pub fn move_ends<S: Space>(
+        &mut self,
+        space: &S,
+        validity: &dyn Validity<S::State>,
+        start: &mut S::State,
+        goals: &mut [S::State],
+        most: f64,
+    ) {
+        let nearest = |state: &S::State| {
+            let is_free = |q: &S::State| validity.is_free(q);
+            if is_free(state) { None } else { nearest_free(space, is_free, state, most).map(|(moved, _)| moved) }
+        };
+        if let Some(moved) = nearest(start) {
+            *start = moved;
+            self.moved_start = Some(space.coordinates(start).to_vec());
+        }
+        for goal in goals {
+            if let Some(moved) = nearest(goal) {
+                *goal = moved;
+                self.moved_goals.push(space.coordinates(goal).to_vec());
+            }
+        }
+    }
 }
 
 /// Begins a run in another world with a roadmap of this one.
@@ -134,7 +167,7 @@ impl<S: Space> Runner<S> {
         if path.states.is_empty() {
             return;
         }
-        (self.cost, self.length) = (cost, path.length(&self.problem));
+        (self.cost, self.length) = (cost, path.length);
         if let Some(progress) = &mut self.progress {
             progress.note(self.iteration, self.length, cost);
         }
@@ -197,7 +230,7 @@ impl<S: Space> Runner<S> {
             Some(_) if self.status == Status::Solved && !self.planner.graph().motions().is_empty() => self.raw(),
             Some(improvement) if self.status == Status::Solved => match improvement.blending() {
                 Some(Blending { path, shares, .. }) => {
-                    EmittedPath { states: path.clone(), motions: None, blends: shares.clone() }
+                    EmittedPath::cornered(&self.problem, path.clone(), shares.clone())
                 }
                 None => EmittedPath::through(&self.problem, improvement.path()),
             },
@@ -221,9 +254,16 @@ impl<S: Space> Runner<S> {
         Some(Approximate { path: self.rows(&path.states), motions: path.motions, goal_distance })
     }
 
+    /// The goal of a path with this end, if it was moved; without a path, and where it ends in a region about its goal, the first.
+    fn moved_goal(&self, end: Option<&Vec<f64>>) -> Option<&Vec<f64>> {
+        let moved = &self.info.moved_goals;
+        let reached = end.filter(|_| self.problem.goals().len() > 1);
+        reached.map_or(moved.first(), |end| moved.iter().find(|&goal| goal == end))
+    }
+
     fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
         let is_driven = !self.planner.graph().motions().is_empty() && !path.states.is_empty();
-        let length = path.length(&self.problem);
+        let length = path.length;
         let saving = path::blend_saving(self.problem.space(), &path.states, &path.blends);
         let is_blended = !path.blends.is_empty();
         ResultDocument {
@@ -234,6 +274,7 @@ impl<S: Space> Runner<S> {
             status,
             path: self.rows(&path.states),
             length,
+            length_measure: self.info.measure,
             blended_length: is_blended.then_some(length - saving),
             blends: is_blended.then_some(path.blends),
             chord_length: is_driven.then(|| path::length(self.problem.space(), &path.states)),
@@ -243,6 +284,8 @@ impl<S: Space> Runner<S> {
             fingerprint: self.fingerprint(),
             edge_check: self.edge_check(),
             coverage: self.planner.coverage(),
+            moved_start: None,
+            moved_goal: None,
             approximate: None,
         }
     }
@@ -396,7 +439,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn length(&self) -> f64 {
-        self.emitted().length(&self.problem)
+        self.emitted().length
     }
 
     fn first_hits(&mut self, ends: &[f64]) -> Result<Vec<f64>, Error> {
@@ -432,7 +475,9 @@ impl<S: Space> Run for Runner<S> {
 
     fn result(&self) -> ResultDocument {
         let document = self.document(&self.info.query, self.status, self.emitted());
-        ResultDocument { approximate: self.approximate(), ..document }
+        let moved_goal = self.moved_goal(document.path.last()).cloned();
+        let moved_start = self.info.moved_start.clone();
+        ResultDocument { approximate: self.approximate(), moved_start, moved_goal, ..document }
     }
 
     fn roadmap(&self) -> Option<RoadmapDocument> {

@@ -164,6 +164,12 @@ pub trait Space: Clone + Sync {
         self.distance(a, b)
     }
 
+    /// How far apart two states are if curves do not matter: symmetric, finite, and 0 for equal states. The default is the distance; a
+    /// space of curves returns the metric of its coordinates. By it the free state nearest to one in collision is found.
+    fn straight_distance(&self, a: &Self::State, b: &Self::State) -> f64 {
+        self.distance(a, b)
+    }
+
     /// The state a fraction `t` in [0, 1] along the motion from `a` to `b`; exactly `a` at 0 and `b` at 1.
     fn interpolate(&self, a: &Self::State, b: &Self::State, t: f64) -> Self::State;
 

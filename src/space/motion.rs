@@ -86,6 +86,10 @@ impl<const N: usize> Space for MotionSpace<N> {
         steering.length_within(pose(a), pose(b), radius, most).max(least(x, y, turn, radius))
     }
 
+    fn straight_distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        self.product.distance(a, b)
+    }
+
     #[inline]
     fn interpolate(&self, a: &[f64; N], b: &[f64; N], t: f64) -> [f64; N] {
         let Some(steered) = self.steering.filter(|_| t != 0.0 && t != 1.0) else {

@@ -11,8 +11,8 @@ export function isPlaced(robot) { return robot === "rigid_body" || robot === "ca
 /** The usual axes of the configuration space: for a body x and theta, since the workspace shows x and y. @param {Scenario["robot"]} robot @returns {[number, number]} */
 export function axesOf(robot) { return [0, isPlaced(robot) ? 2 : 1]; }
 
-/** The unit of path lengths; empty where metres and radians are weighted together. @param {Scenario["robot"]} robot */
-export function unitOf(robot) { return robot === "arm" ? "rad" : robot === "disc" ? "m" : ""; }
+/** The unit of path lengths; empty for a body, whose metres and radians are weighted together. @param {Scenario["robot"]} robot */
+export function unitOf(robot) { return robot === "arm" ? "rad" : robot === "rigid_body" ? "" : "m"; }
 
 /** A length of a path, in words. @param {number} length @param {Scenario["robot"]} robot */
 export function lengthText(length, robot) { return `${length.toFixed(2)} ${unitOf(robot)}`.trim(); }
@@ -20,9 +20,13 @@ export function lengthText(length, robot) { return `${length.toFixed(2)} ${unitO
 /** The weights of metres and radians in words, by scenario. @type {WeakMap<Scenario, string>} */
 const weights = new WeakMap();
 
-/** A path's length in words; where metres and radians are weighted together, a cost. @param {number} length @param {Scenario} scenario */
+/** A path's length in words; of a body, whose metres and radians are weighted together, a cost. @param {number} length @param {Scenario} scenario */
 export function costText(length, scenario) {
-  if (!isPlaced(scenario.robot)) return `length ${lengthText(length, scenario.robot)}`;
+  return scenario.robot === "rigid_body" ? `cost ${weightedText(length, scenario)}` : `length ${lengthText(length, scenario.robot)}`;
+}
+
+/** A distance in the metric of a body or a car, in words. @param {number} distance @param {Scenario} scenario */
+export function weightedText(distance, scenario) {
   let sum = weights.get(scenario);
   if (sum === undefined) {
     const { robot } = scenario.document();
@@ -30,7 +34,7 @@ export function costText(length, scenario) {
     sum = `${translation} \u00d7 metres + ${rotation} \u00d7 radians`;
     weights.set(scenario, sum);
   }
-  return `cost ${length.toFixed(2)} (${sum})`;
+  return `${distance.toFixed(2)} (${sum})`;
 }
 
 /** @param {Scenario} scenario @param {number} part */

@@ -17,7 +17,7 @@ export function allMeasures(columns) { return [SOLVED, ...columns.filter((column
 /** @type {Record<string, [title: string, unit: string]>} */
 const TITLES = {
   [SOLVED]: ["trials solved", "%"], [VALID]: ["valid paths", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
-  waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["path length by chords", ""],
+  waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["weighted length by chords", ""],
   rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
   motion_checks: ["motions tested", ""], unchecked_edges: ["edges never tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
   clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""],
@@ -32,7 +32,7 @@ export const USUAL = ["length", "iterations", "clearance_evaluations"];
 /** @param {string} id @param {string} lengthUnit  of paths; empty where they are costs @returns {MeasureInfo} */
 export function measureInfo(id, lengthUnit) {
   const [title, unit] = TITLES[id] ?? [id, ""];
-  return { id, title, unit: id.endsWith("length") ? lengthUnit : unit };
+  return { id, title, unit: id === "length" ? lengthUnit : unit };
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */

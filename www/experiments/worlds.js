@@ -64,7 +64,7 @@ export function robotsOf({ worlds }) {
   }
 }
 
-/** The unit of path lengths; empty where it differs, or where metres and radians are weighted together. @param {Robot[]} robots */
+/** The unit of path lengths; empty where it differs, or for bodies, whose metres and radians are weighted together. @param {Robot[]} robots */
 export function lengthUnit(robots) {
   const units = new Set(robots.map(unitOf));
   return units.size === 1 ? [...units][0] : "";

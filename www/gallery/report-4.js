@@ -42,7 +42,7 @@ const blossom = (scene, trials, see, report, holds, why) => ({
     reported: trials.flatMap(([x, lengths]) => lengths.map((value, trial) => ({ x, value, label: `the report, scene ${scene}, trial ${trial + 1}` }))),
   } }, expect: "open",
   see, try: "Choose another measure: motions tested and clearance evaluations rise with b.", report, holds, why,
-  chosen: `${CAR} Lengths are distances between waypoints, as in the report; along the arcs they are longer.`,
+  chosen: `${CAR} Lengths are weighted distances between waypoints, as in the report; the metres driven are another measure (path length).`,
 });
 
 /** The settings of the blossom. */

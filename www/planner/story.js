@@ -1,7 +1,7 @@
 /** The sentences above the stage. */
 import { counted, grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
-import { costText, isPlaced, lengthText, robotName, touchingSentence } from "../domain/names.js";
+import { costText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
 import { turnsAlong } from "../domain/coordinates.js";
 import { capital, duration, num } from "../widgets/format.js";
@@ -91,7 +91,9 @@ export function ending(run, playback) {
     return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
   }
   if (!approximate || !playback) return `No path after ${iterations}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
-  const miss = `No path after ${iterations}. The closest approach, dashed, ends ${lengthText(approximate.goal_distance, robot)} from the goal`;
+  // Under controls nearness to the goal is not a length of a drive.
+  const left = robot === "rigid_body" || run.isDriven ? weightedText(approximate.goal_distance, run.scenario) : lengthText(approximate.goal_distance, robot);
+  const miss = `No path after ${iterations}. The closest approach, dashed, ends ${left} from the goal`;
   if (run.isProven) return `${miss}.`;
   return `${miss}, not proven${playback.flaw ? `: ${collision(run.scenario, playback.flaw.check)}` : "."}`;
 }

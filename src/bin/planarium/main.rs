@@ -95,9 +95,12 @@ fn usage(error: &clap::Error) -> Error {
 
 /// Prints the error as JSON; exit code 2.
 fn report(error: &Error) -> ExitCode {
-    let fields = serde_json::json!({
+    let mut fields = serde_json::json!({
         "error": { "code": error.code().as_str(), "message": error.message(), "pointer": error.pointer() }
     });
+    if let Some(nearest) = error.nearest() {
+        fields["error"]["nearest"] = nearest.into();
+    }
     if let Err(unwritten) = files::print(&fields.to_string()) {
         files::say(&format!("error: {unwritten}"));
     }

@@ -4,7 +4,7 @@ use crate::arguments;
 use crate::{Answer, files};
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
-use planarium::path::ResultDocument;
+use planarium::path::{LengthMeasure, ResultDocument};
 use planarium::run::Value;
 use planarium::{Error, json};
 use serde::Serialize;
@@ -35,8 +35,16 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
         return Err(Error::new(Code::InvalidResult, "/query", sentence));
     }
     let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
-    let metric: Vec<_> = arguments.metric.iter().map(|name| ("metric".to_owned(), Value::Text(name.clone()))).collect();
+    let measured = result.as_ref().and_then(|result| result.length_measure);
+    let own = (measured == Some(LengthMeasure::EuclideanOfJoints)).then(|| "euclidean".to_owned());
+    let metric: Vec<_> =
+        arguments.metric.clone().or(own).into_iter().map(|name| ("metric".to_owned(), Value::Text(name))).collect();
     let optimum = optimum::optimum(&scenario, query, &metric)?;
+    if let Some(measured) = measured.filter(|&measured| measured != optimum.length_measure) {
+        let [measured, own] = [measured, optimum.length_measure].map(|measure| json::to_string(&measure));
+        let sentence = format!("the length of the result measures {measured}, that of the shortest path {own}");
+        return Err(Error::new(Code::InvalidResult, "/length_measure", sentence));
+    }
     let gap = result.map(|result| {
         let length = optimum.length.filter(|_| !result.path.is_empty())?;
         (length > 0.0).then(|| 100.0 * (result.length / length - 1.0))

@@ -33,12 +33,20 @@ pub fn verify(arguments: &Verify) -> Answer {
     }
     let verdict = path::verify(&scenario, &ResultDocument::parse(&text)?)?;
     let (message, document) = match &verdict {
-        Verdict::Valid { waypoints, samples, clearance } => {
+        Verdict::Valid { waypoints, samples, clearance, moved_start, moved_goal } => {
             // JSON has no infinity: without obstacles the clearance is null.
             let clearance = clearance.is_finite().then_some(*clearance);
             let distance = clearance.map_or("no obstacle".to_owned(), |c| format!("clearance {c:.3e} m"));
-            let document = json!({ "valid": true, "waypoints": waypoints, "looks": samples, "clearance": clearance });
-            (format!("valid: {waypoints} waypoints, {samples} samples, {distance}"), document)
+            let mut document =
+                json!({ "valid": true, "waypoints": waypoints, "looks": samples, "clearance": clearance });
+            let mut message = format!("valid: {waypoints} waypoints, {samples} samples, {distance}");
+            for (what, is_moved) in [("start", moved_start), ("goal", moved_goal)] {
+                if *is_moved {
+                    document[format!("moved_{what}")] = true.into();
+                    message += &format!("; the {what} of the query is in collision and was moved");
+                }
+            }
+            (message, document)
         }
         Verdict::Invalid { why } => (format!("not valid: {why}"), json!({ "valid": false, "why": why })),
     };

@@ -12,6 +12,9 @@ use crate::scenario::World;
 /// larger than a metre.
 const LED: f64 = 1e-9;
 
+/// How far the length of a curve may differ from that of its motions, relative to its radius and the coordinates.
+const CURVED: f64 = 1e-12;
+
 /// How far a control may lie outside the car's limits, relative to them: the rounding of a document.
 const WITHIN: f64 = 1e-12;
 
@@ -52,7 +55,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
                 ends[1]
             ));
         }
-        length += car.weights().translation * distance.abs() + car.weights().rotation * turn.abs();
+        length += distance.abs();
         legs.push((Stretch::Edge(i), leg));
         let chord = difference(2, &ends[0], &ends[1]);
         chords += car.weights().translation * libm::hypot(chord[0], chord[1]) + car.weights().rotation * chord[2].abs();
@@ -62,8 +65,8 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         }
     }
     let off = (result.length - length).abs();
-    if off.is_nan() || off > LENGTH * length + 1e-12 {
-        return Err(format!("the length is given as {}, but the motions measure {length}", result.length));
+    if off.is_nan() || off > LENGTH * length + rounding(car, path) {
+        return Err(format!("the length is given as {} m, but the motions are {length} m long", result.length));
     }
     if let Some(given) = result.chord_length
         && (given - chords).abs() > LENGTH * chords + 1e-12
@@ -74,6 +77,14 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         legs.push((Stretch::Edge(0), Leg::straight(&path[0], &path[0])));
     }
     body::check(world, car.shape(), legs, scale)
+}
+
+/// How far the lengths of the motions may differ from those of the curves that they follow, in metres: a curve ends beside its goal by
+/// the rounding of its radius and of the coordinates.
+fn rounding(car: &Car, path: &[Vec<f64>]) -> f64 {
+    let radius = car.turning_radius().map_or(0.0, |(radius, _)| radius);
+    let largest = path.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
+    CURVED * (radius + largest) * path.len() as f64
 }
 
 /// The distance of a motion along the car's own axis, in metres, and its turn, in radians.

@@ -27,7 +27,7 @@ use self::blend::{Norm, Quadratic};
 use self::moving::Stretch;
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
-use crate::path::ResultDocument;
+use crate::path::{LengthMeasure, ResultDocument};
 use crate::problem::Status;
 use crate::robot::{LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
@@ -51,7 +51,7 @@ const LENGTH: f64 = 1e-9;
 /// The verdict on a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
-    /// The path leads from the start to the goal of its query, clear of everything.
+    /// The path leads from the start to the goal of its query, or from and to what the result says they were moved to, clear of everything.
     Valid {
         /// The number of waypoints.
         waypoints: usize,
@@ -60,6 +60,10 @@ pub enum Verdict {
         /// The smallest distance to an obstacle at a sample, in metres; infinite without obstacles. For a disc it is the
         /// true one; for an arm or a body the true one is smaller by at most half the motion between two samples.
         clearance: f64,
+        /// Whether the path begins at the result's `moved_start`, since the start of the query is in collision.
+        moved_start: bool,
+        /// Whether it ends at the result's `moved_goal` or in the region about it, since the goal of the query is in collision.
+        moved_goal: bool,
     },
     /// The path is refused.
     Invalid {
@@ -100,7 +104,8 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     }
     let (_, query) = scenario.find_query(Some(&result.query))?;
     let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
-    Ok(verdict(result.path.len(), check(scenario, query, result, shares)))
+    let moved = [result.moved_start.is_some(), result.moved_goal.is_some()];
+    Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares)))
 }
 
 /// Verifies legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
@@ -109,13 +114,16 @@ pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     let scale = Scale::new(world, None, shape.reach());
     verdict(
         legs.len(),
+        [false; 2],
         body::check(world, shape, legs.iter().enumerate().map(|(i, &leg)| (Stretch::Edge(i), leg)), &scale),
     )
 }
 
-fn verdict(waypoints: usize, examined: Result<Examined, String>) -> Verdict {
+fn verdict(waypoints: usize, [moved_start, moved_goal]: [bool; 2], examined: Result<Examined, String>) -> Verdict {
     match examined {
-        Ok(Examined { samples, clearance }) => Verdict::Valid { waypoints, samples, clearance },
+        Ok(Examined { samples, clearance }) => {
+            Verdict::Valid { waypoints, samples, clearance, moved_start, moved_goal }
+        }
         Err(why) => Verdict::Invalid { why },
     }
 }
@@ -127,7 +135,9 @@ fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[
         return Err(format!("the status is {}: there is no path to verify", result.status.as_str()));
     }
     check_numbers(robot.dimension(), path)?;
-    check_ends(robot, query, path)?;
+    check_measure(robot, result)?;
+    check_moved(scenario, query, result)?;
+    check_ends(robot, query, result)?;
     if !matches!(robot, Robot::Car(_)) {
         check_steps(robot, path)?;
     }
@@ -166,13 +176,67 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if the path does not lead from the start to the goal of the query, or into its region.
-fn check_ends(robot: &Robot, query: &Query, path: &[Vec<f64>]) -> Result<(), String> {
+/// Returns an error if paths of this robot are not measured as the result says.
+fn check_measure(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
+    use LengthMeasure::{EuclideanOfJoints, Metres, SumOfJoints, Weighted};
+    let own: &[LengthMeasure] = match robot {
+        Robot::Arm(_) => &[SumOfJoints, EuclideanOfJoints],
+        Robot::Disc(_) | Robot::Car(_) => &[Metres],
+        Robot::RigidBody(_) => &[Weighted],
+    };
+    match result.length_measure {
+        Some(given) if !own.contains(&given) => {
+            Err(format!("lengths of this robot are measured as {own:?}, not as {given:?}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Returns an error if an end of the query was moved that is clearly free, or that is none.
+fn check_moved(scenario: &Scenario, query: &Query, result: &ResultDocument) -> Result<(), String> {
+    let ends =
+        [("start", &result.moved_start, Some(&query.start[..])), ("goal", &result.moved_goal, query.configuration())];
+    for (what, moved, own) in ends {
+        let Some(moved) = moved else { continue };
+        let Some(own) = own else { return Err(format!("the {what} was moved, but the query has a target instead")) };
+        if moved.len() != own.len() {
+            return Err(format!("the moved {what} has {} numbers, a configuration has {}", moved.len(), own.len()));
+        }
+        if is_clearly_free(scenario, own) {
+            return Err(format!("the {what} was moved to {moved:?}, but the query's own {own:?} is free"));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a configuration is free by more than planners and verifier may differ: ten times the slack of planners, and inside the bounds.
+fn is_clearly_free(scenario: &Scenario, q: &[f64]) -> bool {
+    let (world, robot) = (scenario.world(), scenario.robot());
+    let scale = Scale::of(world, robot);
+    let scale = Scale { slack: 100.0 * scale.slack, overstep: 0.0, ..scale };
+    let path = [q.to_vec()];
+    let examined = match robot {
+        Robot::Arm(arm) => arm::check(world, arm, &path, &[], &scale),
+        Robot::Disc(disc) => disc::check(world, disc, &path, &[], &scale),
+        Robot::RigidBody(_) | Robot::Car(_) => {
+            let (shape, _) = robot.placed_shape().expect("bodies and cars have a shape");
+            body::check(world, shape, [(Stretch::Edge(0), Leg::straight(q, q))], &scale)
+        }
+    };
+    examined.is_ok()
+}
+
+/// Returns an error if the path does not lead from the start to the goal of the query, or into its region; or from and to what the result
+/// says that they were moved to.
+fn check_ends(robot: &Robot, query: &Query, result: &ResultDocument) -> Result<(), String> {
+    let path = &result.path;
     let last = &path[path.len() - 1];
     if let Goal::Target(target) = &query.goal {
         check_target(robot, target, last)?;
     }
-    let ends = [("start", &path[0], Some(&query.start[..])), ("goal", last, query.configuration())];
+    let start = result.moved_start.as_deref().unwrap_or(&query.start);
+    let goal = result.moved_goal.as_deref().or(query.configuration());
+    let ends = [("start", &path[0], Some(start)), ("goal", last, goal)];
     for (what, waypoint, wanted) in ends.into_iter().filter_map(|(what, at, wanted)| Some((what, at, wanted?))) {
         let verb = if what == "start" { "starts" } else { "ends" };
         let gaps = difference(first_circle(robot), wanted, waypoint);
@@ -233,8 +297,8 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if the given length is not the sum of the steps, by either metric of an arm, by the weighted one of a
-/// body; or if that along the blends, in the same metric, is not less by what they save.
+/// Returns an error if the given length is not the sum of the steps, by the metric of an arm that the result names or else by either, by the
+/// weighted one of a body; or if that along the blends, in the same metric, is not less by what they save.
 fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadratic)]) -> Result<(), String> {
     let path = &result.path;
     let length = |step: &[f64]| step.iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -246,8 +310,11 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
     let steps: Vec<_> = path.windows(2).map(|ends| difference(first_circle(robot), &ends[0], &ends[1])).collect();
     let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
     let is_right = |given: f64, measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
-    let norms: &[(Norm, &str)] =
-        if matches!(robot, Robot::Arm(_)) { &[(&sum, " (sum of the joints) or "), (&own, "")] } else { &[(&own, "")] };
+    let norms: &[(Norm, &str)] = match (robot, result.length_measure) {
+        (Robot::Arm(_), None) => &[(&sum, " (sum of the joints) or "), (&own, "")],
+        (Robot::Arm(_), Some(LengthMeasure::SumOfJoints)) => &[(&sum, "")],
+        _ => &[(&own, "")],
+    };
     let (mut whole, mut along) = (String::new(), String::new());
     for (norm, or) in norms {
         let measured = steps.iter().map(|step| norm(step)).sum::<f64>();

@@ -187,13 +187,12 @@ export class RunLog {
     return this.isTree ? this.adjacency.edgeTo(vertex, this.past[PAST.edges]) : -1;
   }
 
-  /** The length of an edge; that of a curve is the sum over its configurations. @param {number} edge */
+  /** The length of an edge as it counts for a path: of a car the metres driven, else in the metric of the run. @param {number} edge */
   lengthOf(edge) {
-    if (!this.traced.has(edge)) return this.adjacency.distance(this.edges.data[2 * edge], this.edges.data[2 * edge + 1]);
-    const rows = this.along(edge);
-    const n = this.dimension;
+    if (this.scenario.robot !== "car") return this.adjacency.distance(this.edges.data[2 * edge], this.edges.data[2 * edge + 1]);
+    const rows = this.motionsOf(edge);
     let sum = 0;
-    for (let at = 0; at + n < rows.length; at += n) sum += this.scenario.distance(rows.subarray(at, at + n), rows.subarray(at + n, at + 2 * n));
+    for (let at = 0; at < rows.length; at += 3) sum += Math.abs(rows[at] * rows[at + 2]);
     return sum;
   }
 

@@ -233,10 +233,6 @@ export class Placed {
     return `${words.length > 1 ? "Controls" : "Control"}: ${words.join("; then ")}.`;
   }
 
-  /** Length of a motion in the metric. @param {Motion} motion */
-  lengthOf([v, phi, seconds]) {
-    const { translation, rotation } = this.robot.metric ?? { translation: 0.7, rotation: 0.3 };
-    const length = this.robot.type === "car" ? this.robot.wheelbase : 1;
-    return Math.abs(v * seconds) * (translation + (rotation * Math.abs(Math.tan(phi))) / length);
-  }
+  /** The metres that a motion drives. @param {Motion} motion */
+  lengthOf([v, , seconds]) { return Math.abs(v * seconds); }
 }

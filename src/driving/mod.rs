@@ -53,7 +53,7 @@ impl Drive {
         };
         let start = road.pose(start, "/q")?;
         if let Some(contact) = road.collision.contacts(&start).first() {
-            let sentence = format!("the car cannot start there: {contact}");
+            let sentence = format!("the car cannot start there: it {}", contact.with);
             return Err(Error::new(Code::StartInCollision, "/q", sentence));
         }
         let road = road.fitted(&start);

@@ -6,7 +6,6 @@ use super::motion::{Footprint, Pose};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::Aabb;
 use crate::json;
-use crate::problem::Contact;
 use crate::robot::Part;
 use crate::scenario::document;
 use crate::scenario::number::{AngleOrCoordinate, Positive};
@@ -201,9 +200,8 @@ impl Fleet {
                     let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
                     Err(Error::new(code, format!("/robots/{i}/{what}"), sentence))
                 };
-                let contacts = checker.contacts(&state(q));
-                if !contacts.is_empty() {
-                    return refuse(contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "));
+                if let Some(why) = checker.collision(&state(q)) {
+                    return refuse(why);
                 }
                 let at = pose(q);
                 let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });

@@ -113,8 +113,8 @@ test("an object that is an array instead is told its fields", () => {
 });
 
 test("a start or a goal in collision is refused, and names what touches what", () => {
-  fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /part 1 touches obstacle 0/);
-  fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /part 1 touches obstacle 0/);
+  fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /link 2 touches obstacle 0/);
+  fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /link 2 touches obstacle 0/);
   fails(() => Scenario.parse({ ...arm, queries: [] }).planner(), "unknown-query");
 });
 

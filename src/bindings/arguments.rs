@@ -45,8 +45,12 @@ fn wrong(value: &JsValue, name: &str, wanted: &str) -> Error {
     match value.dyn_ref::<js_sys::Error>() {
         Some(reason) => {
             let code = if reason.has_type::<RangeError>() { Code::TooLarge } else { Code::WrongType };
-            let pointer = pointer + &place(reason).unwrap_or_default();
-            Error::new(code, pointer, format!("{name} cannot be read: {}", String::from(reason.message())))
+            let (place, message) = (place(reason).unwrap_or_default(), String::from(reason.message()));
+            let sentence = match message.strip_suffix(" is no JSON value") {
+                Some(kind) if place.is_empty() => format!("{name} must be {wanted}, not {kind}"),
+                _ => format!("{name} cannot be read: {message}"),
+            };
+            Error::new(code, pointer + &place, sentence)
         }
         None => Error::new(Code::WrongType, pointer, format!("{name} must be {wanted}, not {}", show(value))),
     }

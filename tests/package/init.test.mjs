@@ -38,7 +38,7 @@ after(() => server.close());
 
 /** Runs a program in a process of its own, and returns what it prints. @param {string} program @returns {Promise<any>} */
 async function printed(program) {
-  const { stdout } = await promisify(execFile)(process.execPath, ["--input-type=module", "-e", program]);
+  const { stdout } = await promisify(execFile)(process.execPath, ["--expose-gc", "--input-type=module", "-e", program]);
   return JSON.parse(stdout);
 }
 
@@ -203,5 +203,38 @@ test("after a trap every call fails as internal, until init makes a fresh instan
   assert.equal(handle.code, "freed");
   assert.match(handle.message, /lost/);
   assert.equal(freed.code, "freed");
+  assert.equal(fingerprint, await expectedFingerprint());
+});
+
+test("handles that are collected after a trap are not freed into the lost core; one lost by a nested call ends all calls under way", async () => {
+  const glue = pathToFileURL(join(place, "planarium_glue.js")).href;
+  const { codes, collected, within, fingerprint } = await fresh(`
+    await init(bytes);
+    const { initSync: instance } = await import(${JSON.stringify(glue)});
+    const trap = () => { new Uint8Array(instance().memory.buffer).fill(0xff); return Scenario.parse(disc).planner(); };
+    const collected = [];
+    const registry = new FinalizationRegistry((name) => collected.push(name));
+    (() => {
+      const scenario = Scenario.parse(disc);
+      const all = { scenario, planner: scenario.planner(), problem: new planarium.Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree() {} }), tracks: new planarium.Trajectories() };
+      for (const [name, handle] of Object.entries(all)) registry.register(handle, name);
+    })();
+    const codes = [(await caught(trap)).code];
+    while (collected.length < 4) { gc(); await new Promise((resolve) => setImmediate(resolve)); }
+    // The finalizers of the glue run in the same round.
+    for (let i = 0; i < 3; i += 1) await new Promise((resolve) => setImmediate(resolve));
+    await init();
+    let within;
+    const problem = new planarium.Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(rows, free) {
+      free.fill(1);
+      try { trap(); } catch {}
+      try { initSync(bytes); } catch (error) { within = error.code; }
+    } });
+    codes.push((await caught(() => problem.planner())).code, (await caught(() => Scenario.parse(disc))).code);
+    await init();
+    return { codes, collected: collected.sort(), within, fingerprint: plan() };`);
+  assert.deepEqual(codes, ["internal", "internal", "internal"]);
+  assert.deepEqual(collected, ["planner", "problem", "scenario", "tracks"]);
+  assert.equal(within, "in-use");
   assert.equal(fingerprint, await expectedFingerprint());
 });

@@ -194,12 +194,13 @@ pub(super) fn text_or_bytes(value: &JsValue, name: &str) -> Result<Vec<u8>, Erro
 /// A tree of plain values; `name` is that of the argument, empty for a document or options.
 fn tree(value: &JsValue, name: &str) -> Result<Json, Error> {
     if let Some(reason) = value.dyn_ref::<js_sys::Error>() {
-        let sentence = format!("this object cannot be read: {}", String::from(reason.message()));
+        let message = String::from(reason.message());
+        let sentence = format!("this object cannot be read: {message}");
         return Err(match place(reason) {
             Some(pointer) if reason.has_type::<RangeError>() => {
                 Error::new(Code::TooLarge, format!("{name}{pointer}"), sentence)
             }
-            Some(pointer) => Error::new(Code::WrongType, format!("{name}{pointer}"), sentence),
+            Some(pointer) => Error::new(Code::WrongType, format!("{name}{pointer}"), message),
             None => Error::new(Code::InvalidJson, name, sentence),
         });
     }

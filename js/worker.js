@@ -99,6 +99,7 @@ export class PlannerPool {
    * @throws {PlanariumError} rejects as `growth` does
    */
   async plan(scenario, options, settings) {
+    PlannerPool.#require(this, "plan");
     const { onProgress, signal, budget } = /** @type {RunOptions & ProgressOptions} */ (fieldsOf(settings, "settings", "signal, budget, onProgress"));
     if (onProgress !== undefined && typeof onProgress !== "function") throw new PlanariumError("wrong-type", "onProgress must be a function", "/onProgress");
     let result = null;
@@ -118,6 +119,7 @@ export class PlannerPool {
    *   loaded; `internal` if either is lost (the next run has a new one); `freed` once the pool is terminated
    */
   async *growth(scenario, options, settings) {
+    PlannerPool.#require(this, "growth");
     yield* this.#slices(scenario, options, /** @type {RunOptions} */ (fieldsOf(settings, "settings", "signal, budget")));
   }
 
@@ -152,13 +154,20 @@ export class PlannerPool {
 
   /** Ends all workers at once, in the middle of a slice too. Runs are rejected with the code `freed`, and so are later ones. */
   terminate() {
+    PlannerPool.#require(this, "terminate");
     this.#isTerminated = true;
     for (const worker of this.#workers.splice(0)) worker.lose(terminated());
   }
 
   /** The same as `terminate`, for `using`. */
   [Symbol.dispose]() {
+    PlannerPool.#require(this, "terminate");
     this.terminate();
+  }
+
+  /** Refuses a receiver that is no pool. @param {unknown} self @param {string} name  of the method */
+  static #require(self, name) {
+    if (!(#isTerminated in Object(self))) throw new PlanariumError("illegal-invocation", `${name} belongs to a PlannerPool, and was called on something else.`);
   }
 
   /** The worker with the fewest runs; a new one if all have some, as far as there may be more. */

@@ -256,6 +256,17 @@ test("a worker or a core that cannot be loaded is an error, and is tried again",
   await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed", message: /none/ }), { worker: () => { throw new Error("none"); } });
 });
 
+test("a method without its pool is refused", () => within(async (pool) => {
+  const { plan, growth, terminate } = pool;
+  for (const self of /** @type {any[]} */ ([undefined, null, 5, {}, PlannerPool.prototype, new Proxy(pool, {})])) {
+    await assert.rejects(plan.call(self, arm), { name: "PlanariumError", code: "illegal-invocation" });
+    await assert.rejects(growth.call(self, arm).next(), { code: "illegal-invocation" });
+    assert.throws(() => terminate.call(self), { code: "illegal-invocation" });
+    assert.throws(() => pool[Symbol.dispose].call(self), { code: "illegal-invocation" });
+  }
+  assert.equal((await pool.plan(arm)).status, "solved");
+}));
+
 test("terminate ends what runs, in the middle of a slice too, and there is no further run", async () => {
   const pool = new PlannerPool();
   const runs = [pool.plan(arm, long, { budget: 1e9 }), pool.plan(arm, long)];

@@ -1,6 +1,7 @@
 /** Functions of the caller's that the core calls while it plans. */
 import * as glue from "./planarium_glue.js";
 import { PlanariumError } from "./error.js";
+import { requireCore } from "./runtime.js";
 
 /** What such a function has thrown: it goes through the core and comes out as it is. */
 export class Thrown {
@@ -9,6 +10,9 @@ export class Thrown {
     this.value = value;
   }
 }
+
+/** Calls under way at most, each from a function that the one before it has called: in every engine a few hundred fill the stack. */
+const DEEPEST = 32;
 
 /** Objects whose methods are under way, the innermost last. @type {unknown[]} */
 const entered = [];
@@ -23,6 +27,17 @@ export function during(self, call) {
   } finally {
     entered.pop();
   }
+}
+
+/** Whether a call is under way, so that what runs is a function that it has called. */
+export function isWithinCall() {
+  return entered.length > 0;
+}
+
+/** Refuses a call within too many others. */
+export function refuseDepth() {
+  if (entered.length < DEEPEST) return;
+  throw new PlanariumError("too-deep", `A function of a problem may call Planarium, whose call may call a function again, and so on ${DEEPEST} deep; this call is deeper.`);
 }
 
 /** Refuses an object in the middle of a call. @param {unknown} self @param {string} name */
@@ -74,7 +89,7 @@ class Batches {
 
   /**
    * Evaluates configurations: the core calls it with the places of rows and results in its memory. Copies, since that may grow meanwhile.
-   * Throws nothing: the glue is faster for a function that does not.
+   * Throws nothing while the core is sound: the glue is faster for a function that does not.
    * @param {number} rowsAt  bytes
    * @param {number} resultsAt  bytes
    * @param {number} count
@@ -96,6 +111,7 @@ class Batches {
       for (let i = 0, at = rowsAt / 8; i < rows.length; i += 1) rows[i] = from[at + i];
       for (let i = 0; i < count; i += 1) results[i] = NaN;
       const returned = this.#given.call(this.#owner, rows, results);
+      requireCore();
       if ((typeof returned === "object" && returned !== null) || typeof returned === "function" || results.length !== count) return UNSOUND;
       const to = this.#view();
       let end = DONE;
@@ -107,6 +123,8 @@ class Batches {
       this.#arrays[count] = pair;
       return end;
     } catch (error) {
+      // If a call within the function has lost the core, nothing goes on in it: this leaves all calls under way.
+      requireCore();
       this.#thrown = new Thrown(error);
       return THROWN;
     } finally {

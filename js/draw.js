@@ -26,6 +26,11 @@ export const defaultColours = {
   stage: "#fffefb", obstacle: "#dcdad2", obstacleEdge: "#7f8188", robot: "#28324a", robotEdge: "#fffefb", growth: "#4a5874", path: "#c25e00",
 };
 
+/** All colours; those left out, or undefined, have their default. @param {Partial<Colours>} [colours] @returns {Colours} */
+function coloursOf(colours) {
+  return { ...defaultColours, ...Object.fromEntries(Object.entries(colours ?? {}).filter(([, colour]) => colour !== undefined)) };
+}
+
 /** A part thinner than this on the canvas is drawn as a line. */
 const THIN = 1.6;
 /** The kind of the event that a vertex got another parent. */
@@ -83,7 +88,7 @@ export class View {
 export function drawWorld(context, view, { world: { bounds, obstacles } }, colours) {
   if (bounds) {
     const { min, max } = bounds;
-    context.strokeStyle = { ...defaultColours, ...colours }.obstacleEdge;
+    context.strokeStyle = coloursOf(colours).obstacleEdge;
     context.lineWidth = 1.5;
     context.strokeRect(view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
   }
@@ -92,7 +97,7 @@ export function drawWorld(context, view, { world: { bounds, obstacles } }, colou
 
 /** Draws obstacles, filled and outlined. Styles of the context change. @param {Context} context @param {View} view @param {readonly Obstacle[]} obstacles @param {Partial<Colours>} [colours] @returns {void} */
 export function drawObstacles(context, view, obstacles, colours) {
-  const { obstacle: fill, obstacleEdge } = { ...defaultColours, ...colours };
+  const { obstacle: fill, obstacleEdge } = coloursOf(colours);
   context.fillStyle = fill;
   context.strokeStyle = obstacleEdge;
   context.lineWidth = 1;
@@ -144,7 +149,7 @@ export function partPath(context, view, part) {
 
 /** Draws the robot at a configuration. @param {Context} context @param {View} view @param {readonly Part[]} parts  `scenario.footprint(q)` @param {Partial<Colours>} [colours] @returns {void} */
 export function drawRobot(context, view, parts, colours) {
-  const { stage, robot, robotEdge } = { ...defaultColours, ...colours };
+  const { stage, robot, robotEdge } = coloursOf(colours);
   const isLine = parts[0]?.type === "capsule" && isThin(view, parts[0]);
   context.save();
   context.lineCap = context.lineJoin = "round";
@@ -195,7 +200,7 @@ export function drawEdges(context, view, scenario, planner, first = 0, colours) 
     if (curved.has(first + i / 2) || replaced.has(i / 2)) continue;
     for (const vertex of edges.subarray(i, i + 2)) ends.push(...vertices.subarray(vertex * n, (vertex + 1) * n));
   }
-  strokeMotions(context, view, scenario, ends, { ...defaultColours, ...colours }.growth, 1.2);
+  strokeMotions(context, view, scenario, ends, coloursOf(colours).growth, 1.2);
   return first + edges.length / 2;
 }
 
@@ -241,7 +246,7 @@ export function drawPath(context, view, scenario, { path, motions, blends }, col
     const { poses } = scenario.rollout(q, ...motion.control, motion.duration);
     return Array.from({ length: poses.length / 3 }, (_, k) => [...poses.subarray(3 * k, 3 * k + 3)]);
   });
-  strokeMotions(context, view, scenario, rows.slice(1).flatMap((q, i) => [...rows[i], ...q]), { ...defaultColours, ...colours }.path, 3.4);
+  strokeMotions(context, view, scenario, rows.slice(1).flatMap((q, i) => [...rows[i], ...q]), coloursOf(colours).path, 3.4);
 }
 
 /** Strokes motions as curves. @param {Context} context @param {View} view @param {Scenario} scenario @param {number[]} ends @param {string} colour @param {number} width */

@@ -3,8 +3,9 @@
 /**
  * What the package throws: a stable code, a sentence with the offending value, and its JSON pointer. The codes are those of the crate
  * (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and `not-initialised` (call `init` first), `no-simd` (the engine has no
- * vector instructions), `init-failed` (the WebAssembly file could not be loaded), `freed` (use after `free`), `in-use` (a function that a planner calls uses that planner), `illegal-constructor` (the
- * class has no public constructor) and `internal` (a fault in Planarium: please report it).
+ * vector instructions), `init-failed` (the WebAssembly file could not be loaded), `freed` (use after `free`), `in-use` (a function that a planner calls uses that planner), `too-deep` (calls within functions of problems
+ * are nested too deep), `illegal-constructor` (the class has no public constructor), `illegal-invocation` (a method was called on something that is
+ * no object of its class), `module-failed` (the module of a problem for a worker could not be loaded, or has no such export) and `internal` (a fault in Planarium: please report it).
  */
 export class PlanariumError extends Error {
   /**

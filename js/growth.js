@@ -1,6 +1,6 @@
 /** A run as a stream of what it adds. */
-import { PlanariumError } from "./error.js";
-/** @import { Growth, GrowthOptions, Planner, Status } from "./core.js" */
+import { budgetOf, fieldsOf } from "./plain.js";
+/** @import { Growth, GrowthOptions, Planner } from "./core.js" */
 
 /**
  * See `Planner.growth` in the declarations. Its argument has been copied.
@@ -9,25 +9,26 @@ import { PlanariumError } from "./error.js";
  * @returns {AsyncGenerator<Growth, void, undefined>}
  */
 export function growth(options) {
-  if (typeof (options ?? {}) !== "object" || options instanceof Error) throw new PlanariumError("wrong-type", "options must be an object with the field budget");
-  const { budget = 8, ...rest } = options ?? {};
-  const [unknown] = Object.keys(rest);
-  if (unknown !== undefined) throw new PlanariumError("unknown-field", `unknown option ${JSON.stringify(unknown)}; known options are budget`, `/${unknown}`);
-  return slices(this, this.status, budget);
+  const { budget = 8 } = fieldsOf(options, "options", "budget");
+  void this.status;
+  return slices(this, budgetOf(budget));
 }
 
-/** @param {Planner} planner @param {Status} status @param {number} budget @returns {AsyncGenerator<Growth, void, undefined>} */
-async function* slices(planner, status, budget) {
+/** The cursors advance by what was yielded: the body of a loop may step the planner, too. @param {Planner} planner @param {number} budget @returns {AsyncGenerator<Growth, void, undefined>} */
+async function* slices(planner, budget) {
   let [vertices, edges, events] = [0, 0, 0];
   const pause = new Pause();
   try {
-    for (; ; status = planner.stepFor(budget)) {
-      yield {
+    for (let { status } = planner; ; status = planner.stepFor(budget)) {
+      const grown = {
         status, iterations: planner.iterations,
         vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges), events: planner.eventsSince(events),
       };
+      vertices += grown.vertices.length / planner.dimension;
+      edges += grown.edges.length / 2;
+      events += grown.events.length / planner.eventWidth;
+      yield grown;
       if (status !== "running") return;
-      [vertices, edges, events] = [planner.vertexCount, planner.edgeCount, planner.eventCount];
       await pause.next();
     }
   } finally {

@@ -3,13 +3,13 @@
  * `PlanariumError`.
  */
 import { renamed } from "./catalogue.js";
-import { Thrown, during, functionsOf, refuseWaiting } from "./callback.js";
+import { Thrown, during, functionsOf, refuseDepth, refuseWaiting } from "./callback.js";
 import { PlanariumError } from "./error.js";
 import { growth } from "./growth.js";
+import { branded, requireHandle } from "./handle.js";
 import { plain } from "./plain.js";
 import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
 
-/** What the core holds behind an object: a pointer, 0 once it is freed, and the number of its instance. @typedef {{ __wbg_ptr: number, __wbg_inst: number }} Held */
 /** @typedef {(this: unknown, ...given: any[]) => unknown} Callable */
 
 /** Where objects come from whose classes have no public constructor. @type {Record<string, string | undefined>} */
@@ -38,7 +38,7 @@ const SOURCES = {
 export function guarded(glue) {
   const wrapped = Object.entries(glue)
     .filter(([name, value]) => typeof value === "function" && !name.startsWith("__") && name !== "initSync" && name !== "default")
-    .map(([name, value]) => [name, SOURCES[name] || value.prototype?.free ? guardedClass(value, name) : guardedFunction(value)]);
+    .map(([name, value]) => [name, SOURCES[name] || value.prototype?.free ? guardedClass(value, name) : guardedFunction(value, { key: name })]);
   return Object.fromEntries(wrapped);
 }
 
@@ -51,22 +51,28 @@ function guardedClass(Class, name) {
   const spell = name === "Experiment" ? asItIs : inCamelCase;
   for (const [key, { value, get }] of Object.entries(Object.getOwnPropertyDescriptors(prototype))) {
     if (key === "constructor" || key === "free" || key.startsWith("__")) continue;
-    const guard = get ? { get() { return enter(get, this, [], name); } } : { value: guardedFunction(value, name, spell), writable: true };
+    const guard = get ? { get() { return enter(get, this, [], { key, name }); } } : { value: guardedFunction(value, { key, name, spell }), writable: true };
     Object.defineProperty(prototype, key, { ...guard, configurable: true });
   }
-  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), undefined, spell));
+  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), { key, spell }));
+  // What the core makes passes here, but for the constructors below.
+  const wrap = Reflect.get(Class, "__wrap");
+  if (typeof wrap === "function") Reflect.set(Class, "__wrap", (/** @type {number} */ pointer) => branded(wrap.call(Class, pointer), name));
   const { free } = prototype;
-  const release = /** @this {Held} */ function () {
+  const release = /** @this {unknown} */ function () {
+    requireHandle(this, name, "free");
     if (!this.__wbg_ptr) return;
     refuseWaiting(this, name);
-    if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], name);
+    if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], { key: "free", name });
     this.__wbg_ptr = 0;
   };
-  const stream = guardedFunction(/** @type {Callable} */ (growth), name);
+  const stream = guardedFunction(/** @type {Callable} */ (growth), { key: "growth", name });
   const additions = {
     free: release,
     ...(Symbol.dispose ? { [Symbol.dispose]: release } : {}),
     [Symbol.for("nodejs.util.inspect.custom")]: inspected,
+    // A proxy is no handle: Vue makes none of an object with this property.
+    __v_skip: true,
     ...(name === "Planner" ? { growth: stream, [Symbol.asyncIterator]: stream } : {}),
   };
   for (const key of Reflect.ownKeys(additions)) {
@@ -80,19 +86,29 @@ function guardedClass(Class, name) {
       const make = (/** @type {unknown[]} */ ...copies) => {
         // Not enumerable, so that it is no field of the description.
         if (functions !== undefined && typeof copies[0] === "object" && copies[0] !== null) Object.defineProperty(copies[0], "functions", { value: functions });
-        return Reflect.construct(target, copies, made);
+        return branded(Reflect.construct(target, copies, made), name);
       };
-      return /** @type {object} */ (enter(make, undefined, given, undefined));
+      return /** @type {object} */ (guardedFunction(make, { key: "constructor", functions: Object.keys(functions ?? {}) })(...given));
     },
   });
   prototype.constructor = guard;
   return guard;
 }
 
-/** A function, or a method of the class of that name. @param {Callable} operation @param {string} [name] @param {typeof inCamelCase} [spell] @returns {Callable} */
-function guardedFunction(operation, name, spell) {
+/**
+ * What is entered.
+ * @typedef {object} Entry
+ * @property {string} key  its name
+ * @property {string} [name]  of the class that it is called on a living object of
+ * @property {typeof inCamelCase} [spell]  how errors name options
+ * @property {string[]} [functions]  the fields of its arguments that are functions, and are called where they are
+ */
+
+/** @param {Callable} operation @param {Entry} entry @returns {Callable} */
+function guardedFunction(operation, entry) {
   return function (...given) {
-    return enter(operation, this, given, name, spell);
+    refuseDepth();
+    return enter(operation, this, given, entry);
   };
 }
 
@@ -101,29 +117,32 @@ function guardedFunction(operation, name, spell) {
  * @param {Callable} operation
  * @param {unknown} self
  * @param {unknown[]} given  replaced by copies
- * @param {string | undefined} name  of the class that `self` must be a living object of
- * @param {typeof inCamelCase} [spell]  how errors name options
+ * @param {Entry} entry
  */
-function enter(operation, self, given, name, spell = inCamelCase) {
-  refuse(self, name);
+function enter(operation, self, given, { key, name, spell = inCamelCase, functions }) {
+  refuse(self, key, name);
   for (let i = 0; i < given.length; i += 1) {
     if (typeof given[i] !== "object" || given[i] === null) continue;
-    given[i] = plain(/** @type {object} */ (given[i]));
-    refuse(self, name);
+    given[i] = plain(/** @type {object} */ (given[i]), functions);
+    refuse(self, key, name);
   }
   try {
-    return during(self, () => operation.apply(self, given));
+    const result = during(self, () => operation.apply(self, given));
+    // A function that the core has called may have lost it, and gone on.
+    requireCore();
+    return result;
   } catch (error) {
     if (error instanceof Thrown) throw error.value;
     throw spell(asOwn(error), given);
   }
 }
 
-/** Refuses a core that is not there, and an object that is gone. @param {unknown} self @param {string | undefined} name */
-function refuse(self, name) {
+/** Refuses a core that is not there, and an object that is of another class or gone. @param {unknown} self @param {string} key @param {string | undefined} name */
+function refuse(self, key, name) {
   requireCore();
   if (name === undefined) return;
-  const { __wbg_ptr, __wbg_inst } = /** @type {Held} */ (self);
+  requireHandle(self, name, key);
+  const { __wbg_ptr, __wbg_inst } = self;
   if (!__wbg_ptr) throw new PlanariumError("freed", `This ${name} has been freed.`);
   if (__wbg_inst !== currentInstance()) {
     throw new PlanariumError("freed", `This ${name} was lost when Planarium's core stopped; make a new one.`);

@@ -2,41 +2,90 @@
  * Copies of what callers hand over. Reading an argument may run the caller's own code (getters, proxies, `toJSON`), so it is read once,
  * before the core is entered. The core checks the copies.
  */
-import { reasonOf } from "./error.js";
+import { PlanariumError, reasonOf } from "./error.js";
 
 /** The most items that are read from an array. */
 const LONGEST = 10_000_000;
 
 /**
- * A copy of an argument that is an object: a `Float64Array` for numbers, plain values for objects. If the argument cannot be read, an `Error` that says
- * why, which the core reports by the name of the argument.
+ * A copy of an argument that is an object: a `Float64Array` for numbers, plain values for objects. As in JSON, a field that is undefined is
+ * absent, and an object with a `toJSON` counts as what that returns; a function, a symbol, and an object that keeps its content to itself (a `Map`,
+ * a `Promise`) are refused. If the argument cannot be copied, an `Error` that says why, which the core reports by the name of the argument;
+ * its `pointer` says where, unless the caller's own code has thrown.
  * @param {object} value
+ * @param {readonly string[]} [functions]  fields of the argument that may be functions, and are left out
  * @returns {unknown}
  */
-export function plain(value) {
+export function plain(value, functions = []) {
   try {
-    return copy(value, 0);
+    return copy(value, 0, functions);
   } catch (error) {
     // A `RangeError` is about the length; a caller's own error is not.
-    return own.has(/** @type {RangeError} */ (error)) ? error : new TypeError(reasonOf(error), { cause: error });
+    return own.has(/** @type {Refusal} */ (error)) ? error : new TypeError(reasonOf(error), { cause: error });
   }
 }
 
-/** Errors of this module: callers may throw any value, also a proxy that throws when it is inspected. @type {WeakSet<object>} */
-const own = new WeakSet();
-
-/** @param {number} length */
-function tooLong(length) {
-  const error = new RangeError(`its length is ${length}; at most ${LONGEST} items are read`);
-  own.add(error);
-  return error;
+/**
+ * The fields of an object of options that is read in JavaScript alone; none if it is undefined or null.
+ * @param {unknown} options @param {string} name  of the argument @param {string} known  the options, with commas between
+ * @returns {Record<string, unknown>}
+ * @throws {PlanariumError} `wrong-type`, `unknown-field`
+ */
+export function fieldsOf(options, name, known) {
+  const wanted = `${name} must be an object with the fields ${known}`;
+  if (options instanceof Error) throw new PlanariumError("wrong-type", `${wanted}: ${options.message}`, String(Reflect.get(options, "pointer") ?? ""), { cause: options.cause });
+  const given = options ?? {};
+  if (typeof given !== "object" || (Object.keys(given).length === 0 && !isEmpty(given))) throw new PlanariumError("wrong-type", `${wanted}, not ${kindOf(given)}`);
+  const unknown = Object.keys(given).find((field) => !known.split(", ").includes(field));
+  if (unknown !== undefined) throw new PlanariumError("unknown-field", `unknown option ${JSON.stringify(unknown)}; known options are ${known}`, `/${unknown}`);
+  return /** @type {Record<string, unknown>} */ (given);
 }
 
-/** @param {unknown} value @param {number} depth  0 for an argument, 1 for an item of a list, more within objects @returns {unknown} */
-function copy(value, depth) {
+/** A time of slices in milliseconds. @param {unknown} budget @returns {number} @throws {PlanariumError} */
+export function budgetOf(budget) {
+  const [code, wanted] = typeof budget !== "number" ? ["wrong-type", "a number"] : !Number.isFinite(budget) ? ["not-finite", "finite"] : ["out-of-range", "at least 0"];
+  if (typeof budget === "number" && budget >= 0 && budget < Infinity) return budget;
+  throw new PlanariumError(code, `budget must be ${wanted}, not ${typeof budget === "number" ? budget : kindOf(budget)}`, "/budget");
+}
+
+/** Why a value is refused, and where it stands. @typedef {Error & { pointer: string }} Refusal */
+
+/** Errors of this module: callers may throw any value, also a proxy that throws when it is inspected. @type {WeakSet<Refusal>} */
+const own = new WeakSet();
+
+/** @template {Error} E @param {E} error */
+function refusal(error) {
+  const refused = Object.assign(error, { pointer: "" });
+  own.add(refused);
+  return refused;
+}
+
+/** @param {unknown} value */
+const noValue = (value) => refusal(new TypeError(`${kindOf(value)} is no JSON value`));
+
+/** @param {number} length */
+const tooLong = (length) => refusal(new RangeError(`its length is ${length}; at most ${LONGEST} items are read`));
+
+/** The kind of a value in words: `a function`, `a Map`, `the text "prm"`. @param {unknown} value */
+function kindOf(value) {
+  if (value === undefined || value === null) return String(value);
+  if (typeof value === "string") return `the text ${JSON.stringify(value.slice(0, 60))}`;
+  if (typeof value !== "object") return typeof value === "number" ? `the number ${value}` : `a ${typeof value}`;
+  const tag = Object.prototype.toString.call(value).slice(8, -1);
+  const name = tag === "Object" ? String(value.constructor?.name || tag) : tag;
+  return `${/^[AEIO]/.test(name) ? "an" : "a"} ${name}`;
+}
+
+/** Whether an object without fields has no content: `{}`, from whatever realm. @param {object} value */
+function isEmpty(value) {
+  const prototype = Object.getPrototypeOf(value);
+  return Object.prototype.toString.call(value) === "[object Object]" && (prototype === null || Object.getPrototypeOf(prototype) === null);
+}
+
+/** @param {unknown} value @param {number} depth  0 for an argument, 1 for an item of a list, more within objects @param {readonly string[]} [functions] @returns {unknown} */
+function copy(value, depth, functions) {
   switch (typeof value) {
-    case "bigint": throw new TypeError("a bigint is no JSON value");
-    case "function": case "symbol": return undefined;
+    case "bigint": case "function": case "symbol": throw noValue(value);
     case "object": break;
     default: return value;
   }
@@ -50,8 +99,16 @@ function copy(value, depth) {
   const object = /** @type {Record<string, unknown>} */ (value);
   const { toJSON } = object;
   if (typeof toJSON === "function") return copy(toJSON.call(value), 2);
-  // As in JSON, what has no JSON form is absent.
-  return Object.fromEntries(Object.keys(object).map((key) => [key, copy(object[key], 2)]).filter(([, inner]) => inner !== undefined));
+  const keys = Object.keys(object);
+  if (keys.length === 0 && !isEmpty(object)) throw noValue(value);
+  /** @type {[string, unknown][]} */
+  const fields = [];
+  for (const key of keys) {
+    const inner = object[key];
+    if (inner === undefined || (typeof inner === "function" && functions?.includes(key))) continue;
+    fields.push([key, copyOfPart(key, inner, 2)]);
+  }
+  return Object.fromEntries(fields);
 }
 
 /** @param {readonly unknown[]} list @param {number} depth */
@@ -67,8 +124,19 @@ function copyOfList(list, depth) {
       items[i] = item;
     } else {
       isOfNumbers = false;
-      items[i] = copy(item, depth + 1);
+      items[i] = copyOfPart(i, item, depth + 1);
     }
   }
   return isOfNumbers ? new Float64Array(items) : items;
+}
+
+/** A copy of a field or an item; a refusal gets its place. @param {string | number} key @param {unknown} value @param {number} depth */
+function copyOfPart(key, value, depth) {
+  try {
+    return copy(value, depth);
+  } catch (error) {
+    const refused = /** @type {Refusal} */ (error);
+    if (own.has(refused)) refused.pointer = `/${String(key).replaceAll("~", "~0").replaceAll("/", "~1")}${refused.pointer}`;
+    throw error;
+  }
 }

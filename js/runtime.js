@@ -1,7 +1,7 @@
 /**
  * The one WebAssembly instance behind the package: loaded once, and renewed after a trap. A trap leaves the core's memory in an unknown
  * state, so each later call fails with the code `internal` until `init` or `initSync` makes a fresh instance; objects of the lost one are
- * freed.
+ * gone, and are never freed into it.
  */
 import * as glue from "./planarium_glue.js";
 import { PlanariumError, isFromCore, isOwn, reasonOf } from "./error.js";
@@ -40,6 +40,7 @@ export function asOwn(error) {
   if (isFromCore(error)) return new PlanariumError(error.code, error.message, error.pointer, { nearest: error.nearest });
   if (isTrap(error)) {
     fault = error;
+    glue.__planarium_lose();
     return lost();
   }
   return new PlanariumError("internal", `Planarium could not finish this call: ${reasonOf(error)}`, "", { cause: error });
@@ -102,12 +103,13 @@ function requireVectors() {
 /** After a trap: a fresh instance. Otherwise nothing. */
 function renew() {
   if (fault === undefined) return;
+  // The glue counts an attempt that fails, too.
+  instance += 1;
   try {
     glue.__wbg_reset_state();
   } catch (error) {
     throw failed("a fresh instance could not be made", error);
   }
-  instance += 1;
   fault = undefined;
 }
 

@@ -1,6 +1,7 @@
 /** Planning in workers: in browsers, Deno and Bun in web workers, in Node in its threads. Importing it loads neither a core nor a worker. */
 import { PlanariumError, reasonOf } from "./error.js";
-import { plain } from "./plain.js";
+import { classOf } from "./handle.js";
+import { budgetOf, fieldsOf, plain } from "./plain.js";
 
 /** @import { Growth, InitSyncInput, PlannerOptions, ResultDocument, Scenario, ScenarioDocument } from "./core.js" */
 /** @import { Worker as NodeWorker } from "node:worker_threads" */
@@ -32,7 +33,16 @@ import { plain } from "./plain.js";
 /**
  * What `plan` takes besides.
  * @typedef {object} ProgressOptions
- * @property {(growth: WorkerGrowth) => void} [onProgress]  called with what each slice has added; what it throws ends the run
+ * @property {(growth: WorkerGrowth) => unknown} [onProgress]  called with what each slice has added; if it returns a promise, that is awaited before
+ *   the next slice is handed over; what it throws, or is rejected with, ends the run
+ */
+
+/**
+ * A problem of a robot of your own, whose functions are in a module: a worker imports it, since functions cannot be sent.
+ * @typedef {object} ProblemModule
+ * @property {string | { readonly href: string }} module  its absolute address, such as `new URL("./robot.js", import.meta.url)`
+ * @property {string} [export]  the name of the export, `default` by default: a `ProblemDescription`, or a function that returns one, or a promise of it
+ * @property {readonly unknown[]} [arguments]  of that function; they are cloned
  */
 
 /**
@@ -72,60 +82,67 @@ export class PlannerPool {
 
   /**
    * @param {PoolOptions} [options]
-   * @throws {PlanariumError} `unknown-field`, `out-of-range`
+   * @throws {PlanariumError} `wrong-type`, `unknown-field`, `out-of-range`
    */
   constructor(options) {
-    const { workers = mostWorkers(), worker = start, core, ...rest } = options ?? {};
-    refuse(rest, "workers, worker, core");
+    const { workers = mostWorkers(), worker = start, core } = /** @type {PoolOptions} */ (fieldsOf(options, "options", "workers, worker, core"));
     if (!Number.isInteger(workers) || workers < 1) throw new PlanariumError("out-of-range", `workers must be a whole number from 1, not ${String(workers)}`, "/workers");
     this.#options = { workers, worker, core: core instanceof URL ? core.href : core };
   }
 
   /**
    * Plans to the end.
-   * @param {Scenario | ScenarioDocument | string} scenario
-   * @param {PlannerOptions} [options]  those of `scenario.planner`
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
+   * @param {PlannerOptions} [options]  those of `scenario.planner`, or of `problem.planner`
    * @param {RunOptions & ProgressOptions} [settings]
    * @returns {Promise<ResultDocument>}
    * @throws {PlanariumError} rejects as `growth` does
    */
   async plan(scenario, options, settings) {
-    const { onProgress, ...rest } = settings ?? {};
+    PlannerPool.#require(this, "plan");
+    const { onProgress, signal, budget } = /** @type {RunOptions & ProgressOptions} */ (fieldsOf(settings, "settings", "signal, budget, onProgress"));
     if (onProgress !== undefined && typeof onProgress !== "function") throw new PlanariumError("wrong-type", "onProgress must be a function", "/onProgress");
     let result = null;
-    for await (const growth of this.growth(scenario, options, rest)) {
-      onProgress?.(growth);
-      ({ result } = growth);
-    }
+    for await (const growth of this.#slices(scenario, options, { signal, budget }, onProgress)) ({ result } = growth);
     return /** @type {ResultDocument} */ (result);
   }
 
   /**
    * Plans to the end, and yields what each slice has added; the arrays are transferred. The run starts with the first `next`, and `break` ends
    * it. While a slice is handled the next one is planned, and none after it: a slow loop makes the planner wait. The last slice has the result.
-   * @param {Scenario | ScenarioDocument | string} scenario
-   * @param {PlannerOptions} [options]  those of `scenario.planner`
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
+   * @param {PlannerOptions} [options]  those of `scenario.planner`, or of `problem.planner`
    * @param {RunOptions} [settings]  when the signal is aborted, the loop throws its reason at once, and the worker drops the run after the slice in hand
    * @returns {AsyncGenerator<WorkerGrowth, void, undefined>}
-   * @throws {PlanariumError} those of `Scenario.parse`, `scenario.planner` and `planner.growth`; `init-failed` if the worker or the core cannot be
+   * @throws {PlanariumError} those of `Scenario.parse`, `scenario.planner` and `planner.growth`; `unsupported` for a problem whose functions are not in
+   *   a module, `module-failed` if its module cannot be loaded or has no such export, and a copy of what its functions throw; `init-failed` if the worker or the core cannot be
    *   loaded; `internal` if either is lost (the next run has a new one); `freed` once the pool is terminated
    */
   async *growth(scenario, options, settings) {
-    const { signal, budget = 16, ...rest } = settings ?? {};
-    refuse(rest, "signal, budget, and onProgress of plan");
+    PlannerPool.#require(this, "growth");
+    yield* this.#slices(scenario, options, /** @type {RunOptions} */ (fieldsOf(settings, "settings", "signal, budget")));
+  }
+
+  /**
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario @param {PlannerOptions | undefined} options @param {RunOptions} settings
+   * @param {(growth: WorkerGrowth) => unknown} [onProgress]
+   * @returns {AsyncGenerator<WorkerGrowth, void, undefined>}
+   */
+  async *#slices(scenario, options, { signal, budget = 16 }, onProgress) {
     if (signal !== undefined && typeof signal?.addEventListener !== "function") throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
-    const { document } = /** @type {Scenario} */ (Object(scenario));
-    const given = { document: copyOf(typeof document === "function" ? document.call(scenario) : scenario, "scenario"), options: copyOf(options, "options"), budget };
+    const given = { ...planned(scenario), options: copyOf(options, "options"), budget: budgetOf(budget) };
     if (signal?.aborted) throw signal.reason;
     const worker = this.#leastBusy();
     const run = worker.begin(given);
-    const abort = () => worker.fail(run, signal?.reason);
+    const abort = () => run.fail(signal?.reason);
     signal?.addEventListener("abort", abort);
     try {
       for (let ahead = worker.next(run); ;) {
         const growth = await ahead;
         if (signal?.aborted) throw signal.reason;
         if (growth.result === null) ahead = worker.next(run);
+        // A listener that never ends must not outlast the run.
+        if (onProgress !== undefined) await Promise.race([onProgress(growth), run.failure]);
         yield growth;
         if (growth.result !== null) return;
       }
@@ -137,13 +154,20 @@ export class PlannerPool {
 
   /** Ends all workers at once, in the middle of a slice too. Runs are rejected with the code `freed`, and so are later ones. */
   terminate() {
+    PlannerPool.#require(this, "terminate");
     this.#isTerminated = true;
     for (const worker of this.#workers.splice(0)) worker.lose(terminated());
   }
 
   /** The same as `terminate`, for `using`. */
   [Symbol.dispose]() {
+    PlannerPool.#require(this, "terminate");
     this.terminate();
+  }
+
+  /** Refuses a receiver that is no pool. @param {unknown} self @param {string} name  of the method */
+  static #require(self, name) {
+    if (!(#isTerminated in Object(self))) throw new PlanariumError("illegal-invocation", `${name} belongs to a PlannerPool, and was called on something else.`);
   }
 
   /** The worker with the fewest runs; a new one if all have some, as far as there may be more. */
@@ -158,16 +182,31 @@ export class PlannerPool {
   }
 }
 
+/** A run: who waits for its slice, and why it has failed. */
+class Run {
+  /** Takes the slice that is waited for. @type {(growth: WorkerGrowth) => void} */
+  answer = () => {};
+  /** Ends the run with a reason. @type {(reason: unknown) => void} */
+  fail = () => {};
+  /** Rejected once the run has failed. @type {Promise<never>} */
+  failure = new Promise((_, reject) => { this.fail = reject; });
+
+  /** @param {number} number */
+  constructor(number) {
+    this.number = number;
+    // It may be rejected before anybody awaits it.
+    this.failure.catch(() => {});
+  }
+}
+
 /** A worker with its runs. Each has a number, and asks for one slice at a time. */
 class PlanningWorker {
   /** Why the worker is gone. @type {PlanariumError | undefined} */
   fault;
-  /** How many runs it has. */
-  runs = 0;
   #begun = 0;
   #hasAnswered = false;
-  /** Who waits for a slice, by the number of the run. @type {Map<number, { resolve: (growth: WorkerGrowth) => void, reject: (reason: unknown) => void }>} */
-  #waiting = new Map();
+  /** The runs by their numbers. @type {Map<number, Run>} */
+  #runs = new Map();
   #worker;
 
   /** @param {Pick<Required<PoolOptions>, "worker"> & PoolOptions} options */
@@ -179,50 +218,50 @@ class PlanningWorker {
       this.#listen();
       made.postMessage({ core });
     } catch (error) {
-      void made?.terminate();
+      if (typeof made?.terminate === "function") void made.terminate();
       throw new PlanariumError("init-failed", `A worker could not be started: ${reasonOf(error)}`, "", { cause: error });
     }
     this.#keepAlive(false);
   }
 
-  /** @param {object} given @returns {number} the number of the run */
+  /** How many runs it has. */
+  get runs() {
+    return this.#runs.size;
+  }
+
+  /** @param {object} given */
   begin(given) {
-    const run = this.#begun++;
-    if (this.runs++ === 0) this.#keepAlive(true);
-    this.#worker.postMessage({ run, given });
+    const run = new Run(this.#begun++);
+    this.#runs.set(run.number, run);
+    if (this.runs === 1) this.#keepAlive(true);
+    this.#worker.postMessage({ run: run.number, given });
     return run;
   }
 
-  /** The next slice. @param {number} run @returns {Promise<WorkerGrowth>} */
+  /** The next slice. @param {Run} run @returns {Promise<WorkerGrowth>} */
   next(run) {
-    const slice = new Promise((resolve, reject) => {
-      if (this.fault !== undefined) return reject(this.fault);
-      this.#waiting.set(run, { resolve, reject });
-      this.#worker.postMessage({ run });
-    });
-    // It may be rejected before anybody awaits it.
-    slice.catch(() => {});
-    return slice;
+    /** @type {Promise<WorkerGrowth>} */
+    const slice = new Promise((resolve) => { run.answer = resolve; });
+    if (this.fault !== undefined) run.fail(this.fault);
+    else this.#worker.postMessage({ run: run.number });
+    const next = Promise.race([slice, run.failure]);
+    next.catch(() => {});
+    return next;
   }
 
-  /** Rejects whoever waits for a slice of this run. @param {number} run @param {unknown} reason */
-  fail(run, reason) {
-    this.#waiting.get(run)?.reject(reason);
-  }
-
-  /** Ends a run: the worker drops it after the slice in hand. @param {number} run */
-  end(run) {
-    this.#waiting.delete(run);
+  /** Ends a run: the worker drops it after the slice in hand. @param {Run} run */
+  end({ number }) {
+    this.#runs.delete(number);
     if (this.fault !== undefined) return;
-    this.#worker.postMessage({ run, isOver: true });
-    if (--this.runs === 0) this.#keepAlive(false);
+    this.#worker.postMessage({ run: number, isOver: true });
+    if (this.runs === 0) this.#keepAlive(false);
   }
 
   /** Ends the worker and all its runs. @param {PlanariumError} fault */
   lose(fault) {
     this.fault ??= fault;
     this.#worker.terminate();
-    for (const { reject } of this.#waiting.values()) reject(fault);
+    for (const run of this.#runs.values()) run.fail(fault);
   }
 
   #listen() {
@@ -230,9 +269,11 @@ class PlanningWorker {
     if ("on" in worker) {
       worker.on("message", (answer) => this.#hear(answer));
       worker.on("error", (error) => this.#break(reasonOf(error)));
+      worker.on("messageerror", () => this.#break(UNREADABLE));
       worker.on("exit", (code) => this.#break(`exit code ${code}`));
     } else {
       worker.onmessage = ({ data }) => this.#hear(data);
+      worker.onmessageerror = () => this.#break(UNREADABLE);
       worker.onerror = (event) => {
         event.preventDefault();
         this.#break(event.message || "no reason is given");
@@ -245,16 +286,20 @@ class PlanningWorker {
     if ("ref" in this.#worker) this.#worker[isNeeded ? "ref" : "unref"]();
   }
 
-  /** @param {{ run: number, growth?: WorkerGrowth, fault?: { code: string, message: string, pointer: string, nearest?: readonly number[] } }} answer */
-  #hear({ run, growth, fault }) {
+  /** Takes an answer of `worker-entry.js`. Other messages are not for the pool: a worker may run further code. @param {unknown} message */
+  #hear(message) {
+    const { run: number, growth, fault, thrown } = /** @type {{ run?: number, growth?: WorkerGrowth, fault?: PlanariumError, thrown?: [unknown] }} */ (Object(message));
+    const isFault = typeof fault?.code === "string" && typeof fault.message === "string";
+    const isGrowth = typeof growth?.status === "string" && ArrayBuffer.isView(growth.vertices);
+    if (typeof number !== "number" || !(isFault || isGrowth || Array.isArray(thrown))) return;
     this.#hasAnswered = true;
-    const sent = this.#waiting.get(run);
-    if (growth !== undefined) return sent?.resolve(growth);
-    const { code, message, pointer, nearest } = /** @type {PlanariumError} */ (fault);
-    const error = new PlanariumError(code, message, pointer, { nearest });
+    const run = this.#runs.get(number);
+    if (isGrowth) return run?.answer(growth);
+    if (!isFault) return run?.fail(thrown?.[0]);
+    const error = new PlanariumError(fault.code, fault.message, fault.pointer, { nearest: fault.nearest });
     // The core is lost with all runs in it, or was never there.
-    if (code === "internal" || code === "init-failed") this.lose(error);
-    else sent?.reject(error);
+    if (fault.code === "internal" || fault.code === "init-failed") this.lose(error);
+    else run?.fail(error);
   }
 
   /** The worker has stopped, or was never there. @param {string} reason */
@@ -265,18 +310,52 @@ class PlanningWorker {
   }
 }
 
+/** Why a worker whose message cannot be read is given up: it may have been a slice. */
+const UNREADABLE = "a message of it cannot be read";
+
+/** What a worker plans, as it is sent. @param {unknown} scenario @returns {{ document: unknown } | { problem: Required<ProblemModule> }} */
+function planned(scenario) {
+  /** @type {Record<string, unknown>} */
+  let fields = {};
+  try {
+    const { document, module, space, clearance, isFree } = Object(scenario);
+    fields = { document, module, space, clearance, isFree };
+  } catch {
+    // The copy says why it cannot be read.
+  }
+  const { document, module, space, clearance, isFree } = fields;
+  if (typeof document === "function") return { document: copyOf(document.call(scenario), "scenario") };
+  if (module !== undefined) return { problem: moduleOf(scenario) };
+  if (classOf(scenario) === "Problem" || (space !== undefined && (typeof clearance === "function" || typeof isFree === "function"))) {
+    throw new PlanariumError("unsupported", "A problem has functions, which cannot be sent to a worker: put its description into a module, and give { module: new URL(\"./robot.js\", import.meta.url) }.");
+  }
+  return { document: copyOf(scenario, "scenario") };
+}
+
+/** @param {unknown} given @returns {Required<ProblemModule>} */
+function moduleOf(given) {
+  const { module, export: name = "default", arguments: list = [] } = fieldsOf(given, "problem", "module, export, arguments");
+  let address = "";
+  try {
+    ({ href: address } = new URL(String(Object(module).href ?? module)));
+  } catch (error) {
+    throw new PlanariumError("wrong-type", `module must be an absolute address, such as new URL("./robot.js", import.meta.url): ${reasonOf(error)}`, "/module", { cause: error });
+  }
+  if (typeof name !== "string") throw new PlanariumError("wrong-type", "export must be the name of an export", "/export");
+  if (!Array.isArray(list)) throw new PlanariumError("wrong-type", "arguments must be a list", "/arguments");
+  try {
+    return { module: address, export: name, arguments: structuredClone(list) };
+  } catch (error) {
+    throw new PlanariumError("wrong-type", `the arguments cannot be sent to a worker: ${reasonOf(error)}`, "/arguments", { cause: error });
+  }
+}
+
 /** A copy that can be sent. @param {unknown} value @param {string} name */
 function copyOf(value, name) {
   const copy = typeof value === "object" && value !== null ? plain(value) : value;
-  if (copy instanceof Error) throw new PlanariumError("wrong-type", `the ${name} cannot be read: ${copy.message}`, "", { cause: copy.cause });
+  if (copy instanceof Error) throw new PlanariumError("wrong-type", `the ${name} cannot be read: ${copy.message}`, String(Reflect.get(copy, "pointer") ?? ""), { cause: copy.cause });
   if (typeof copy === "function" || typeof copy === "symbol") throw new PlanariumError("wrong-type", `the ${name} is a ${typeof copy}`);
   return copy;
-}
-
-/** @param {object} unknown @param {string} known */
-function refuse(unknown, known) {
-  const [name] = Object.keys(unknown);
-  if (name !== undefined) throw new PlanariumError("unknown-field", `unknown option ${JSON.stringify(name)}; known options are ${known}`, `/${name}`);
 }
 
 function terminated() {

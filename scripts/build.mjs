@@ -87,12 +87,13 @@ async function makeGlue(wasm) {
   await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
   // The entry of the package is js/planarium.js, so the generated file gets another name.
   const script = readFileSync(join(glue, "planarium.js"), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
-  writeFileSync(join(glue, "planarium_glue.js"), script);
+  writeFileSync(join(glue, "planarium_glue.js"), withLoss(script));
   rmSync(join(glue, "planarium.js"));
   renameSync(join(glue, "planarium.d.ts"), join(glue, "declarations.txt"));
   writeFileSync(join(glue, "planarium_glue.d.ts"), `export * from "./core.js";
 export declare function initSync(options: { module: BufferSource | WebAssembly.Module }): { memory: WebAssembly.Memory };
 export declare function __wbg_reset_state(): void;
+export declare function __planarium_lose(): void;
 `);
 
   const module = join(glue, "planarium_bg.wasm");
@@ -100,6 +101,22 @@ export declare function __wbg_reset_state(): void;
   await run(process.execPath, [join(root, "node_modules", "binaryen", "bin", "wasm-opt"), ...OPTIMIZE, module, "-o", optimized]);
   renameSync(optimized, module);
   writeFileSync(stampFile, stamp);
+}
+
+/**
+ * The glue with a function that declares its instance lost: from then on no finalizer frees a handle into it. Only a fresh instance ends that.
+ * @param {string} script
+ */
+function withLoss(script) {
+  const [finalizer, reset] = [/if \(instance === __wbg_instance_id\) wasm\./g, "__wbg_reinit_scheduled = false;\n"];
+  const classes = script.split("new FinalizationRegistry(").length - 1;
+  if (classes === 0 || script.match(finalizer)?.length !== classes || script.split(`    ${reset}`).length !== 2) {
+    throw new Problem("The glue of wasm-bindgen has another form than withLoss in scripts/build.mjs expects.");
+  }
+  return script
+    .replaceAll(finalizer, "if (instance === __wbg_instance_id && !__planarium_is_lost) wasm.")
+    .replace(`    ${reset}`, `    ${reset}    __planarium_is_lost = false;\n`)
+    + "\nlet __planarium_is_lost = false;\nexport function __planarium_lose() { __planarium_is_lost = true; }\n";
 }
 
 /** The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its declarations. */

@@ -209,7 +209,7 @@ fn a_start_or_goal_in_collision_is_refused_with_the_pair_named() {
         let world = scenario("", &discs, &arm(&[1.0, 1.0], 0.0), query);
         for planner in ["prm", "rrt-connect"] {
             let message = refuses(start(&world, &options(planner, 0, "")), code, pointer);
-            assert!(message.contains("part 1 touches obstacle 1"), "{message}");
+            assert!(message.contains("link 2 touches obstacle 1"), "{message}");
         }
     }
 }

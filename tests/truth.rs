@@ -20,11 +20,11 @@ const SOLVABLE: &[(&str, &[&str])] = &[
 
 /// Queries that start or end in collision: the code, and what must be named.
 const COLLIDING: &[(&str, &str, &str, &str)] = &[
-    ("arm2-class", "comparison-1", "start-in-collision", "part 1 touches obstacle 1"),
-    ("arm2-class", "comparison-2", "goal-in-collision", "part 0 touches obstacle 0"),
-    ("arm2-class", "comparison-4", "goal-in-collision", "part 0 touches obstacle 0"),
-    ("arm2-class", "comparison-5", "goal-in-collision", "part 0 touches obstacle 0"),
-    ("arm2-environment2", "rrt-4", "start-in-collision", "part 1 touches obstacle 2"),
+    ("arm2-class", "comparison-1", "start-in-collision", "link 2 touches obstacle 1"),
+    ("arm2-class", "comparison-2", "goal-in-collision", "link 1 touches obstacle 0"),
+    ("arm2-class", "comparison-4", "goal-in-collision", "link 1 touches obstacle 0"),
+    ("arm2-class", "comparison-5", "goal-in-collision", "link 1 touches obstacle 0"),
+    ("arm2-environment2", "rrt-4", "start-in-collision", "link 2 touches obstacle 2"),
 ];
 
 /// Bodies and cars, all of whose queries have a path.

@@ -71,10 +71,10 @@ fn a_wall_is_not_crossed_however_thin() {
         for radius in [0.0, 0.05] {
             let both = [far.clone(), across.clone()];
             let sweep: &[&[f64]] = &[&[-1.0], &[-0.9], &[1.0137]];
-            refused(judge_arm(&both, &arm(&[1.0], radius), sweep), &["edge 1", "link 0", "obstacle 1"]);
+            refused(judge_arm(&both, &arm(&[1.0], radius), sweep), &["edge 1", "link 1", "obstacle 1"]);
             let sweep: &[&[f64]] = &[&[-1.0, 0.1, -0.1], &[1.0371, 0.0213, 0.0]];
             let verdict = judge_arm(&both[1..], &arm(&[0.3, 0.3, 0.4], radius), sweep);
-            refused(verdict, &["edge 0", "link 2", "obstacle 0"]);
+            refused(verdict, &["edge 0", "link 3", "obstacle 0"]);
             let path: &[&[f64]] = &[&[-1.0, -1.0], &[0.8, -1.0], &[0.81, 1.0]];
             refused(judge_disc(&both, radius, path), &["edge 1", "obstacle 1"]);
         }
@@ -86,7 +86,7 @@ fn a_speck_between_two_samples_is_found() {
     for size in [1e-3, 1e-6, 1e-9] {
         let speck = polygon(&[[0.7123, 0.0], [0.7123 + size, 0.0], [0.7123, size]]);
         for obstacle in [[speck], [disc([0.7123, 0.0], size)]] {
-            refused(judge_arm(&obstacle, &arm(&[1.0], 0.0), &[&[-1.0], &[0.7713]]), &["link 0", "obstacle 0"]);
+            refused(judge_arm(&obstacle, &arm(&[1.0], 0.0), &[&[-1.0], &[0.7713]]), &["link 1", "obstacle 0"]);
             refused(judge_disc(&obstacle, 0.0, &[&[0.7123, -1.0], &[0.7123, 1.0]]), &["edge 0", "obstacle 0"]);
         }
     }
@@ -98,7 +98,7 @@ fn touching_a_corner_is_collision_and_passing_it_is_not() {
     let sweep: &[&[f64]] = &[&[-0.5], &[0.6137]];
     // The tip comes to (1, 0), or a hair short of the corner there.
     for x in [0.9, 1.0 - 1e-9, 1.0, 1.0 + 1e-14] {
-        refused(judge_arm(&[corner(x)], &arm(&[1.0], 0.0), sweep), &["edge 0", "link 0", "obstacle 0"]);
+        refused(judge_arm(&[corner(x)], &arm(&[1.0], 0.0), sweep), &["edge 0", "link 1", "obstacle 0"]);
     }
     for gap in [1e-10, 1e-8, 1e-6, 1e-3] {
         let seen = clearance(judge_arm(&[corner(1.0 + gap)], &arm(&[1.0], 0.0), sweep));
@@ -106,7 +106,7 @@ fn touching_a_corner_is_collision_and_passing_it_is_not() {
         assert!((0.9 * gap..gap + 1e-3).contains(&seen), "clearance {seen} past a gap of {gap}");
     }
     let thick = arm(&[1.0], 0.125);
-    refused(judge_arm(&[corner(1.125)], &thick, sweep), &["link 0", "obstacle 0"]);
+    refused(judge_arm(&[corner(1.125)], &thick, sweep), &["link 1", "obstacle 0"]);
     clearance(judge_arm(&[corner(1.125 + 1e-9)], &thick, sweep));
 
     // A point along the diagonal of a corner at (1, 1): exact to the last bit.
@@ -130,7 +130,7 @@ fn a_tip_may_slide_along_a_wall_but_not_on_it() {
     // With two links of one length and q1 = -2 q0 the tip moves along the x axis.
     let slide: &[&[f64]] = &[&[0.3, -0.6], &[1.2, -2.4]];
     let wall = |top: f64| [rectangle([0.5, -1.0], [3.0, top])];
-    refused(judge_arm(&wall(0.0), &arm(&[1.0, 1.0], 0.0), slide), &["link 1", "obstacle 0"]);
+    refused(judge_arm(&wall(0.0), &arm(&[1.0, 1.0], 0.0), slide), &["link 2", "obstacle 0"]);
     for gap in [1e-11, 1e-9, 1e-6] {
         let seen = clearance(judge_arm(&wall(-gap), &arm(&[1.0, 1.0], 0.0), slide));
         assert!((0.5 * gap..2.0 * gap).contains(&seen), "clearance {seen} above a gap of {gap}");
@@ -143,7 +143,7 @@ fn bounds_may_be_touched_but_not_left() {
     let judge = |x: f64, radius: f64| {
         judge_in(&format!("[-1, -1], [{x:?}, 1]"), &[], &arm(&[1.0], radius), path, circle_length(path))
     };
-    refused(judge(0.99, 0.0), &["edge 0", "link 0", "leaves the bounds"]);
+    refused(judge(0.99, 0.0), &["edge 0", "link 1", "leaves the bounds"]);
     refused(judge(1.0 - 1e-10, 0.0), &["leaves the bounds"]);
     assert_eq!(clearance(judge(1.0, 0.0)), f64::INFINITY, "nothing but bounds: the tip touches them at its farthest");
     refused(judge(1.0, 0.1), &["leaves the bounds"]);
@@ -162,16 +162,16 @@ fn limited_joints_neither_leave_their_limits_nor_wrap() {
     let judge = |obstacles: &[String], path: &[&[f64]]| judge_in("", obstacles, &robot, path, straight_length(path));
     let (right, left) = ([disc([0.9, 0.0], 0.05)], [disc([-0.9, 0.0], 0.05)]);
     clearance(judge(&left, &[&[-3.0], &[3.0]]));
-    refused(judge(&right, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
+    refused(judge(&right, &[&[-3.0], &[3.0]]), &["link 1", "obstacle 0"]);
     refused(judge(&left, &[&[-3.0], &[3.0 + 1e-12], &[2.0]]), &["waypoint 1", "limits of joint 0"]);
     // The same two ends with a circle for a joint: in the other direction.
     let circle = arm(&[1.0], 0.0);
     clearance(judge_arm(&right, &circle, &[&[-3.0], &[3.0]]));
-    refused(judge_arm(&left, &circle, &[&[-3.0], &[3.0]]), &["link 0", "obstacle 0"]);
+    refused(judge_arm(&left, &circle, &[&[-3.0], &[3.0]]), &["link 1", "obstacle 0"]);
     // Several turns of a limited joint are several turns.
     let winding = limited_arm(&[1.0], 0.0, &[[-100.0, 100.0]]);
     let path: &[&[f64]] = &[&[-PI / 2.0], &[TAU + PI / 2.0]];
-    refused(judge_in("", &left, &winding, path, straight_length(path)), &["link 0", "obstacle 0"]);
+    refused(judge_in("", &left, &winding, path, straight_length(path)), &["link 1", "obstacle 0"]);
     let path: &[&[f64]] = &[&[-99.0], &[99.0]];
     clearance(judge_in("", &[disc([1.2, 0.0], 0.1)], &winding, path, straight_length(path)));
 }
@@ -182,7 +182,7 @@ fn the_longer_direction_needs_waypoints() {
     let behind = [disc([-0.9, 0.0], 0.05)];
     let scenario = scenario("", &behind, &robot, [&[-2.0], &[2.0]]);
     let judge = |path: &[&[f64]], length: f64| judged(&scenario, &result(path, length));
-    refused(judge(&[&[-2.0], &[2.0]], TAU - 4.0), &["link 0", "obstacle 0"]);
+    refused(judge(&[&[-2.0], &[2.0]], TAU - 4.0), &["link 1", "obstacle 0"]);
     clearance(judge(&[&[-2.0], &[0.0], &[2.0]], 4.0));
     refused(judge(&[&[-2.0], &[0.0], &[2.0]], TAU - 4.0), &["length"]);
     refused(judge(&[&[-2.0], &[-2.0 + PI], &[2.0]], 4.0), &["edge 0", "joint 0", "ambiguous"]);
@@ -257,12 +257,12 @@ fn concave_obstacles_keep_their_pockets() {
     // An arm with its base in the cup, its tip over the rim.
     let robot = arm(&[1.5, 0.5], 0.05);
     clearance(judge_arm(&cup, &robot, &[&[1.2, 0.0], &[1.9, -1.0]]));
-    refused(judge_arm(&cup, &robot, &[&[1.2, 0.0], &[0.9, 0.0], &[1.2, 0.0]]), &["edge 0", "link 0", "obstacle 0"]);
-    refused(judge_arm(&cup, &robot, &[&[1.2, -2.5], &[1.2, 0.0]]), &["edge 0", "link 1", "obstacle 0"]);
+    refused(judge_arm(&cup, &robot, &[&[1.2, 0.0], &[0.9, 0.0], &[1.2, 0.0]]), &["edge 0", "link 1", "obstacle 0"]);
+    refused(judge_arm(&cup, &robot, &[&[1.2, -2.5], &[1.2, 0.0]]), &["edge 0", "link 2", "obstacle 0"]);
     // A link wholly inside of an obstacle crosses no edge of it.
     let block = [rectangle([0.9, -3.0], [6.0, 3.0])];
     refused(judge_arm(&block, &arm(&[1.0, 1.0], 0.0), &[&[0.0, 0.0], &[0.01, 0.0]]), &["obstacle 0"]);
-    refused(judge_arm(&[disc([2.0, 0.0], 0.9)], &arm(&[1.0, 0.5], 0.0), &[&[0.0, 0.0]]), &["link 1", "obstacle 0"]);
+    refused(judge_arm(&[disc([2.0, 0.0], 0.9)], &arm(&[1.0, 0.5], 0.0), &[&[0.0, 0.0]]), &["link 2", "obstacle 0"]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -284,7 +284,7 @@ fn large_and_far_worlds_are_judged_alike() {
         let robot = format!(r#"{{"type": "arm", "base": {:?}, "links": [{scale:?}]}}"#, at(0.0, 0.0));
         let path: &[&[f64]] = &[&[-1.0], &[1.0]];
         let wall = |x: f64| [rectangle(at(x, -0.1), at(2.0, 0.1))];
-        refused(judge_arm(&wall(0.999), &robot, path), &["link 0", "obstacle 0"]);
+        refused(judge_arm(&wall(0.999), &robot, path), &["link 1", "obstacle 0"]);
         clearance(judge_arm(&wall(1.001), &robot, path));
     }
 }

@@ -45,10 +45,20 @@ fn wrong(value: &JsValue, name: &str, wanted: &str) -> Error {
     match value.dyn_ref::<js_sys::Error>() {
         Some(reason) => {
             let code = if reason.has_type::<RangeError>() { Code::TooLarge } else { Code::WrongType };
-            Error::new(code, pointer, format!("{name} cannot be read: {}", String::from(reason.message())))
+            let (place, message) = (place(reason).unwrap_or_default(), String::from(reason.message()));
+            let sentence = match message.strip_suffix(" is no JSON value") {
+                Some(kind) if place.is_empty() => format!("{name} must be {wanted}, not {kind}"),
+                _ => format!("{name} cannot be read: {message}"),
+            };
+            Error::new(code, pointer + &place, sentence)
         }
         None => Error::new(Code::WrongType, pointer, format!("{name} must be {wanted}, not {}", show(value))),
     }
+}
+
+/// Where in an argument something stands that could not be copied, as a JSON pointer; `None` if the caller's own code has thrown.
+fn place(reason: &js_sys::Error) -> Option<String> {
+    js_sys::Reflect::get(reason, &"pointer".into()).ok()?.as_string()
 }
 
 /// A finite number.
@@ -184,8 +194,15 @@ pub(super) fn text_or_bytes(value: &JsValue, name: &str) -> Result<Vec<u8>, Erro
 /// A tree of plain values; `name` is that of the argument, empty for a document or options.
 fn tree(value: &JsValue, name: &str) -> Result<Json, Error> {
     if let Some(reason) = value.dyn_ref::<js_sys::Error>() {
-        let sentence = format!("this object cannot be read: {}", String::from(reason.message()));
-        return Err(Error::new(Code::InvalidJson, "", sentence));
+        let message = String::from(reason.message());
+        let sentence = format!("this object cannot be read: {message}");
+        return Err(match place(reason) {
+            Some(pointer) if reason.has_type::<RangeError>() => {
+                Error::new(Code::TooLarge, format!("{name}{pointer}"), sentence)
+            }
+            Some(pointer) => Error::new(Code::WrongType, format!("{name}{pointer}"), message),
+            None => Error::new(Code::InvalidJson, name, sentence),
+        });
     }
     if let Some(numbers) = value.dyn_ref::<Float64Array>() {
         return Ok(numbers.to_vec().into());

@@ -7,7 +7,7 @@ use super::proof::{MovingArm, Order, Prover, Scene};
 use super::{CollisionWorld, Obstacles, Tolerance, blend};
 use crate::geometry::{Aabb, Segment};
 use crate::problem::{Contact, Touched, Validity};
-use crate::robot::Arm;
+use crate::robot::{Arm, link_name};
 use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -203,6 +203,10 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
             contacts.extend(touched.chain(leaves).map(|with| Contact { part, with }));
         }
         contacts
+    }
+
+    fn part_name(&self, part: usize) -> String {
+        link_name(part)
     }
 
     fn clearance_evaluations(&self) -> u64 {

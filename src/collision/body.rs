@@ -30,6 +30,8 @@ pub struct BodyCollision {
     pub(super) scale: f64,
     pub(super) scene: Scene,
     prover: RefCell<Prover<MovingBody>>,
+    /// What sentences call it.
+    pub(super) name: &'static str,
 }
 
 impl BodyCollision {
@@ -45,7 +47,13 @@ impl BodyCollision {
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
         let prover = RefCell::new(Prover::new(MovingBody::new(body, tolerance.eta)));
         let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
-        Self { body: body.clone(), obstacles, bounds, scale, scene, prover }
+        Self { body: body.clone(), obstacles, bounds, scale, scene, prover, name: "the body" }
+    }
+
+    /// The same, which sentences call by this name.
+    #[must_use]
+    pub(crate) fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
     }
 
     /// The same with a tolerance no coarser than half the clearance, and half the depth within the bounds, of either

@@ -113,6 +113,10 @@ impl<const N: usize> Validity<[f64; N]> for BodyValidity<N> {
         self.collision.contacts(&placement(state))
     }
 
+    fn part_name(&self, _part: usize) -> String {
+        self.collision.name.into()
+    }
+
     fn clearance_evaluations(&self) -> u64 {
         self.collision.clearance_evaluations()
     }

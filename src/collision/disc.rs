@@ -141,6 +141,10 @@ impl<const N: usize> Validity<[f64; N]> for DiscValidity {
         touched.chain(leaves).map(|with| Contact { part: 0, with }).collect()
     }
 
+    fn part_name(&self, _part: usize) -> String {
+        "the disc".into()
+    }
+
     fn clearance_evaluations(&self) -> u64 {
         self.evaluations.get()
     }

@@ -3,7 +3,7 @@
 use super::CollisionWorld;
 use crate::geometry::Segment;
 use crate::problem::{Contact, Validity};
-use crate::robot::Arm;
+use crate::robot::{Arm, link_name};
 use crate::space::{ProductSpace, Space};
 
 /// How often a refused motion is halved to find a part that passes.
@@ -55,6 +55,10 @@ impl<const N: usize> Validity<[f64; N]> for JointLines<N> {
 
     fn contacts(&self, q: &[f64; N]) -> Vec<Contact> {
         self.proven.contacts(q)
+    }
+
+    fn part_name(&self, part: usize) -> String {
+        link_name(part)
     }
 
     fn clearance_evaluations(&self) -> u64 {

@@ -54,7 +54,7 @@ impl Drive {
         };
         let start = road.pose(start, "/q")?;
         if let Some(contact) = road.collision.contacts(&start).first() {
-            let sentence = format!("the car cannot start there: {contact}");
+            let sentence = format!("the car cannot start there: it {}", contact.with);
             let error = Error::new(Code::StartInCollision, "/q", sentence);
             let space: ProductSpace<SMALL> = world.default_space();
             let is_free = |q: &[f64; SMALL]| road.collision.is_free(&[q[0], q[1], q[2]]);

@@ -251,7 +251,8 @@ impl Validity<Joint> for Apart {
     }
 
     fn collision(&self, state: &Joint) -> Option<String> {
-        let mut why: Vec<String> = self.contacts(state).iter().map(Contact::to_string).collect();
+        let mut why: Vec<String> =
+            self.members.iter().filter_map(|member| member.validity.collision(&member.state(state))).collect();
         why.extend(self.conflict(state, state).map(|[j, i]| format!("robot {j} touches robot {i}")));
         (!why.is_empty()).then(|| why.join(", "))
     }

@@ -6,7 +6,7 @@ use super::motion::{Footprint, Pose};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::Aabb;
 use crate::json;
-use crate::problem::{Contact, naming_nearest};
+use crate::problem::naming_nearest;
 use crate::robot::Part;
 use crate::scenario::document;
 use crate::scenario::number::{AngleOrCoordinate, Positive};
@@ -215,9 +215,8 @@ impl Fleet {
                     };
                     Err(naming_nearest(error, &space, is_free, &state(q)))
                 };
-                let contacts = checker.contacts(&state(q));
-                if !contacts.is_empty() {
-                    return refuse(contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "));
+                if let Some(why) = checker.collision(&state(q)) {
+                    return refuse(why);
                 }
                 let at = pose(q);
                 if let Some(j) = (0..i).find(|&j| touches(at, j)) {

@@ -134,6 +134,10 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
         self.turning.contacts(q)
     }
 
+    fn part_name(&self, _part: usize) -> String {
+        "the robot".into()
+    }
+
     fn is_free(&self, q: &[f64; SIZE]) -> bool {
         self.turning.is_free(q)
     }

@@ -93,6 +93,10 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
         self.points.are_free(states)
     }
 
+    fn part_name(&self, part: usize) -> String {
+        self.points.part_name(part)
+    }
+
     fn collision(&self, state: &S::State) -> Option<String> {
         self.points.collision(state)
     }

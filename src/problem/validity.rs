@@ -23,10 +23,15 @@ pub trait Validity<S> {
         states.iter().all(|state| self.is_free(state))
     }
 
+    /// The name of a part of the robot in a sentence, such as `the disc` or `link 2`. The default is `part 0` and so on.
+    fn part_name(&self, part: usize) -> String {
+        format!("part {part}")
+    }
+
     /// Why the configuration is in collision, for a sentence; `None` if it is free. The default names all contacts.
     fn collision(&self, state: &S) -> Option<String> {
         let contacts = self.contacts(state);
-        (!contacts.is_empty()).then(|| contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", "))
+        (!contacts.is_empty()).then(|| Contact::sentence(&contacts, &|part| self.part_name(part)))
     }
 
     /// The error that ended the checks, of a checker whose evaluation can fail; from then on it refuses everything, and a run ends with
@@ -84,11 +89,27 @@ pub enum Touched {
     Obstacle(usize),
 }
 
+impl Contact {
+    /// Contacts in words, with parts by these names: `link 1 touches obstacle 0, link 2 leaves the bounds`.
+    pub fn sentence(contacts: &[Self], name: &dyn Fn(usize) -> String) -> String {
+        let words = contacts.iter().map(|contact| format!("{} {}", name(contact.part), contact.with));
+        words.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// The contact with the index of its part, as in JSON: `part 0 touches obstacle 1`.
 impl std::fmt::Display for Contact {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.with {
-            Touched::Obstacle(i) => write!(f, "part {} touches obstacle {i}", self.part),
-            Touched::Bounds => write!(f, "part {} leaves the bounds", self.part),
+        write!(f, "part {} {}", self.part, self.with)
+    }
+}
+
+/// What the part does: `touches obstacle 1`, `leaves the bounds`.
+impl std::fmt::Display for Touched {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Obstacle(i) => write!(f, "touches obstacle {i}"),
+            Self::Bounds => write!(f, "leaves the bounds"),
         }
     }
 }

@@ -133,3 +133,8 @@ pub struct Target {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orientation: Option<f64>,
 }
+
+/// What sentences call a link: they count from 1, data from 0.
+pub(crate) fn link_name(part: usize) -> String {
+    format!("link {}", part + 1)
+}

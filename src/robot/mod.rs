@@ -10,6 +10,7 @@ mod disc;
 mod range;
 mod space;
 
+pub(crate) use arm::link_name;
 pub use arm::{Arm, MAX_LINKS, Target};
 pub use body::{RigidBody, Weights};
 pub use car::Car;

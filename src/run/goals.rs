@@ -4,7 +4,7 @@ use crate::error::{Code, Error, Number};
 use crate::ik::{Solver, SolverOptions, Verdict, arm_of, nearest_reachable};
 use crate::options::Value;
 use crate::problem::Contact;
-use crate::robot::Target;
+use crate::robot::{Target, link_name};
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::world::PlanningWorld;
 
@@ -50,7 +50,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, index: usize, seed: u6
     }
     let (code, sentence) = match reach.explain() {
         Verdict::InCollision { contacts } => {
-            let contacts = contacts.iter().map(Contact::to_string).collect::<Vec<_>>().join(", ");
+            let contacts = Contact::sentence(&contacts, &link_name);
             let all = "every configuration found that reaches the target is in collision";
             (Code::GoalInCollision, format!("{all}: {contacts}"))
         }

@@ -26,12 +26,13 @@ pub(crate) enum Checker<const N: usize> {
 
 impl<const N: usize> Checker<N> {
     pub(super) fn new(robot: &Robot, space: &MotionSpace<N>, world: &CollisionWorld, tolerance: f64) -> Self {
-        let body = |shape| Self::Body(BodyCollision::new(shape, world.clone(), tolerance), space.clone());
+        let body =
+            |shape, name| Self::Body(BodyCollision::new(shape, world.clone(), tolerance).named(name), space.clone());
         match robot {
             Robot::Arm(arm) => Self::Arm(ArmValidity::new(arm, space.product().clone(), world.clone(), tolerance)),
             Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),
-            Robot::RigidBody(rigid) => body(&rigid.shape),
-            Robot::Car(car) => body(car.shape()),
+            Robot::RigidBody(rigid) => body(&rigid.shape, "the body"),
+            Robot::Car(car) => body(car.shape(), "the car"),
         }
     }
 

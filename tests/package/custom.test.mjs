@@ -179,6 +179,32 @@ test("a function may use everything but the planner that calls it", () => {
   fails(() => nested.planner(), "freed");
 });
 
+test("calls within functions are bounded, and the bound is an error of its own", () => {
+  let most = 0;
+  let depth = 0;
+  const nested = () => {
+    depth += 1;
+    most = Math.max(most, depth);
+    try {
+      return new Problem({ ...disc, clearance(rows, clearances) { disc.clearance(rows, clearances); nested().free(); } }).planner({ seed: 1 });
+    } finally {
+      depth -= 1;
+    }
+  };
+  fails(nested, "too-deep");
+  assert.ok(most > 16, `${most} deep`);
+  /** @type {import("planarium").Planner[]} */
+  const planners = [];
+  const stepped = () => {
+    const planner = new Problem({ ...disc, clearance(rows, clearances) { disc.clearance(rows, clearances); if (planners.length > depth) stepped(); } }).planner({ seed: 1 });
+    planners.push(planner);
+    try { return planner.step(3); } finally { planner.free(); }
+  };
+  fails(stepped, "too-deep");
+  // The core is as it was, and so are the depths.
+  assert.equal(solve(Scenario.parse(arm), { seed: 1 }).status, "solved");
+});
+
 test("wrong results have codes", () => {
   const wrong = (/** @type {any} */ clearance, /** @type {string} */ code) => fails(() => new Problem({ ...disc, clearance }).planner(), code, "/clearance");
   wrong(() => {}, "not-finite");
@@ -211,7 +237,8 @@ test("descriptions are refused with code and pointer", () => {
     [rest, "missing-field", "/clearance"], [{ ...disc, isFree }, "duplicate-field", "/isFree"], [{ ...rest, isFree: true }, "wrong-type", "/isFree"],
     [{ ...disc, reach: [1] }, "wrong-dimension", "/reach"], [{ ...disc, resolution: 1 }, "unknown-field", "/resolution"],
     [{ ...rest, isFree, reach: [1, 1] }, "unknown-field", "/reach"], [{ ...rest, isFree, resolution: 0 }, "out-of-range", "/resolution"],
-    [{ ...disc, clearence: 1 }, "unknown-field", "/clearence"],
+    [{ ...disc, clearence: 1 }, "unknown-field", "/clearence"], [{ ...disc, isfree() {} }, "wrong-type", "/isfree"],
+    [{ ...disc, clearance: undefined, isFree: Symbol("f") }, "wrong-type", "/isFree"], [{ ...disc, start: [0, () => 1] }, "wrong-type", "/start/1"],
   ])) fails(() => new Problem(given), code, pointer);
   fails(() => new Problem({ ...disc, goal: [0, 0] }).planner(), "goal-in-collision", "/goal");
   fails(() => new Problem({ ...disc, start: [0, 0] }).planner(), "start-in-collision", "/start");

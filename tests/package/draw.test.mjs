@@ -63,7 +63,7 @@ test("a view fits a box to a canvas, y up, and back", () => {
 test("a world is its bounds and its obstacles; colours that are left out have their default", () => {
   const scenario = Scenario.parse(WALL);
   const { context, drawn } = recordingContext();
-  drawWorld(context, new View(scenario.extent(), 100, 100, NO_MARGIN), scenario.document(), { obstacle: "silver" });
+  drawWorld(context, new View(scenario.extent(), 100, 100, NO_MARGIN), scenario.document(), { obstacle: "silver", obstacleEdge: undefined });
   assert.deepEqual(drawn.map(({ call, style }) => [call, style]), [
     ["strokeRect", defaultColours.obstacleEdge],
     ["fill", "silver"], ["stroke", defaultColours.obstacleEdge],

@@ -1,7 +1,7 @@
 /** Bad input: always an error with a stable code, a sentence with the offending value, and a pointer to it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, Neighbours, Planner, Reach, Scenario, Subdivision, Trajectories } from "planarium";
+import { Drive, Experiment, Fleet, FleetPlanner, Navigation, Neighbours, Planner, Problem, Reach, Scenario, Subdivision, Trajectories } from "planarium";
 import { arm, body, car, disc, fails, finish, options, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
@@ -53,7 +53,7 @@ test("what is no document at all", () => {
   circle.self = circle;
   fails(() => parse(circle), "invalid-json");
   fails(() => parse({ get name() { throw new Error("never read me"); } }), "invalid-json", undefined, /never read me/);
-  fails(() => parse({ name: 1n }), "invalid-json");
+  fails(() => parse({ name: 1n }), "wrong-type", "/name", /a bigint/);
   let reads = 0;
   const fickle = { nothing: null, get name() { reads += 1; if (reads > 1) throw new Error("only once"); return "n"; } };
   fails(() => parse(fickle), "unknown-field", "/nothing");
@@ -113,8 +113,10 @@ test("an object that is an array instead is told its fields", () => {
 });
 
 test("a start or a goal in collision is refused, and names what touches what", () => {
-  fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /part 1 touches obstacle 0/);
-  fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /part 1 touches obstacle 0/);
+  fails(() => Scenario.parse({ ...disc, queries: [{ name: "a", start: [0, 0], goal: [8, 2] }] }).planner(), "start-in-collision", "/queries/0/start", /: the disc leaves the bounds$/);
+  fails(() => Scenario.parse({ ...car, queries: [{ .../** @type {any} */ (car.queries)[0], start: [1.5, 0.5, 0] }] }).planner(), "start-in-collision", "/queries/0/start", /: the car touches obstacle 1$/);
+  fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /link 2 touches obstacle 0/);
+  fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /link 2 touches obstacle 0/);
   fails(() => Scenario.parse({ ...arm, queries: [] }).planner(), "unknown-query");
 });
 
@@ -222,6 +224,65 @@ test("handles come from the package alone", () => {
     fails(() => new Class(), "illegal-constructor");
     fails(() => new Class(Symbol("planarium"), {}), "illegal-constructor");
   }
+});
+
+test("values that have no JSON form are refused where they stand; undefined is absent, null a value", () => {
+  const [scenario, fleet, task] = [Scenario.parse(arm), Fleet.generate("swap"), Navigation.generate("rooms", { seed: 1 })];
+  const experiment = (/** @type {object} */ fields) => ({ format: "planarium-experiment-1", worlds: [{ scenario: arm }], planners: [{ algorithm: "prm" }], seeds: [1], ...fields });
+  class Kept { #seed = 5; get seed() { return this.#seed; } }
+  /** Calls with a value, and where it stands. @type {[(value: any) => unknown, string][]} */
+  const places = [
+    [(seed) => scenario.planner({ seed }), "/seed"], [(maxIterations) => scenario.planner({ maxIterations }), "/maxIterations"], [(algorithm) => scenario.planner({ algorithm }), "/algorithm"],
+    [(links) => Scenario.generate("forest", { links }), "/links"], [(target) => scenario.reach({ target: [1, target] }), "/target/1"], [(query) => scenario.certify({ query }), "/query"],
+    [(trees) => scenario.neighbours({ index: "forest", trees }), "/trees"], [(free) => scenario.sampleConfigurations(1, { free }), "/free"], [(metric) => scenario.optimum({ metric }), "/metric"],
+    [(count) => new Trajectories({ count }), "/count"], [(order) => fleet.planner({ order: ["a", order] }), "/order/1"], [(count) => Fleet.generate("ring", { count }), "/count"],
+    [(title) => Fleet.parse({ ...fleet.toJSON(), title }), "/title"], [(hidden) => task.training({ hidden }), "/hidden"], [(title) => Navigation.parse({ ...task.toJSON(), title }), "/title"],
+    [(title) => Experiment.parse(/** @type {any} */ (experiment({ title }))), "/title"], [(k) => Experiment.parse(/** @type {any} */ (experiment({ planners: [{ algorithm: "prm", set: { k } }] }))), "/planners/0/set/k"],
+    [(title) => Scenario.parse({ ...arm, title }), "/title"], [(x) => Scenario.parse(query({ goal: [0, x] })), "/queries/0/goal/1"], [(radius) => parse({ ...arm, "a/b": { radius } }), "/a~1b/radius"],
+    [(x) => scenario.check([0, x]), "/q/1"], [(x) => scenario.neighbours().add([[0, 0], [x, 0]]), "/rows/1/0"],
+  ];
+  for (const value of [Symbol("x"), () => 1, class {}, 1n, new Map([["seed", 5]]), new Set([5]), Promise.resolve(5), /5/, new Kept(), Object.create({ seed: 5 }), new ArrayBuffer(8), Object(5)]) {
+    for (const [call, pointer] of places) fails(() => call(value), "wrong-type", pointer);
+    if (typeof value === "object") fails(() => scenario.planner(/** @type {any} */ (value)), "wrong-type", "");
+  }
+  for (const [call, pointer] of places.slice(0, 3)) for (const value of [null, [5], { valueOf: undefined }]) fails(() => call(value), "wrong-type", pointer);
+  for (const value of ["5", new Date(0), { valueOf: undefined }, null, [5], true]) fails(() => scenario.planner(/** @type {any} */ ({ seed: value })), "wrong-type", "/seed");
+  const plain = finish(scenario.planner()).fingerprint();
+  for (const given of /** @type {any[]} */ ([undefined, null, {}, { seed: undefined, step: undefined }, Object.create(null)])) assert.equal(finish(scenario.planner(given)).fingerprint(), plain);
+  assert.equal(Scenario.parse(/** @type {any} */ ({ ...arm, title: undefined })).title, arm.name);
+});
+
+test("a method of another class, or without its object, is refused, and every handle goes on", () => {
+  const [scenario, carScenario, fleet, task] = [Scenario.parse(arm), Scenario.parse(car), Fleet.generate("swap"), Navigation.generate("rooms", { seed: 1 })];
+  const experiment = Experiment.parse({ format: "planarium-experiment-1", worlds: [{ scenario: arm }], planners: [{ algorithm: "prm" }], seeds: [1] });
+  const problem = new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(_, free) { free.fill(1); } });
+  class Own extends Problem { get twice() { return 2 * this.dimension; } }
+  const own = new Own({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(_, free) { free.fill(1); } });
+  /** @type {any[]} */
+  const handles = [
+    scenario, scenario.planner(), scenario.reach({ target: [1, 0] }), scenario.neighbours(), scenario.certify(), carScenario.drive(), new Trajectories(), fleet, fleet.planner(), experiment, experiment.trial(0), task, task.training(), problem,
+  ];
+  const prototypes = handles.map((handle) => Object.getPrototypeOf(handle));
+  assert.equal(new Set(prototypes).size, handles.length);
+  let members = 0;
+  prototypes.forEach((prototype, i) => {
+    const strangers = [...handles.filter((_, j) => j !== i), undefined, null, 5, "text", {}, prototype, Object.create(prototype), Object.assign(Object.create(prototype), handles[i]), new Proxy(handles[i], {})];
+    for (const key of Reflect.ownKeys(prototype)) {
+      if (key === "constructor" || String(key).startsWith("__") || key === Symbol.for("nodejs.util.inspect.custom")) continue;
+      members += 1;
+      const { get, value } = /** @type {PropertyDescriptor} */ (Object.getOwnPropertyDescriptor(prototype, key));
+      for (const stranger of strangers) fails(() => (get ?? value).call(stranger), "illegal-invocation", "");
+    }
+  });
+  assert.ok(members > 150, `${members} members`);
+  const { step } = /** @type {Planner} */ (handles[1]);
+  fails(() => step(1), "illegal-invocation", "", /^step belongs to a Planner, and was called on undefined\.$/);
+  fails(() => FleetPlanner.prototype.result.call(/** @type {any} */ (fleet)), "illegal-invocation", "", /^result belongs to a FleetPlanner, and was called on a Fleet\.$/);
+  assert.deepEqual([own.dimension, own.twice], [1, 2], "a class may be extended");
+  const { parse } = Scenario;
+  assert.equal(parse(arm).name, arm.name, "functions of classes need no class");
+  assert.ok(prototypes.every((prototype) => prototype.__v_skip === true), "Vue makes no proxies of them");
+  for (const one of [...handles, own]) one.free();
 });
 
 test("a caller's slip is told as such, and the core lives on", () => {

@@ -38,7 +38,7 @@ after(() => server.close());
 
 /** Runs a program in a process of its own, and returns what it prints. @param {string} program @returns {Promise<any>} */
 async function printed(program) {
-  const { stdout } = await promisify(execFile)(process.execPath, ["--input-type=module", "-e", program]);
+  const { stdout } = await promisify(execFile)(process.execPath, ["--expose-gc", "--input-type=module", "-e", program]);
   return JSON.parse(stdout);
 }
 
@@ -203,5 +203,66 @@ test("after a trap every call fails as internal, until init makes a fresh instan
   assert.equal(handle.code, "freed");
   assert.match(handle.message, /lost/);
   assert.equal(freed.code, "freed");
+  assert.equal(fingerprint, await expectedFingerprint());
+});
+
+test("handles that are collected after a trap are not freed into the lost core", async () => {
+  const { before, after, code, fingerprint } = await printed(`
+    import { readFileSync } from "node:fs";
+    // Counts what the finalizers of the glue do, and the calls that free.
+    let [finalized, freed] = [0, 0];
+    const { FinalizationRegistry: Registry, WebAssembly: { Instance } } = globalThis;
+    globalThis.FinalizationRegistry = class extends Registry { constructor(free) { super((held) => { free(held); finalized += 1; }); } };
+    WebAssembly.Instance = function (module, imports) {
+      const { exports } = new Instance(module, imports);
+      const counted = Object.entries(exports).map(([name, value]) => [name, /^__wbg_.*_free$/.test(name) ? (...given) => { freed += 1; value(...given); } : value]);
+      return { exports: Object.fromEntries(counted) };
+    };
+    const { default: init, initSync, Problem, Scenario, Trajectories } = await import(${JSON.stringify(web)});
+    const { initSync: instance } = await import(${JSON.stringify(pathToFileURL(join(place, "planarium_glue.js")).href)});
+    const bytes = readFileSync(${JSON.stringify(wasm)});
+    const disc = ${JSON.stringify(disc)};
+    initSync(bytes);
+    const make = () => {
+      const scenario = Scenario.parse(disc);
+      return [scenario, scenario.planner(), new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree() {} }), new Trajectories()];
+    };
+    const collect = async (count) => { while (finalized < count) { gc(); await new Promise((resolve) => setImmediate(resolve)); } };
+    make();
+    await collect(4);
+    const before = freed;
+    make();
+    new Uint8Array(instance().memory.buffer).fill(0xff);
+    let code;
+    try { Scenario.parse(disc).planner(); } catch (error) { ({ code } = error); }
+    await collect(8);
+    const after = freed;
+    await init();
+    const planner = Scenario.parse(disc).planner({ seed: 5 });
+    while (planner.step(100) === "running");
+    console.log(JSON.stringify({ before, after, code, fingerprint: planner.fingerprint() }));`);
+  assert.equal(code, "internal");
+  assert.deepEqual([before, after], [4, 4], "freed before and after the trap");
+  assert.equal(fingerprint, await expectedFingerprint());
+});
+
+test("a core that is lost within a function ends all calls under way, and is not replaced before", async () => {
+  const glue = pathToFileURL(join(place, "planarium_glue.js")).href;
+  const { codes, within, calls, fingerprint } = await fresh(`
+    await init(bytes);
+    const { initSync: instance } = await import(${JSON.stringify(glue)});
+    const within = [];
+    let calls = 0;
+    const problem = new planarium.Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(rows, free) {
+      calls += 1;
+      free.fill(1);
+      new Uint8Array(instance().memory.buffer).fill(0xff);
+      for (const call of [() => Scenario.parse(disc).planner(), () => initSync(bytes)]) try { call(); } catch (error) { within.push(error.code); }
+    } });
+    const codes = [(await caught(() => problem.planner())).code, (await caught(() => Scenario.parse(disc))).code];
+    await init();
+    return { codes, within, calls, fingerprint: plan() };`);
+  assert.deepEqual([codes, calls], [["internal", "internal"], 1]);
+  assert.deepEqual(within, ["internal", "in-use"]);
   assert.equal(fingerprint, await expectedFingerprint());
 });

@@ -334,7 +334,7 @@ test("what is not for a robot, or beyond a car, is refused where it stands", () 
   fails(() => other({ speed: [0, 0.5] }).planner({ algorithm: "rrt", steering: "reeds-shepp" }), "unsupported", "/steering", /speed range does not allow/);
   fails(() => other({ speed: [-0.5, 0] }).planner({ algorithm: "rrt", steering: "dubins" }), "unsupported", "/steering");
   fails(() => other({ steering: [0, 0.5] }).planner({ algorithm: "rrt" }), "unsupported", "/steering", /cannot steer both left and right/);
-  fails(() => Scenario.parse({ ...body, queries: [{ ...body.queries[0], start: [1.2, 0.3, 0] }] }).planner(), "start-in-collision", "/queries/0/start", /part 0 touches obstacle 0/);
+  fails(() => Scenario.parse({ ...body, queries: [{ ...body.queries[0], start: [1.2, 0.3, 0] }] }).planner(), "start-in-collision", "/queries/0/start", /the body touches obstacle 0/);
   fails(() => cars.planner().query([1, 1, 0], [0.5, 1, 0]), "unsupported", "");
 });
 

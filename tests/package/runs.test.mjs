@@ -314,6 +314,28 @@ test("growth yields everything once, lets other tasks run in between, and is the
   assert.ok(ticks > 1, `${ticks} ticks`);
 });
 
+test("growth yields everything once where the loop steps the planner, too", async () => {
+  const scenario = Scenario.parse(arm);
+  for (const options of /** @type {const} */ ([{ algorithm: "prm", samples: 400, k: 5 }, { algorithm: "rrt-connect" }])) {
+    const whole = finish(scenario.planner({ ...options, seed: 1 }));
+    for (const [before, within] of [[0, 1], [3, 40], [0, 1e6]]) {
+      const planner = scenario.planner({ ...options, seed: 1 });
+      /** @type {[number[], number[], number[]]} */
+      const grown = [[], [], []];
+      const stream = planner.growth({ budget: 0 });
+      planner.step(before);
+      let last = "";
+      for await (const { vertices, edges, events, status } of stream) {
+        [vertices, edges, events].forEach((rows, i) => grown[i].push(...rows));
+        last = status;
+        planner.step(within);
+      }
+      assert.deepEqual(grown, [[...whole.verticesSince(0)], [...whole.edgesSince(0)], [...whole.eventsSince(0)]], `${within}`);
+      assert.equal(last, "solved");
+    }
+  }
+});
+
 test("growth ends at break, and the run can be continued; a freed planner has none", async () => {
   const planner = Scenario.parse(arm).planner({ algorithm: "prm", samples: 5000 });
   for await (const { iterations } of planner.growth({ budget: 0 })) if (iterations >= 3) break;
@@ -323,9 +345,7 @@ test("growth ends at break, and the run can be continued; a freed planner has no
     break;
   }
   for (const [budget, code] of /** @type {const} */ ([[NaN, "not-finite"], [-1, "out-of-range"]])) {
-    const growth = planner.growth({ budget });
-    await growth.next();
-    await assert.rejects(growth.next(), { code, pointer: "/ms" });
+    assert.throws(() => planner.growth({ budget }), { code, pointer: "/budget" });
   }
   assert.throws(() => planner.growth(/** @type {any} */ ({ buget: 4 })), { code: "unknown-field", pointer: "/buget" });
   assert.throws(() => planner.growth(/** @type {any} */ (4)), { code: "wrong-type" });

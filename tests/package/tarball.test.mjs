@@ -24,7 +24,7 @@ const textOf = (...path) => readFileSync(join(place, ...path), "utf8");
 test("the tarball holds exactly the files of the package", () => {
   const entries = readdirSync(place, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const names = entries.map((entry) => relative(place, join(entry.parentPath, entry.name))).sort();
-  const modules = ["callback", "catalogue", "core", "draw", "error", "functions", "growth", "guard", "node", "plain", "planarium", "planarium_glue", "runtime", "version", "worker", "worker-entry"];
+  const modules = ["callback", "catalogue", "core", "draw", "error", "functions", "growth", "guard", "handle", "node", "plain", "planarium", "planarium_glue", "runtime", "version", "worker", "worker-entry"];
   const declarations = ["core", "draw", "error", "functions", "planarium", "version", "worker", "worker-entry"];
   assert.deepEqual(names, [
     "CHANGELOG.md",

@@ -228,7 +228,7 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
 /** `planarium/draw` draws on a canvas, so that it needs the types of one. */
 const drawer = `
 import { Scenario, type ResultDocument } from "planarium";
-import { PlannerPool } from "planarium/worker";
+import { PlannerPool, type ProblemModule } from "planarium/worker";
 import {
   View, blendedPath, defaultColours, difference, drawEdges, drawObstacles, drawPath, drawRobot, drawWorld, isThin, motionCurves, obstaclePath, partPath, wrap,
   type Colours, type Context, type Curves,
@@ -236,7 +236,12 @@ import {
 
 export function inWorker(abort: AbortController): PlannerPool {
   const pool = new PlannerPool({ worker: () => new Worker("worker.js", { type: "module" }), core: new URL("https://example.org/planarium_bg.wasm") });
-  void pool.plan("{}", {}, { signal: abort.signal });
+  void pool.plan("{}", {}, { signal: abort.signal, onProgress: async ({ status }) => status });
+  const problem: ProblemModule = { module: new URL("https://example.org/robot.js"), export: "robot", arguments: [1, [2]] };
+  void pool.plan(problem, { algorithm: "prm" });
+  void pool.growth({ module: "https://example.org/robot.js" });
+  // @ts-expect-error: a problem has functions
+  void pool.plan({ module: "https://example.org/robot.js", exprot: "robot" });
   return pool;
 }
 

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Worker } from "node:worker_threads";
-import { PlanariumError, Scenario } from "planarium";
+import { PlanariumError, Problem, Scenario } from "planarium";
 import { PlannerPool } from "planarium/worker";
 import { chromium } from "playwright-core";
 import { root } from "../../scripts/run.mjs";
@@ -127,6 +127,70 @@ test("a loop that breaks off, and a listener that throws, end the run, and the w
   }, { workers: 1, worker: workerOf("", sent) });
 });
 
+test("a listener may be asynchronous: the next slice waits for it, its rejection is the plan's, and a signal does not wait for it", () => within(async (pool) => {
+  /** @type {string[]} */
+  const log = [];
+  const slow = async () => {
+    log.push("begun");
+    await new Promise((resolve) => setImmediate(resolve));
+    log.push("ended");
+  };
+  assert.equal((await pool.plan(arm, { algorithm: "prm", samples: 300 }, { onProgress: slow, budget: 0 })).status, "solved");
+  assert.ok(log.length > 10);
+  assert.ok(log.every((word, i) => word === ["begun", "ended"][i % 2]), "one after the other");
+  const reason = new RangeError("mine");
+  await assert.rejects(pool.plan(arm, long, { onProgress: async () => { throw reason; } }), reason);
+  const controller = new AbortController();
+  const enough = new Error("enough");
+  await assert.rejects(pool.plan(arm, long, { signal: controller.signal, onProgress: () => new Promise(() => controller.abort(enough)) }), enough);
+  const lost = new PlannerPool();
+  await assert.rejects(lost.plan(arm, long, { onProgress: () => new Promise(() => lost.terminate()) }), { code: "freed" });
+}, { workers: 1 }));
+
+test("messages that are not the pool's are ignored, on both sides", async () => {
+  const foreign = `for (const message of [null, 7, "text", {}, [], { run: 0 }, { run: 0, fault: null }, { run: 0, growth: {} }, { run: 99, fault: { code: "internal" } }, { run: 99, thrown: [1] }]) parentPort.postMessage(message);`;
+  /** @type {any} */
+  let worker;
+  await within(async (pool) => {
+    const planned = pool.plan(arm, { algorithm: "prm" }, { budget: 0 });
+    for (const message of [null, 7, "text", {}, { run: 99 }, { run: 99, isOver: true }]) worker.postMessage(message);
+    assert.equal((await planned).status, "solved");
+  }, { worker: () => (worker = workerOf(foreign)()) });
+  await within((pool) => assert.rejects(pool.plan(arm), { name: "PlanariumError", code: "init-failed" }), { worker: () => ({ postMessage: 1 }) });
+});
+
+test("a problem is planned for where its functions come from a module", () => within(async (pool) => {
+  const text = `const space = { coordinates: [{ kind: "interval", low: -2, high: 2 }, { kind: "interval", low: -2, high: 2 }] };
+    export const around = (radius, box) => ({
+      space, start: [-1.5, 0], goal: [1.5, 0],
+      clearance(rows, clearances) { for (let i = 0; i < clearances.length; i += 1) clearances[i] = Math.sqrt(rows[2 * i] ** 2 + rows[2 * i + 1] ** 2) - radius - box.get("grown"); },
+    });
+    export default { space, start: [-1.5, 0], goal: [1.5, 0], isFree(rows, free) { free.fill(1); } };
+    export const late = async () => { throw new RangeError("late"); };
+    export const failing = { space, start: [-1.5, 0], goal: [1.5, 0], calls: undefined, isFree(rows, free) { free.fill(1); if ((this.made = (this.made ?? 0) + free.length) > 50) throw new RangeError("mine"); } };
+    export const unsendable = { space, start: [-1.5, 0], goal: [1.5, 0], isFree() { throw () => 1; } };`;
+  const module = `data:text/javascript,${encodeURIComponent(text)}`;
+  const { around } = await import(module);
+  const options = /** @type {const} */ ({ algorithm: "rrt-star", seed: 3, improveIterations: 50 });
+  const box = new Map([["grown", 0.25]]);
+  const planner = new Problem(around(0.75, box)).planner(options);
+  const expected = finish(planner).result();
+  let vertices = 0;
+  let result = null;
+  for await (const growth of pool.growth({ module: new URL(module), export: "around", arguments: [0.75, box] }, options, { budget: 1 })) {
+    vertices += growth.vertices.length / 2;
+    result = growth.result;
+  }
+  assert.ok(result);
+  assert.deepEqual(untimed(result), untimed(expected));
+  assert.equal(vertices, planner.vertexCount);
+  assert.equal((await pool.plan({ module })).edge_check, "sampled");
+  await assert.rejects(pool.plan({ module, export: "late" }), { name: "RangeError", message: "late" });
+  await assert.rejects(pool.plan({ module, export: "failing" }, { algorithm: "prm" }), { name: "RangeError", message: "mine" });
+  await assert.rejects(pool.plan({ module, export: "unsendable" }), { name: "PlanariumError", code: "callback-failed" });
+  await assert.rejects(pool.plan({ module }, { algorithm: "sst" }), { code: "unsupported", pointer: "/algorithm" });
+}, { workers: 1 }));
+
 test("errors have their code and pointer", () => within(async (pool) => {
   for (const [scenario, options, settings, expected] of /** @type {[any, any, any, object][]} */ ([
     [{ ...disc, robot: { type: "disc", radius: -1 } }, {}, {}, { code: "out-of-range", pointer: "/robot/radius" }],
@@ -135,7 +199,20 @@ test("errors have their code and pointer", () => within(async (pool) => {
     [arm, { improveIteration: 1 }, {}, { code: "unknown-parameter", pointer: "/improveIteration" }],
     [arm, { get seed() { throw new Error("unreadable"); } }, {}, { code: "wrong-type", message: /unreadable/ }],
     [() => arm, {}, {}, { code: "wrong-type" }],
-    [arm, {}, { budget: NaN }, { code: "not-finite", pointer: "/ms" }],
+    [arm, { seed: () => 1 }, {}, { code: "wrong-type", pointer: "/seed" }],
+    [arm, {}, { budget: () => 8 }, { code: "wrong-type", pointer: "/budget" }],
+    [arm, {}, 8, { code: "wrong-type", message: /settings must be an object/ }],
+    [arm, {}, new AbortController().signal, { code: "wrong-type", message: /AbortSignal/ }],
+    [new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree() {} }), {}, {}, { code: "unsupported", message: /module/ }],
+    [{ space: {}, isFree() {} }, {}, {}, { code: "unsupported", message: /module/ }],
+    [{ module: "./robot.js" }, {}, {}, { code: "wrong-type", pointer: "/module", message: /import\.meta\.url/ }],
+    [{ module: "data:text/javascript,", export: 1 }, {}, {}, { code: "wrong-type", pointer: "/export" }],
+    [{ module: "data:text/javascript,", arguments: [() => 1] }, {}, {}, { code: "wrong-type", pointer: "/arguments" }],
+    [{ module: "data:text/javascript,", name: "x" }, {}, {}, { code: "unknown-field", pointer: "/name" }],
+    [{ module: "file:///missing.mjs" }, {}, {}, { code: "module-failed", pointer: "/module", message: /missing\.mjs/ }],
+    [{ module: "data:text/javascript,export const a = 1, b = 2", export: "c" }, {}, {}, { code: "module-failed", pointer: "/export", message: /"c"; it has a, b/ }],
+    [{ module: "data:text/javascript,export default { start: [0] }" }, {}, {}, { code: "missing-field", pointer: "/space" }],
+    [arm, {}, { budget: NaN }, { code: "not-finite", pointer: "/budget" }],
     [arm, {}, { signal: new AbortController() }, { code: "wrong-type", pointer: "/signal" }],
     [arm, {}, { onProgress: 1 }, { code: "wrong-type", pointer: "/onProgress" }],
     [arm, {}, { bugdet: 1 }, { code: "unknown-field", pointer: "/bugdet" }],
@@ -149,6 +226,7 @@ test("errors have their code and pointer", () => within(async (pool) => {
   }
   assert.equal((await pool.plan(arm)).status, "solved");
   assert.throws(() => new PlannerPool({ workers: 0 }), { code: "out-of-range", pointer: "/workers" });
+  for (const wrong of /** @type {any[]} */ ([4, "4", [4], new Map([["workers", 4]])])) assert.throws(() => new PlannerPool(wrong), { name: "PlanariumError", code: /wrong-type|unknown-field/ });
   assert.throws(() => new PlannerPool(/** @type {any} */ ({ worker: null, threads: 1 })), { code: "unknown-field", pointer: "/threads" });
 }, { workers: 1 }));
 
@@ -177,6 +255,17 @@ test("a worker or a core that cannot be loaded is an error, and is tried again",
   for (const core of [new Uint8Array(8), () => {}]) await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed" }), { core });
   await within((pool) => assert.rejects(pool.plan(arm), { code: "init-failed", message: /none/ }), { worker: () => { throw new Error("none"); } });
 });
+
+test("a method without its pool is refused", () => within(async (pool) => {
+  const { plan, growth, terminate } = pool;
+  for (const self of /** @type {any[]} */ ([undefined, null, 5, {}, PlannerPool.prototype, new Proxy(pool, {})])) {
+    await assert.rejects(plan.call(self, arm), { name: "PlanariumError", code: "illegal-invocation" });
+    await assert.rejects(growth.call(self, arm).next(), { code: "illegal-invocation" });
+    assert.throws(() => terminate.call(self), { code: "illegal-invocation" });
+    assert.throws(() => pool[Symbol.dispose].call(self), { code: "illegal-invocation" });
+  }
+  assert.equal((await pool.plan(arm)).status, "solved");
+}));
 
 test("terminate ends what runs, in the middle of a slice too, and there is no further run", async () => {
   const pool = new PlannerPool();

@@ -151,11 +151,37 @@ test("embedded it shows the stage only, takes no focus and obeys orders", () => 
     [{ planarium: "load", scene: "nowhere" }, "unknown-scene", "/scene"],
     [{ planarium: "load", document: { format: "planarium-scenario-1" } }, "missing-field", "/name"],
     [{ planarium: "seek", iteration: "soon" }, "wrong-type", "/iteration"],
-    [{ planarium: "dance" }, "unknown-order", "/planarium"],
+    [{ planarium: "dance" }, "unknown-order", "/planarium"], [{ planarium: "toString" }, "unknown-order", "/planarium"],
+    [{ planarium: "load", scene: "firs", algorithm: "rtr" }, "unknown-planner", "/algorithm"],
+    [{ planarium: "load", scene: "firs", algorithm: 7 }, "wrong-type", "/algorithm"],
+    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: { setp: 1 } }, "unknown-parameter", "/settings/setp"],
+    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: [1] }, "wrong-type", "/settings"],
+    [{ planarium: "load", scene: "firs", query: "nowhere" }, "unknown-query", "/query"],
+    [{ planarium: "load", scene: "firs", iteration: -1 }, "out-of-range", "/iteration"],
+    [{ planarium: "load", scene: "firs", play: 1 }, "wrong-type", "/play"],
+    [{ planarium: "load", scene: "firs", seting: {} }, "unknown-field", "/seting"],
+    [{ planarium: "load", scene: "firs", document: {} }, "duplicate-field", "/document"],
+    [{ planarium: "load" }, "unknown-scene", "/scene"], [{ planarium: "load", document: "{}" }, "wrong-type", "/document"],
+    [{ planarium: "seek" }, "missing-field", "/iteration"], [{ planarium: "step", count: 0.5 }, "wrong-type", "/count"],
   ])) {
     const { fault } = await order(message);
-    assert.deepEqual([fault.code, fault.pointer], [code, pointer], JSON.stringify(fault));
+    assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
   }
+  assert.deepEqual((({ iteration, lanes: [{ algorithm }] }) => [algorithm, iteration > 12])(await ask()), ["rrt", true], "what was open is open");
+  // What only the core can refuse has left the open scene.
+  for (const [message, code, pointer] of /** @type {[object, string, string][]} */ ([
+    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: { step: -1 } }, "out-of-range", "/settings/step"],
+    [{ planarium: "load", scene: "firs", algorithm: "sst" }, "unsupported", "/algorithm"],
+    [{ planarium: "play" }, "unsupported", "/algorithm"], [{ planarium: "seek", iteration: 3 }, "unsupported", "/algorithm"],
+  ])) {
+    const { fault } = await order(message);
+    assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
+  }
+  assert.equal((await ask()).refusal.code, "unsupported");
+  const settled = (await order({ planarium: "load", scene: "rings", settings: { seed: 9 }, iteration: 5 })).value;
+  assert.deepEqual([settled.lanes[0].algorithm, settled.iteration, settled.refusal], ["prm", 5, null], "settings alone are those of the scene's planner");
+  const [first, second] = await Promise.all([order({ planarium: "load", scene: "firs" }), order({ planarium: "load", scene: "rings", iteration: 3 })]);
+  assert.deepEqual([first.fault?.code, second.value?.iteration], ["superseded", 3]);
   await frame.focus("#stage");
   await page.keyboard.press("Escape");
   await page.waitForFunction("told.some(({ planarium }) => planarium === 'escape')");

@@ -191,8 +191,8 @@ test("Escape cancels a gesture, an obstacle stays on the sheet, nothing covers t
 
 test("a start in collision is marked and named, planning is refused, and continues once it is moved", () => onPlain(async (page, at) => {
   await drag(page, [at(0.5, 0.5), at(-0.75, 0.7)]);
-  await until(page, "touching", "The start is in collision: disc touches obstacle 0.");
-  await textMatches(page, "#story", /start is in collision: disc touches obstacle 0/);
+  await until(page, "touching", "The start is in collision: the disc touches obstacle 0.");
+  await textMatches(page, "#story", /start is in collision: the disc touches obstacle 0/);
   assert.equal((await counters(page)).status, "none");
   assert.ok(await page.isDisabled("#play"));
   assert.ok(await page.isHidden("#notice"), "said where the hand is, not above the stage");
@@ -201,7 +201,7 @@ test("a start in collision is marked and named, planning is refused, and continu
   await page.click("#editor-fold > summary");
   await page.waitForSelector("#notice[data-code=start-in-collision]");
   await page.click("#edit");
-  await until(page, "touching", "The start is in collision: disc touches obstacle 0.");
+  await until(page, "touching", "The start is in collision: the disc touches obstacle 0.");
   const again = await plane(page, 1);
   await drag(page, [again(-0.8, 0.7), again(-0.3, 0.7)]);
   await until(page, "touching", "");

@@ -151,7 +151,7 @@ test("words speak of the body and of the car; axe finds nothing with a car at it
   await page.fill("#pose-0-number", "1.2");
   await page.press("#pose-0-number", "Tab");
   await page.waitForSelector("#touching[data-free=false]");
-  assert.match(await page.innerText("#touching"), /^Body touches obstacle \d/);
+  assert.match(await page.innerText("#touching"), /^The body touches obstacle \d/);
   await chooseScene(page, "parking");
   assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*car/);
   assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the car\u2019s rear axle");
@@ -240,7 +240,7 @@ test("by hand a body is moved from anywhere, and turned by the place before it",
   await valueWithin(page, "pose-2-number", Math.PI / 2 - 0.05, Math.PI / 2 + 0.05);
   await drag(page, [at(-0.2, -0.6), at(0, 0.3)]);
   await page.waitForSelector("#touching[data-free=false]");
-  assert.equal(await page.innerText("#touching"), "Body touches obstacle 0.");
+  assert.equal(await page.innerText("#touching"), "The body touches obstacle 0.");
   await drag(page, [at(0, 0.3), at(0.5, -0.4)]);
   await textMatches(page, "#story", /You reached the goal, with one collision on the way/);
 }));

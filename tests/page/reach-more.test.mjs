@@ -136,7 +136,7 @@ test("a body goes from A to B in a straight line, is dragged and turned, and kno
   assert.ok(Math.abs(turned[2] - Math.PI / 36) < 1e-12 && Math.abs(turned[0] - moved[0] - 0.024) < 1e-9, `${turned}`);
   await click(page, "#mode-between");
   assert.equal(await page.getAttribute("#between", "data-hit"), String(scenario.firstHit(start, goal)));
-  assert.match(await page.innerText("#story"), /^The body moves 2\.06 m, and theta turns 3\.14 rad the short way round\. The motion collides after \d+\s%: body touches obstacle \d\.$/);
+  assert.match(await page.innerText("#story"), /^The body moves 2\.06 m, and theta turns 3\.14 rad the short way round\. The motion collides after \d+\s%: the body touches obstacle \d\.$/);
   for (let i = 0; i < 10; i++) await click(page, "#between-step-10");
   assert.ok(scenario.distance(await poseOf(page), goal) < 1e-9);
   await click(page, "#rounds button[data-direction=long]");

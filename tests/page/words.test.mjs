@@ -37,6 +37,24 @@ function marksAt(planner, iteration) {
   return marks;
 }
 
+test("a page that says which button to press has it", async () => {
+  for (const [path, tabs] of /** @type {const} */ ([["prm-rl.html", ["#part-train", "#part-compare"]], ["experiments.html", []], ["reach.html", ["#mode-motion", "#mode-ik"]], ["trajectories.html", []], ["neighbours.html", []], ["fleet.html", []], ["", []]])) {
+    await onPage({ reducedMotion: "reduce" }, async (page) => {
+      let named = 0;
+      for (const tab of ["", ...tabs]) {
+        await page.waitForSelector("body[data-state=ready]");
+        if (tab !== "") await page.click(tab);
+        const said = await page.locator("main").innerText();
+        for (const [, name] of said.matchAll(/\b[Pp]ress \u201c?([A-Z]\w+)\u201d?(?=[.:,])/g)) {
+          named += 1;
+          assert.ok(await page.getByRole("button", { name, exact: true }).filter({ visible: true }).count() > 0, `${path}${tab}: there is no button ${name}`);
+        }
+      }
+      if (path === "prm-rl.html") assert.equal(named, 2, "Train and Run");
+    }, { path });
+  }
+});
+
 test("lit are the lines that the iteration shown went through", () => onPausedPage(async (page) => {
   for (const id of ["stones", "trap", "shelf", "museum"]) {
     const entry = sceneOf(id);

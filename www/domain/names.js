@@ -46,7 +46,7 @@ export function obstacleName(obstacle) { return `obstacle ${obstacle}`; }
 /** The collisions of a check in words, without a full stop. @param {Scenario} scenario @param {Check} check */
 export function touchingSentence(scenario, check) {
   const pairs = check.touching.map(({ part, obstacle }) => {
-    const name = partName(scenario, part);
+    const name = scenario.robot === "arm" ? partName(scenario, part) : `the ${partName(scenario, part)}`;
     return obstacle === "bounds" ? `${name} leaves the bounds` : `${name} touches ${obstacleName(obstacle)}`;
   });
   if (pairs.length > 3) return `${pairs.slice(0, 3).join(", ")} and ${pairs.length - 3} more`;

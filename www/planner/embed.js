@@ -7,40 +7,104 @@ import { paced } from "../app/paced.js";
 import { SCENES } from "./scenes/scenes.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { Settings, State } from "../domain/types.js" */
+/** @import { SceneEntry, Settings, State } from "../domain/types.js" */
 
 /** Milliseconds between two states that are posted. */
 const PAUSE = 100;
 
 /** @typedef {{ planarium: string, id?: unknown, scene?: string, document?: object, algorithm?: string, settings?: Settings, query?: string, iteration?: number, play?: boolean, count?: number }} Order */
 
+/** The fields of each order beside `planarium` and `id`, with their types. @type {Record<string, Record<string, "string" | "object" | "boolean" | "whole">>} */
+const ORDERS = {
+  load: { scene: "string", document: "object", algorithm: "string", settings: "object", query: "string", iteration: "whole", play: "boolean" },
+  play: {}, pause: {}, step: { count: "whole" }, seek: { iteration: "whole" }, state: {},
+};
+
 /** @param {State | null} state */
 function numbersOf(state) {
   if (!state) return null;
-  const { playing, settled, sentence, clock, lanes } = state;
-  return { playing, settled, sentence, iteration: lanes[0].iteration, clock, lanes };
+  const { playing, settled, sentence, clock, lanes, refusal } = state;
+  return { playing, settled, sentence, iteration: lanes[0].iteration, clock, lanes, refusal };
+}
+
+/** An error with a code and a pointer. @param {string} code @param {string} pointer @param {string} message */
+const fault = (code, pointer, message) => Object.assign(new Error(message), { code, pointer });
+
+/** Refuses an order that is unknown, or has a field that is unknown or of another type. @param {Order} order */
+function check(order) {
+  if (!Object.hasOwn(ORDERS, order.planarium)) throw fault("unknown-order", "/planarium", `There is no order "${order.planarium}".`);
+  const fields = ORDERS[order.planarium];
+  for (const [name, value] of Object.entries(order)) {
+    if (name === "planarium" || name === "id" || value === undefined) continue;
+    if (!Object.hasOwn(fields, name)) throw fault("unknown-field", `/${name}`, `The order "${order.planarium}" has no field "${name}".`);
+    const type = fields[name];
+    const [isRight, wanted] = type === "whole" ? [Number.isSafeInteger(value), "a whole number"]
+      : type === "object" ? [typeof value === "object" && value !== null && !Array.isArray(value), "an object"]
+        : [typeof value === type, `a ${type}`];
+    if (!isRight) throw fault("wrong-type", `/${name}`, `"${name}" must be ${wanted}, not ${JSON.stringify(value)}.`);
+  }
+  if (typeof order.iteration === "number" && order.iteration < 0) throw fault("out-of-range", "/iteration", `"iteration" must be at least 0, not ${order.iteration}.`);
+  if (order.planarium === "seek" && order.iteration === undefined) throw fault("missing-field", "/iteration", `The order "seek" needs an "iteration".`);
 }
 
 /** Answers the messages of the parent. @param {Page} page */
 export function watchParent(page) {
+  /** What is loaded, checked as far as it can be before the open scene is left. @param {Order} order */
+  function wantedOf({ scene, document, algorithm, settings, query, iteration, play }) {
+    if (scene !== undefined && document !== undefined) throw fault("duplicate-field", "/document", "An order loads a scene or a document, not both.");
+    const entry = SCENES.find(({ id }) => id === scene);
+    if (!entry && document === undefined) throw fault("unknown-scene", "/scene", `There is no scene "${String(scene)}".`);
+    return { entry, document: document ?? {}, plans: plansOf(entry, algorithm, settings), query, iteration, play };
+  }
+
+  /** The settings are those of the planner that is named, or change those of the scene. @param {SceneEntry | undefined} entry @param {string | undefined} algorithm @param {Settings | undefined} settings */
+  function plansOf(entry, algorithm, settings) {
+    if (algorithm === undefined && settings === undefined) return undefined;
+    const chosen = algorithm ?? entry?.algorithm ?? page.panel.algorithm;
+    const known = page.panel.parametersOf(chosen).map(({ name }) => name);
+    if (known.length === 0) throw fault("unknown-planner", "/algorithm", `There is no planner "${chosen}".`);
+    const unknown = Object.keys(settings ?? {}).find((name) => !known.includes(name));
+    if (unknown !== undefined) throw fault("unknown-parameter", `/settings/${unknown}`, `The planner "${chosen}" has no setting "${unknown}"; it has ${known.join(", ")}.`);
+    return [{ algorithm: chosen, settings: { ...(algorithm === undefined ? entry?.settings : {}), ...settings } }];
+  }
+
+  /** Loads a scene. @param {Order} order */
+  async function load(order) {
+    const { entry, document, ...opening } = wantedOf(order);
+    const source = entry ? await page.sourceOf(entry) : { document };
+    const { query } = opening;
+    if (query !== undefined) {
+      const scenario = page.session.read(source);
+      const names = scenario.document().queries.map(({ name }) => name);
+      scenario.free();
+      if (!names.includes(query)) throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${names.join(", ")}.`);
+    }
+    await page.open(source, { entry, ...opening });
+    if (page.source !== source) throw fault("superseded", "", "Another scene was loaded meanwhile.");
+    return planned(Object.keys(order.settings ?? {}));
+  }
+
+  /** The state once everything is shown. @param {string[]} [settings]  the names of those that were loaded @throws {Error} if the run was refused */
+  async function planned(settings = []) {
+    const state = await page.arrived();
+    if (!state?.refusal) return numbersOf(state);
+    const { code, pointer, message } = state.refusal;
+    throw fault(code, settings.includes(pointer.split("/")[1]) ? `/settings${pointer}` : pointer, message);
+  }
+
   /** @param {Order} order @returns {Promise<unknown>} */
   async function execute(order) {
-    switch (order.planarium) {
-      case "load": {
-        const entry = SCENES.find(({ id }) => id === order.scene);
-        if (!entry && !order.document) throw Object.assign(new Error(`There is no scene "${String(order.scene)}".`), { code: "unknown-scene", pointer: "/scene" });
-        const { algorithm, settings = {}, query, iteration, play } = order;
-        const plans = algorithm ? [{ algorithm, settings }] : undefined;
-        await page.open(entry ? await page.sourceOf(entry) : { document: order.document ?? {} }, { entry, plans, query, iteration, play });
-        return numbersOf(await page.arrived());
-      }
-      case "play": return page.run(({ timeline }) => timeline.play());
-      case "pause": return page.run(({ timeline }) => timeline.pause());
-      case "step": return page.run(({ timeline }) => timeline.step(whole(order.count ?? 1, "count")));
-      case "seek": return page.run(({ timeline }) => timeline.seek(whole(order.iteration, "iteration")));
-      case "state": return numbersOf(await page.arrived());
-      default: throw Object.assign(new Error(`There is no order "${order.planarium}".`), { code: "unknown-order", pointer: "/planarium" });
-    }
+    check(order);
+    if (order.planarium === "load") return load(order);
+    if (order.planarium === "state") return numbersOf(await page.arrived());
+    if (order.planarium === "pause") return page.run(({ timeline }) => timeline.pause());
+    // There is no run that could be shown.
+    if (page.state?.refusal) await planned();
+    return page.run(({ timeline }) => {
+      if (order.planarium === "play") timeline.play();
+      else if (order.planarium === "step") timeline.step(order.count ?? 1);
+      else timeline.seek(/** @type {number} */ (order.iteration));
+    });
   }
 
   addEventListener("message", async ({ source, origin, data }) => {
@@ -66,10 +130,4 @@ export function watchParent(page) {
       window.parent.postMessage({ planarium: "escape" }, "*");
     });
   }
-}
-
-/** @param {unknown} value @param {string} name @returns {number} */
-function whole(value, name) {
-  if (typeof value === "number" && Number.isSafeInteger(value)) return value;
-  throw Object.assign(new Error(`\`${name}\` must be a whole number, not ${JSON.stringify(value)}.`), { code: "wrong-type", pointer: `/${name}` });
 }

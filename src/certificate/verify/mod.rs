@@ -11,6 +11,7 @@ use super::document::{Blocked, Certificate, Verdict};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon, Segment, Vector, convex_pieces};
 use crate::problem::Touched;
+use crate::robot::link_name;
 use crate::scenario::{Obstacle, Robot, Scenario};
 use std::f64::consts::{PI, TAU};
 
@@ -134,7 +135,12 @@ impl<'a> Verifier<'a> {
                 },
             };
             if !self.stays_near(blocked, &shapes, ranges, most, MOST_HALVINGS) {
-                return Err(format!("{name}: link {} is not proven to stay near {:?}", blocked.part, blocked.with));
+                let part = if self.arm.is_some() { link_name(blocked.part) } else { "the disc".into() };
+                let with = match blocked.with {
+                    Touched::Obstacle(i) => format!("obstacle {i}"),
+                    Touched::Bounds => "the bounds".into(),
+                };
+                return Err(format!("{name}: {part} is not proven to stay near {with}"));
             }
         }
         Ok(())

@@ -7,7 +7,7 @@ use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
 use super::{Examined, Scale, difference};
 use crate::geometry::Vector;
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::{Arm, MAX_LINKS, link_name};
 use crate::scenario::World;
 
 /// Examines the first waypoint, then every edge, then every blend, given with its waypoint.
@@ -50,8 +50,15 @@ pub(super) fn check(
             }
             joints
         };
-        let robot =
-            Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius: arm.radius(), body: None };
+        let robot = Moving {
+            stretch,
+            points: &points,
+            travel: &travel,
+            bulge: &bulge,
+            radius: arm.radius(),
+            body: None,
+            part_name: link_name,
+        };
         if i == 0 { checker.check_start(&robot)? } else { checker.check_edge(&robot)? }
     }
     Ok(checker.examined)

@@ -123,7 +123,8 @@ pub(super) fn check(
         let bent = 2.0 * (length(bend_x, bend_y) + bend_turn.abs() * reach);
         let bulge = vec![(turn * (leg.arc.abs() + turn * reach) + bent) / 8.0; count];
         let body = Some(shape.placed(leg.at(0.0)));
-        let robot = Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius: 0.0, body };
+        let part_name = |_| "the body".into();
+        let robot = Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius: 0.0, body, part_name };
         checker.check_start(&robot)?;
         checker.check_edge(&robot)?;
     }

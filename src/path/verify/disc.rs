@@ -53,7 +53,9 @@ pub(super) fn check(
         let travel = [speed(0.0).max(speed(2.0)); 2];
         let bulge = [libm::hypot(bend[0], bend[1]) / 4.0; 2];
         let stretch = Stretch::Blend(*waypoint);
-        checker.check_edge(&Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius, body: None })?;
+        let part_name = |_| "the disc".into();
+        let robot = Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius, body: None, part_name };
+        checker.check_edge(&robot)?;
     }
     examined.samples += checker.examined.samples;
     examined.clearance = examined.clearance.min(checker.examined.clearance);

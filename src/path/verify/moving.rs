@@ -48,13 +48,14 @@ pub(super) struct Moving<'a> {
     pub radius: f64,
     /// If the chain is the outline of a body, the body at the start of the edge.
     pub body: Option<Polygon>,
+    /// What sentences call the segment from a point on.
+    pub part_name: fn(usize) -> String,
 }
 
 impl Moving<'_> {
     /// The name of the segment from point `i` on, and of the edge.
     fn name(&self, i: usize) -> String {
-        let part = if self.body.is_some() { "the body".into() } else { format!("link {i}") };
-        format!("{}, {part}", self.stretch)
+        format!("{}, {}", self.stretch, (self.part_name)(i))
     }
 }
 

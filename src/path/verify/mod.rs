@@ -176,16 +176,17 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if paths of this robot are not measured as the result says.
+/// Returns an error if paths of this robot are not measured as the result says. One that was planned for in a space of one's own may have
+/// either metric of an arm.
 fn check_measure(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
-    use LengthMeasure::{EuclideanOfJoints, Metres, SumOfJoints, Weighted};
+    use LengthMeasure::{EuclideanOfJoints, Metres, Space, SumOfJoints, Weighted};
     let own: &[LengthMeasure] = match robot {
         Robot::Arm(_) => &[SumOfJoints, EuclideanOfJoints],
         Robot::Disc(_) | Robot::Car(_) => &[Metres],
         Robot::RigidBody(_) => &[Weighted],
     };
     match result.length_measure {
-        Some(given) if !own.contains(&given) => {
+        Some(given) if given != Space && !own.contains(&given) => {
             Err(format!("lengths of this robot are measured as {own:?}, not as {given:?}"))
         }
         _ => Ok(()),
@@ -311,7 +312,7 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
     let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
     let is_right = |given: f64, measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
     let norms: &[(Norm, &str)] = match (robot, result.length_measure) {
-        (Robot::Arm(_), None) => &[(&sum, " (sum of the joints) or "), (&own, "")],
+        (Robot::Arm(_), None | Some(LengthMeasure::Space)) => &[(&sum, " (sum of the joints) or "), (&own, "")],
         (Robot::Arm(_), Some(LengthMeasure::SumOfJoints)) => &[(&sum, "")],
         _ => &[(&own, "")],
     };

@@ -57,6 +57,10 @@ impl<const N: usize> Validity<[f64; N]> for JointLines<N> {
         self.proven.contacts(q)
     }
 
+    fn evaluation_nanoseconds(&self) -> u64 {
+        self.proven.evaluation_nanoseconds()
+    }
+
     fn clearance_evaluations(&self) -> u64 {
         self.proven.clearance_evaluations()
     }

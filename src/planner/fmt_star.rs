@@ -1,8 +1,8 @@
 //! FMT*: a wave of cheapest paths that runs once through a batch of samples, and proves one motion per new vertex.
 //!
 //! Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast marching sampling-based method for optimal motion planning in
-//! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, it goes on with
-//! twice as many samples from all of the tree, where the paper gives up.
+//! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, and
+//! the number of samples was not given, it goes on with twice as many from all of the tree, where the paper gives up.
 
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
@@ -19,11 +19,14 @@ use crate::space::Space;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// The number of samples to begin with if none is given.
+const DEFAULT_SAMPLES: usize = 1000;
+
 crate::options! {
     /// Options of FMT*.
     pub struct FmtStarOptions for crate::options::ALL;
-    /// Number of free samples: more shorten the path but take longer; without a path there are twice as many.
-    samples: usize = 1000, in 1.0..=1e6, "Samples";
+    /// Number of free samples: more find narrower passages and shorter paths but take longer.
+    samples: Option<usize>, in 1.0..=1e6, "Samples", else "1000, and twice as many again while there is no path";
     /// Which vertices are neighbours.
     nearness: Nearness;
     /// Where samples come from.
@@ -50,11 +53,15 @@ impl PlannerKind for FmtStarOptions {
             line(2, "y ← the open neighbour best for x", &[]),
             line(2, "if y – x is free: add it, x is open next", &[Mark::Edge]),
             line(2, "else: x waits for another one", &[Mark::Refused]),
-            line(1, "close z; if none is open: n ← 2 n", &[Mark::Expanded]),
+            line(1, "close z; if none is open: more samples", &[Mark::Expanded]),
             IMPROVE,
             END_NEAR,
         ],
     };
+
+    fn needed(&self) -> Option<[u64; 2]> {
+        self.samples.map(|samples| [samples as u64, samples as u64 + 2])
+    }
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let best = BestTree::new(problem);
@@ -62,12 +69,13 @@ impl PlannerKind for FmtStarOptions {
         for (vertex, state) in (START.0..).zip(best.growth.graph.states()) {
             index.insert(problem.space(), VertexId(vertex), state);
         }
-        let missing = self.samples;
+        let missing = self.samples.unwrap_or(DEFAULT_SAMPLES);
         let stages = vec![Stage::Waiting; Nearest::<S>::len(&index)];
         Ok(Box::new(FmtStar {
             near: Near::new(problem, self.nearness, NearRule::KNearest)?,
             sampler: self.sampling.sampler(problem.space(), seed),
             missing,
+            grows: self.samples.is_none(),
             refused: vec![Vec::new(); stages.len()],
             around: vec![Vec::new(); stages.len()],
             stages,
@@ -96,6 +104,8 @@ struct FmtStar<S: Space> {
     sampler: Box<dyn Sampler<S>>,
     /// How many samples are still to be drawn.
     missing: usize,
+    /// Whether there are twice as many samples where the wave ends without a path.
+    grows: bool,
     best: BestTree<S>,
     /// All vertices.
     index: Index,
@@ -141,6 +151,7 @@ impl<S: Space> FmtStar<S> {
             let state = self.best.growth.state(vertex);
             reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, around);
         }
+        self.best.growth.looked += around.len() as u64;
         let open = around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
         let by = |near: &Neighbour| self.best.tree.cost(near.vertex) + near.distance;
         let best = open.chain([&from]).min_by(|a, b| by(a).total_cmp(&by(b)).then(a.vertex.cmp(&b.vertex)));
@@ -194,6 +205,9 @@ impl<S: Space> Planner<S> for FmtStar<S> {
         }
         self.expand(problem, iteration, vertex);
         if self.open.is_empty() {
+            if !self.grows {
+                return Status::Exhausted;
+            }
             self.missing = self.stages.len();
         }
         Status::Running

@@ -142,7 +142,12 @@ impl<S: Space> Roadmap<S> {
     /// Expands a vertex, or tries an edge of the best path.
     fn step(&mut self, problem: &Problem<S>, iteration: u32) -> Step {
         let search = &mut self.candidates_mut().search;
-        match search.step() {
+        let before = search.looked();
+        let expansion = search.step();
+        let looked = search.looked() - before;
+        self.growth.looked += looked;
+        let search = &mut self.candidates_mut().search;
+        match expansion {
             Expansion::Vertex(vertex) => {
                 self.growth.counters.visited += 1;
                 Step::Expanded(vertex)
@@ -260,7 +265,7 @@ impl<S: Space> LazyPlanner<S> {
                 }
             }
             Step::Nothing => {
-                if !self.improves {
+                if !self.improves && !self.builder.grow(&mut self.roadmap, problem.space().dimension()) {
                     self.status = Status::Exhausted;
                 }
                 return self.status == Status::Exhausted;

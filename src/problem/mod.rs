@@ -9,7 +9,7 @@ mod validity;
 
 pub use clearance::{ClearanceValidity, Evaluate};
 pub use dynamics::{Control, Dynamics, Motion};
-pub use report::{Phase, Stats, Status};
+pub use report::{Phase, Reason, Stats, Status};
 pub use sampled::{Sampled, Samples};
 pub use validity::{Contact, Touched, Validity};
 

@@ -22,6 +22,11 @@ use std::collections::BinaryHeap;
 /// The number of samples to begin with if none is given.
 const DEFAULT_SAMPLES: usize = 1000;
 
+/// The most motions that an iteration tries.
+const MOST_TRIED: usize = 256;
+/// About the most neighbours that an iteration looks at.
+const MOST_LOOKED: u64 = 50_000;
+
 crate::options! {
     /// Options of FMT*.
     pub struct FmtStarOptions for crate::options::ALL;
@@ -82,7 +87,7 @@ impl PlannerKind for FmtStarOptions {
             open: BinaryHeap::new(),
             best,
             index,
-            found: Vec::new(),
+            expanding: None,
         }))
     }
 }
@@ -98,7 +103,7 @@ enum Stage {
     Closed,
 }
 
-/// The planner. An iteration draws one sample or expands one vertex.
+/// The planner. An iteration draws one sample or expands one vertex; one with very many neighbours in several iterations.
 struct FmtStar<S: Space> {
     near: Near,
     sampler: Box<dyn Sampler<S>>,
@@ -116,7 +121,18 @@ struct FmtStar<S: Space> {
     open: BinaryHeap<Reverse<(u64, VertexId)>>,
     /// By vertex: the neighbours of one that waits, once the wave has met it.
     around: Vec<Vec<Neighbour>>,
-    found: Vec<Neighbour>,
+    /// The vertex whose expansion goes on.
+    expanding: Option<Expanding>,
+}
+
+/// A vertex that is being expanded.
+struct Expanding {
+    vertex: VertexId,
+    reach: Reach,
+    /// The neighbours that are still to be tried.
+    found: std::vec::IntoIter<Neighbour>,
+    /// Those that it has become the parent of, or another open vertex.
+    joined: Vec<VertexId>,
 }
 
 impl<S: Space> FmtStar<S> {
@@ -158,35 +174,46 @@ impl<S: Space> FmtStar<S> {
         *best.expect("there is at least one")
     }
 
-    /// Expands a vertex.
-    fn expand(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
+    /// Begins to expand a vertex: finds its neighbours.
+    fn begin(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) -> Expanding {
         let state = self.best.expand(iteration, vertex);
+        let mut found = Vec::new();
         let reach = self.near.in_march(self.stages.len());
-        let mut found = std::mem::take(&mut self.found);
         reach.find(problem, &mut self.best.growth, &self.index, Direction::Out, &state, &mut found);
-        let mut joined = Vec::new();
-        for near in &found {
+        Expanding { vertex, reach, found: found.into_iter(), joined: Vec::new() }
+    }
+
+    /// Goes on with the expansion of a vertex; keeps it for the next iteration if it is not done. The costs of the open vertices stay, so
+    /// it does not matter where it is divided.
+    fn expand(&mut self, problem: &Problem<S>, iteration: u32, mut at: Expanding) {
+        let (mut tried, looked) = (0, self.best.growth.looked);
+        while let Some(near) = at.found.next() {
             let to = near.vertex.index();
             if self.stages[to] != Stage::Waiting {
                 continue;
             }
-            let parent = self.parent(problem, reach, near.vertex, Neighbour { vertex, distance: near.distance });
+            let from = Neighbour { vertex: at.vertex, distance: near.distance };
+            let parent = self.parent(problem, at.reach, near.vertex, from);
             if self.refused[to].contains(&parent.vertex) {
                 continue;
             }
             if self.best.try_parent(problem, iteration, near.vertex, parent) {
                 self.around[to] = Vec::new();
-                joined.push(near.vertex);
+                at.joined.push(near.vertex);
             } else {
                 self.refused[to].push(parent.vertex);
             }
+            tried += 1;
+            if tried == MOST_TRIED || self.best.growth.looked - looked > MOST_LOOKED {
+                self.expanding = Some(at);
+                return;
+            }
         }
-        self.found = found;
-        self.stages[vertex.index()] = Stage::Closed;
-        for &vertex in &joined {
+        self.stages[at.vertex.index()] = Stage::Closed;
+        for &vertex in &at.joined {
             self.best.approach(vertex, problem.distance_to_goal(self.best.growth.graph.state(vertex)));
         }
-        self.open_all(joined);
+        self.open_all(at.joined);
     }
 }
 
@@ -196,15 +223,21 @@ impl<S: Space> Planner<S> for FmtStar<S> {
             self.sample(problem, iteration);
             return Status::Running;
         }
-        let Some(Reverse((_, vertex))) = self.open.pop() else {
-            unreachable!("vertices are open, or samples are missing")
+        let at = match self.expanding.take() {
+            Some(at) => at,
+            None => {
+                let Some(Reverse((_, vertex))) = self.open.pop() else {
+                    unreachable!("vertices are open, or samples are missing")
+                };
+                if goals(problem).any(|(goal, _)| vertex == goal) {
+                    self.best.note(problem, iteration);
+                    return Status::Solved;
+                }
+                self.begin(problem, iteration, vertex)
+            }
         };
-        if goals(problem).any(|(goal, _)| vertex == goal) {
-            self.best.note(problem, iteration);
-            return Status::Solved;
-        }
-        self.expand(problem, iteration, vertex);
-        if self.open.is_empty() {
+        self.expand(problem, iteration, at);
+        if self.expanding.is_none() && self.open.is_empty() {
             if !self.grows {
                 return Status::Exhausted;
             }

@@ -113,10 +113,7 @@ struct Guarding<S: Space> {
     sampler: Box<dyn Sampler<S>>,
     guards: Vec<VertexId>,
     components: UnionFind,
-    /// The most motions that an iteration tries.
-const MOST_MOTIONS: usize = 256;
-
-/// The number of samples in a row without a new guard after which the roadmap is complete.
+    /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
     /// Whether there are twice as many where start and goal are not connected.
     grows: bool,

@@ -113,6 +113,7 @@ impl<S: Space> Growth<S> {
         let mut useless = None;
         for _ in 0..DRAWS {
             let target = draw(self)?;
+            self.looked += u64::from(bound < f64::INFINITY);
             if bound == f64::INFINITY || problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
                 return Some(target);
             }

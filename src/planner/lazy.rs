@@ -104,7 +104,10 @@ impl<S: Space> Roadmap<S> {
             let [from, to] = search.edges()[edge as usize].ends;
             [from, to] == ends || (space.is_symmetric() && [to, from] == ends)
         };
-        if !search.edges_at(ends[0]).any(is_same) {
+        let mut looked = 1;
+        let is_there = search.edges_at(ends[0]).inspect(|_| looked += 1).any(is_same);
+        self.growth.looked += looked;
+        if !is_there {
             self.add_edge(Edge { ends, cost: self.cost(space, ends), state: EdgeState::Assumed });
         }
     }

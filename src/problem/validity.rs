@@ -58,7 +58,7 @@ pub trait Validity<S> {
     /// About how long an evaluation takes, in nanoseconds on one core: its part in the work that limits count. The default is that of a
     /// distance between two simple shapes.
     fn evaluation_nanoseconds(&self) -> u64 {
-        15
+        20
     }
 
     /// How many motions have been refused so far because the budget of their proof was spent. The default is 0.

@@ -194,7 +194,11 @@ fn steps(arguments: &Arguments) {
             }
             let ended = run.reason().map_or(run.status().as_str(), |reason| reason.as_str());
             let (ms, work) = (total * 1e3, before.work);
-            print!("| {name} | {id} | {ended} | {} | {work} | {ms:.1} | {:.2} ", run.iterations(), ms / work as f64 * 1e3);
+            print!(
+                "| {name} | {id} | {ended} | {} | {work} | {ms:.1} | {:.2} ",
+                run.iterations(),
+                ms / work as f64 * 1e3
+            );
             println!("| {:.2} | {heaviest} | {motions} |", longest * 1e3);
         }
     }

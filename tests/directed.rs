@@ -83,7 +83,11 @@ fn prm(
     search: Algorithm,
 ) -> Box<dyn Planner<Car>> {
     let searching = Searching { search, ..Searching::default() };
-    begin(&PrmOptions { samples: Some(samples), k: Some(6), insertion, discard, searching, ..PrmOptions::default() }, problem, seed)
+    begin(
+        &PrmOptions { samples: Some(samples), k: Some(6), insertion, discard, searching, ..PrmOptions::default() },
+        problem,
+        seed,
+    )
 }
 
 fn lazy_prm(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {

@@ -2,7 +2,9 @@
 //! history of a longer run.
 
 use crate::common::documents::named;
-use crate::common::{assert_valid, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, no_way, options, parse};
+use crate::common::{
+    assert_valid, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, no_way, options, parse,
+};
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::planner::Termination;
@@ -112,18 +114,90 @@ fn a_run_without_a_path_says_why() {
     document["queries"][0]["goal"] = json!([0.7, 0.3, 0]);
     let shut_in = parse(&document.to_string());
     let endings: [Ending; 12] = [
-        (no_way(), "rrt", "max_iterations=1300", Reason::IterationLimit, "gave up after 1,300 iterations without a path (max_iterations)"),
-        (no_way(), "rrt-connect", "max_work=2000", Reason::WorkLimit, "gave up after 2,000 units of work without a path (max_work)"),
-        (no_way(), "prm", "max_work=20", Reason::WorkLimit, "gave up after 20 units of work without a path (max_work), before the roadmap was searched"),
-        (disc_and_wall(0.3, 0.5), "rrt-star", "stop_evaluations=50", Reason::EvaluationLimit, "gave up after 50 clearance evaluations without a path (stop_evaluations)"),
-        (no_way(), "rrt", "vertices=40", Reason::VertexLimit, "gave up with a tree of 40 vertices without a path (vertices)"),
-        (car_shut_in(0.1), "rrt-control", "vertices=40", Reason::VertexLimit, "gave up with a tree of 40 vertices without a path (vertices)"),
-        (shut_in, "rrt-control", "controls=reeds-shepp once=true blocked=refused duration_steps=250", Reason::NothingToExtend, "gave up: no vertex of the tree may be extended again"),
-        (no_way(), "prm", "samples=40", Reason::NotConnected, "start and goal are not connected in this roadmap of 42 vertices"),
-        (no_way(), "prm", "samples=40 insertion=one-by-one", Reason::NotConnected, "start and goal are not connected in this roadmap of 42 vertices"),
-        (no_way(), "prm-star", "samples=40", Reason::NotConnected, "start and goal are not connected in this roadmap of 42 vertices"),
-        (no_way(), "lazy-prm", "samples=40", Reason::NotConnected, "start and goal are not connected in this roadmap of 42 vertices"),
-        (no_way(), "fmt-star", "samples=40", Reason::NotConnected, "start and goal are not connected in this roadmap of 42 vertices"),
+        (
+            no_way(),
+            "rrt",
+            "max_iterations=1300",
+            Reason::IterationLimit,
+            "gave up after 1,300 iterations without a path (max_iterations)",
+        ),
+        (
+            no_way(),
+            "rrt-connect",
+            "max_work=2000",
+            Reason::WorkLimit,
+            "gave up after 2,000 units of work without a path (max_work)",
+        ),
+        (
+            no_way(),
+            "prm",
+            "max_work=20",
+            Reason::WorkLimit,
+            "gave up after 20 units of work without a path (max_work), before the roadmap was searched",
+        ),
+        (
+            disc_and_wall(0.3, 0.5),
+            "rrt-star",
+            "stop_evaluations=50",
+            Reason::EvaluationLimit,
+            "gave up after 50 clearance evaluations without a path (stop_evaluations)",
+        ),
+        (
+            no_way(),
+            "rrt",
+            "vertices=40",
+            Reason::VertexLimit,
+            "gave up with a tree of 40 vertices without a path (vertices)",
+        ),
+        (
+            car_shut_in(0.1),
+            "rrt-control",
+            "vertices=40",
+            Reason::VertexLimit,
+            "gave up with a tree of 40 vertices without a path (vertices)",
+        ),
+        (
+            shut_in,
+            "rrt-control",
+            "controls=reeds-shepp once=true blocked=refused duration_steps=250",
+            Reason::NothingToExtend,
+            "gave up: no vertex of the tree may be extended again",
+        ),
+        (
+            no_way(),
+            "prm",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "prm",
+            "samples=40 insertion=one-by-one",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "prm-star",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "lazy-prm",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "fmt-star",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
     ];
     for (world, planner, settings, reason, explanation) in endings {
         let run = finish(begin_with(&world, planner, 1, settings));

@@ -1,7 +1,7 @@
 //! The planners: one line each. Their files declare everything else.
 
-use super::{Limits, Planner};
 use super::info::{PlannerInfo, PlannerKind};
+use super::{Limits, Planner};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Field, OptionInfo, Options, Value, out_of_range};
 use crate::problem::Problem;
@@ -115,7 +115,9 @@ impl PlannerOptions {
         match (given, self.needed()) {
             (Some(most), Some([samples, least])) if u64::from(most) < least => Err(out_of_range(
                 "max_iterations",
-                format!("max_iterations must be at least {least} for samples = {samples}, not {most}: {samples} samples cannot be drawn and connected in fewer"),
+                format!(
+                    "max_iterations must be at least {least} for samples = {samples}, not {most}: {samples} samples cannot be drawn and connected in fewer"
+                ),
             )),
             _ => Ok(()),
         }

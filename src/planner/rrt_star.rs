@@ -76,7 +76,7 @@ pub(super) const REWIRE: super::PseudocodeLine = line(1, "new ← parent of thos
 pub(super) const ARRIVE: super::PseudocodeLine = line(1, "within a step of the goal, try new – goal", &[Mark::Solved]);
 
 /// The most motions to neighbours that an iteration tries.
-const MOST_TRIED: usize = 256;
+const MOST_TRIED: usize = 1000;
 
 /// The planner. An iteration takes one sample; if very many neighbours are to be tried, the next ones go on with it.
 pub(super) struct RrtStar<S: Space> {
@@ -169,7 +169,8 @@ impl<S: Space> RrtStar<S> {
         let draw = |growth: &mut Growth<S>| self.aim.next(problem, iteration, growth);
         let target = self.best.growth.draw_within(problem, iteration, bound, draw)?;
         self.best.growth.counters.nearest_queries += 1;
-        let mut nearest = self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
+        let mut nearest =
+            self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
         let origin = self.best.growth.state(nearest.vertex);
         let mut state = target;
         if nearest.distance > self.step {
@@ -268,9 +269,9 @@ impl<S: Space> RrtStar<S> {
         let offering = match self.pending.take() {
             Some(Pending::Offering(offering)) => Some(offering),
             Some(Pending::Choosing(choosing)) => self.choose(problem, iteration, choosing, &mut left),
-            None => self
-                .begin(problem, iteration)
-                .and_then(|choosing| self.choose(problem, iteration, choosing, &mut left)),
+            None => {
+                self.begin(problem, iteration).and_then(|choosing| self.choose(problem, iteration, choosing, &mut left))
+            }
         };
         if let Some(offering) = offering {
             self.offer_all(problem, iteration, offering, left);

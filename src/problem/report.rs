@@ -66,7 +66,9 @@ impl Reason {
         match self {
             Self::IterationLimit => format!("gave up after {n} iterations without a path (max_iterations)"),
             Self::WorkLimit => format!("gave up after {n} units of work without a path (max_work)"),
-            Self::EvaluationLimit => format!("gave up after {n} clearance evaluations without a path (stop_evaluations)"),
+            Self::EvaluationLimit => {
+                format!("gave up after {n} clearance evaluations without a path (stop_evaluations)")
+            }
             Self::VertexLimit => format!("gave up with a tree of {n} vertices without a path (vertices)"),
             Self::GraphFull => format!("gave up: there is no room for more than {n} vertices, edges and events"),
             Self::NotConnected => format!("start and goal are not connected in this roadmap of {n} vertices"),

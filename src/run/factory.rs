@@ -10,8 +10,8 @@ use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::Wanted;
 use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions, Searching,
-    Termination,
+    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions,
+    Searching, Termination,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;

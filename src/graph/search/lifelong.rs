@@ -86,7 +86,17 @@ impl Lifelong {
     /// A search without vertices.
     pub fn new(is_directed: bool, start: VertexId, goals: Goals) -> Self {
         let (nodes, edges, next) = (Vec::new(), Vec::new(), Vec::new());
-        Self { is_directed, start, goals, nodes, edges, next, frontier: BinaryHeap::new(), path: Default::default(), looked: 0 }
+        Self {
+            is_directed,
+            start,
+            goals,
+            nodes,
+            edges,
+            next,
+            frontier: BinaryHeap::new(),
+            path: Default::default(),
+            looked: 0,
+        }
     }
 
     /// Starts a search between other vertices, with other estimates. O(v).

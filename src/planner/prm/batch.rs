@@ -1,8 +1,8 @@
 //! First all samples, then all edges, each pair of vertices once.
 
+use super::MOST_MOTIONS;
 #[cfg(feature = "parallel")]
 use super::ahead::Ahead;
-use super::MOST_MOTIONS;
 use crate::graph::VertexId;
 use crate::graph::search::{Edge, EdgeState};
 use crate::nearest::{Direction, Neighbour};
@@ -42,12 +42,7 @@ impl<S: Space> Batch<S> {
     }
 
     /// A builder that adds so many samples to a roadmap of start and goals.
-    pub fn new(
-        roadmap: &Roadmap<S>,
-        samples: usize,
-        growing: Option<Growing>,
-        sampler: Box<dyn Sampler<S>>,
-    ) -> Self {
+    pub fn new(roadmap: &Roadmap<S>, samples: usize, growing: Option<Growing>, sampler: Box<dyn Sampler<S>>) -> Self {
         let vertices = samples + roadmap.len();
         let left = (0..vertices as u32).map(VertexId);
         Self { growing, ..Self::with(Some((vertices, sampler)), Box::new(left)) }
@@ -207,7 +202,8 @@ impl Connect {
     ) -> bool {
         let [_, others] = lists(space, direction);
         let tried = self.tried[others].get(other.index());
-        (self.first..vertex).contains(&other) && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
+        (self.first..vertex).contains(&other)
+            && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
     }
 }
 

@@ -171,7 +171,9 @@ impl PlannerKind for PrmOptions {
                 return Err(out_of_range("discard", sentence));
             }
             Insertion::Batch => Box::new(Batch::planner(problem, roadmap, samples, growing, sampler)),
-            Insertion::OneByOne => Box::new(OneByOne::planner(problem, roadmap, samples, growing, self.discard, sampler)),
+            Insertion::OneByOne => {
+                Box::new(OneByOne::planner(problem, roadmap, samples, growing, self.discard, sampler))
+            }
         })
     }
 }

@@ -285,7 +285,7 @@ fn samples_that_a_limit_cannot_suffice_for_are_refused() {
     ] {
         let error = run::start(&world, &options(planner, 1, settings)).err().expect("refused");
         assert_eq!((error.code(), error.pointer()), (Code::OutOfRange, "/max_iterations"), "{planner} {settings}");
-        let given = settings.rsplit('=').next().expect("a number");
+        let given = settings.split('=').next_back().expect("a number");
         for number in [format!("at least {least} "), format!("not {given}: ")] {
             assert!(error.message().contains(&number), "{error}");
         }

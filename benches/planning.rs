@@ -6,6 +6,10 @@
 //! - `control`: planning by controls for the cars of generated worlds, by default options and presets;
 //! - `seeds`: every query of bodies and cars, every planner that applies, default options.
 //!
+//! `-- steps` prints, for every planner in generated worlds of all robots or in those of a folder: how the run ended, its work and its
+//! milliseconds, which should be alike (a unit of work is about a microsecond), and the longest step by its milliseconds, its work and
+//! its motion checks. Runs end at a tenth of the default limit; planners that go on to shorter paths do so until then.
+//!
 //! `cargo bench --bench planning --features parallel -- threads` compares several threads with one on large roadmaps.
 //!
 //! `seeds` reads a folder of scenarios, given as an argument or by `PLANARIUM_SCENARIOS`; `control` takes its cars from one that
@@ -14,7 +18,7 @@
 //! writes one result in ten under the name of its scenario, for other verifiers.
 
 use planarium::path::{Verdict, verify};
-use planarium::planner::{ByControls, PlannerKind, RrtControlOptions};
+use planarium::planner::{ByControls, PlannerKind, RrtControlOptions, Termination};
 use planarium::run::{Options, Status, Value, planners, start};
 use planarium::scenario::{Robot, Scenario, generate::generate};
 use serde_json::json;
@@ -51,7 +55,7 @@ impl Arguments {
                 "--seeds" => read.seeds = Some(value().parse().expect("a number")),
                 "--only" => read.only = value(),
                 "--out" => read.out = Some(value().into()),
-                "reports" | "control" | "seeds" | "threads" => read.table = Some(word),
+                "reports" | "control" | "seeds" | "threads" | "steps" => read.table = Some(word),
                 _ if PathBuf::from(&word).is_dir() => read.worlds = stored(&word),
                 _ => read.planners.push(planner(&word)),
             }
@@ -89,6 +93,9 @@ fn main() {
     let arguments = Arguments::read();
     if arguments.table.as_deref() == Some("threads") {
         return threads();
+    }
+    if arguments.table.as_deref() == Some("steps") {
+        return steps(&arguments);
     }
     println!(
         "| world | planner | solved | ms: median | quartiles | 95 % | slowest | mean | iterations | motions | 95 % | vertices | \
@@ -142,6 +149,58 @@ fn threads() {
     }
     for (threads, mean) in counts.iter().zip(&means).skip(1) {
         println!("{}", json!({ "threads": threads, "one": means[0], "several": mean, "ratio": means[0] / mean }));
+    }
+}
+
+/// Prints the table of steps: the first query of each world.
+fn steps(arguments: &Arguments) {
+    /// A tenth of the default limit of work.
+    const MOST_WORK: u64 = 500_000;
+    let mut scenes = arguments.worlds.clone();
+    if scenes.is_empty() {
+        for robot in ["arm", "disc", "rigid_body", "car"] {
+            for kind in ["clutter", "gap"] {
+                scenes.extend(worlds(kind, 1, |seed| json!({ "robot": robot, "seed": seed })));
+            }
+        }
+        scenes.extend(worlds("forest", 1, |seed| json!({ "links": 6, "seed": seed })));
+    }
+    println!(
+        "| world | planner | ended | iterations | work | ms | ms per 1000 units | longest step: ms | work | motions |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|");
+    for (name, scenario) in &scenes {
+        for planner in planners().iter().filter(|planner| planner.robots().contains(&scenario.robot().kind())) {
+            let id = planner.info().id;
+            if !format!("{name} {id}").contains(&arguments.only) {
+                continue;
+            }
+            let goes_on = planner.group::<Termination>().is_some();
+            let parameters =
+                goes_on.then(|| ("improve_iterations".to_owned(), Value::Number(1e9))).into_iter().collect();
+            let options = Options { planner: Some(id.to_owned()), seed: 1, parameters, ..Options::default() };
+            let Ok(mut run) = start(scenario, &options) else { continue };
+            let (mut total, mut longest, mut heaviest, mut motions) = (0.0, 0.0f64, 0, 0);
+            let mut before = run.stats();
+            while run.status() == Status::Running && before.work < MOST_WORK {
+                let began = Instant::now();
+                run.step(1);
+                let seconds = began.elapsed().as_secs_f64();
+                let now = run.stats();
+                (total, longest) = (total + seconds, longest.max(seconds));
+                heaviest = heaviest.max(now.work - before.work);
+                motions = motions.max(now.motion_checks - before.motion_checks);
+                before = now;
+            }
+            let ended = run.reason().map_or(run.status().as_str(), |reason| reason.as_str());
+            let (ms, work) = (total * 1e3, before.work);
+            print!(
+                "| {name} | {id} | {ended} | {} | {work} | {ms:.1} | {:.2} ",
+                run.iterations(),
+                ms / work as f64 * 1e3
+            );
+            println!("| {:.2} | {heaviest} | {motions} |", longest * 1e3);
+        }
     }
 }
 

@@ -83,11 +83,15 @@ fn prm(
     search: Algorithm,
 ) -> Box<dyn Planner<Car>> {
     let searching = Searching { search, ..Searching::default() };
-    begin(&PrmOptions { samples, k: Some(6), insertion, discard, searching, ..PrmOptions::default() }, problem, seed)
+    begin(
+        &PrmOptions { samples: Some(samples), k: Some(6), insertion, discard, searching, ..PrmOptions::default() },
+        problem,
+        seed,
+    )
 }
 
 fn lazy_prm(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
-    begin(&LazyPrmOptions { samples: 120, k: 6, ..LazyPrmOptions::default() }, problem, seed)
+    begin(&LazyPrmOptions { samples: Some(120), k: 6, ..LazyPrmOptions::default() }, problem, seed)
 }
 
 fn rrt(problem: &Problem<Car>, seed: u64, extend: Extend) -> Box<dyn Planner<Car>> {
@@ -101,7 +105,7 @@ fn rrt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
 }
 
 fn fmt_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {
-    begin(&FmtStarOptions { samples: 150, ..FmtStarOptions::default() }, problem, seed)
+    begin(&FmtStarOptions { samples: Some(150), ..FmtStarOptions::default() }, problem, seed)
 }
 
 fn bit_star(problem: &Problem<Car>, seed: u64) -> Box<dyn Planner<Car>> {

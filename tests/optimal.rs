@@ -8,7 +8,7 @@ use crate::common::{
 use planarium::graph::{CostTree, EventKind, VertexId};
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
-use planarium::run::{HISTORY_WIDTH, Run, Status};
+use planarium::run::{HISTORY_WIDTH, Reason, Run, Status};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Each planner with settings, and whether it goes on after its first path.
@@ -181,13 +181,16 @@ fn batches_try_no_motion_twice() {
 fn a_march_that_finds_no_path_goes_on_with_twice_as_many_samples() {
     let world = disc_and_wall(0.3, 0.5);
     for seed in 0..seeds(3) {
-        let run = finish(begin_with(&world, "fmt-star", seed, "samples=2"));
-        assert_eq!(run.status(), Status::Solved, "{seed}");
-        let vertices = run.vertex_count();
-        assert!(vertices > 4 && vertices.is_power_of_two(), "{vertices}");
-        assert_valid(&world, &*run);
+        let few = finish(begin_with(&world, "fmt-star", seed, "samples=2"));
+        assert_eq!((few.reason(), few.vertex_count()), (Some(Reason::NotConnected), 4), "as many as were asked for");
     }
-    let run = finish(begin_with(&crate::common::no_way(), "fmt-star", 1, "samples=20 max_iterations=2000"));
+    let narrow = disc_and_wall(0.49, 0.5);
+    let run = finish(begin_with(&narrow, "fmt-star", 1, ""));
+    assert_eq!(run.status(), Status::Solved);
+    let vertices = run.vertex_count();
+    assert!(vertices > 1002 && vertices % 1002 == 0 && (vertices / 1002).is_power_of_two(), "{vertices}");
+    assert_valid(&narrow, &*run);
+    let run = finish(begin_with(&crate::common::no_way(), "fmt-star", 1, "max_iterations=2000"));
     assert_eq!((run.status(), run.iterations()), (Status::Exhausted, 2000));
 }
 

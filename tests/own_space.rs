@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use planarium::path::Wanted;
-use planarium::planner::{PlannerKind, PrmOptions, RrtConnectOptions};
+use planarium::planner::{Limits, PlannerKind, PrmOptions, RrtConnectOptions};
 use planarium::problem::{Contact, Problem, Touched, Validity};
 use planarium::run::{self, Run, Status};
 use planarium::space::Space;
@@ -109,10 +109,11 @@ fn run(id: &str, closed: bool, seed: u64) -> Box<dyn Run> {
     let problem = problem(closed);
     let planner = match id {
         "rrt-connect" => RrtConnectOptions { step: Some(0.3), ..Default::default() }.begin(&problem, seed),
-        _ => PrmOptions { samples: 200, k: Some(8), ..Default::default() }.begin(&problem, seed),
+        _ => PrmOptions { samples: Some(200), k: Some(8), ..Default::default() }.begin(&problem, seed),
     };
+    let limits = Limits { max_iterations: Some(2000), ..Limits::default() };
     let wanted = Wanted { reduce: true, shortcuts: 20, blend: 0.5, ..Wanted::default() };
-    run::start_on(problem, planner.expect("the options fit the space"), 2000, None, wanted, seed)
+    run::start_on(problem, planner.expect("the options fit the space"), limits, None, wanted, seed)
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -189,7 +189,7 @@ fn an_impossible_query_is_never_solved() {
     for seed in 0..seeds(20) {
         let budget = "max_iterations=400";
         for (planner, settings) in
-            [("prm", "samples=200"), ("visibility-prm", ""), ("rrt", budget), ("rrt-connect", budget)]
+            [("prm", "samples=200"), ("visibility-prm", "failures=400"), ("rrt", budget), ("rrt-connect", budget)]
         {
             let run = finish(begin_with(&no_way(), planner, seed, settings));
             assert_eq!(run.status(), Status::Exhausted, "{planner}");

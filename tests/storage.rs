@@ -155,7 +155,7 @@ fn a_resumed_run_is_sliced_like_any_other_and_has_its_own_search() {
     let mut sliced = begin();
     while sliced.step(1) == Status::Running {}
     assert_eq!((sliced.path(), sliced.fingerprint()), (whole.path(), whole.fingerprint()));
-    assert_eq!(whole.max_iterations(), 5000);
+    assert_eq!(whole.limits().max_iterations, Some(5000));
     let plain = finish(resume(&world, &document).expect("it is resumed"));
     assert!(whole.length() < plain.length(), "{} after {}: shortcuts shorten", whole.length(), plain.length());
 }

@@ -188,7 +188,7 @@ fn rows_as_json_have_the_cells_of_rows_as_csv() {
 fn other_rows_are_refused_and_left_as_they_are() {
     file("mine.json", document().to_string());
     let mut other = document();
-    other["budget"] = json!({ "iterations": 50 });
+    other["budget"] = json!({ "iterations": 90 });
     file("others.json", other.to_string());
     swept(&format!("others.json --out {}", fresh("theirs.csv")));
     let theirs = text_of("theirs.csv");

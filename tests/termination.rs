@@ -1,9 +1,16 @@
 //! Where runs of planners that go on to shorter paths end: at the first iteration at which the conditions hold, computed here from the
 //! history of a longer run.
 
-use crate::common::{begin_with, car_and_wall, disc_and_wall, finish};
-use planarium::run::{HISTORY_WIDTH, Status};
+use crate::common::documents::named;
+use crate::common::{
+    assert_valid, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, no_way, options, parse,
+};
+use planarium::error::Code;
+use planarium::path::ResultDocument;
+use planarium::planner::Termination;
+use planarium::run::{self, HISTORY_WIDTH, PlannerOptions, Reason, Status, planners};
 use planarium::scenario::Scenario;
+use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The length of the path after each iteration, from 1, and the clearance evaluations by then.
@@ -95,4 +102,221 @@ fn evaluations_are_a_budget_before_the_first_path_too() {
     let evaluations = run.stats().clearance_evaluations;
     assert!((50..500).contains(&evaluations), "{evaluations}");
     assert!(run.result().approximate.is_some());
+}
+
+/// A world, a planner and its settings, and how its run ends.
+type Ending = (Scenario, &'static str, &'static str, Reason, &'static str);
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_run_without_a_path_says_why() {
+    let mut document = json!(car_and_wall(0.1));
+    document["world"] = json!({ "bounds": { "min": [0, 0], "max": [0.9, 0.6] }, "obstacles": [] });
+    document["queries"][0]["goal"] = json!([0.7, 0.3, 0]);
+    let shut_in = parse(&document.to_string());
+    let endings: [Ending; 12] = [
+        (
+            no_way(),
+            "rrt",
+            "max_iterations=1300",
+            Reason::IterationLimit,
+            "gave up after 1,300 iterations without a path (max_iterations)",
+        ),
+        (
+            no_way(),
+            "rrt-connect",
+            "max_work=2000",
+            Reason::WorkLimit,
+            "gave up after 2,000 units of work without a path (max_work)",
+        ),
+        (
+            no_way(),
+            "prm",
+            "max_work=20",
+            Reason::WorkLimit,
+            "gave up after 20 units of work without a path (max_work), before the roadmap was searched",
+        ),
+        (
+            disc_and_wall(0.3, 0.5),
+            "rrt-star",
+            "stop_evaluations=50",
+            Reason::EvaluationLimit,
+            "gave up after 50 clearance evaluations without a path (stop_evaluations)",
+        ),
+        (
+            no_way(),
+            "rrt",
+            "vertices=40",
+            Reason::VertexLimit,
+            "gave up with a tree of 40 vertices without a path (vertices)",
+        ),
+        (
+            car_shut_in(0.1),
+            "rrt-control",
+            "vertices=40",
+            Reason::VertexLimit,
+            "gave up with a tree of 40 vertices without a path (vertices)",
+        ),
+        (
+            shut_in,
+            "rrt-control",
+            "controls=reeds-shepp once=true blocked=refused duration_steps=250",
+            Reason::NothingToExtend,
+            "gave up: no vertex of the tree may be extended again",
+        ),
+        (
+            no_way(),
+            "prm",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "prm",
+            "samples=40 insertion=one-by-one",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "prm-star",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "lazy-prm",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+        (
+            no_way(),
+            "fmt-star",
+            "samples=40",
+            Reason::NotConnected,
+            "start and goal are not connected in this roadmap of 42 vertices",
+        ),
+    ];
+    for (world, planner, settings, reason, explanation) in endings {
+        let run = finish(begin_with(&world, planner, 1, settings));
+        let result = run.result();
+        assert_eq!((result.status, result.reason), (Status::Exhausted, Some(reason)), "{planner} {settings}");
+        assert_eq!(result.explanation.as_deref(), Some(explanation), "{planner} {settings}");
+        assert_eq!((run.reason(), run.explanation()), (result.reason, result.explanation.clone()));
+        assert_eq!(ResultDocument::parse(&result.to_json()).expect("a result"), result, "{planner}");
+    }
+    let solved = finish(begin_with(&disc_and_wall(0.3, 0.5), "rrt-connect", 1, ""));
+    assert_eq!((solved.status(), solved.reason()), (Status::Solved, None));
+    assert!(!solved.result().to_json().contains("reason"));
+}
+
+/// The work is a count: no slicing changes it, and it only grows.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_planner_gives_up_by_work_in_small_steps() {
+    for (planner, world) in every_planner(&no_way(), &car_shut_in(0.1)) {
+        let most = 30_000;
+        let whole = finish(begin_with(world, planner, 1, &format!("max_work={most}")));
+        assert_eq!(whole.reason(), Some(Reason::WorkLimit), "{planner}");
+        let mut sliced = begin_with(world, planner, 1, &format!("max_work={most}"));
+        let (mut work, mut longest) = (0, 0);
+        while sliced.step(1) == Status::Running {
+            let now = sliced.stats().work;
+            assert!((work..most).contains(&now), "{planner}: {now} after {work}");
+            (work, longest) = (now, longest.max(now - work));
+        }
+        longest = longest.max(sliced.stats().work - work);
+        // A thousandth of the default limit.
+        assert!(longest <= 5000, "{planner}: a step of {longest}");
+        assert_eq!((sliced.fingerprint(), sliced.stats()), (whole.fingerprint(), whole.stats()), "{planner}");
+    }
+}
+
+/// Every planner with a world that it serves.
+fn every_planner<'a>(arm: &'a Scenario, car: &'a Scenario) -> Vec<(&'static str, &'a Scenario)> {
+    let world = |planner: &PlannerOptions| if planner.robots().contains(&"arm") { arm } else { car };
+    planners().iter().map(|planner| (planner.info().id, world(planner))).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn limits_hold_until_there_is_a_path() {
+    let world = disc_and_wall(0.3, 0.5);
+    for (planner, world) in every_planner(&world, &car_and_wall(0.1)) {
+        if planners().iter().all(|one| one.info().id != planner || one.group::<Termination>().is_none()) {
+            continue;
+        }
+        let path = finish(begin_with(world, planner, 3, "improve_iterations=0"));
+        assert_eq!(path.status(), Status::Solved, "{planner}");
+        let first = path.iterations();
+        for limit in ["max_iterations", "max_work"] {
+            let most = if limit == "max_work" { path.stats().work + 1 } else { first + 1 };
+            let run = finish(begin_with(world, planner, 3, &format!("improve_iterations=700 {limit}={most}")));
+            assert_eq!(run.iterations(), first + 700, "{planner} {limit}");
+        }
+    }
+}
+
+/// Conditions that never hold end a run once a limit is spent without a shorter path; a tree, once it is spent without a new vertex.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_run_with_a_path_ends_where_nothing_is_gained() {
+    let world = disc_and_wall(0.3, 0.5);
+    let settings = "improve_iterations=10 stop_cost=0 stop_when=all max_iterations=2000";
+    let run = finish(begin_with(&world, "rrt-star", 3, settings));
+    assert_eq!(run.status(), Status::Solved);
+    assert!(run.iterations() > 2000, "{}", run.iterations());
+    let robot = r#"{"type": "disc", "radius": 0.1}"#;
+    let open = named("open", "[0, 0], [10, 10]", "", robot, r#""start": [1, 5], "goal": [9, 5]"#);
+    // The sampler finds no bridge in the open, and the goal is reached at once.
+    let settings = "sampler=bridge goal_bias=0.5 vertices=50 max_iterations=300 extend=until-obstacle";
+    let run = finish(begin_with(&open, "rrt", 3, settings));
+    assert_eq!((run.status(), run.vertex_count() < 50), (Status::Solved, true));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn samples_that_a_limit_cannot_suffice_for_are_refused() {
+    let world = disc_and_wall(0.3, 0.5);
+    for (planner, settings, least) in [
+        ("prm", "samples=300 max_iterations=602", 603),
+        ("prm", "samples=300 insertion=one-by-one max_iterations=300", 301),
+        ("prm-star", "samples=300 max_iterations=200", 603),
+        ("lazy-prm", "samples=200000 max_iterations=100000", 400_003),
+        ("fmt-star", "samples=300 max_iterations=301", 302),
+    ] {
+        let error = run::start(&world, &options(planner, 1, settings)).err().expect("refused");
+        assert_eq!((error.code(), error.pointer()), (Code::OutOfRange, "/max_iterations"), "{planner} {settings}");
+        let given = settings.split('=').next_back().expect("a number");
+        for number in [format!("at least {least} "), format!("not {given}: ")] {
+            assert!(error.message().contains(&number), "{error}");
+        }
+    }
+    // The default limit is no obstacle: it is counted from the last sample.
+    assert!(run::start(&world, &options("prm", 1, "samples=200000")).is_ok());
+}
+
+/// Where no number of samples is given, the roadmap grows as long as work is left.
+#[wasm_bindgen_test(unsupported = test)]
+fn samples_grow_in_batches_until_there_is_a_path() {
+    for (planner, settings, first) in [
+        ("prm", "", 2002),
+        ("prm", "insertion=one-by-one", 2002),
+        ("prm", "radius=0.1", 2002),
+        ("prm-star", "", 2002),
+        ("lazy-prm", "", 2002),
+        ("fmt-star", "", 1002),
+    ] {
+        let settings = format!("{settings} max_work=2000000");
+        let mut run = begin_with(&no_way(), planner, 1, &settings);
+        while run.vertex_count() <= first + 100 && run.step(100) == Status::Running {}
+        assert!(run.vertex_count() > first + 100, "{planner} {settings}: {}", run.vertex_count());
+        assert_eq!(run.status(), Status::Running, "{planner} {settings}");
+    }
+    // A gap that two thousand samples miss.
+    let narrow = disc_and_wall(0.49, 0.5);
+    let few = finish(begin_with(&narrow, "prm", 2, "samples=2000"));
+    assert_eq!(few.reason(), Some(Reason::NotConnected));
+    let grown = finish(begin_with(&narrow, "prm", 2, ""));
+    assert_eq!(grown.status(), Status::Solved);
+    assert!(grown.vertex_count() > 2002);
+    assert_valid(&narrow, &*grown);
 }

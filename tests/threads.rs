@@ -2,7 +2,7 @@
 
 use crate::common::{SAMPLERS, arm_of, begin_with, car_and_wall, disc_and_wall, finish};
 use planarium::path::Wanted;
-use planarium::planner::{PlannerKind, PrmOptions};
+use planarium::planner::{Limits, PlannerKind, PrmOptions};
 use planarium::problem::{Contact, Problem, Stats, Touched, Validity};
 use planarium::run::{Run, Status, start_on};
 use planarium::scenario::{Scenario, generate::generate};
@@ -70,8 +70,8 @@ fn threads_change_neither_result_nor_counts() {
         (&disc, "prm-star", "samples=500 edge_check=sampled"),
         (&arm, "prm", "samples=300 k=9 neighbour_index=forest neighbour_metric=naive edge_check=none"),
         // It ends while samples are drawn, and while they are connected.
-        (&disc, "prm", "samples=500 k=9 max_iterations=333"),
-        (&disc, "prm", "samples=300 k=9 max_iterations=555"),
+        (&disc, "prm", "k=9 max_iterations=333"),
+        (&disc, "prm", "k=9 max_iterations=2222"),
         // Too few for threads.
         (&disc, "prm", "samples=20 k=5"),
         (&world("clutter", json!({ "robot": "rigid_body", "seed": 2 })), "prm", "samples=300 k=12"),
@@ -139,8 +139,8 @@ fn other_threads_use_checkers_of_their_own() {
             Box::new(move || Box::new(Open(Arc::clone(&counted))))
         });
         let planner =
-            PrmOptions { samples: 300, k: Some(9), ..Default::default() }.begin(&problem, 1).expect("options");
-        let mut run = start_on(problem, planner, 10_000, None, Wanted::default(), 1);
+            PrmOptions { samples: Some(300), k: Some(9), ..Default::default() }.begin(&problem, 1).expect("options");
+        let mut run = start_on(problem, planner, Limits::default(), None, Wanted::default(), 1);
         run.set_threads(NonZeroUsize::new(threads).expect("at least one"));
         assert_eq!(run.step(u64::MAX), Status::Solved);
         let stats = run.stats();

@@ -4,7 +4,7 @@ use super::arguments::{choice, document, fields, row, rows};
 use super::clock::{Stepped, Thrown, Timed, stepped};
 use super::digits;
 use super::records::record;
-use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Rows, ScenarioInput, Status};
+use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Reason, Rows, ScenarioInput, Status};
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
 use crate::problem::{self, Stats};
@@ -146,6 +146,10 @@ stepped!(Planner);
 members! { Planner(self): wasm_bindgen(getter);
     /// The status of the run.
     status: Status = self.read(|run| run.status()).into();
+    /// Why the run has ended without a path; undefined if it has not.
+    reason: Option<Reason> = self.read(|run| run.reason()).map(Reason::from);
+    /// The reason in words, with the limit or the size of the roadmap: `gave up after 1,000 iterations without a path (max_iterations)`.
+    explanation: Option<String> = self.read(|run| run.explanation());
     /// The phase of the run.
     phase: Phase = self.read(|run| run.phase()).into();
     /// The number of iterations made so far.

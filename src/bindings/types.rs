@@ -96,6 +96,25 @@ impl From<problem::Status> for Status {
     }
 }
 
+/// Why a planner has ended without a path; `explanation` says it in words.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum Reason {
+    IterationLimit = "iteration-limit",
+    WorkLimit = "work-limit",
+    EvaluationLimit = "evaluation-limit",
+    VertexLimit = "vertex-limit",
+    GraphFull = "graph-full",
+    NotConnected = "not-connected",
+    NothingToExtend = "nothing-to-extend",
+}
+
+impl From<problem::Reason> for Reason {
+    fn from(reason: problem::Reason) -> Self {
+        Self::from_str(reason.as_str()).expect("the same words")
+    }
+}
+
 /// The phase of a planner. `prm`, `prm-star` and `lazy-prm`: sampling, connecting, searching; `lazy-prm-star`: sampling, searching;
 /// `visibility-prm`: guarding, searching; `fmt-star` and `bit-star`: sampling, growing; all other trees: growing; a roadmap that is resumed:
 /// connecting, searching. Then improving, if that is requested (planners with `improve_iterations` by growing on), and done.

@@ -61,6 +61,10 @@ impl<const N: usize> Validity<[f64; N]> for JointLines<N> {
         link_name(part)
     }
 
+    fn evaluation_nanoseconds(&self) -> u64 {
+        self.proven.evaluation_nanoseconds()
+    }
+
     fn clearance_evaluations(&self) -> u64 {
         self.proven.clearance_evaluations()
     }

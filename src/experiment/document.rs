@@ -188,6 +188,8 @@ pub enum Measure {
     ClearanceEvaluations,
     /// Motions refused because their proof had spent its budget.
     UnprovenMotions,
+    /// The work of all of these, in units of about a microsecond.
+    Work,
     /// Seconds of growing the graph. Times are not part of rows.
     BuildSeconds,
     /// Seconds of searching the graph and improving the path.

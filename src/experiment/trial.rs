@@ -56,7 +56,7 @@ impl Experiment {
         }
     }
 
-    /// The columns of rows: the experiment, the number of the trial, what it is made of, its status, the measures that are not times,
+    /// The columns of rows: the experiment, the number of the trial, what it is made of, its status with the reason, the measures that are not times,
     /// and the fingerprint of the run.
     pub fn columns(&self) -> Vec<String> {
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
@@ -70,7 +70,7 @@ impl Experiment {
             of_worlds,
             words(&["world_seed", "query", "planner"]),
             of_planners,
-            words(&["seed", "status"]),
+            words(&["seed", "status", "reason"]),
             words(valid),
             words(&measures),
             words(&["fingerprint"]),
@@ -223,6 +223,7 @@ impl TrialRun {
         row.extend([world_seed, result.query.as_str().into(), planner.as_str().into()]);
         row.extend(cells(&of_planners, &grid.varied(trial.setting)));
         row.extend([experiment.seeds.at(trial.seed).into(), result.status.as_str().into()]);
+        row.push(result.reason.map_or(Value::Null, |reason| reason.as_str().into()));
         if experiment.verify {
             let is_solved = result.status == Status::Solved;
             let valid = || Ok(matches!(verify(self.world.scenario(), &result)?, Verdict::Valid { .. }));
@@ -262,6 +263,7 @@ impl Measure {
             Measure::Visited => stats.visited,
             Measure::ClearanceEvaluations => stats.clearance_evaluations,
             Measure::UnprovenMotions => stats.unproven_motions,
+            Measure::Work => stats.work,
         };
         count.into()
     }

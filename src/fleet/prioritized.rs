@@ -60,7 +60,7 @@ impl Prioritized {
         is_given: bool,
     ) -> Result<Self, Error> {
         let samples = options.samples.unwrap_or(400 + 20 * order.len());
-        let prm = PrmOptions { samples, k: Some(options.k), ..PrmOptions::default() };
+        let prm = PrmOptions { samples: Some(samples), k: Some(options.k), ..PrmOptions::default() };
         let roadmap = |(kind, world)| {
             let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
             Roadmap::new(&setup.fleet, world, robots, &prm, seed)

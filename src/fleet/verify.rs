@@ -175,6 +175,8 @@ fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec
         planner: String::new(),
         seed: 0,
         status: Status::Solved,
+        reason: None,
+        explanation: None,
         path: path.to_vec(),
         motions: None,
         blends: None,

@@ -151,6 +151,11 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
     fn clearance_evaluations(&self) -> u64 {
         Validity::<[f64; SIZE]>::clearance_evaluations(&self.turning) + self.rollouts.steps.get()
     }
+
+    /// A time step: its rays, and the policy.
+    fn evaluation_nanoseconds(&self) -> u64 {
+        1500
+    }
 }
 
 /// Options given by name, those of rollouts and the rest, which are the planner's.

@@ -2,7 +2,7 @@
 
 use crate::error::{Code, Error};
 use crate::json;
-use crate::problem::{Motion, Stats, Status};
+use crate::problem::{Motion, Reason, Stats, Status};
 use crate::scenario::Robot;
 use crate::space::MetricKind;
 use serde::de::Error as _;
@@ -53,6 +53,13 @@ pub struct ResultDocument {
     pub seed: u64,
     /// The status at the end of the run.
     pub status: Status,
+    /// Why the run has ended without a path; absent if it has not, and in results written before reasons were given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Reason"))]
+    pub reason: Option<Reason>,
+    /// The reason in words, with the limit that it is about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<String>,
     /// The waypoints, one configuration each, from the start to the goal; empty unless solved.
     pub path: Vec<Vec<f64>>,
     /// Of a car, the motion from each waypoint to the next along an exact arc: one fewer than there are waypoints.

@@ -160,6 +160,7 @@ impl<S: Space> BitStar<S> {
         let cost = self.best.tree.cost(from) + distance;
         let least = cost + to_goal;
         if is_useful && least < self.best.bound() && cost < self.best.tree.cost(to) {
+            self.best.growth.looked += 1;
             self.queue.push(Reverse((least.to_bits(), cost.to_bits(), from, Some((to, distance.to_bits())))));
         }
     }
@@ -167,6 +168,7 @@ impl<S: Space> BitStar<S> {
     /// Removes what cannot be on a better path, and begins a batch.
     fn begin_batch(&mut self, problem: &Problem<S>, iteration: u32) {
         let bound = self.best.bound();
+        self.best.growth.looked += self.members.len() as u64;
         let (members, useless): (Vec<VertexId>, Vec<VertexId>) = self.members.iter().partition(|&&vertex| {
             vertex.0 < GOAL.0 + problem.goals().len() as u32 || self.nodes[vertex.index()].least() < bound
         });
@@ -254,6 +256,7 @@ impl<S: Space> BitStar<S> {
     /// Takes entries from the queue until a vertex is expanded or an edge tried; returns whether one was.
     fn search(&mut self, problem: &Problem<S>, iteration: u32) -> bool {
         while let Some((from, edge)) = self.pop() {
+            self.best.growth.looked += 1;
             let Some((to, distance)) = edge else {
                 if self.nodes[from.index()].is_expanded {
                     continue;

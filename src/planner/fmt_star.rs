@@ -1,8 +1,8 @@
 //! FMT*: a wave of cheapest paths that runs once through a batch of samples, and proves one motion per new vertex.
 //!
 //! Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast marching sampling-based method for optimal motion planning in
-//! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, it goes on with
-//! twice as many samples from all of the tree, where the paper gives up.
+//! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, and
+//! the number of samples was not given, it goes on with twice as many from all of the tree, where the paper gives up.
 
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
@@ -19,11 +19,19 @@ use crate::space::Space;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// The number of samples to begin with if none is given.
+const DEFAULT_SAMPLES: usize = 1000;
+
+/// The most motions that an iteration tries.
+const MOST_TRIED: usize = 256;
+/// About the most neighbours that an iteration looks at.
+const MOST_LOOKED: u64 = 50_000;
+
 crate::options! {
     /// Options of FMT*.
     pub struct FmtStarOptions for crate::options::ALL;
-    /// Number of free samples: more shorten the path but take longer; without a path there are twice as many.
-    samples: usize = 1000, in 1.0..=1e6, "Samples";
+    /// Number of free samples: more find narrower passages and shorter paths but take longer.
+    samples: Option<usize>, in 1.0..=1e6, "Samples", else "1000, and twice as many again while there is no path";
     /// Which vertices are neighbours.
     nearness: Nearness;
     /// Where samples come from.
@@ -50,11 +58,15 @@ impl PlannerKind for FmtStarOptions {
             line(2, "y ← the open neighbour best for x", &[]),
             line(2, "if y – x is free: add it, x is open next", &[Mark::Edge]),
             line(2, "else: x waits for another one", &[Mark::Refused]),
-            line(1, "close z; if none is open: n ← 2 n", &[Mark::Expanded]),
+            line(1, "close z; if none is open: more samples", &[Mark::Expanded]),
             IMPROVE,
             END_NEAR,
         ],
     };
+
+    fn needed(&self) -> Option<[u64; 2]> {
+        self.samples.map(|samples| [samples as u64, samples as u64 + 2])
+    }
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let best = BestTree::new(problem);
@@ -62,19 +74,20 @@ impl PlannerKind for FmtStarOptions {
         for (vertex, state) in (START.0..).zip(best.growth.graph.states()) {
             index.insert(problem.space(), VertexId(vertex), state);
         }
-        let missing = self.samples;
+        let missing = self.samples.unwrap_or(DEFAULT_SAMPLES);
         let stages = vec![Stage::Waiting; Nearest::<S>::len(&index)];
         Ok(Box::new(FmtStar {
             near: Near::new(problem, self.nearness, NearRule::KNearest)?,
             sampler: self.sampling.sampler(problem.space(), seed),
             missing,
+            grows: self.samples.is_none(),
             refused: vec![Vec::new(); stages.len()],
             around: vec![Vec::new(); stages.len()],
             stages,
             open: BinaryHeap::new(),
             best,
             index,
-            found: Vec::new(),
+            expanding: None,
         }))
     }
 }
@@ -90,12 +103,14 @@ enum Stage {
     Closed,
 }
 
-/// The planner. An iteration draws one sample or expands one vertex.
+/// The planner. An iteration draws one sample or expands one vertex; one with very many neighbours in several iterations.
 struct FmtStar<S: Space> {
     near: Near,
     sampler: Box<dyn Sampler<S>>,
     /// How many samples are still to be drawn.
     missing: usize,
+    /// Whether there are twice as many samples where the wave ends without a path.
+    grows: bool,
     best: BestTree<S>,
     /// All vertices.
     index: Index,
@@ -106,7 +121,18 @@ struct FmtStar<S: Space> {
     open: BinaryHeap<Reverse<(u64, VertexId)>>,
     /// By vertex: the neighbours of one that waits, once the wave has met it.
     around: Vec<Vec<Neighbour>>,
-    found: Vec<Neighbour>,
+    /// The vertex whose expansion goes on.
+    expanding: Option<Expanding>,
+}
+
+/// A vertex that is being expanded.
+struct Expanding {
+    vertex: VertexId,
+    reach: Reach,
+    /// The neighbours that are still to be tried.
+    found: std::vec::IntoIter<Neighbour>,
+    /// Those that it has become the parent of, or another open vertex.
+    joined: Vec<VertexId>,
 }
 
 impl<S: Space> FmtStar<S> {
@@ -141,41 +167,53 @@ impl<S: Space> FmtStar<S> {
             let state = self.best.growth.state(vertex);
             reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, around);
         }
+        self.best.growth.looked += around.len() as u64;
         let open = around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
         let by = |near: &Neighbour| self.best.tree.cost(near.vertex) + near.distance;
         let best = open.chain([&from]).min_by(|a, b| by(a).total_cmp(&by(b)).then(a.vertex.cmp(&b.vertex)));
         *best.expect("there is at least one")
     }
 
-    /// Expands a vertex.
-    fn expand(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
+    /// Begins to expand a vertex: finds its neighbours.
+    fn begin(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) -> Expanding {
         let state = self.best.expand(iteration, vertex);
+        let mut found = Vec::new();
         let reach = self.near.in_march(self.stages.len());
-        let mut found = std::mem::take(&mut self.found);
         reach.find(problem, &mut self.best.growth, &self.index, Direction::Out, &state, &mut found);
-        let mut joined = Vec::new();
-        for near in &found {
+        Expanding { vertex, reach, found: found.into_iter(), joined: Vec::new() }
+    }
+
+    /// Goes on with the expansion of a vertex; keeps it for the next iteration if it is not done. The costs of the open vertices stay, so
+    /// it does not matter where it is divided.
+    fn expand(&mut self, problem: &Problem<S>, iteration: u32, mut at: Expanding) {
+        let (mut tried, looked) = (0, self.best.growth.looked);
+        while let Some(near) = at.found.next() {
             let to = near.vertex.index();
             if self.stages[to] != Stage::Waiting {
                 continue;
             }
-            let parent = self.parent(problem, reach, near.vertex, Neighbour { vertex, distance: near.distance });
+            let from = Neighbour { vertex: at.vertex, distance: near.distance };
+            let parent = self.parent(problem, at.reach, near.vertex, from);
             if self.refused[to].contains(&parent.vertex) {
                 continue;
             }
             if self.best.try_parent(problem, iteration, near.vertex, parent) {
                 self.around[to] = Vec::new();
-                joined.push(near.vertex);
+                at.joined.push(near.vertex);
             } else {
                 self.refused[to].push(parent.vertex);
             }
+            tried += 1;
+            if tried == MOST_TRIED || self.best.growth.looked - looked > MOST_LOOKED {
+                self.expanding = Some(at);
+                return;
+            }
         }
-        self.found = found;
-        self.stages[vertex.index()] = Stage::Closed;
-        for &vertex in &joined {
+        self.stages[at.vertex.index()] = Stage::Closed;
+        for &vertex in &at.joined {
             self.best.approach(vertex, problem.distance_to_goal(self.best.growth.graph.state(vertex)));
         }
-        self.open_all(joined);
+        self.open_all(at.joined);
     }
 }
 
@@ -185,15 +223,24 @@ impl<S: Space> Planner<S> for FmtStar<S> {
             self.sample(problem, iteration);
             return Status::Running;
         }
-        let Some(Reverse((_, vertex))) = self.open.pop() else {
-            unreachable!("vertices are open, or samples are missing")
+        let at = match self.expanding.take() {
+            Some(at) => at,
+            None => {
+                let Some(Reverse((_, vertex))) = self.open.pop() else {
+                    unreachable!("vertices are open, or samples are missing")
+                };
+                if goals(problem).any(|(goal, _)| vertex == goal) {
+                    self.best.note(problem, iteration);
+                    return Status::Solved;
+                }
+                self.begin(problem, iteration, vertex)
+            }
         };
-        if goals(problem).any(|(goal, _)| vertex == goal) {
-            self.best.note(problem, iteration);
-            return Status::Solved;
-        }
-        self.expand(problem, iteration, vertex);
-        if self.open.is_empty() {
+        self.expand(problem, iteration, at);
+        if self.expanding.is_none() && self.open.is_empty() {
+            if !self.grows {
+                return Status::Exhausted;
+            }
             self.missing = self.stages.len();
         }
         Status::Running

@@ -123,9 +123,26 @@ crate::options! {
     /// Clearance below which a free motion may be rejected: less fits narrower gaps but takes longer.
     tolerance: f64 = DEFAULT_TOLERANCE, in 1e-9..=0.1, "Tolerance", unit "of the world's longer side";
     /// Number of iterations without a path after which the planner gives up: more solve harder problems.
-    max_iterations: u32 = 100_000, in 1.0..=4e9, "Most iterations";
+    max_iterations: Option<u32>, in 1.0..=4e9, "Most iterations", else "any number: max_work is the limit";
+    /// Work without a path after which the planner gives up: a weighted sum of its counts, about a microsecond each.
+    max_work: Option<u64>, in 1.0..=1e15, "Most work", else "5,000,000; any amount if max_iterations is given";
     /// Moves a start or goal in collision to the nearest free configuration found, at most this far.
     free_ends: Option<f64>, in 0.0..=1e7, "Free ends within", unit "distance in the metric", else "they are refused";
+}
+
+impl Limits {
+    /// The work without a path after which a planner gives up, if no limit is given: about five seconds.
+    const DEFAULT_WORK: u64 = 5_000_000;
+
+    /// Whether none is given.
+    pub fn are_default(&self) -> bool {
+        self.max_iterations.is_none() && self.max_work.is_none()
+    }
+
+    /// The work without a path after which the planner gives up; `u64::MAX` if iterations are limited instead.
+    pub fn work(&self) -> u64 {
+        self.max_work.unwrap_or(if self.max_iterations.is_some() { u64::MAX } else { Self::DEFAULT_WORK })
+    }
 }
 
 impl Choice for Steering {}

@@ -26,13 +26,15 @@ pub struct Growth<S: Space> {
     /// The checks, queries and expansions so far, and the work of collision checkers other than the problem's; the run fills in the
     /// rest.
     pub counters: Stats,
+    /// How many neighbours, edges of searches and entries of queues were looked at, as far as no counter has them.
+    pub looked: u64,
     pub(super) records_events: bool,
 }
 
 impl<S: Space> Growth<S> {
     /// An empty graph, whose events are recorded if the problem says so.
     pub fn new(problem: &Problem<S>) -> Self {
-        Self { graph: Graph::default(), counters: Stats::default(), records_events: problem.records_events }
+        Self { graph: Graph::default(), counters: Stats::default(), looked: 0, records_events: problem.records_events }
     }
 
     /// The state of a vertex.
@@ -111,6 +113,7 @@ impl<S: Space> Growth<S> {
         let mut useless = None;
         for _ in 0..DRAWS {
             let target = draw(self)?;
+            self.looked += u64::from(bound < f64::INFINITY);
             if bound == f64::INFINITY || problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
                 return Some(target);
             }

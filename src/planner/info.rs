@@ -26,6 +26,12 @@ pub trait PlannerKind: Options {
     /// Whether every motion must be possible in both directions.
     const NEEDS_SYMMETRY: bool = false;
 
+    /// The samples that were asked for, and the iterations that drawing, connecting and searching them takes at least; `None` if the
+    /// planner decides how many it draws.
+    fn needed(&self) -> Option<[u64; 2]> {
+        None
+    }
+
     /// The planner at its beginning.
     ///
     /// # Errors

@@ -104,7 +104,10 @@ impl<S: Space> Roadmap<S> {
             let [from, to] = search.edges()[edge as usize].ends;
             [from, to] == ends || (space.is_symmetric() && [to, from] == ends)
         };
-        if !search.edges_at(ends[0]).any(is_same) {
+        let mut looked = 1;
+        let is_there = search.edges_at(ends[0]).inspect(|_| looked += 1).any(is_same);
+        self.growth.looked += looked;
+        if !is_there {
             self.add_edge(Edge { ends, cost: self.cost(space, ends), state: EdgeState::Assumed });
         }
     }
@@ -142,7 +145,12 @@ impl<S: Space> Roadmap<S> {
     /// Expands a vertex, or tries an edge of the best path.
     fn step(&mut self, problem: &Problem<S>, iteration: u32) -> Step {
         let search = &mut self.candidates_mut().search;
-        match search.step() {
+        let before = search.looked();
+        let expansion = search.step();
+        let looked = search.looked() - before;
+        self.growth.looked += looked;
+        let search = &mut self.candidates_mut().search;
+        match expansion {
             Expansion::Vertex(vertex) => {
                 self.growth.counters.visited += 1;
                 Step::Expanded(vertex)
@@ -260,7 +268,7 @@ impl<S: Space> LazyPlanner<S> {
                 }
             }
             Step::Nothing => {
-                if !self.improves {
+                if !self.improves && !self.builder.grow(&mut self.roadmap, problem.space().dimension()) {
                     self.status = Status::Exhausted;
                 }
                 return self.status == Status::Exhausted;

@@ -54,7 +54,7 @@ pub use rrt_star::{Rewiring, RrtStarOptions};
 pub use sst::SstOptions;
 pub use visibility_prm::VisibilityPrmOptions;
 
-pub use crate::problem::{Phase, Status};
+pub use crate::problem::{Phase, Reason, Status};
 
 use crate::graph::{Graph, VertexId};
 use crate::problem::Problem;
@@ -92,6 +92,11 @@ pub trait Planner<S: Space> {
     /// Whether there is no room for more. O(1).
     fn is_full(&self) -> bool {
         self.graph().is_full()
+    }
+
+    /// Why an iteration has returned [`Status::Exhausted`].
+    fn reason(&self) -> Reason {
+        Reason::NotConnected
     }
 
     /// The vertices of the path from start to goal; empty until solved.

@@ -131,6 +131,7 @@ impl Reach {
             Self::Within(radius) => index.within_by(space, states, direction, state, radius, found),
             Self::Nearest(k) => index.k_nearest_by(space, states, direction, state, k, found),
         };
+        growth.looked += found.len() as u64;
     }
 }
 

@@ -1,9 +1,9 @@
 //! The planners: one line each. Their files declare everything else.
 
-use super::Planner;
 use super::info::{PlannerInfo, PlannerKind};
+use super::{Limits, Planner};
 use crate::error::{Code, Error, quoted};
-use crate::options::{Field, OptionInfo, Options, Value};
+use crate::options::{Field, OptionInfo, Options, Value, out_of_range};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -78,11 +78,17 @@ macro_rules! registry {
                 match self { $(PlannerOptions::$Variant(options) => options.group(),)* }
             }
 
+            /// The samples that were asked for, and the iterations that this takes at least; `None` if the planner decides.
+            pub fn needed(&self) -> Option<[u64; 2]> {
+                match self { $(PlannerOptions::$Variant(options) => options.needed(),)* }
+            }
+
             /// The planner at its beginning.
             ///
             /// # Errors
             /// `out-of-range`, with the pointer of the option, if options do not fit the space or each other.
             pub fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
+                self.check_limits()?;
                 match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }
             }
         }
@@ -101,6 +107,20 @@ impl PlannerOptions {
             let sentence = format!("unknown planner {}; known planners are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
+    }
+
+    /// Refuses a limit of iterations that cannot suffice for the samples that were asked for.
+    fn check_limits(&self) -> Result<(), Error> {
+        let given = self.group::<Limits>().and_then(|limits| limits.max_iterations);
+        match (given, self.needed()) {
+            (Some(most), Some([samples, least])) if u64::from(most) < least => Err(out_of_range(
+                "max_iterations",
+                format!(
+                    "max_iterations must be at least {least} for samples = {samples}, not {most}: {samples} samples cannot be drawn and connected in fewer"
+                ),
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// Refuses a robot that the planner is not for, by its type.

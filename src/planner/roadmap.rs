@@ -11,7 +11,7 @@ use super::neighbours::Neighbours;
 use super::query::Query;
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
-use crate::graph::{EventKind, Graph, VertexId, append};
+use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId, append};
 use crate::nearest::{Direction, Neighbour};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -93,6 +93,7 @@ impl<S: Space> Roadmap<S> {
     ) {
         self.growth.counters.nearest_queries += 1;
         self.find_neighbours(space, direction, state, spare, found);
+        self.growth.looked += found.len() as u64;
     }
 
     /// The same, not counted.
@@ -200,6 +201,13 @@ pub(super) trait Build<S: Space> {
     /// Does one iteration; returns whether the roadmap is complete.
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool;
 
+    /// Begins to add as many vertices again to a complete roadmap that does not connect start and goal; returns whether it does. The
+    /// default is that it has as many as were asked for.
+    fn grow(&mut self, roadmap: &mut Roadmap<S>, dimension: usize) -> bool {
+        let _ = (roadmap, dimension);
+        false
+    }
+
     /// The present phase.
     fn phase(&self, roadmap: &Roadmap<S>) -> Phase;
 
@@ -243,7 +251,11 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
                 (EventKind::SolutionFound, path.last().copied().unwrap_or(GOAL), Status::Solved)
             }
             Expansion::Nothing => {
-                (self.path, self.search) = (Some(Vec::new()), None);
+                self.search = None;
+                if self.builder.grow(&mut self.roadmap, problem.space().dimension()) {
+                    return Status::Running;
+                }
+                self.path = Some(Vec::new());
                 return Status::Exhausted;
             }
         };
@@ -265,6 +277,10 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
 
     fn growth(&self) -> &Growth<S> {
         &self.roadmap.growth
+    }
+
+    fn is_full(&self) -> bool {
+        self.graph().is_full() || self.roadmap.refused.len() >= MAX_RECORDS
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -7,7 +7,7 @@
 use super::groups::{Aim, EdgeOptions, GoalBias, Overgrowth, Sampling, step_in};
 use super::growth::{Growth, goals};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
-use super::{Planner, Status};
+use super::{Planner, Reason, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Index, Nearest};
@@ -217,6 +217,10 @@ impl<S: Space> Planner<S> for Rrt<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.growth
+    }
+
+    fn reason(&self) -> Reason {
+        Reason::VertexLimit
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -10,11 +10,11 @@ use super::groups::{Aim, GoalBias, Overgrowth};
 use super::growth::Growth;
 use super::info::{END_NEAR, Grows, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
 use super::removable_index::RemovableIndex;
-use super::{Planner, Status};
+use super::{Planner, Reason, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Nearest;
-use crate::options::CAR;
+use crate::options::{CAR, out_of_range};
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
 use crate::space::Space;
@@ -255,11 +255,16 @@ fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Du
     if longest.is_none() && every.is_none() {
         return Ok(None);
     }
+    let longest_given = longest.is_some();
     let longest = longest.unwrap_or(early.longest);
     let durations =
         Durations { shortest: early.shortest.min(longest), longest }.with_shortest(options.shortest_steps)?;
     let reaching = GoalBias { goal_every: every.or(reaching.goal_every), ..reaching };
-    let most = options.driving.limits.max_iterations;
+    let Some(most) = options.driving.limits.max_iterations else {
+        let name = if longest_given { "late_duration_steps" } else { "late_goal_every" };
+        let sentence = format!("{name} is for the last quarter of max_iterations, which must be given with it");
+        return Err(out_of_range(name, sentence));
+    };
     Ok(Some((most - most / 4 + 1, durations, reaching)))
 }
 
@@ -313,6 +318,10 @@ impl<S: Space> Planner<S> for RrtControl<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.tree.growth
+    }
+
+    fn reason(&self) -> Reason {
+        if self.open.len() == 0 { Reason::NothingToExtend } else { Reason::VertexLimit }
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -10,7 +10,7 @@ use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, Plann
 use super::near::{Near, NearRule, Nearness};
 use super::{Planner, Status};
 use crate::error::Error;
-use crate::graph::{CostTree, EventKind, VertexId};
+use crate::graph::{EventKind, VertexId};
 use crate::nearest::{Direction, Index, Nearest, Neighbour};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -75,7 +75,10 @@ pub(super) const PARENT: super::PseudocodeLine =
 pub(super) const REWIRE: super::PseudocodeLine = line(1, "new ← parent of those nearer by way of it", &[Mark::Rewired]);
 pub(super) const ARRIVE: super::PseudocodeLine = line(1, "within a step of the goal, try new – goal", &[Mark::Solved]);
 
-/// The planner. An iteration takes one sample.
+/// The most motions to neighbours that an iteration tries.
+const MOST_TRIED: usize = 1000;
+
+/// The planner. An iteration takes one sample; if very many neighbours are to be tried, the next ones go on with it.
 pub(super) struct RrtStar<S: Space> {
     step: f64,
     near: Near,
@@ -86,6 +89,30 @@ pub(super) struct RrtStar<S: Space> {
     /// The vertices of the tree without the goals.
     index: Index,
     found: Vec<Neighbour>,
+    /// What is left to do for the last sample.
+    pending: Option<Pending<S::State>>,
+}
+
+/// A sample whose motions are tried in several iterations.
+enum Pending<T> {
+    Choosing(Choosing<T>),
+    Offering(Offering),
+}
+
+/// A new state, or a goal, that wants a parent.
+struct Choosing<T> {
+    state: T,
+    goal: Option<VertexId>,
+    /// The nearest vertex: the motion from it is free.
+    nearest: Neighbour,
+    /// The neighbours from which the path would be cheaper and that are still to be tried, the cheapest first, with the costs.
+    cheaper: std::vec::IntoIter<(f64, Neighbour)>,
+}
+
+/// A new vertex that may become the parent of neighbours, of which these are still to be tried.
+struct Offering {
+    vertex: VertexId,
+    found: std::vec::IntoIter<Neighbour>,
 }
 
 impl<S: Space> RrtStar<S> {
@@ -110,6 +137,7 @@ impl<S: Space> RrtStar<S> {
             best: BestTree::new(problem),
             index,
             found: Vec::new(),
+            pending: None,
         })
     }
 
@@ -123,89 +151,130 @@ impl<S: Space> RrtStar<S> {
         reach.find(problem, &mut self.best.growth, &self.index, direction, state, &mut self.found);
     }
 
-    /// The parent of least cost for a state among `nearest` and the neighbours, with the cost of its edge, if that makes the path to the
-    /// state cheaper than `bound`. `nearest` comes first: where its motion is not free, that of no neighbour is tried.
-    fn parent(
-        &mut self,
-        problem: &Problem<S>,
-        iteration: u32,
-        nearest: Neighbour,
-        state: &S::State,
-        bound: f64,
-    ) -> Option<Neighbour> {
-        let origin = self.best.growth.state(nearest.vertex);
-        if !self.best.growth.is_motion_free(problem, &origin, state) {
-            self.best.refuse(iteration, nearest.vertex, None, *state);
-            return None;
-        }
-        let by = |tree: &CostTree, neighbour: Neighbour| tree.cost(neighbour.vertex) + neighbour.distance;
-        let limit = by(&self.best.tree, nearest).min(bound);
-        self.find(problem, Direction::In, state);
-        let found = self.found.iter().map(|&neighbour| (by(&self.best.tree, neighbour), neighbour));
-        let mut cheaper: Vec<_> = found.filter(|&(cost, _)| cost < limit).collect();
-        cheaper.sort_unstable_by(|(a, x), (b, y)| a.total_cmp(b).then(x.vertex.cmp(&y.vertex)));
-        for (_, neighbour) in cheaper {
-            let origin = self.best.growth.state(neighbour.vertex);
-            if self.best.growth.is_motion_free(problem, &origin, state) {
-                return Some(neighbour);
-            }
-            self.best.refuse(iteration, neighbour.vertex, None, *state);
-        }
-        (by(&self.best.tree, nearest) < bound).then_some(nearest)
-    }
-
-    /// Makes a new vertex the parent of a vertex, if the path by way of it is cheaper and the motion free.
-    fn offer(&mut self, problem: &Problem<S>, iteration: u32, new: VertexId, vertex: VertexId, distance: f64) {
-        if self.best.tree.cost(new) + distance < self.best.tree.cost(vertex) {
-            self.best.try_parent(problem, iteration, vertex, Neighbour { vertex: new, distance });
-        }
-    }
-
     /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless informed.
     fn may_help(&self, problem: &Problem<S>, cost: f64, state: &S::State) -> bool {
         let bound = self.best.bound();
         !self.is_informed || bound == f64::INFINITY || cost + problem.distance_to_goal(state) < bound
     }
 
-    /// Takes one sample.
-    fn grow(&mut self, problem: &Problem<S>, iteration: u32) {
+    /// What the path to a neighbour and on costs.
+    fn cost_by(&self, neighbour: Neighbour) -> f64 {
+        self.best.tree.cost(neighbour.vertex) + neighbour.distance
+    }
+
+    /// Takes one sample, as far as the nearest vertex: `None` if the motion from there is not free. Then that of no neighbour is tried.
+    fn begin(&mut self, problem: &Problem<S>, iteration: u32) -> Option<Choosing<S::State>> {
         let space = problem.space();
         let bound = if self.is_informed { self.best.bound() } else { f64::INFINITY };
         let draw = |growth: &mut Growth<S>| self.aim.next(problem, iteration, growth);
-        let Some(target) = self.best.growth.draw_within(problem, iteration, bound, draw) else { return };
+        let target = self.best.growth.draw_within(problem, iteration, bound, draw)?;
         self.best.growth.counters.nearest_queries += 1;
-        let nearest = self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
+        let mut nearest =
+            self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
         let origin = self.best.growth.state(nearest.vertex);
-        let (mut state, mut nearest) = (target, nearest);
+        let mut state = target;
         if nearest.distance > self.step {
             state = space.interpolate(&origin, &target, self.step / nearest.distance);
             nearest.distance = space.distance(&origin, &state);
         }
-        if let Some((goal, _)) = goals(problem).find(|(_, goal)| **goal == state) {
-            if let Some(parent) = self.parent(problem, iteration, nearest, &state, self.best.tree.cost(goal)) {
+        let goal = goals(problem).find(|(_, goal)| **goal == state).map(|(goal, _)| goal);
+        if !self.best.growth.is_motion_free(problem, &origin, &state) {
+            self.best.refuse(iteration, nearest.vertex, None, state);
+            return None;
+        }
+        let limit = self.cost_by(nearest).min(goal.map_or(f64::INFINITY, |goal| self.best.tree.cost(goal)));
+        self.find(problem, Direction::In, &state);
+        let found = self.found.iter().map(|&neighbour| (self.cost_by(neighbour), neighbour));
+        let mut cheaper: Vec<_> = found.filter(|&(cost, _)| cost < limit).collect();
+        cheaper.sort_unstable_by(|(a, x), (b, y)| a.total_cmp(b).then(x.vertex.cmp(&y.vertex)));
+        Some(Choosing { state, goal, nearest, cheaper: cheaper.into_iter() })
+    }
+
+    /// Attaches a new vertex, or the goal, to the cheapest parent whose motion is free. `None` if it cannot be cheaper, is the goal, or if
+    /// too many motions were tried: then that goes on in the next iteration.
+    fn choose(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        mut choosing: Choosing<S::State>,
+        left: &mut usize,
+    ) -> Option<Offering> {
+        let Choosing { state, goal, nearest, .. } = choosing;
+        let mut parent = nearest;
+        while let Some(&(_, neighbour)) = choosing.cheaper.as_slice().first() {
+            if *left == 0 {
+                self.pending = Some(Pending::Choosing(choosing));
+                return None;
+            }
+            *left -= 1;
+            choosing.cheaper.next();
+            let origin = self.best.growth.state(neighbour.vertex);
+            if self.best.growth.is_motion_free(problem, &origin, &state) {
+                parent = neighbour;
+                break;
+            }
+            self.best.refuse(iteration, neighbour.vertex, None, state);
+        }
+        let cost = self.cost_by(parent);
+        if let Some(goal) = goal {
+            if cost < self.best.tree.cost(goal) {
                 self.best.attach(iteration, goal, parent);
             }
-            return;
+            return None;
         }
-        let Some(parent) = self.parent(problem, iteration, nearest, &state, f64::INFINITY) else { return };
-        if !self.may_help(problem, self.best.tree.cost(parent.vertex) + parent.distance, &state) {
-            return self.best.growth.reject(EventKind::SampleDiscarded, iteration, state);
+        if !self.may_help(problem, cost, &state) {
+            self.best.growth.reject(EventKind::SampleDiscarded, iteration, state);
+            return None;
         }
         let vertex = self.best.growth.graph.add_vertex(iteration, state);
         self.best.attach(iteration, vertex, parent);
-        if !space.is_symmetric() {
+        if !problem.space().is_symmetric() {
             self.find(problem, Direction::Out, &state);
         }
-        for neighbour in std::mem::take(&mut self.found) {
-            self.offer(problem, iteration, vertex, neighbour.vertex, neighbour.distance);
+        Some(Offering { vertex, found: std::mem::take(&mut self.found).into_iter() })
+    }
+
+    /// Makes a new vertex the parent of a vertex, if the path by way of it is cheaper and the motion free.
+    fn offer(&mut self, problem: &Problem<S>, iteration: u32, new: VertexId, to: Neighbour) {
+        if self.cost_by(Neighbour { vertex: new, ..to }) < self.best.tree.cost(to.vertex) {
+            self.best.try_parent(problem, iteration, to.vertex, Neighbour { vertex: new, ..to });
         }
+    }
+
+    /// Offers a new vertex to its neighbours and to the goals; goes on in the next iteration if too many motions were tried.
+    fn offer_all(&mut self, problem: &Problem<S>, iteration: u32, mut offering: Offering, left: usize) {
+        let (vertex, before) = (offering.vertex, self.best.growth.counters.motion_checks);
+        while let Some(&neighbour) = offering.found.as_slice().first() {
+            if self.best.growth.counters.motion_checks - before >= left as u64 {
+                self.pending = Some(Pending::Offering(offering));
+                return;
+            }
+            offering.found.next();
+            self.offer(problem, iteration, vertex, neighbour);
+        }
+        let (space, state) = (problem.space(), self.best.growth.state(vertex));
         self.index.insert(space, vertex, &state);
         for (goal, at) in goals(problem) {
             let distance = space.distance(&state, at);
             self.best.approach(vertex, distance);
             if distance <= self.step {
-                self.offer(problem, iteration, vertex, goal, distance);
+                self.offer(problem, iteration, vertex, Neighbour { vertex: goal, distance });
             }
+        }
+    }
+
+    /// Takes one sample, or goes on with the last one.
+    fn grow(&mut self, problem: &Problem<S>, iteration: u32) {
+        let mut left = MOST_TRIED;
+        let offering = match self.pending.take() {
+            Some(Pending::Offering(offering)) => Some(offering),
+            Some(Pending::Choosing(choosing)) => self.choose(problem, iteration, choosing, &mut left),
+            None => {
+                self.begin(problem, iteration).and_then(|choosing| self.choose(problem, iteration, choosing, &mut left))
+            }
+        };
+        if let Some(offering) = offering {
+            self.offer_all(problem, iteration, offering, left);
         }
     }
 }

@@ -138,6 +138,7 @@ impl<S: Space> Sst<S> {
         self.tree.growth.counters.nearest_queries += 1;
         let (space, states) = (problem.space(), self.tree.growth.graph.states());
         self.active.within(space, states, target, self.selection_radius, &mut self.found);
+        self.tree.growth.looked += self.found.len() as u64;
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.length(a).total_cmp(&self.length(b)).then(a.cmp(&b)));
         cheapest.unwrap_or_else(|| {

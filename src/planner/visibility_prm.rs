@@ -19,11 +19,17 @@ use crate::space::Space;
 /// More guards than there ever are: guards are few, and the ends of later queries are connected to all that see them.
 const MOST_GUARDS: usize = 1_000_000;
 
+/// The most motions that an iteration tries.
+const MOST_MOTIONS: usize = 256;
+
+/// The number of samples in a row without a new guard if none is given.
+const DEFAULT_FAILURES: u32 = 400;
+
 crate::options! {
     /// Options of the visibility PRM.
     pub struct VisibilityPrmOptions for crate::options::ALL;
     /// Number of samples in a row without a new guard before sampling stops: more cover more of the free space.
-    failures: u32 = 400, in 1.0..=1e6, "Most failures";
+    failures: Option<u32>, in 1.0..=1e6, "Most failures", else "400, and twice as many while there is no path";
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -66,9 +72,11 @@ impl PlannerKind for VisibilityPrmOptions {
         let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {
             sampler: self.sampling.sampler(problem.space(), seed),
+            sample: None,
             guards: Vec::new(),
             components: UnionFind::default(),
-            most_failures: self.failures,
+            most_failures: self.failures.unwrap_or(DEFAULT_FAILURES),
+            grows: self.failures.is_none(),
             failures: 0,
             seen: Vec::new(),
         };
@@ -86,15 +94,31 @@ impl PlannerKind for VisibilityPrmOptions {
     }
 }
 
-/// Builds the roadmap. An iteration tries one sample against every guard. Start and goals are the first guards.
+/// A sample that is tested against the guards.
+struct Tested<S> {
+    state: S,
+    /// The iteration in which it was drawn.
+    drawn: u32,
+    /// How many guards it was tested against.
+    guards: usize,
+    /// The first guard of every component that sees it.
+    visible: Vec<VertexId>,
+}
+
+/// Builds the roadmap. An iteration tries one sample against every guard, or goes on with one that has more to be tested against. Start
+/// and goals are the first guards.
 struct Guarding<S: Space> {
+    /// The sample that is not done yet.
+    sample: Option<Tested<S::State>>,
     sampler: Box<dyn Sampler<S>>,
     guards: Vec<VertexId>,
     components: UnionFind,
     /// The number of samples in a row without a new guard after which the roadmap is complete.
     most_failures: u32,
+    /// Whether there are twice as many where start and goal are not connected.
+    grows: bool,
     failures: u32,
-    /// The last iteration whose sample was visible from each component.
+    /// The last iteration that drew a sample visible from each component.
     seen: Vec<u32>,
 }
 
@@ -114,17 +138,33 @@ impl<S: Space> Guarding<S> {
 
 impl<S: Space> Build<S> for Guarding<S> {
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
-        let Some(state) = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler) else { return false };
-        // The first guard of every component that sees the state.
-        let mut visible = Vec::new();
-        for &guard in &self.guards {
-            let component = self.components.find(guard.index());
-            let there = roadmap.growth.state(guard);
-            if self.seen[component] != iteration && roadmap.growth.is_motion_free(problem, &state, &there) {
-                self.seen[component] = iteration;
-                visible.push(guard);
+        let mut sample = match self.sample.take() {
+            Some(sample) => sample,
+            None => {
+                let drawn = roadmap.growth.draw_free(problem, iteration, &mut *self.sampler);
+                let Some(state) = drawn else { return false };
+                Tested { state, drawn: iteration, guards: 0, visible: Vec::new() }
             }
+        };
+        let mut left = MOST_MOTIONS;
+        for &guard in &self.guards[sample.guards..] {
+            let component = self.components.find(guard.index());
+            if self.seen[component] != sample.drawn {
+                if left == 0 {
+                    self.sample = Some(sample);
+                    return false;
+                }
+                left -= 1;
+                let there = roadmap.growth.state(guard);
+                if roadmap.growth.is_motion_free(problem, &sample.state, &there) {
+                    self.seen[component] = sample.drawn;
+                    sample.visible.push(guard);
+                }
+            }
+            sample.guards += 1;
         }
+        roadmap.growth.looked += self.guards.len() as u64;
+        let Tested { state, visible, .. } = sample;
         match visible.as_slice() {
             [] => {
                 self.add_component();
@@ -145,6 +185,13 @@ impl<S: Space> Build<S> for Guarding<S> {
         }
         self.failures += 1;
         self.failures >= self.most_failures
+    }
+
+    fn grow(&mut self, _: &mut Roadmap<S>, _: usize) -> bool {
+        if self.grows {
+            self.most_failures = self.most_failures.saturating_mul(2);
+        }
+        self.grows
     }
 
     fn phase(&self, _: &Roadmap<S>) -> Phase {

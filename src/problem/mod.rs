@@ -12,7 +12,7 @@ pub use clearance::{ClearanceValidity, Evaluate};
 pub use dynamics::{Control, Dynamics, Motion};
 pub(crate) use nearest_free::naming_nearest;
 pub use nearest_free::nearest_free;
-pub use report::{Phase, Stats, Status};
+pub use report::{Phase, Reason, Stats, Status};
 pub use sampled::{Sampled, Samples};
 pub use validity::{Contact, Touched, Validity};
 

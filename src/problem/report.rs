@@ -15,7 +15,7 @@ pub enum Status {
     Running,
     /// A path was found.
     Solved,
-    /// No path: the budget of iterations, samples or memory (`graph::MAX_RECORDS`) is spent, or the complete roadmap has none.
+    /// No path, for a [`Reason`].
     Exhausted,
     /// The collision checker of a robot of one's own has failed: see [`Validity::failure`](super::Validity::failure).
     Failed,
@@ -26,6 +26,68 @@ impl Status {
     pub fn as_str(self) -> &'static str {
         self.into()
     }
+}
+
+/// Why a run has ended without a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Reason {
+    /// `max_iterations` were made.
+    IterationLimit,
+    /// `max_work` was spent.
+    WorkLimit,
+    /// `stop_evaluations` were made.
+    EvaluationLimit,
+    /// The tree has as many `vertices` as it was to have.
+    VertexLimit,
+    /// There is no room for more vertices, edges and events (`graph::MAX_RECORDS`).
+    GraphFull,
+    /// The roadmap or the samples are complete and do not connect start and goal. Others might.
+    NotConnected,
+    /// No vertex of the tree may be extended any more.
+    NothingToExtend,
+}
+
+impl Reason {
+    /// Every reason.
+    pub const ALL: &[Reason] = Reason::VARIANTS;
+
+    /// The reason as it is printed, such as `iteration-limit`.
+    pub fn as_str(self) -> &'static str {
+        self.into()
+    }
+
+    /// The reason in words, with the number that it depends on: the limit; for [`Reason::NotConnected`] the vertices; for
+    /// [`Reason::NothingToExtend`] none.
+    pub fn sentence(self, number: u64) -> String {
+        let n = grouped(number);
+        match self {
+            Self::IterationLimit => format!("gave up after {n} iterations without a path (max_iterations)"),
+            Self::WorkLimit => format!("gave up after {n} units of work without a path (max_work)"),
+            Self::EvaluationLimit => {
+                format!("gave up after {n} clearance evaluations without a path (stop_evaluations)")
+            }
+            Self::VertexLimit => format!("gave up with a tree of {n} vertices without a path (vertices)"),
+            Self::GraphFull => format!("gave up: there is no room for more than {n} vertices, edges and events"),
+            Self::NotConnected => format!("start and goal are not connected in this roadmap of {n} vertices"),
+            Self::NothingToExtend => "gave up: no vertex of the tree may be extended again".to_owned(),
+        }
+    }
+}
+
+/// A number with commas between groups of three digits.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 /// The phase of a run. Its number is its index in [`Phase::ALL`].
@@ -89,6 +151,9 @@ pub struct Stats {
     /// Motions refused because their proof had spent its budget of evaluations.
     #[serde(default)] // Absent in results written before proofs had budgets.
     pub unproven_motions: u64,
+    /// The work of all of these: a weighted sum, in units of about a microsecond on one core. `max_work` limits it.
+    #[serde(default)] // Absent in results written before it was counted.
+    pub work: u64,
     /// Seconds spent on growing the graph; 0 if not measured: the core reads no clock.
     #[serde(deserialize_with = "not_negative")]
     pub build_seconds: f64,

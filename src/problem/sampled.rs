@@ -105,6 +105,10 @@ impl<S: Space> Validity<S::State> for Sampled<S> {
         self.points.failure()
     }
 
+    fn evaluation_nanoseconds(&self) -> u64 {
+        self.points.evaluation_nanoseconds()
+    }
+
     fn clearance_evaluations(&self) -> u64 {
         self.points.clearance_evaluations()
     }

@@ -60,6 +60,12 @@ pub trait Validity<S> {
         0
     }
 
+    /// About how long an evaluation takes, in nanoseconds on one core: its part in the work that limits count. The default is that of a
+    /// distance between two simple shapes.
+    fn evaluation_nanoseconds(&self) -> u64 {
+        20
+    }
+
     /// How many motions have been refused so far because the budget of their proof was spent. The default is 0.
     fn unproven_motions(&self) -> u64 {
         0

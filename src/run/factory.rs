@@ -10,8 +10,8 @@ use crate::error::{Code, Error, Number};
 use crate::options::Choice;
 use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Planner, PlannerOptions, Searching,
-    Termination,
+    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions,
+    Searching, Termination,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
@@ -42,17 +42,17 @@ pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Bo
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
 /// and no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own. A planner that
-/// goes on to shorter paths ends as `termination` says, or with the budget of iterations.
+/// goes on to shorter paths ends as `termination` says.
 pub fn start_on<S: Space + 'static>(
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
-    max_iterations: u32,
+    limits: Limits,
     termination: Option<Termination>,
     improvement: Wanted,
     seed: u64,
 ) -> Box<dyn Run> {
     let wanted = improvement;
-    let info = RunInfo { planner: "custom", seed, max_iterations, wanted, termination, ..RunInfo::default() };
+    let info = RunInfo { planner: "custom", seed, limits, wanted, termination, ..RunInfo::default() };
     Box::new(Runner::new(problem, planner, info, None, None))
 }
 
@@ -252,7 +252,8 @@ impl<'a> Launch<'a> {
                 Launch::new(world, &options, planner, None)?.run(Some(Kept { roadmap, changes, tolerance }))
             })
         };
-        let info = RunInfo { termination, ..self.info };
+        let is_finite = self.info.is_finite || self.saved.is_some();
+        let info = RunInfo { termination, is_finite, ..self.info };
         Ok(Box::new(Runner::new(problem, planner, info, roadmap, Some(reopen))))
     }
 
@@ -328,7 +329,9 @@ pub(super) fn run_info(planner: &PlannerOptions, seed: u64) -> RunInfo {
     RunInfo {
         planner: planner.info().id,
         seed,
-        max_iterations: planner.group::<Limits>().copied().unwrap_or_default().max_iterations,
+        limits: planner.group::<Limits>().copied().unwrap_or_default(),
+        is_finite: planner.needed().is_some(),
+        vertices: planner.group::<Overgrowth>().and_then(|growth| growth.vertices),
         wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
             reduce: improving.reduce,
             shortcuts: improving.shortcut,

@@ -10,19 +10,20 @@
 //! | the planner has a path, and no improvement is wanted | `Solved` |
 //! | the planner has a path to be improved | `Running` in the phase `Improving`; each further iteration is one attempt, and the last one ends in `Solved` |
 //! | the planner knows that it finds no path | `Exhausted` |
-//! | `max_iterations` are made without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
+//! | `max_iterations` are made or `max_work` is spent without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
 //! | the planner improves its path itself, or grows past the goal | `Running`, if it improves in the phase `Improving` |
-//! | then `max_iterations` are made, or the conditions of [`Termination`](crate::planner::Termination) hold | as if it had just found the path |
+//! | then the conditions of [`Termination`](crate::planner::Termination) hold, or it has as many `vertices` as were asked for | as if it had just found the path |
+//! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path | the same |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
 //! | the collision checker of a robot of one's own has failed | `Failed` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
-//! run, to the bit, as one slice of 1000. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
+//! run, to the bit, as one slice of 1000. An `Exhausted` run has a [`Reason`]. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
 //! it is being improved.
 //!
 //! # Files
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
-//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner that goes on to shorter paths;
+//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work count;
 //!   `emitted.rs`: paths and edges as they are reported;
 //! - `custom.rs`: a run of a robot of one's own; `description.rs`: its space;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
@@ -45,6 +46,7 @@ mod resume;
 mod runner;
 pub mod storage;
 mod termination;
+mod work;
 
 pub use custom::{CustomProblem, Free, start_problem};
 pub use description::{CoordinateDescription, CoordinateKind, SpaceDescription};
@@ -54,7 +56,7 @@ pub use options::Options;
 pub use resume::{resume, resume_problem};
 
 pub use crate::options::Value;
-pub use crate::planner::{Phase, PlannerInfo, PlannerOptions, Preset, Status, planners};
+pub use crate::planner::{Limits, Phase, PlannerInfo, PlannerOptions, Preset, Reason, Status, planners};
 
 use crate::error::Error;
 use crate::path::ResultDocument;
@@ -86,6 +88,12 @@ pub trait Run {
     /// The status of the run.
     fn status(&self) -> Status;
 
+    /// Why the run has ended without a path; `None` if it has not.
+    fn reason(&self) -> Option<Reason>;
+
+    /// The reason in words, with the limit or the size of the roadmap: "gave up after 1,000 iterations without a path (max_iterations)".
+    fn explanation(&self) -> Option<String>;
+
     /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`]; the same from
     /// then on. Only a robot of one's own can fail.
     fn failure(&self) -> Option<Error>;
@@ -111,8 +119,8 @@ pub trait Run {
     /// Iterations made so far, attempts at improving the path included.
     fn iterations(&self) -> u64;
 
-    /// The number of the planner's iterations without a path after which the run ends; attempts at improvement do not count.
-    fn max_iterations(&self) -> u64;
+    /// The limits of the run while it has no path.
+    fn limits(&self) -> Limits;
 
     /// How many numbers a configuration has.
     fn dimension(&self) -> usize;

@@ -1,12 +1,14 @@
 //! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
-use super::termination::Progress;
+use super::termination::{Limiting, Progress};
+use super::work::Weights;
 use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
 use crate::error::{Code, Error};
+use crate::graph::MAX_RECORDS;
 use crate::options::Choice;
 use crate::path::{self, Approximate, Blending, Improvement, LengthMeasure, ResultDocument, Wanted};
-use crate::planner::{EdgeCheck, Phase, Planner, Roadmap, Status, Termination};
+use crate::planner::{EdgeCheck, Limits, Phase, Planner, Reason, Roadmap, Status, Termination};
 use crate::problem::{Motion, Problem, Stats, Validity, nearest_free};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
@@ -22,7 +24,11 @@ pub(super) struct RunInfo {
     pub query: String,
     pub planner: &'static str,
     pub seed: u64,
-    pub max_iterations: u32,
+    pub limits: Limits,
+    /// Whether the planner ends by itself, with a number of samples that was given.
+    pub is_finite: bool,
+    /// The vertices that a tree is to have.
+    pub vertices: Option<u32>,
     pub wanted: Wanted,
     /// When a planner that goes on to shorter paths is to end; `None` for others.
     pub termination: Option<Termination>,
@@ -83,6 +89,10 @@ pub(super) struct Runner<S: Space> {
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
+    /// Why the run has ended without a path.
+    reason: Option<Reason>,
+    limiting: Limiting,
+    weights: Weights,
     /// The lengths of the paths so far, if the planner goes on to shorter ones.
     progress: Option<Progress>,
     /// The length of the planner's path, and the planner's cost for which it was computed; both are infinite without a path.
@@ -108,6 +118,8 @@ impl<S: Space> Runner<S> {
         let least = if info.is_driven { 0.0 } else { problem.distance_to_goal(problem.start()) };
         let progress = info.termination.map(|termination| Progress::new(termination, least));
         Self {
+            limiting: Limiting::new(info.limits),
+            weights: Weights::of(&problem),
             problem,
             planner,
             info,
@@ -115,6 +127,7 @@ impl<S: Space> Runner<S> {
             reopen,
             iteration: 0,
             status: Status::Running,
+            reason: None,
             progress,
             length: f64::INFINITY,
             cost: f64::INFINITY,
@@ -147,14 +160,68 @@ impl<S: Space> Runner<S> {
         }
         match self.status {
             Status::Solved => self.accept(),
-            Status::Running if self.is_over() => {
-                self.status = Status::Exhausted;
-                if self.has_path() {
-                    self.accept();
-                }
-            }
-            Status::Running | Status::Exhausted | Status::Failed => {}
+            Status::Running => self.end_if_over(),
+            Status::Exhausted => self.reason = Some(self.planner.reason()),
+            Status::Failed => {}
         }
+    }
+
+    /// Ends the run if a limit is reached, or if a planner that goes on is to end.
+    fn end_if_over(&mut self) {
+        let Some(reason) = self.over() else { return };
+        if self.has_path() {
+            self.accept();
+        } else {
+            (self.status, self.reason) = (Status::Exhausted, Some(reason));
+        }
+    }
+
+    /// Whether the run is over, and why if there is no path.
+    fn over(&mut self) -> Option<Reason> {
+        let evaluations = self.evaluations();
+        if self.progress.as_ref().is_some_and(|progress| progress.is_over(self.iteration, evaluations)) {
+            return Some(Reason::EvaluationLimit);
+        }
+        if self.iteration == u32::MAX {
+            return Some(Reason::IterationLimit);
+        }
+        match self.limiting.exceeded(self.iteration, self.work()) {
+            Some(reason) => (!self.goes_on()).then_some(reason),
+            None => self.planner.is_full().then_some(Reason::GraphFull),
+        }
+    }
+
+    /// Whether the run goes on although a limit is spent: limits hold while there is no path. A planner that goes on to shorter paths ends
+    /// as its conditions say; where these may never hold, once a limit is spent without a shorter path. A tree that grows past its goal
+    /// ends once a limit is spent without a new vertex, and a planner that ends by itself, with the samples that it was given, once the
+    /// default limit is.
+    fn goes_on(&mut self) -> bool {
+        let (vertices, has_path) = (self.vertex_count(), self.has_path());
+        let gained = match &self.progress {
+            Some(progress) if has_path => {
+                !progress.may_never_end(self.iteration) || self.limiting.has_gained(progress.falls())
+            }
+            None if has_path => self.limiting.has_gained(vertices),
+            _ if self.info.is_finite && self.info.limits.are_default() => {
+                self.planner.phase() != Phase::Sampling || self.limiting.has_gained(vertices)
+            }
+            _ => false,
+        };
+        if gained {
+            self.limiting.begin_again(self.iteration, self.work());
+        }
+        gained
+    }
+
+    /// Clearance evaluations of the run so far.
+    fn evaluations(&self) -> u64 {
+        let own = self.problem.validity().clearance_evaluations() - self.viewer_work[0];
+        self.planner.growth().counters.clearance_evaluations + own
+    }
+
+    /// The work of the planner so far.
+    fn work(&self) -> u64 {
+        self.weights.work(u64::from(self.iteration), self.planner.growth(), self.evaluations())
     }
 
     /// Computes the length of the planner's path, if that has changed. O(1) if not.
@@ -171,14 +238,6 @@ impl<S: Space> Runner<S> {
         if let Some(progress) = &mut self.progress {
             progress.note(self.iteration, self.length, cost);
         }
-    }
-
-    /// Whether a planner that goes on is to end.
-    fn is_over(&self) -> bool {
-        let has_stopped = |progress: &Progress| progress.is_over(self.iteration, self.stats().clearance_evaluations);
-        self.iteration == self.info.max_iterations
-            || self.planner.is_full()
-            || self.progress.as_ref().is_some_and(has_stopped)
     }
 
     /// Whether the planner has a path already, which it improves or grows past.
@@ -261,7 +320,29 @@ impl<S: Space> Runner<S> {
         reached.map_or(moved.first(), |end| moved.iter().find(|&goal| goal == end))
     }
 
-    fn document(&self, query: &str, status: Status, path: EmittedPath<S>) -> ResultDocument {
+    /// A reason in words.
+    fn explained(&self, reason: Reason) -> String {
+        let Limits { max_iterations, .. } = self.info.limits;
+        let termination = self.info.termination.unwrap_or_default();
+        let number = match reason {
+            Reason::IterationLimit => u64::from(max_iterations.unwrap_or(u32::MAX)),
+            Reason::WorkLimit => self.info.limits.work(),
+            Reason::EvaluationLimit => termination.stop_evaluations.unwrap_or_default(),
+            Reason::VertexLimit => self.info.vertices.map_or(0, u64::from),
+            Reason::GraphFull => MAX_RECORDS as u64,
+            _ => self.vertex_count() as u64,
+        };
+        let is_unsearched = self.planner.roadmap().is_some() && self.planner.growth().counters.visited == 0;
+        let before = if is_unsearched { ", before the roadmap was searched" } else { "" };
+        reason.sentence(number) + before
+    }
+
+    fn document(
+        &self,
+        query: &str,
+        (status, reason): (Status, Option<Reason>),
+        path: EmittedPath<S>,
+    ) -> ResultDocument {
         let is_driven = !self.planner.graph().motions().is_empty() && !path.states.is_empty();
         let length = path.length;
         let saving = path::blend_saving(self.problem.space(), &path.states, &path.blends);
@@ -272,6 +353,8 @@ impl<S: Space> Runner<S> {
             planner: self.info.planner.to_owned(),
             seed: self.info.seed,
             status,
+            reason,
+            explanation: reason.map(|reason| self.explained(reason)),
             path: self.rows(&path.states),
             length,
             length_measure: self.info.measure,
@@ -330,6 +413,14 @@ impl<S: Space> Run for Runner<S> {
         self.status
     }
 
+    fn reason(&self) -> Option<Reason> {
+        self.reason
+    }
+
+    fn explanation(&self) -> Option<String> {
+        self.reason.map(|reason| self.explained(reason))
+    }
+
     fn failure(&self) -> Option<Error> {
         self.problem.validity().failure()
     }
@@ -364,8 +455,8 @@ impl<S: Space> Run for Runner<S> {
         u64::from(self.iteration) + self.improvement.as_ref().map_or(0, |improvement| improvement.attempts)
     }
 
-    fn max_iterations(&self) -> u64 {
-        u64::from(self.info.max_iterations)
+    fn limits(&self) -> Limits {
+        self.info.limits
     }
 
     fn dimension(&self) -> usize {
@@ -460,6 +551,7 @@ impl<S: Space> Run for Runner<S> {
         let [evaluations, unproven] = self.viewer_work;
         Stats {
             iterations: self.iterations(),
+            work: self.work(),
             vertices: self.vertex_count() as u64,
             edges: self.edge_count() as u64,
             motion_checks: counters.motion_checks + improvement_checks,
@@ -474,7 +566,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn result(&self) -> ResultDocument {
-        let document = self.document(&self.info.query, self.status, self.emitted());
+        let document = self.document(&self.info.query, (self.status, self.reason), self.emitted());
         let moved_goal = self.moved_goal(document.path.last()).cloned();
         let moved_start = self.info.moved_start.clone();
         ResultDocument { approximate: self.approximate(), moved_start, moved_goal, ..document }
@@ -508,9 +600,12 @@ impl<S: Space> Run for Runner<S> {
         if let Some(error) = self.failure() {
             return Err(error);
         }
-        let status = if found.path.is_empty() { Status::Exhausted } else { Status::Solved };
+        let ended = match found.path.is_empty() {
+            true => (Status::Exhausted, Some(Reason::NotConnected)),
+            false => (Status::Solved, None),
+        };
         let path = EmittedPath::through(&self.problem, &found.path);
-        Ok(self.document(ASKED, status, path))
+        Ok(self.document(ASKED, ended, path))
     }
 
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error> {

@@ -2,7 +2,7 @@
 //!
 //! They are evaluated after each iteration of the planner, from counts alone, so where a run ends depends on no clock and no slicing.
 
-use crate::planner::{StopWhen, Termination};
+use crate::planner::{Limits, Reason, StopWhen, Termination};
 
 /// A path this near to a lower bound on the costs of all paths is the shortest.
 const SHORTEST: f64 = 1.0 + 1e-12;
@@ -58,6 +58,17 @@ impl Progress {
             }
     }
 
+    /// Whether conditions other than the number of iterations are still to hold, after these iterations: they may never do.
+    pub fn may_never_end(&self, iteration: u32) -> bool {
+        let since = self.falls.first().map_or(0, |&(first, _)| iteration - first);
+        self.termination.stop_when == StopWhen::All && since >= self.termination.improve_iterations
+    }
+
+    /// How many times the path has become shorter.
+    pub fn falls(&self) -> usize {
+        self.falls.len()
+    }
+
     /// Whether the last half of the iterations since the first path shortened it by no more than a share of its length.
     fn has_converged(&self, iteration: u32, share: f64) -> bool {
         let (Some(&(first, _)), Some(&(_, now))) = (self.falls.first(), self.falls.last()) else { return false };
@@ -65,5 +76,40 @@ impl Progress {
         let before = self.falls.partition_point(|&(at, _)| at <= iteration - half);
         let then = self.falls[before - 1].1;
         2 * half >= FEWEST && then - now <= share * then
+    }
+}
+
+/// The limits of a run without a path, and what they are counted from.
+#[derive(Debug, Clone)]
+pub(super) struct Limiting {
+    /// The most iterations, `u32::MAX` if any number, and the most work, since then.
+    most: (u32, u64),
+    since: (u32, u64),
+    /// What the run had gained by then.
+    gained: usize,
+}
+
+impl Limiting {
+    /// From the beginning.
+    pub fn new(limits: Limits) -> Self {
+        Self { most: (limits.max_iterations.unwrap_or(u32::MAX), limits.work()), since: (0, 0), gained: 0 }
+    }
+
+    /// The limit that is spent after so many iterations and so much work.
+    pub fn exceeded(&self, iteration: u32, work: u64) -> Option<Reason> {
+        if iteration - self.since.0 >= self.most.0 {
+            return Some(Reason::IterationLimit);
+        }
+        (work - self.since.1 >= self.most.1).then_some(Reason::WorkLimit)
+    }
+
+    /// Whether the run has gained something since the limits are counted: vertices, or shorter paths.
+    pub fn has_gained(&mut self, now: usize) -> bool {
+        std::mem::replace(&mut self.gained, now) < now
+    }
+
+    /// Counts from here on.
+    pub fn begin_again(&mut self, iteration: u32, work: u64) {
+        self.since = (iteration, work);
     }
 }

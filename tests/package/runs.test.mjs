@@ -187,7 +187,11 @@ test("a budget that runs out ends as exhausted, with an empty path", () => {
   const planner = finish(Scenario.parse(disc).planner({ maxIterations: 3 }));
   assert.equal(planner.status, "exhausted");
   assert.equal(planner.path().length, 0);
-  assert.deepEqual(planner.result().path, []);
+  const { path, reason, explanation } = planner.result();
+  assert.deepEqual([path, reason, explanation], [[], "iteration-limit", "gave up after 3 iterations without a path (max_iterations)"]);
+  assert.deepEqual([planner.reason, planner.explanation], [reason, explanation]);
+  assert.deepEqual(finish(Scenario.parse(disc).planner({})).reason, undefined, "solved");
+  assert.throws(() => Scenario.parse(disc).planner({ algorithm: "prm", samples: 200_000, maxIterations: 100_000 }), { code: "out-of-range", pointer: "/maxIterations" });
 });
 
 test("stepFor overruns its budget by less than a quarter, whatever an iteration costs", (context) => {

@@ -149,7 +149,7 @@ test("a roadmap that has no path between two configurations says so; trees and r
   await hold(page, start.map((value) => Number((value + 0.02).toFixed(2))));
   const asked = await ask(page, () => page.click("#ask-from"), /^The roadmap has no path from this start to this goal: \d+ vertices visited in /);
   assert.equal(asked.status, "exhausted");
-  assert.equal(await page.innerText("#count-phase"), "no path");
+  assert.equal(await page.innerText("#count-phase"), "not connected");
   await choosePlanner(page, "rrt", "step");
   await finish(page);
   await click(page, "#your-turn");

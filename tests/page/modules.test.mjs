@@ -152,7 +152,7 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   assert.ok(scenario.distance(playback.configuration(0), start) < 1e-12);
   const short = scenario.distance(playback.configuration(1), goal);
   assert.ok(short > 0.1);
-  assert.equal(ending(run, playback), `No path after 300 iterations. The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`);
+  assert.equal(ending(run, playback), `Gave up after 300 iterations without a path (max_iterations). The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`);
   for (const algorithm of ["prm", "rrt-connect"]) {
     const other = runOf("firs", algorithm, { max_iterations: 3 });
     assert.equal(playbackOf(other.scenario, other.run), null);

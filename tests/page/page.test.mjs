@@ -99,7 +99,7 @@ test("the page's run is the package's run, bit for bit, and ends as it should", 
     const { result, iterations, edges } = ran(scenario, algorithm, settings);
     assert.deepEqual([shown.fingerprint, shown.iterations, shown.edges], [result.fingerprint, iterations, edges.length], id);
     assert.equal(shown.status, id === "locked" ? "exhausted" : "solved", id);
-    assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Path found/ : /^No path/);
+    assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Path found/ : /^Start and goal are not connected in this roadmap of 302 vertices. With k = 9 it has /);
     assert.equal(await page.isVisible("#notice"), false);
     assert.equal(await page.isVisible("#cspace"), scenario.robot !== "disc");
     const inked = (await growthHash(page, "workspace")).split(",").map((layer) => Number(layer.split(" ")[2]));
@@ -264,7 +264,7 @@ test("a tree that gives up shows its nearest miss, dashed, and the robot drives 
   await page.click("#more summary");
   await setParameter(page, "max_iterations", "300");
   assert.equal((await finish(page)).status, "exhausted");
-  assert.match(await page.innerText("#story"), /^No path after 300 iterations. The closest approach, dashed, ends 0.84 rad from the goal.$/);
+  assert.match(await page.innerText("#story"), /^Gave up after 300 iterations without a path \(max_iterations\). The closest approach, dashed, ends 0.84 rad from the goal.$/);
   assert.equal(await page.innerText("#legend-path"), "closest approach");
   await page.fill("#along", "0.5");
   await atRest(page);

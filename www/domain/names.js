@@ -37,6 +37,12 @@ export function weightedText(distance, scenario) {
   return `${distance.toFixed(2)} (${sum})`;
 }
 
+/** Why a run has no path, in two words. @param {string | null | undefined} reason  of its result */
+export function endText(reason) {
+  if (reason === "not-connected") return "not connected";
+  return reason === "nothing-to-extend" ? "nothing to extend" : "gave up";
+}
+
 /** @param {Scenario} scenario @param {number} part */
 export function partName(scenario, part) { return scenario.robot === "arm" ? `link ${part + 1}` : robotName(scenario.robot); }
 

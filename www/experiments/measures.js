@@ -20,7 +20,7 @@ const TITLES = {
   waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["weighted length by chords", ""],
   rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
   motion_checks: ["motions tested", ""], unchecked_edges: ["edges never tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
-  clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""],
+  clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""], work: ["work", ""],
   build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
 };
 

@@ -1,5 +1,6 @@
 /** The counters of the run, as text and as data attributes. */
 import { byId, grouped, write } from "../app/dom.js";
+import { endText } from "../domain/names.js";
 import { duration, percent } from "../widgets/format.js";
 
 /** @import { LaneState } from "../domain/types.js" */
@@ -16,11 +17,11 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show({ status, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, segments, fingerprint }, settled) {
+  show({ status, reason, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, segments, fingerprint }, settled) {
     this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
     byId("gap", HTMLElement).hidden = optimum === null;
     this.write({
-      phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? "no path" : status,
+      phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? endText(reason) : status,
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
       gap: gap === null ? "" : percent(gap),

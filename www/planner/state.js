@@ -49,6 +49,8 @@ export function report(session) {
 
 const NO_RUN = {
   status: /** @type {Status | "none"} */ ("none"), phase: "", iteration: 0,
+  /** Why it ended without a path. @type {string | null} */
+  reason: null,
   made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
   /** Of the best path so far, Infinity without a path. */
   cost: Infinity,
@@ -93,6 +95,7 @@ function laneState(lane) {
     cost: past[PAST.cost], gap: gapOf(past[PAST.cost], truth),
     length: isEnd && status === "solved" ? run.result.blended_length ?? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
     unit: unitOf(scenario.robot),
+    reason: isEnd ? run.result.reason ?? null : null,
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,
     isInformed: isInformed(lane), hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
@@ -107,7 +110,7 @@ function laneState(lane) {
   const { result, visited, seconds } = asked;
   const isSolved = result.status === "solved";
   return {
-    ...state, status: result.status, length: isSolved ? result.length : null, segments: isSolved ? result.path.length - 1 : null,
+    ...state, status: result.status, reason: result.reason ?? null, length: isSolved ? result.length : null, segments: isSolved ? result.path.length - 1 : null,
     visited, stats: state.stats && { ...state.stats, search: seconds },
   };
 }

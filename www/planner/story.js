@@ -1,7 +1,7 @@
 /** The sentences above the stage. */
 import { counted, grouped } from "../app/dom.js";
 import { leaders, letters } from "./race/standings.js";
-import { costText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
+import { costText, endText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
 import { turnsAlong } from "../domain/coordinates.js";
 import { capital, duration, num } from "../widgets/format.js";
@@ -84,16 +84,18 @@ export function ending(run, playback) {
     const rounded = blends && blended !== undefined ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, robot)}` : "";
     return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.`;
   }
-  if (!run.isTree && run.visited === 0) return `No path: the run ended after ${iterations}, before the roadmap was searched.`;
-  if (run.isLazy) return "No path: every way along candidate edges needs a motion that is not free.";
+  const { reason, explanation = "no path was found" } = run.result;
+  const why = capital(explanation);
+  if (run.isLazy) return reason === "not-connected" ? `${why}: every way along candidate edges needs a motion that is not free.` : `${why}.`;
   if (run.pieces) {
     const { k } = run.settings;
-    return `No path. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
+    return `${why}. ${typeof k === "number" ? `With k = ${k} it` : "It"} has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
   }
-  if (!approximate || !playback) return `No path after ${iterations}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
+  if (!run.isTree) return `${why}.`;
+  if (!approximate || !playback) return `${why}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
   // Under controls nearness to the goal is not a length of a drive.
   const left = robot === "rigid_body" || run.isDriven ? weightedText(approximate.goal_distance, run.scenario) : lengthText(approximate.goal_distance, robot);
-  const miss = `No path after ${iterations}. The closest approach, dashed, ends ${left} from the goal`;
+  const miss = `${why}. The closest approach, dashed, ends ${left} from the goal`;
   if (run.isProven) return `${miss}.`;
   return `${miss}, not proven${playback.flaw ? `: ${collision(run.scenario, playback.flaw.check)}` : "."}`;
 }
@@ -151,7 +153,7 @@ function arrival(touches) {
 export function summary(title, run) {
   if (!run) return `${title}. No planner has run.`;
   const kind = run.kind === "trees" ? "Two trees" : `A ${run.kind}`;
-  const state = run.status === "running" ? run.phase : run.status === "exhausted" ? "no path found" : run.status;
+  const state = run.status === "running" ? run.phase : run.status === "exhausted" ? endText(run.known?.result.reason) : run.status;
   const { past } = run;
   return `${title}. ${kind} with ${grouped(past[PAST.vertices])} vertices and ${grouped(past[PAST.edges])} edges; ${state}.`;
 }
@@ -168,7 +170,7 @@ function race(lanes) {
 /** Who leads. @param {Lane[]} lanes @param {import("./race/standings.js").Standing[]} standings */
 function standing(lanes, standings) {
   const { first, shortest, isOver } = leaders(standings);
-  if (first.length === 0) return isOver ? "No planner found a path." : "All planners get the same budget, measured in clearance evaluations (distance computations).";
+  if (first.length === 0) return isOver ? "Every planner gave up, without a path." : "All planners get the same budget, measured in clearance evaluations (distance computations).";
   const { found } = standings[first[0]];
   if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";
   const [best] = shortest;

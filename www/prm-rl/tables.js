@@ -1,5 +1,6 @@
 /** The tables of this page: the ways to drive to one goal, the edges of a path, and the comparison with its intervals drawn. */
 import { byId, grouped, make, makeSvg } from "../app/dom.js";
+import { endText } from "../domain/names.js";
 import { csvFile } from "../formats/csv.js";
 import { num } from "../widgets/format.js";
 import { WAYS, countsOf } from "./session.js";
@@ -23,11 +24,11 @@ function meanText(values, unit) { return values.length === 0 ? NONE : `${num(val
 /** What each way has come to for this start and goal. @param {NavigationSession} session */
 export function showDriven({ runs, way }) {
   const rows = WAYS.map((one) => {
-    const { status, path, rollouts, drives } = runs[one];
+    const { status, path, result, rollouts, drives } = runs[one];
     const { reached, collision, timeout } = countsOf(drives);
     const counts = drives.length === 0 ? [NONE, NONE, NONE] : [`${reached} of ${drives.length}`, String(collision), String(timeout)];
     const least = rollouts && rollouts.length > 0 ? `${Math.min(...rollouts.flatMap(({ forward, backward }) => [forward, backward]))} of ${rollouts[0].of}` : NONE;
-    const edges = one === "policy" || path.length === 0 ? (status === "exhausted" ? "no path" : NONE) : grouped(path.length - 1);
+    const edges = one === "policy" || path.length === 0 ? (status === "exhausted" ? endText(result?.reason) : NONE) : grouped(path.length - 1);
     const times = drives.filter(({ outcome }) => outcome === "reached").map(({ time }) => time);
     return row(WAY_WORDS[one].title, [edges, least, ...counts, meanText(times, "s")], { way: one, reached: drives.length > 0 ? reached : "", chosen: one === way });
   });

@@ -1,5 +1,6 @@
 /** What the page says of its state. */
 import { counted, grouped } from "../app/dom.js";
+import { capital } from "../widgets/format.js";
 import { countsOf } from "./session.js";
 
 /** @import { NavigationSession } from "./session.js" */
@@ -20,7 +21,7 @@ export function sentenceOf(session) {
   if (refusal) return `The ${refusal.end} is in collision: move it away from obstacles.`;
   if (run.status === "none") return "Drag the ring to move the robot and the diamond to move its goal. Then plan.";
   if (run.status === "running") return `The roadmap grows: ${counted(run.vertices.length / 2, "vertex", "vertices")}, ${counted(run.edges.length / 2, "edge")}.`;
-  if (run.status === "exhausted") return `No path: with ${counted(run.vertices.length / 2, "vertex", "vertices")} the roadmap does not connect start and goal by edges that are reliable enough.`;
+  if (run.status === "exhausted") return `${capital(run.result?.explanation ?? "no path was found")}${run.result?.reason === "not-connected" ? ", by edges that are reliable enough" : ""}.`;
   if (run.drives.length > 0) return `${WAY_WORDS[way].title}: ${drivenText(session)}`;
   if (way === "policy") return "The policy alone has no plan: it drives towards the goal.";
   const least = leastOf(session);

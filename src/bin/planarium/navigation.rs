@@ -1,6 +1,6 @@
 //! `planarium train`, `navigate` and `compare`: a policy trained, paths along edges that it drives reliably, and how these do beside others.
 
-use crate::{Answer, arguments, files};
+use crate::{Answer, arguments, files, plan};
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
@@ -80,7 +80,8 @@ pub fn navigate(arguments: &arguments::Navigate) -> Answer {
     let reached = format!("{} of {} executions reached the goal", result.reached.count, result.reached.n);
     files::say(&match result.plan.status {
         Status::Solved => format!("solved: {edges} edges, {:.2} m; {reached}; {seconds:.3} s", result.plan.length),
-        status => format!("{}: no path; {seconds:.3} s", status.as_str()),
+        Status::Exhausted => format!("{}; {seconds:.3} s", plan::exhausted(&result.plan)),
+        status => format!("{}: no path yet; {seconds:.3} s", status.as_str()),
     });
     Ok(result.plan.status == Status::Solved)
 }

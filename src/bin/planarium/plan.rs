@@ -7,7 +7,7 @@ use planarium::Error;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
-use planarium::run::{self, Options, Phase, Run, Status, Value};
+use planarium::run::{self, Limits, Options, Phase, Run, Status, Value};
 use std::io::{IsTerminal, stderr};
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -73,7 +73,7 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
         if drawn.elapsed() >= REDRAW {
             drawn = Instant::now();
             bar.set_message(format!("{}, {} vertices", run.phase().as_str(), run.vertex_count()));
-            bar.set_position(run.iterations());
+            bar.set_position(position(run, &bar));
         }
     }
     bar.finish_and_clear();
@@ -96,7 +96,7 @@ fn summary(result: &ResultDocument) -> String {
     let seconds = stats.build_seconds + stats.search_seconds;
     let found = match result.status {
         Status::Solved => format!("solved: {} waypoints, length {:.4}", result.path.len(), result.length),
-        Status::Exhausted => "exhausted: no path found".to_owned(),
+        Status::Exhausted => exhausted(result),
         Status::Failed => "failed: a configuration cannot be evaluated".to_owned(),
         Status::Running => "running: the time is up, no path found yet".to_owned(),
         other => other.as_str().to_owned(),
@@ -104,15 +104,30 @@ fn summary(result: &ResultDocument) -> String {
     format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
 }
 
+/// Why a run has ended without a path.
+pub fn exhausted(result: &ResultDocument) -> String {
+    format!("exhausted: {}", result.explanation.as_deref().unwrap_or("no path found"))
+}
+
 /// Standard error, if that is a terminal.
 pub fn progress_target() -> ProgressDrawTarget {
     if stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() }
 }
 
+/// Shows the work of the limit that is spent, or its iterations if only these are limited.
 fn progress_bar(run: &dyn Run) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} iterations  {elapsed}  {msg}")
+    let style = ProgressStyle::with_template("{bar:30} {human_pos}/{human_len} {prefix}  {elapsed}  {msg}")
         .expect("the template is well-formed");
-    ProgressBar::with_draw_target(Some(run.max_iterations()), progress_target()).with_style(style)
+    let (unit, most) = match run.limits() {
+        Limits { max_work: None, max_iterations: Some(most), .. } => ("iterations", u64::from(most)),
+        limits => ("work", limits.work()),
+    };
+    ProgressBar::with_draw_target(Some(most), progress_target()).with_style(style).with_prefix(unit)
+}
+
+/// Where the bar stands.
+fn position(run: &dyn Run, bar: &ProgressBar) -> u64 {
+    if bar.prefix() == "iterations" { run.iterations() } else { run.stats().work }
 }
 
 /// Writes a roadmap in the given format, or in that of the file's extension.

@@ -73,6 +73,8 @@ pub struct Lifelong {
     frontier: BinaryHeap<Reverse<Key>>,
     /// The edges of the best path, from the start on, and its vertices.
     path: (Vec<u32>, Vec<VertexId>),
+    /// How many half edges were looked at.
+    looked: u64,
 }
 
 /// A cost and an edge more.
@@ -84,7 +86,17 @@ impl Lifelong {
     /// A search without vertices.
     pub fn new(is_directed: bool, start: VertexId, goals: Goals) -> Self {
         let (nodes, edges, next) = (Vec::new(), Vec::new(), Vec::new());
-        Self { is_directed, start, goals, nodes, edges, next, frontier: BinaryHeap::new(), path: Default::default() }
+        Self {
+            is_directed,
+            start,
+            goals,
+            nodes,
+            edges,
+            next,
+            frontier: BinaryHeap::new(),
+            path: Default::default(),
+            looked: 0,
+        }
     }
 
     /// Starts a search between other vertices, with other estimates. O(v).
@@ -118,6 +130,11 @@ impl Lifelong {
         if edge.state != EdgeState::Refused {
             self.directions().for_each(|i| self.offer_along(2 * number + i));
         }
+    }
+
+    /// How many edges the search has looked at so far: a measure of its work.
+    pub fn looked(&self) -> u64 {
+        self.looked
     }
 
     /// All edges, in the order in which they were added.
@@ -163,6 +180,7 @@ impl Lifelong {
         let former = std::mem::replace(cost, if *ahead < *cost { *ahead } else { UNREACHED });
         let mut next = self.half_edges(vertex, 0).next();
         while let Some(half) = next {
+            self.looked += 1;
             self.withdraw(self.end(half), plus(former, self.edges[half as usize / 2].cost));
             self.offer_along(half);
             next = self.half_edges_from(self.next[half as usize]).next();
@@ -236,18 +254,23 @@ impl Lifelong {
         if vertex == self.start || cost != self.nodes[vertex.index()].ahead || cost >= UNREACHED {
             return;
         }
-        self.nodes[vertex.index()].ahead = self.before(vertex).map_or(UNREACHED, |(cost, ..)| cost);
+        let (before, looked) = self.before(vertex);
+        self.looked += looked;
+        self.nodes[vertex.index()].ahead = before.map_or(UNREACHED, |(cost, ..)| cost);
         self.wait(vertex);
     }
 
-    /// The cheapest way to a vertex: its cost, the vertex before, the edge. Ties go to the lower vertex.
-    fn before(&self, vertex: VertexId) -> Option<(Cost, VertexId, u32)> {
+    /// The cheapest way to a vertex: its cost, the vertex before, the edge; and how many edges lead to it. Ties go to the lower vertex.
+    fn before(&self, vertex: VertexId) -> (Option<(Cost, VertexId, u32)>, u64) {
+        let mut looked = 0;
         let into = self.half_edges(vertex, self.list(1)).map(|half| {
+            looked += 1;
             // The same edge in the direction towards the vertex.
             let back = half ^ 1;
             (self.cost_along(back), self.end(half), half / 2)
         });
-        into.filter(|(cost, ..)| cost.0 < f64::INFINITY).min_by(|a, b| a.partial_cmp(b).expect("costs are numbers"))
+        let reached = into.filter(|(cost, ..)| cost.0 < f64::INFINITY);
+        (reached.min_by(|a, b| a.partial_cmp(b).expect("costs are numbers")), looked)
     }
 
     /// The key of a vertex that waits to be expanded; `None` if it does not.
@@ -281,7 +304,9 @@ impl Lifelong {
         let (mut edges, mut vertices) = (Vec::new(), vec![vertex]);
         // Every cost is that of the vertex before it and an edge more: they fall.
         while self.key(vertex).is_none() {
-            let Some((_, before, edge)) = (vertex != self.start).then(|| self.before(vertex)).flatten() else {
+            let (way, looked) = if vertex == self.start { (None, 0) } else { self.before(vertex) };
+            self.looked += looked;
+            let Some((_, before, edge)) = way else {
                 edges.reverse();
                 vertices.reverse();
                 self.path = (edges, vertices);

@@ -123,6 +123,7 @@ impl<S: Space> Ahead<S> {
             count(&mut roadmap.growth, work);
             roadmap.growth.counters.nearest_queries += 1;
             roadmap.growth.counters.motion_checks += tried.len() as u64;
+            roadmap.growth.looked += tried.len() as u64;
             for ([from, to], is_free) in tried {
                 roadmap.add_tried(iteration, from, to, is_free);
             }

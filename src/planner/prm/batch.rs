@@ -1,5 +1,6 @@
 //! First all samples, then all edges, each pair of vertices once.
 
+use super::MOST_MOTIONS;
 #[cfg(feature = "parallel")]
 use super::ahead::Ahead;
 use crate::graph::VertexId;
@@ -18,6 +19,8 @@ use crate::space::Space;
 pub(super) struct Batch<S: Space> {
     /// The number of vertices to have before any is connected, and the sampler; `None` for a roadmap that has them.
     samples: Option<(usize, Box<dyn Sampler<S>>)>,
+    /// As many samples are added again while start and goal are not connected; `None` if their number was given.
+    growing: Option<Growing>,
     /// The vertices to connect.
     left: Box<dyn ExactSizeIterator<Item = VertexId>>,
     connect: Connect,
@@ -31,16 +34,18 @@ impl<S: Space> Batch<S> {
         problem: &Problem<S>,
         roadmap: Roadmap<S>,
         samples: usize,
+        growing: Option<Growing>,
         sampler: Box<dyn Sampler<S>>,
     ) -> RoadmapPlanner<S, Self> {
-        let builder = Self::new(&roadmap, samples, sampler);
+        let builder = Self::new(&roadmap, samples, growing, sampler);
         RoadmapPlanner::new(problem, roadmap, builder, false)
     }
 
     /// A builder that adds so many samples to a roadmap of start and goals.
-    pub fn new(roadmap: &Roadmap<S>, samples: usize, sampler: Box<dyn Sampler<S>>) -> Self {
+    pub fn new(roadmap: &Roadmap<S>, samples: usize, growing: Option<Growing>, sampler: Box<dyn Sampler<S>>) -> Self {
         let vertices = samples + roadmap.len();
-        Self::with(Some((vertices, sampler)), Box::new((0..vertices as u32).map(VertexId)))
+        let left = (0..vertices as u32).map(VertexId);
+        Self { growing, ..Self::with(Some((vertices, sampler)), Box::new(left)) }
     }
 
     /// A builder that adds no samples and connects these vertices.
@@ -51,6 +56,7 @@ impl<S: Space> Batch<S> {
     fn with(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
         Self {
             samples,
+            growing: None,
             left,
             connect: Connect::default(),
             #[cfg(feature = "parallel")]
@@ -85,9 +91,38 @@ impl<S: Space> Build<S> for Batch<S> {
         self.left.len() == 0
     }
 
+    /// The new vertices are connected to their nearest among all, the old ones only to the new that want it.
+    fn grow(&mut self, roadmap: &mut Roadmap<S>, dimension: usize) -> bool {
+        let (Some(growing), Some((vertices, _))) = (self.growing, &mut self.samples) else { return false };
+        let Some(more) = growing.more(roadmap, dimension) else { return false };
+        self.connect.first = VertexId(roadmap.len() as u32);
+        self.left = Box::new((roadmap.len() as u32..more as u32).map(VertexId));
+        *vertices = more;
+        true
+    }
+
     fn phase(&self, roadmap: &Roadmap<S>) -> Phase {
         let is_sampling = self.samples.as_ref().is_some_and(|(vertices, _)| roadmap.len() < *vertices);
         if is_sampling { Phase::Sampling } else { Phase::Connecting }
+    }
+}
+
+/// How a roadmap grows while its number of samples is not given: the number of neighbours for so many vertices in so many dimensions, or
+/// `None` if it stays.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Growing(pub Option<fn(usize, usize) -> usize>);
+
+impl Growing {
+    /// The vertices of the roadmap that comes after this one, which is given the number of neighbours for it: twice as many. `None` if it
+    /// would try too many motions.
+    pub fn more<S: Space>(self, roadmap: &mut Roadmap<S>, dimension: usize) -> Option<usize> {
+        let vertices = 2 * roadmap.len();
+        let k = self.0.map_or(roadmap.connection.k, |k| k(vertices, dimension));
+        if vertices as u64 * k as u64 > MOST_MOTIONS {
+            return None;
+        }
+        roadmap.connection.k = k;
+        Some(vertices)
     }
 }
 
@@ -117,11 +152,19 @@ impl Tried {
 }
 
 /// The motions that the vertices connected so far have tried.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Connect {
+    /// The first vertex of the present batch: earlier ones have tried no motions to its vertices.
+    first: VertexId,
     /// By the number of the vertex: out of it, and, if motions have a direction, into it.
     tried: [Vec<Tried>; 2],
     neighbours: Vec<Neighbour>,
+}
+
+impl Default for Connect {
+    fn default() -> Self {
+        Self { first: VertexId(0), tried: Default::default(), neighbours: Vec::new() }
+    }
 }
 
 impl Connect {
@@ -135,6 +178,7 @@ impl Connect {
             for neighbour in &self.neighbours {
                 if !self.has_tried(problem.space(), direction, vertex, neighbour) {
                     let [from, to] = direction.ends(vertex, neighbour.vertex);
+                    roadmap.growth.looked += 1;
                     roadmap.try_edge(problem, iteration, from, to);
                 }
             }
@@ -158,7 +202,8 @@ impl Connect {
     ) -> bool {
         let [_, others] = lists(space, direction);
         let tried = self.tried[others].get(other.index());
-        other < vertex && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
+        (self.first..vertex).contains(&other)
+            && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
     }
 }
 

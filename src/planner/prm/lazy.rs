@@ -3,8 +3,8 @@
 //! Bohlin and Kavraki 2000, "Path planning using lazy PRM". Unlike there, samples are checked when they are drawn: the vertices are those
 //! of PRM, and so is the length of the path. Where there is no path, no vertices are added; lazy PRM* does that.
 
-use super::batch::Batch;
-use super::{DEFAULT_K, check_motions};
+use super::batch::{Batch, Growing};
+use super::{DEFAULT_K, DEFAULT_SAMPLES, check_motions, needed_by_batch};
 use crate::error::Error;
 use crate::planner::Planner;
 use crate::planner::groups::{EdgeOptions, Sampling, Searching};
@@ -18,7 +18,7 @@ crate::options! {
     /// Options of lazy PRM.
     pub struct LazyPrmOptions for crate::options::ALL;
     /// Number of free samples: more find narrower passages and shorter paths but take longer.
-    samples: usize = 2000, in 0.0..=250_000.0, "Samples";
+    samples: Option<usize>, in 0.0..=250_000.0, "Samples", else "2000, and twice as many again while there is no path";
     /// Each vertex has candidate edges to its k nearest neighbours: too few leave gaps, more shorten paths.
     k: usize = DEFAULT_K, in 1.0..=1000.0, "Neighbours";
     /// Where samples come from.
@@ -57,12 +57,17 @@ impl PlannerKind for LazyPrmOptions {
         ],
     };
 
+    fn needed(&self) -> Option<[u64; 2]> {
+        needed_by_batch(self.samples)
+    }
+
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
-        check_motions(self.samples, self.k)?;
+        let samples = self.samples.unwrap_or(DEFAULT_SAMPLES);
+        check_motions(samples, self.k)?;
         let connection = Connection { k: self.k, radius: f64::INFINITY };
         let roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
-        let builder = Batch::new(&roadmap, self.samples, sampler);
+        let builder = Batch::new(&roadmap, samples, self.samples.is_none().then_some(Growing(None)), sampler);
         Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), false, false)))
     }
 }

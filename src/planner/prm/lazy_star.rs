@@ -81,6 +81,7 @@ impl<S: Space> Sampled<S> {
         let mut useless = None;
         for _ in 0..DRAWS {
             let sample = roadmap.growth.draw(problem, iteration, &mut *self.sampler)?;
+            roadmap.growth.looked += 1;
             if problem.distances_by_way_of(&sample.state).iter().sum::<f64>() < bound {
                 return roadmap.growth.if_free(problem, iteration, sample);
             }

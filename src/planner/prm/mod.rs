@@ -29,9 +29,11 @@ use crate::error::Error;
 use crate::options::out_of_range;
 use crate::problem::Problem;
 use crate::space::Space;
-use batch::Batch;
+use batch::{Batch, Growing};
 use one_by_one::OneByOne;
 
+/// The number of samples to begin with if none is given.
+const DEFAULT_SAMPLES: usize = 2000;
 /// The number of neighbours if neither it nor a radius is given.
 const DEFAULT_K: usize = 15;
 /// The most motions that a roadmap may try: it stores the result of each.
@@ -51,7 +53,7 @@ crate::options! {
     /// Options of PRM.
     pub struct PrmOptions for crate::options::ALL;
     /// Number of free samples: more find narrower passages and shorter paths but take longer.
-    samples: usize = 2000, in 0.0..=1e6, "Samples";
+    samples: Option<usize>, in 0.0..=1e6, "Samples", else "2000, and twice as many again while there is no path";
     /// Each vertex is connected to its k nearest neighbours: too few leave gaps, more shorten paths but cost time.
     k: Option<usize>, in 1.0..=1000.0, "Neighbours",
         else "15, or all within the radius if one is given, for up to 4470 samples";
@@ -145,12 +147,21 @@ impl PlannerKind for PrmOptions {
         ],
     };
 
+    fn needed(&self) -> Option<[u64; 2]> {
+        match self.insertion {
+            Insertion::Batch => needed_by_batch(self.samples),
+            Insertion::OneByOne => self.samples.map(|samples| [samples as u64, samples as u64 + 1]),
+        }
+    }
+
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
+        let samples = self.samples.unwrap_or(DEFAULT_SAMPLES);
         // With a radius but no k, all within the radius are neighbours.
-        let all = self.samples + 2;
-        let k = self.k.unwrap_or(if self.radius.is_some() { all } else { DEFAULT_K });
-        check_motions(self.samples, k)?;
+        let is_all = self.radius.is_some() && self.k.is_none();
+        let k = self.k.unwrap_or(if is_all { samples + 2 } else { DEFAULT_K });
+        check_motions(samples, k)?;
+        let growing = self.samples.is_none().then_some(Growing(is_all.then_some(|vertices, _| vertices)));
         let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
         let nearest = Neighbours::new(self.neighbouring, problem.space(), k, seed)?;
         let roadmap = Roadmap::with(problem, connection, self.searching, nearest);
@@ -159,10 +170,17 @@ impl PlannerKind for PrmOptions {
                 let sentence = "samples can be discarded only if insertion is \"one-by-one\", not \"batch\"";
                 return Err(out_of_range("discard", sentence));
             }
-            Insertion::Batch => Box::new(Batch::planner(problem, roadmap, self.samples, sampler)),
-            Insertion::OneByOne => Box::new(OneByOne::planner(problem, roadmap, self.samples, self.discard, sampler)),
+            Insertion::Batch => Box::new(Batch::planner(problem, roadmap, samples, growing, sampler)),
+            Insertion::OneByOne => {
+                Box::new(OneByOne::planner(problem, roadmap, samples, growing, self.discard, sampler))
+            }
         })
     }
+}
+
+/// The samples asked for, and the fewest iterations in which a batch draws each, connects each and both ends, and searches.
+fn needed_by_batch(samples: Option<usize>) -> Option<[u64; 2]> {
+    samples.map(|samples| [samples as u64, 2 * samples as u64 + 3])
 }
 
 /// Refuses roadmaps that would try too many motions.

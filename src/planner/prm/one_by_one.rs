@@ -1,5 +1,6 @@
 //! Each sample is connected as it arrives, to its neighbours among the earlier vertices.
 
+use super::batch::Growing;
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Direction;
 use crate::planner::Phase;
@@ -12,6 +13,8 @@ use crate::space::Space;
 /// Draws samples until the roadmap has enough vertices. An iteration tries one sample and connects it.
 pub(super) struct OneByOne<S: Space> {
     vertices: usize,
+    /// As many samples are added again while start and goal are not connected; `None` if their number was given.
+    growing: Option<Growing>,
     /// Whether samples that connect to nothing are discarded.
     discard: bool,
     sampler: Box<dyn Sampler<S>>,
@@ -23,6 +26,7 @@ impl<S: Space> OneByOne<S> {
         problem: &Problem<S>,
         mut roadmap: Roadmap<S>,
         samples: usize,
+        growing: Option<Growing>,
         discard: bool,
         sampler: Box<dyn Sampler<S>>,
     ) -> RoadmapPlanner<S, Self> {
@@ -34,7 +38,7 @@ impl<S: Space> OneByOne<S> {
                 }
             }
         }
-        let builder = Self { vertices: samples + roadmap.len(), discard, sampler };
+        let builder = Self { vertices: samples + roadmap.len(), growing, discard, sampler };
         RoadmapPlanner::new(problem, roadmap, builder, samples == 0)
     }
 }
@@ -79,6 +83,12 @@ impl<S: Space> Build<S> for OneByOne<S> {
             }
         }
         roadmap.len() == self.vertices
+    }
+
+    fn grow(&mut self, roadmap: &mut Roadmap<S>, dimension: usize) -> bool {
+        let more = self.growing.and_then(|growing| growing.more(roadmap, dimension));
+        self.vertices = more.unwrap_or(self.vertices);
+        more.is_some()
     }
 
     fn phase(&self, _: &Roadmap<S>) -> Phase {

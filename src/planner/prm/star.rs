@@ -2,8 +2,8 @@
 //!
 //! Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
 
-use super::batch::Batch;
-use super::check_motions;
+use super::batch::{Batch, Growing};
+use super::{DEFAULT_SAMPLES, check_motions, needed_by_batch};
 use crate::error::Error;
 use crate::planner::Planner;
 use crate::planner::groups::{EdgeOptions, Sampling, Searching};
@@ -26,7 +26,7 @@ crate::options! {
     /// Options of PRM*.
     pub struct PrmStarOptions for crate::options::ALL;
     /// Number of free samples: more find narrower passages and shorter paths but take longer.
-    samples: usize = 2000, in 0.0..=250_000.0, "Samples";
+    samples: Option<usize>, in 0.0..=250_000.0, "Samples", else "2000, and twice as many again while there is no path";
     /// Neighbours for n vertices in d dimensions: e (1 + 1/d) ln n for near-optimal paths, or ln n for speed.
     k_rule: NeighbourRule = NeighbourRule::KaramanFrazzoli, "Neighbour rule";
     /// Where samples come from.
@@ -72,15 +72,21 @@ impl PlannerKind for PrmStarOptions {
         ],
     };
 
+    fn needed(&self) -> Option<[u64; 2]> {
+        needed_by_batch(self.samples)
+    }
+
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let sampler = self.sampling.sampler(problem.space(), seed);
-        let vertices = self.samples + 2;
-        let k = match self.k_rule {
-            NeighbourRule::KaramanFrazzoli => prm_star_k(vertices, problem.space().dimension()),
-            NeighbourRule::LogN => logarithmic_k(vertices),
+        let samples = self.samples.unwrap_or(DEFAULT_SAMPLES);
+        let rule: fn(usize, usize) -> usize = match self.k_rule {
+            NeighbourRule::KaramanFrazzoli => prm_star_k,
+            NeighbourRule::LogN => |vertices, _| logarithmic_k(vertices),
         };
-        check_motions(self.samples, k)?;
+        let k = rule(samples + 2, problem.space().dimension());
+        check_motions(samples, k)?;
+        let growing = self.samples.is_none().then_some(Growing(Some(rule)));
         let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
-        Ok(Box::new(Batch::planner(problem, roadmap, self.samples, sampler)))
+        Ok(Box::new(Batch::planner(problem, roadmap, samples, growing, sampler)))
     }
 }

@@ -1,6 +1,7 @@
 /** The table of a race. */
 import { leaders } from "./standings.js";
 import { grouped, make, write } from "../../app/dom.js";
+import { endText } from "../../domain/names.js";
 import { labelled } from "../../widgets/elements.js";
 import { percent } from "../../widgets/format.js";
 
@@ -56,4 +57,4 @@ function noted(text, ...notes) {
 }
 
 /** The text in place of a path. @param {LaneState} lane */
-function nothing({ status, phase }) { return status === "running" ? phase : status === "none" ? "not started" : "no path"; }
+function nothing({ status, phase, reason }) { return status === "running" ? phase : status === "none" ? "not started" : endText(reason); }

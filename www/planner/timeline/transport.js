@@ -1,5 +1,7 @@
 /** The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the path. */
 import { byId, grouped, write } from "../../app/dom.js";
+import { endText } from "../../domain/names.js";
+import { capital } from "../../widgets/format.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
@@ -120,8 +122,8 @@ export class Transport {
 
 /** The status in a few words, for small screens. @param {State["lanes"]} lanes */
 function brief(lanes) {
-  const [{ status, phase, length, unit, iteration }] = lanes;
+  const [{ status, reason, phase, length, unit, iteration }] = lanes;
   if (lanes.length > 1 || status === "none") return "";
   if (status === "solved") return length === null ? "Path found" : `Path found: ${length.toFixed(2)} ${unit}`;
-  return `${status === "exhausted" ? "No path" : phase} \u00b7 ${grouped(iteration)}`;
+  return `${status === "exhausted" ? capital(endText(reason)) : phase} \u00b7 ${grouped(iteration)}`;
 }

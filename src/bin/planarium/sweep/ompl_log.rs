@@ -14,11 +14,12 @@ use std::time::{SystemTime, UNIX_EPOCH};
 /// OMPL's words for how a planner ended, in the order of their numbers.
 const STATUS: &str = "status|Unknown status|Invalid start|Invalid goal|Unrecognized goal type|Timeout|Approximate solution|\
     Exact solution|Crash|Abort|Infeasible";
+const UNKNOWN: usize = 0;
 const TIMEOUT: usize = 4;
 const EXACT: usize = 6;
 
 /// The properties of runs that are columns of rows: OMPL's name and type, and the column.
-const COLUMNS: [(&str, &str); 17] = [
+const COLUMNS: [(&str, &str); 19] = [
     ("world TEXT", "world"),
     ("world seed INTEGER", "world_seed"),
     ("query TEXT", "query"),
@@ -36,6 +37,8 @@ const COLUMNS: [(&str, &str); 17] = [
     ("visited INTEGER", "visited"),
     ("clearance evaluations INTEGER", "clearance_evaluations"),
     ("unproven motions INTEGER", "unproven_motions"),
+    ("work INTEGER", "work"),
+    ("reason TEXT", "reason"),
 ];
 
 /// The runs of one planner with one setting: its parameters that vary, a line of each run, and how many there are.
@@ -49,7 +52,8 @@ struct Runs {
 /// Writes all rows.
 pub fn write(experiment: &Experiment, rows: &Rows, seconds: f64, name: &str) -> Result<(), Error> {
     let at = |name: &str| rows.columns.iter().position(|column| column == name).expect("a column of all rows");
-    let (status, planner, columns) = (at("status"), at("planner"), COLUMNS.map(|(_, column)| at(column)));
+    let ([status, reason, planner], columns) =
+        (["status", "reason", "planner"].map(at), COLUMNS.map(|(_, column)| at(column)));
     let settings: Vec<_> =
         rows.columns.iter().enumerate().filter_map(|(i, name)| Some((i, name.strip_prefix("planner.")?))).collect();
     let mut runs: BTreeMap<String, Runs> = BTreeMap::new();
@@ -59,7 +63,13 @@ pub fn write(experiment: &Experiment, rows: &Rows, seconds: f64, name: &str) -> 
         let label = [&[plain(&cells[planner])], &given[..]].concat().join(" ");
         let runs = runs.entry(label).or_insert_with(|| Runs { settings: given, ..Runs::default() });
         let is_solved = cells[status] == "solved";
-        let ended = if is_solved { EXACT } else { TIMEOUT };
+        // A budget was spent, or the roadmap is complete without a path: that is no proof that none exists.
+        let ended = match cells[reason].as_str() {
+            _ if is_solved => EXACT,
+            "" => TIMEOUT,
+            limit if limit.ends_with("-limit") => TIMEOUT,
+            _ => UNKNOWN,
+        };
         let _ = write!(runs.lines, "{}; {ended}; {}; {build}; {search}; ", u8::from(is_solved), build + search);
         columns.iter().for_each(|column| runs.lines.extend([&plain(&cells[*column]), "; "]));
         runs.lines.push('\n');

@@ -315,6 +315,10 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         &self.tree.growth
     }
 
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.tree.growth
+    }
+
     fn path(&self) -> Vec<VertexId> {
         self.arrived.map(|vertex| self.tree.tree.from_root(vertex)).unwrap_or_default()
     }

@@ -61,7 +61,8 @@ impl PlannerKind for LazyPrmOptions {
         let sampler = self.sampling.sampler(problem.space(), seed);
         check_motions(self.samples, self.k)?;
         let connection = Connection { k: self.k, radius: f64::INFINITY };
-        let roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
+        let mut roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
+        roadmap.is_direct = self.edges.direct;
         let builder = Batch::new(&roadmap, self.samples, sampler);
         Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), false, false)))
     }

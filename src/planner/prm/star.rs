@@ -80,7 +80,8 @@ impl PlannerKind for PrmStarOptions {
             NeighbourRule::LogN => logarithmic_k(vertices),
         };
         check_motions(self.samples, k)?;
-        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        let mut roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        roadmap.is_direct = self.edges.direct;
         Ok(Box::new(Batch::planner(problem, roadmap, self.samples, sampler)))
     }
 }

@@ -26,7 +26,15 @@ fn in_sight(goal: [f64; 2]) -> Vec<(Scenario, &'static str)> {
     let turn = (goal[0] - 1.0) / 10.0;
     vec![
         (scenario(BOUNDS, &obstacle, disc, &ends("[1, 5]", format!("{goal:?}"))), ""),
-        (scenario("", &rectangle([1.5, 1.5], [1.6, 1.6]), &arm(&[1.0, 0.5], 0.02), &ends("[0, 0.2]", format!("[{}, 0.2]", -turn))), ""),
+        (
+            scenario(
+                "",
+                &rectangle([1.5, 1.5], [1.6, 1.6]),
+                &arm(&[1.0, 0.5], 0.02),
+                &ends("[0, 0.2]", format!("[{}, 0.2]", -turn)),
+            ),
+            "",
+        ),
         (scenario(BOUNDS, &obstacle, &body, &placed()), ""),
         (scenario(BOUNDS, &obstacle, &car("[-1, 1]"), &placed()), "steering=reeds-shepp"),
         (scenario(BOUNDS, &obstacle, &car("[0, 1]"), &placed()), "steering=dubins"),
@@ -171,7 +179,10 @@ fn a_tree_that_is_stuck_does_not_starve_the_other() {
         let mut run = begin_with(&slot(), "rrt-connect", 1, settings);
         if run.step(5000) == Status::Running {
             let [start_side, goal_side] = sizes(&*run);
-            assert!(start_side >= least[0] && goal_side >= least[1], "{settings}: {start_side} and {goal_side} vertices");
+            assert!(
+                start_side >= least[0] && goal_side >= least[1],
+                "{settings}: {start_side} and {goal_side} vertices"
+            );
         }
     }
 }

@@ -69,6 +69,7 @@ function pairs(blocked, radius, count, seed) {
     return true;
   };
   const part = new Int32Array(width * height).fill(-1);
+  /** @type {number[]} */
   const free = [];
   for (let y = 0; y < height; y += 1) for (let x = 0; x < width; x += 1) if (is_free(x, y)) {
     part[y * width + x] = 0;

@@ -37,7 +37,7 @@ crate::options! {
     /// Number of shortcuts tried on each path that is found, before the next search: few leave more work to searches.
     path_shortcuts: u64 = 50, in 0.0..=1e6, "Shortcuts per path";
     /// When it stops.
-    termination: Termination;
+    termination: Termination = Termination { improve_iterations: 10_000, ..Default::default() };
     /// Those of RRT-Connect.
     trees: RrtConnectOptions;
 }

@@ -1,10 +1,13 @@
 //! RRT-Connect: two trees that grow towards each other.
 //!
-//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
+//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". One tree grows
 //! one step towards a sample; the other then grows step by step towards the new vertex until it arrives or is refused.
-//! The trees stay balanced: the smaller one takes the sample, the start's tree if they are equal (LaValle 2006,
-//! "Planning Algorithms", section 5.5.3). If motions have a direction, the goal's tree grows against it: its motions
-//! lead from new vertices to it. Several goals are roots of one forest.
+//! The trees take samples in turn, as in the paper. With a step that is given, the smaller one takes the sample, the start's tree if they
+//! are equal (LaValle 2006, "Planning Algorithms", section 5.5.3), unless it is stuck. If motions have a direction, the goal's tree grows
+//! against it: its motions lead from new vertices to it. Several goals are roots of one forest.
+//!
+//! A tree whose extensions are refused takes every other sample about one of its vertices, as trees of expansive spaces grow (Hsu, Latombe
+//! and Motwani 1999, "Path planning in expansive configuration spaces").
 
 use super::groups::{EdgeOptions, Sampling};
 use super::growth::Growth;
@@ -42,7 +45,7 @@ impl PlannerKind for RrtConnectOptions {
         pseudocode: &[
             DIRECT,
             line(0, "two trees, {start} and {goal}; repeat:", &[]),
-            line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
+            line(1, "A ← the tree in turn, B ← the other one", &[Mark::Growing]),
             line(1, "q ← a random configuration", &[Mark::Growing]),
             NONE_FOUND,
             line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),

@@ -16,6 +16,7 @@ mod certificate;
 mod cli;
 mod control;
 mod custom;
+mod direct;
 mod directed;
 mod driving;
 mod ends;

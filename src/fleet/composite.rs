@@ -10,7 +10,7 @@ use super::run::FleetStats;
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error};
 use crate::path::{Improvement, Wanted, split};
-use crate::planner::{DEFAULT_TOLERANCE, Planner, PlannerKind, RrtConnectOptions};
+use crate::planner::{DEFAULT_TOLERANCE, Planner, PlannerOptions, RrtConnectOptions};
 use crate::problem::{Contact, Problem, Status, Validity};
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace, Space};
 use crate::world::SMALL;
@@ -24,7 +24,7 @@ crate::options! {
     /// Options of composite planning.
     pub struct CompositeOptions for &[];
     /// Longest step of a tree.
-    step: Option<f64>, in 1e-6..=1e7, "Step", unit "s", else "a fifth of the largest distance in the space";
+    step: Option<f64>, in 1e-6..=1e7, "Step", unit "s", else "it adapts to the scene: a fifth of the largest distance in the space at first, half as long where that is refused";
     /// Number of shortcuts tried between random points of the path: more make it shorter.
     shortcut: u64 = 200, in 0.0..=1e6, "Shortcuts";
     /// Number of shortcuts in a single coordinate of one robot tried after that.
@@ -78,7 +78,8 @@ impl Composite {
         let (start, goal) = (ends(|member| &member.start), ends(|member| &member.goal));
         let mut problem = Problem::new(space, Box::new(validity), start, goal)?;
         problem.records_events = false;
-        let planner = RrtConnectOptions { step: options.step, ..RrtConnectOptions::default() }.begin(&problem, seed)?;
+        let planner = PlannerOptions::RrtConnect(RrtConnectOptions { step: options.step, ..Default::default() });
+        let planner = planner.begin(&problem, seed)?;
         let (shortcuts, partial_shortcuts) = (options.shortcut, options.partial_shortcut);
         let wanted = Wanted { reduce: true, shortcuts, partial_shortcuts, blend: 0.0 };
         let (iteration, improvement, trajectories) = (0, None, Vec::new());

@@ -11,12 +11,12 @@
 
 use super::groups::Termination;
 use super::growth::{Growth, START};
-use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::rrt_connect::{RrtConnect, RrtConnectOptions};
 use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::nearest::{Index, Nearest, Neighbour};
+use crate::nearest::{Nearest, Neighbour};
 use crate::problem::Problem;
 use crate::random::{MAX_SEED, Random, Stream};
 use crate::shortening::{Improvement, Wanted, length};
@@ -37,7 +37,7 @@ crate::options! {
     /// Number of shortcuts tried on each path that is found, before the next search: few leave more work to searches.
     path_shortcuts: u64 = 50, in 0.0..=1e6, "Shortcuts per path";
     /// When it stops.
-    termination: Termination;
+    termination: Termination = Termination { improve_iterations: 10_000, ..Default::default() };
     /// Those of RRT-Connect.
     trees: RrtConnectOptions;
 }
@@ -52,6 +52,7 @@ impl PlannerKind for AorrtcOptions {
         grows: Grows::Trees,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "the first path ← RRT-Connect", &[Mark::Growing]),
             NONE_FOUND,
             line(0, "repeat, c ← the length of the best path:", &[Mark::Improving]),
@@ -192,11 +193,11 @@ impl<S: Space> Aorrtc<S> {
         let (space, bound, trees) = (problem.space(), self.bound(), &mut self.trees);
         let draw = |growth: &mut Growth<S>| Some(growth.draw(problem, iteration, &mut *trees.sampler)?.state);
         let sample = trees.growth.draw_within(problem, iteration, bound, draw)?;
-        let tree = trees.smaller();
+        let tree = trees.next_turn();
         let [come, go] = Self::least_costs(problem, tree, &sample);
         let most = come + self.random.uniform() * (bound - come - go);
         let near = self.nearest(space, tree, &sample, most)?;
-        let (state, _) = self.trees.step(problem, iteration, tree, near.vertex, &sample)?;
+        let state = self.trees.extend(problem, iteration, tree, near.vertex, &sample)?;
         let cost = self.costs[near.vertex.index()] + self.distance(space, near.vertex, &state);
         let parent = self.parent(problem, iteration, tree, Parent { cost, ..near }, &state);
         let added = self.trees.add_vertex(space, tree, iteration, Some(parent.vertex), state);
@@ -267,10 +268,7 @@ impl<S: Space> Aorrtc<S> {
         stays.retain(|vertex| vertex.0 >= roots);
         (self.present, self.first) = (stays, count);
         self.costs.resize(count as usize, 0.0);
-        trees.indices = [Index::default(), Index::default()];
-        for (root, state) in std::iter::once(problem.start()).chain(problem.goals()).enumerate() {
-            trees.indices[root.min(1)].insert(space, VertexId(root as u32), state);
-        }
+        trees.restart(problem);
     }
 }
 
@@ -297,6 +295,10 @@ impl<S: Space> Planner<S> for Aorrtc<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.trees.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.trees.growth
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -10,7 +10,7 @@
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
 use super::growth::{GOAL, Growth, START};
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness, Reach};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -46,6 +46,7 @@ impl PlannerKind for BitStarOptions {
         grows: Grows::Tree,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "T ← {start}; Q ← {start}; repeat:", &[]),
             line(1, "if Q is empty: remove what cannot help,", &[Mark::Removed]),
             line(2, "draw a batch that may help, Q ← vertices", &[Mark::Sampling, Mark::Vertex]),
@@ -309,6 +310,10 @@ impl<S: Space> Planner<S> for BitStar<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.best.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.best.growth
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -7,7 +7,7 @@
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
 use super::growth::{Growth, START, goals};
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness, Reach};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -49,6 +49,7 @@ impl PlannerKind for FmtStarOptions {
         grows: Grows::Tree,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "until there are n: draw a sample", &[Mark::Sampling, Mark::Vertex]),
             line(1, "if it collides: next sample", &[Mark::Rejected]),
             line(0, "T ← {start}, which is open; repeat:", &[]),
@@ -256,6 +257,10 @@ impl<S: Space> Planner<S> for FmtStar<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.best.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.best.growth
     }
 
     fn path(&self) -> Vec<VertexId> {

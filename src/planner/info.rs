@@ -134,6 +134,8 @@ pub(super) const fn line(indent: u8, text: &'static str, lit_by: &'static [Mark]
     PseudocodeLine { text, indent, lit_by }
 }
 
+/// The line of planners that try the straight motion first.
+pub(super) const DIRECT: PseudocodeLine = line(0, "if the motion start – goal is free: return it", &[]);
 /// The line for a sampler that finds nothing.
 pub(super) const NONE_FOUND: PseudocodeLine = line(1, "if the sampler finds none: try again", &[Mark::Rejected]);
 /// The line of planners whose path may be improved.

@@ -6,7 +6,7 @@
 //! Srinivasa 2018, "Informed sampling for asymptotically optimal path planning", also discard vertices that are no longer of use.
 
 use super::Planner;
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::rrt_star::{ARRIVE, PARENT, REFUSED, REWIRE, RrtStar, RrtStarOptions, STEER};
 use crate::error::Error;
 use crate::problem::Problem;
@@ -28,6 +28,7 @@ impl PlannerKind for InformedRrtStarOptions {
         grows: Grows::Tree,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "T ← {start}; repeat:", &[]),
             line(1, "q ← a random configuration, or the goal", &[Mark::Growing, Mark::Improving]),
             NONE_FOUND,

@@ -282,6 +282,9 @@ impl<S: Space> Planner<S> for LazyPlanner<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         if !(self.is_searching && self.search(problem, iteration)) {
             self.is_searching = self.builder.build(&mut self.roadmap, problem, iteration);
+            if self.is_searching && !self.improves {
+                self.roadmap.connect_ends(problem, iteration);
+            }
         }
         self.status
     }
@@ -297,6 +300,10 @@ impl<S: Space> Planner<S> for LazyPlanner<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.roadmap.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.roadmap.growth
     }
 
     fn is_full(&self) -> bool {

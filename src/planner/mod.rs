@@ -6,6 +6,7 @@
 mod aorrtc;
 mod best_tree;
 mod bit_star;
+mod direct;
 mod driven_tree;
 mod fmt_star;
 mod groups;
@@ -25,6 +26,7 @@ mod rrt_connect;
 mod rrt_control;
 mod rrt_star;
 mod sst;
+mod stride;
 mod visibility_prm;
 
 pub use aorrtc::AorrtcOptions;
@@ -45,7 +47,7 @@ pub use prm::{
     prm_star_k, reopen, resume,
 };
 pub use query::{Algorithm, Cost, Heuristic};
-pub use registry::{PlannerOptions, default_planner, planners};
+pub use registry::{PlannerOptions, planners};
 pub use roadmap::{Connection, QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
@@ -83,6 +85,9 @@ pub trait Planner<S: Space> {
 
     /// The graph and the counters so far.
     fn growth(&self) -> &Growth<S>;
+
+    /// The same, to be changed.
+    fn growth_mut(&mut self) -> &mut Growth<S>;
 
     /// The graph so far.
     fn graph(&self) -> &Graph<S> {

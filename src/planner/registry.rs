@@ -1,6 +1,8 @@
 //! The planners: one line each. Their files declare everything else.
 
-use super::info::{PlannerInfo, PlannerKind};
+use super::direct::Direct;
+use super::groups::{EdgeOptions, Overgrowth, Termination};
+use super::info::{Grows, PlannerInfo, PlannerKind};
 use super::{Limits, Planner};
 use crate::error::{Code, Error, quoted};
 use crate::options::{Field, OptionInfo, Options, Value, out_of_range};
@@ -22,11 +24,6 @@ registry! {
     Aorrtc(super::aorrtc::AorrtcOptions),
     RrtControl(super::rrt_control::RrtControlOptions),
     Sst(super::sst::SstOptions),
-}
-
-/// The default planner for a robot of this type.
-pub fn default_planner(robot: &str) -> &'static str {
-    if robot == "car" { super::RrtControlOptions::INFO.id } else { super::RrtConnectOptions::INFO.id }
 }
 
 /// Everything that names each planner.
@@ -89,7 +86,12 @@ macro_rules! registry {
             /// `out-of-range`, with the pointer of the option, if options do not fit the space or each other.
             pub fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
                 self.check_limits()?;
-                match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }
+                let planner = match self { $(PlannerOptions::$Variant(options) => options.begin(problem, seed),)* }?;
+                Ok(if self.is_direct() {
+                    Box::new(Direct::first(planner, self.group::<Termination>().is_some()))
+                } else {
+                    planner
+                })
             }
         }
     };
@@ -97,6 +99,14 @@ macro_rules! registry {
 use registry;
 
 impl PlannerOptions {
+    /// Whether the straight motion is tried before the planner begins. Roadmaps have it as an edge, and a tree that is to grow past its
+    /// goal would have nothing to grow past.
+    fn is_direct(&self) -> bool {
+        let grows_on = self.group::<Overgrowth>().is_some_and(|overgrowth| overgrowth.vertices.is_some());
+        let is_wanted = self.group::<EdgeOptions>().is_some_and(|edges| edges.direct);
+        is_wanted && !grows_on && self.info().grows != Grows::Roadmap
+    }
+
     /// The planner with the given id and its default options.
     ///
     /// # Errors

@@ -39,6 +39,8 @@ pub struct Roadmap<S: Space> {
     pub(super) candidates: Option<Candidates>,
     /// The motions that were refused, of a roadmap that is not lazy.
     pub(super) refused: Vec<[VertexId; 2]>,
+    /// Whether the straight motions from start to goals are edges, however many nearer neighbours there are.
+    pub(super) is_direct: bool,
 }
 
 impl<S: Space> Roadmap<S> {
@@ -51,7 +53,7 @@ impl<S: Space> Roadmap<S> {
     pub(super) fn with(problem: &Problem<S>, connection: Connection, rules: Searching, nearest: Neighbours) -> Self {
         let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
         let (growth, candidates, refused) = (Growth::new(problem), None, Vec::new());
-        let mut roadmap = Self { growth, goals, nearest, connection, rules, candidates, refused };
+        let mut roadmap = Self { growth, goals, nearest, connection, rules, candidates, refused, is_direct: true };
         for state in std::iter::once(problem.start()).chain(problem.goals()) {
             roadmap.add_vertex(problem.space(), 0, *state);
         }
@@ -138,6 +140,22 @@ impl<S: Space> Roadmap<S> {
         self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), Some(to), target);
         if self.candidates.is_none() {
             append(&mut self.refused, [from, to]);
+        }
+    }
+
+    /// Tries the straight motions from the start to the goals that were not tried yet, as wanted. O(edges).
+    pub(super) fn connect_ends(&mut self, problem: &Problem<S>, iteration: u32) {
+        if !self.is_direct {
+            return;
+        }
+        for goal in self.goals.start.0..self.goals.end.0 {
+            let ends = [START, VertexId(goal)];
+            let is_same = |[from, to]: &[VertexId; 2]| {
+                [*from, *to] == ends || (problem.space().is_symmetric() && [*to, *from] == ends)
+            };
+            if !self.growth.graph.edges().iter().chain(&self.refused).any(is_same) {
+                self.try_edge(problem, iteration, START, VertexId(goal));
+            }
         }
     }
 
@@ -239,6 +257,7 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         let Some(search) = &mut self.search else {
             if self.builder.build(&mut self.roadmap, problem, iteration) {
+                self.roadmap.connect_ends(problem, iteration);
                 self.search = Some(self.roadmap.begin_search(problem.space()));
             }
             return Status::Running;
@@ -277,6 +296,10 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
 
     fn growth(&self) -> &Growth<S> {
         &self.roadmap.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.roadmap.growth
     }
 
     fn is_full(&self) -> bool {

@@ -4,9 +4,10 @@
 //! kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 5.5. The goal is vertex 1 from the beginning, but in
 //! the tree only once it is reached; several goals are the vertices from 1 on, and the tree grows towards each in turn.
 
-use super::groups::{Aim, EdgeOptions, GoalBias, Overgrowth, Sampling, step_in};
+use super::groups::{Aim, EdgeOptions, GoalBias, Overgrowth, Sampling};
 use super::growth::{Growth, goals};
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
+use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, Preset, line};
+use super::stride::Strides;
 use super::{Planner, Reason, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
@@ -31,7 +32,7 @@ crate::options! {
     pub struct RrtOptions for crate::options::ALL;
     /// Longest step, and distance at which the goal is tried: short steps follow bends, long ones are fast.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
-        else "a fifth of the largest distance in the space";
+        else "it adapts to the scene: a fifth of the largest distance in the space at first, half as long where that is refused";
     /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.
     extend: Extend = Extend::Step, "Growth";
     /// When the tree grows towards the goal.
@@ -75,6 +76,7 @@ impl PlannerKind for RrtOptions {
             Preset { id: "every-fifth", title: "Goal every 5th sample", settings: "goal_every=5 max_iterations=2000" },
         ],
         pseudocode: &[
+            DIRECT,
             line(0, "T ← {start}; repeat:", &[]),
             line(1, "q ← a random configuration, or the goal", &[Mark::Growing]),
             NONE_FOUND,
@@ -99,7 +101,7 @@ impl PlannerKind for RrtOptions {
         tree.add_root(start);
         nearest.insert(space, start, problem.start());
         Ok(Box::new(Rrt {
-            step: step_in(self.step, space.extent())?,
+            strides: Strides::new(self.step, space.extent())?,
             extend: self.extend,
             overgrowth: self.overgrowth,
             aim: Aim::new(self.reaching, &self.sampling, space, seed),
@@ -114,7 +116,7 @@ impl PlannerKind for RrtOptions {
 
 /// The planner. An iteration takes one sample: one motion towards it, and one to the goal if it is at most a step away.
 struct Rrt<S: Space> {
-    step: f64,
+    strides: Strides,
     extend: Extend,
     overgrowth: Overgrowth,
     aim: Aim<S>,
@@ -129,12 +131,19 @@ struct Rrt<S: Space> {
 
 impl<S: Space> Rrt<S> {
     /// The state to grow to from `origin` towards `target` if that motion is proven free; else the state of the refused motion.
-    fn steer(&mut self, problem: &Problem<S>, origin: &S::State, target: &S::State) -> Result<S::State, S::State> {
+    fn steer(
+        &mut self,
+        problem: &Problem<S>,
+        vertex: VertexId,
+        origin: &S::State,
+        target: &S::State,
+    ) -> Result<S::State, S::State> {
         let space = problem.space();
         let distance = space.distance(origin, target);
+        let (step, longest) = (self.strides.of(vertex), self.strides.longest());
         let wanted = match self.extend {
-            Extend::Step if distance > self.step => space.interpolate(origin, target, self.step / distance),
-            Extend::Half if distance > self.step => space.interpolate(origin, target, 0.5),
+            Extend::Step if distance > step => space.interpolate(origin, target, step / distance),
+            Extend::Half if distance > longest => space.interpolate(origin, target, 0.5),
             _ => *target,
         };
         if self.growth.is_motion_free(problem, origin, &wanted) {
@@ -182,9 +191,10 @@ impl<S: Space> Rrt<S> {
         self.growth.counters.nearest_queries += 1;
         let near = self.nearest.nearest(space, self.growth.graph.states(), &target).expect("a tree has a root").vertex;
         let origin = self.growth.state(near);
-        let reached = match self.steer(problem, &origin, &target) {
+        let reached = match self.steer(problem, near, &origin, &target) {
             Ok(reached) => reached,
             Err(wanted) => {
+                self.strides.refused(near);
                 return self.growth.add_event(EventKind::EdgeRefused, iteration, Some(near), None, wanted);
             }
         };
@@ -195,10 +205,11 @@ impl<S: Space> Rrt<S> {
         let vertex = self.growth.graph.add_vertex(iteration, reached);
         self.add_edge(iteration, near, vertex);
         self.nearest.insert(space, vertex, &reached);
+        self.strides.free(near, vertex);
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }
-        if left <= self.step && self.arrived.is_none() {
+        if left <= self.strides.longest() && self.arrived.is_none() {
             let target = self.growth.state(goal);
             if self.growth.is_motion_free(problem, &reached, &target) {
                 return self.arrive(iteration, vertex, goal);
@@ -217,6 +228,10 @@ impl<S: Space> Planner<S> for Rrt<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.growth
     }
 
     fn reason(&self) -> Reason {

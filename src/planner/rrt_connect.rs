@@ -1,19 +1,24 @@
 //! RRT-Connect: two trees that grow towards each other.
 //!
-//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". The smaller tree grows
+//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". One tree grows
 //! one step towards a sample; the other then grows step by step towards the new vertex until it arrives or is refused.
-//! The trees stay balanced: the smaller one takes the sample, the start's tree if they are equal (LaValle 2006,
-//! "Planning Algorithms", section 5.5.3). If motions have a direction, the goal's tree grows against it: its motions
-//! lead from new vertices to it. Several goals are roots of one forest.
+//! The trees take samples in turn, as in the paper. With a step that is given, the smaller one takes the sample, the start's tree if they
+//! are equal (LaValle 2006, "Planning Algorithms", section 5.5.3), unless it is stuck. If motions have a direction, the goal's tree grows
+//! against it: its motions lead from new vertices to it. Several goals are roots of one forest.
+//!
+//! A tree whose extensions are refused takes every other sample about one of its vertices, as trees of expansive spaces grow (Hsu, Latombe
+//! and Motwani 1999, "Path planning in expansive configuration spaces").
 
-use super::groups::{EdgeOptions, Sampling, step_in};
+use super::groups::{EdgeOptions, Sampling};
 use super::growth::Growth;
-use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::stride::Strides;
 use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
 use crate::nearest::{Direction, Index, Nearest};
 use crate::problem::Problem;
+use crate::random::{Random, Stream};
 use crate::sampling::Sampler;
 use crate::space::Space;
 
@@ -22,7 +27,7 @@ crate::options! {
     pub struct RrtConnectOptions for crate::options::ALL;
     /// Longest step of a tree: short steps follow bends, long ones cross open space quickly.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
-        else "a fifth of the largest distance in the space";
+        else "it adapts to the scene: a fifth of the largest distance in the space at first, half as long where that is refused";
     /// Where samples come from.
     sampling: Sampling;
     /// Collision checking, metric, steering and limits of its edges, and improvement of the path.
@@ -38,8 +43,9 @@ impl PlannerKind for RrtConnectOptions {
         grows: Grows::Trees,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "two trees, {start} and {goal}; repeat:", &[]),
-            line(1, "A ← the smaller tree, B ← the other one", &[Mark::Growing]),
+            line(1, "A ← the tree in turn, B ← the other one", &[Mark::Growing]),
             line(1, "q ← a random configuration", &[Mark::Growing]),
             NONE_FOUND,
             line(1, "new ← from A's nearest a step towards q", &[Mark::Vertex, Mark::Refused]),
@@ -57,9 +63,23 @@ impl PlannerKind for RrtConnectOptions {
     }
 }
 
-/// The planner. An iteration takes one sample: one extension, then one greedy connection of at most extent / step motions.
+/// How many refusals in a row of steps that were given pass the turn to the other tree.
+const PATIENCE: u32 = 16;
+
+/// The most motions of one greedy connection, by steps that adapt.
+const MOST_MOTIONS: u64 = 64;
+
+/// The planner. An iteration takes one sample: one extension, then one greedy connection of a bounded number of motions.
 pub(super) struct RrtConnect<S: Space> {
-    step: f64,
+    pub strides: Strides,
+    /// The tree whose turn it was last.
+    turn: usize,
+    /// How many extensions of each tree were refused since its last vertex.
+    refusals: [u32; 2],
+    /// The vertices of each tree, to draw samples around.
+    members: [Vec<VertexId>; 2],
+    /// Draws samples around vertices.
+    random: Random,
     pub sampler: Box<dyn Sampler<S>>,
     pub growth: Growth<S>,
     /// Both trees, as one forest.
@@ -77,7 +97,11 @@ impl<S: Space> RrtConnect<S> {
     /// `out-of-range`, pointer `/step`, for a step that is too short.
     pub fn new(problem: &Problem<S>, options: &RrtConnectOptions, seed: u64) -> Result<Self, Error> {
         let mut planner = Self {
-            step: step_in(options.step, problem.space().extent())?,
+            strides: Strides::new(options.step, problem.space().extent())?,
+            turn: 1,
+            refusals: [0; 2],
+            members: [Vec::new(), Vec::new()],
+            random: Random::new(seed, Stream::Bias),
             sampler: options.sampling.sampler(problem.space(), seed),
             growth: Growth::new(problem),
             forest: Tree::default(),
@@ -96,10 +120,39 @@ impl<S: Space> RrtConnect<S> {
         if tree == 0 || space.is_symmetric() { Direction::In } else { Direction::Out }
     }
 
-    /// The tree that takes the next sample.
-    pub fn smaller(&self) -> usize {
-        let [start_side, goal_side] = self.indices.each_ref().map(Nearest::<S>::len);
-        usize::from(goal_side < start_side)
+    /// The tree that takes the next sample: in turn; if a step was given, the smaller one, unless it is stuck.
+    pub fn next_turn(&mut self) -> usize {
+        let [start_side, goal_side] = self.members.each_ref().map(Vec::len);
+        let smaller = usize::from(goal_side < start_side);
+        let is_in_turn = self.strides.adapts() || self.refusals[smaller] >= PATIENCE;
+        self.turn = if is_in_turn { 1 - self.turn } else { smaller };
+        self.turn
+    }
+
+    /// The next sample of a tree; `None`, with an event, if the sampler found none. Every other one is drawn around a vertex of the tree
+    /// while its extensions are refused: at a start or a goal that is enclosed, few of the others lead anywhere.
+    pub fn draw(&mut self, problem: &Problem<S>, iteration: u32, tree: usize) -> Option<S::State> {
+        if self.strides.adapts() && self.refusals[tree] % 2 == 1 {
+            let vertex = self.members[tree][self.random.below(self.members[tree].len() as u64) as usize];
+            let (origin, target) = (self.growth.state(vertex), problem.space().sample(&mut self.random));
+            let reach = 2.0 * self.random.uniform() * self.strides.of(vertex);
+            return Some(Self::towards(problem.space(), tree, &origin, &target, reach).0);
+        }
+        Some(self.growth.draw(problem, iteration, &mut *self.sampler)?.state)
+    }
+
+    /// Extends a tree from one of its vertices towards a target by a step; `None`, with an event, if that is refused.
+    pub fn extend(
+        &mut self,
+        problem: &Problem<S>,
+        iteration: u32,
+        tree: usize,
+        from: VertexId,
+        target: &S::State,
+    ) -> Option<S::State> {
+        let end = self.step(problem, iteration, tree, from, target);
+        self.refusals[tree] = if end.is_some() { 0 } else { self.refusals[tree].saturating_add(1) };
+        end.map(|(state, _)| state)
     }
 
     /// Adds a vertex to a tree, with its edge, or as a root.
@@ -114,7 +167,9 @@ impl<S: Space> RrtConnect<S> {
         let vertex = self.growth.graph.add_vertex(iteration, state);
         self.indices[tree].insert(space, vertex, &state);
         self.forest.add(vertex, parent.unwrap_or(vertex));
+        self.members[tree].push(vertex);
         if let Some(parent) = parent {
+            self.strides.free(parent, vertex);
             let [from, to] = Self::direction(space, tree).ends(vertex, parent);
             self.growth.graph.add_edge(iteration, from, to);
         }
@@ -126,6 +181,29 @@ impl<S: Space> RrtConnect<S> {
         self.growth.counters.nearest_queries += 1;
         let (index, states) = (&self.indices[tree], self.growth.graph.states());
         index.nearest_by(space, states, Self::direction(space, tree), state).expect("a tree has a root").vertex
+    }
+
+    /// The state a step from a vertex of a tree towards a target, or the target if it is no farther, and whether it is.
+    fn towards(space: &S, tree: usize, origin: &S::State, target: &S::State, step: f64) -> (S::State, bool) {
+        let direction = Self::direction(space, tree);
+        let [a, b] = direction.ends(target, origin);
+        let distance = space.distance(a, b);
+        let next = match direction {
+            _ if distance <= step => *target,
+            Direction::In => space.interpolate(a, b, step / distance),
+            Direction::Out => space.interpolate(a, b, 1.0 - step / distance),
+        };
+        (next, distance <= step)
+    }
+
+    /// Begins both trees again, with their roots alone.
+    pub fn restart(&mut self, problem: &Problem<S>) {
+        (self.indices, self.members, self.refusals) = Default::default();
+        for (root, state) in std::iter::once(problem.start()).chain(problem.goals()).enumerate() {
+            let (tree, vertex) = (root.min(1), VertexId(root as u32));
+            self.indices[tree].insert(problem.space(), vertex, state);
+            self.members[tree].push(vertex);
+        }
     }
 
     /// The end of one step from a vertex of a tree towards a target, and whether it is the target; `None`, with an event, if the motion
@@ -140,19 +218,12 @@ impl<S: Space> RrtConnect<S> {
     ) -> Option<(S::State, bool)> {
         let space = problem.space();
         let origin = self.growth.state(from);
-        let direction = Self::direction(space, tree);
-        let [a, b] = direction.ends(target, &origin);
-        let distance = space.distance(a, b);
-        let arrives = distance <= self.step;
-        let next = match direction {
-            _ if arrives => *target,
-            Direction::In => space.interpolate(a, b, self.step / distance),
-            Direction::Out => space.interpolate(a, b, 1.0 - self.step / distance),
-        };
-        let [a, b] = direction.ends(&next, &origin);
+        let (next, arrives) = Self::towards(space, tree, &origin, target, self.strides.of(from));
+        let [a, b] = Self::direction(space, tree).ends(&next, &origin);
         if self.growth.is_motion_free(problem, a, b) {
             return Some((next, arrives));
         }
+        self.strides.refused(from);
         self.growth.add_event(EventKind::EdgeRefused, iteration, Some(from), None, next);
         None
     }
@@ -168,7 +239,10 @@ impl<S: Space> RrtConnect<S> {
     ) -> Option<VertexId> {
         let state = self.growth.state(target);
         // Each step reduces the distance by its length. With steering, rounding could prevent this: the number is bounded.
-        let most = libm::ceil(problem.space().extent() / self.step) as u64 + 2;
+        let most = match self.strides.adapts() {
+            true => MOST_MOTIONS,
+            false => libm::ceil(problem.space().extent() / self.strides.longest()) as u64 + 2,
+        };
         for _ in 0..most {
             let (next, arrives) = self.step(problem, iteration, tree, from, &state)?;
             if arrives {
@@ -191,10 +265,10 @@ impl<S: Space> RrtConnect<S> {
 
 impl<S: Space> Planner<S> for RrtConnect<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
-        let (space, tree) = (problem.space(), self.smaller());
-        let Some(sample) = self.growth.draw(problem, iteration, &mut *self.sampler) else { return Status::Running };
-        let near = self.nearest(space, tree, &sample.state);
-        let Some((state, _)) = self.step(problem, iteration, tree, near, &sample.state) else { return Status::Running };
+        let (space, tree) = (problem.space(), self.next_turn());
+        let Some(sample) = self.draw(problem, iteration, tree) else { return Status::Running };
+        let near = self.nearest(space, tree, &sample);
+        let Some(state) = self.extend(problem, iteration, tree, near, &sample) else { return Status::Running };
         let added = self.add_vertex(space, tree, iteration, Some(near), state);
         let near = self.nearest(space, 1 - tree, &state);
         let Some(reached) = self.connect(problem, iteration, 1 - tree, near, added) else { return Status::Running };
@@ -204,6 +278,10 @@ impl<S: Space> Planner<S> for RrtConnect<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.growth
     }
 
     fn path(&self) -> Vec<VertexId> {

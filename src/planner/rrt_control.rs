@@ -320,6 +320,10 @@ impl<S: Space> Planner<S> for RrtControl<S> {
         &self.tree.growth
     }
 
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.tree.growth
+    }
+
     fn reason(&self) -> Reason {
         if self.open.len() == 0 { Reason::NothingToExtend } else { Reason::VertexLimit }
     }

@@ -4,10 +4,11 @@
 //! Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*".
 
 use super::best_tree::BestTree;
-use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, Termination, step_in};
+use super::groups::{Aim, EdgeOptions, GoalBias, Sampling, Termination};
 use super::growth::{Growth, START, goals};
-use super::info::{END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness};
+use super::stride::Strides;
 use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
@@ -20,7 +21,7 @@ crate::options! {
     pub struct Rewiring for crate::options::ALL;
     /// Longest step, and distance at which the goal is tried: short steps follow bends, long ones are fast.
     step: Option<f64>, in 1e-6..=1e7, "Step", unit "distance in the metric",
-        else "a fifth of the largest distance in the space";
+        else "it adapts to the scene: a fifth of the largest distance in the space at first, half as long where that is refused";
     /// Which vertices are neighbours of a new one.
     nearness: Nearness;
 }
@@ -49,6 +50,7 @@ impl PlannerKind for RrtStarOptions {
         grows: Grows::Tree,
         presets: &[],
         pseudocode: &[
+            DIRECT,
             line(0, "T ← {start}; repeat:", &[]),
             line(1, "q ← a random configuration, or the goal", &[Mark::Growing, Mark::Improving]),
             NONE_FOUND,
@@ -80,7 +82,7 @@ const MOST_TRIED: usize = 1000;
 
 /// The planner. An iteration takes one sample; if very many neighbours are to be tried, the next ones go on with it.
 pub(super) struct RrtStar<S: Space> {
-    step: f64,
+    strides: Strides,
     near: Near,
     aim: Aim<S>,
     /// Whether samples and vertices that cannot shorten the path are discarded.
@@ -131,7 +133,7 @@ impl<S: Space> RrtStar<S> {
         index.insert(space, START, problem.start());
         Ok(Self {
             near: Near::new(problem, options.nearness, NearRule::Radius)?,
-            step: step_in(options.step, space.extent())?,
+            strides: Strides::new(options.step, space.extent())?,
             aim: Aim::new(*reaching, sampling, space, seed),
             is_informed,
             best: BestTree::new(problem),
@@ -147,7 +149,7 @@ impl<S: Space> RrtStar<S> {
             f64::INFINITY => problem.distance_to_goal(problem.start()),
             cost => cost,
         };
-        let reach = self.near.in_tree(Nearest::<S>::len(&self.index) + 1, cost, self.step);
+        let reach = self.near.in_tree(Nearest::<S>::len(&self.index) + 1, cost, self.strides.longest());
         reach.find(problem, &mut self.best.growth, &self.index, direction, state, &mut self.found);
     }
 
@@ -173,12 +175,14 @@ impl<S: Space> RrtStar<S> {
             self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
         let origin = self.best.growth.state(nearest.vertex);
         let mut state = target;
-        if nearest.distance > self.step {
-            state = space.interpolate(&origin, &target, self.step / nearest.distance);
+        let step = self.strides.of(nearest.vertex);
+        if nearest.distance > step {
+            state = space.interpolate(&origin, &target, step / nearest.distance);
             nearest.distance = space.distance(&origin, &state);
         }
         let goal = goals(problem).find(|(_, goal)| **goal == state).map(|(goal, _)| goal);
         if !self.best.growth.is_motion_free(problem, &origin, &state) {
+            self.strides.refused(nearest.vertex);
             self.best.refuse(iteration, nearest.vertex, None, state);
             return None;
         }
@@ -228,6 +232,7 @@ impl<S: Space> RrtStar<S> {
         }
         let vertex = self.best.growth.graph.add_vertex(iteration, state);
         self.best.attach(iteration, vertex, parent);
+        self.strides.free(nearest.vertex, vertex);
         if !problem.space().is_symmetric() {
             self.find(problem, Direction::Out, &state);
         }
@@ -257,7 +262,7 @@ impl<S: Space> RrtStar<S> {
         for (goal, at) in goals(problem) {
             let distance = space.distance(&state, at);
             self.best.approach(vertex, distance);
-            if distance <= self.step {
+            if distance <= self.strides.longest() {
                 self.offer(problem, iteration, vertex, Neighbour { vertex: goal, distance });
             }
         }
@@ -292,6 +297,10 @@ impl<S: Space> Planner<S> for RrtStar<S> {
 
     fn growth(&self) -> &Growth<S> {
         &self.best.growth
+    }
+
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.best.growth
     }
 
     fn path(&self) -> Vec<VertexId> {

@@ -266,6 +266,10 @@ impl<S: Space> Planner<S> for Sst<S> {
         &self.tree.growth
     }
 
+    fn growth_mut(&mut self) -> &mut Growth<S> {
+        &mut self.tree.growth
+    }
+
     fn path(&self) -> Vec<VertexId> {
         self.best.map(|best| self.tree.tree.from_root(best)).unwrap_or_default()
     }

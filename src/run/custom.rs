@@ -14,9 +14,7 @@ use super::{Options, Run};
 use crate::error::{Code, Error, within};
 use crate::options::{Choice, out_of_range};
 use crate::path::LengthMeasure;
-use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching, default_planner,
-};
+use crate::planner::{self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
 use crate::problem::{ClearanceValidity, Evaluate, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
@@ -176,9 +174,9 @@ impl CustomProblem {
 /// # Ok::<(), planarium::Error>(())
 /// ```
 pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<dyn Run>, Error> {
-    let planner = PlannerOptions::of(options.planner.as_deref().unwrap_or(default_planner("")))?;
+    let planner = PlannerOptions::of(options.planner_for_own())?;
     check_seed(options.seed)?;
-    launch_problem(problem, options, planner.read(&options.parameters)?, None)
+    launch_problem(problem, options, options.read(planner)?, None)
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap of the same space.

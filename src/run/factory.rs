@@ -28,6 +28,13 @@ const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 /// The least allowed top speed of a steered car, in metres per second, for the same reason.
 const SLOWEST: f64 = 1e-9;
 
+/// Whether curves lead a car everywhere: it steers to both sides, and fast enough.
+pub(super) fn follows_curves(car: &Car) -> bool {
+    let [backward, forward] = car.speed();
+    let used = if backward < 0.0 { forward.min(-backward) } else { forward };
+    used >= SLOWEST && car.turning_radius().is_some_and(|(radius, _)| TURNING_RADII.contains(&radius))
+}
+
 /// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
 ///
 /// # Errors
@@ -37,7 +44,7 @@ pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Bo
     let world = scenario.into();
     let planner = PlannerOptions::of(options.planner_for(world.scenario()))?;
     check_seed(options.seed)?;
-    launch(&world, options, planner.read(&options.parameters)?, None)
+    launch(&world, options, options.read(planner)?, None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario

@@ -1,14 +1,20 @@
 //! The options of a run.
 
 use super::Value;
-use crate::planner::default_planner;
-use crate::scenario::Scenario;
+use super::factory::follows_curves;
+use crate::error::Error;
+use crate::planner::{Improving, PlannerKind, PlannerOptions, RrtConnectOptions, RrtControlOptions};
+use crate::scenario::{Robot, Scenario};
+
+/// How many shortcuts are tried on the path of a planner that was not named.
+const SHORTCUTS: f64 = 200.0;
 
 /// Planner, query, seed and parameters of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The id of the planner; by default that of [`default_planner`] for the robot, or the one that built the roadmap
-    /// to continue with.
+    /// The id of the planner; by default the one that built the roadmap to continue with, or `rrt-connect`, and its path is then
+    /// shortened (`reduce=true`, `shortcut=200`), unless these options are given. A car that curves do not lead everywhere has
+    /// `rrt-control`.
     pub planner: Option<String>,
     /// The name of the query; by default the first of the scenario.
     pub query: Option<String>,
@@ -31,6 +37,31 @@ impl Default for Options {
 impl Options {
     /// The id of the planner.
     pub fn planner_for(&self, scenario: &Scenario) -> &str {
-        self.planner.as_deref().unwrap_or(default_planner(scenario.robot().kind()))
+        match (&self.planner, scenario.robot()) {
+            (Some(planner), _) => planner,
+            (None, Robot::Car(car)) if !follows_curves(car) => RrtControlOptions::INFO.id,
+            _ => self.planner_for_own(),
+        }
+    }
+
+    /// The same for a robot that no scenario describes.
+    pub(super) fn planner_for_own(&self) -> &str {
+        self.planner.as_deref().unwrap_or(RrtConnectOptions::INFO.id)
+    }
+
+    /// The planner with the parameters given. If it was not named, its path is shortened: raw paths of trees are long.
+    ///
+    /// # Errors
+    /// As [`PlannerOptions::read`].
+    pub(super) fn read(&self, planner: PlannerOptions) -> Result<PlannerOptions, Error> {
+        let mut parameters = self.parameters.clone();
+        if self.planner.is_none() && planner.group::<Improving>().is_some() {
+            for (name, value) in [("reduce", Value::Boolean(true)), ("shortcut", Value::Number(SHORTCUTS))] {
+                if parameters.iter().all(|(given, _)| given != name) {
+                    parameters.push((name.to_owned(), value));
+                }
+            }
+        }
+        planner.read(&parameters)
     }
 }

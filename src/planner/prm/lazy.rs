@@ -66,7 +66,8 @@ impl PlannerKind for LazyPrmOptions {
         let samples = self.samples.unwrap_or(DEFAULT_SAMPLES);
         check_motions(samples, self.k)?;
         let connection = Connection { k: self.k, radius: f64::INFINITY };
-        let roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
+        let mut roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
+        roadmap.is_direct = self.edges.direct;
         let builder = Batch::new(&roadmap, samples, self.samples.is_none().then_some(Growing(None)), sampler);
         Ok(Box::new(LazyPlanner::new(roadmap, Box::new(builder), false, false)))
     }

@@ -164,7 +164,8 @@ impl PlannerKind for PrmOptions {
         let growing = self.samples.is_none().then_some(Growing(is_all.then_some(|vertices, _| vertices)));
         let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
         let nearest = Neighbours::new(self.neighbouring, problem.space(), k, seed)?;
-        let roadmap = Roadmap::with(problem, connection, self.searching, nearest);
+        let mut roadmap = Roadmap::with(problem, connection, self.searching, nearest);
+        roadmap.is_direct = self.edges.direct;
         Ok(match self.insertion {
             Insertion::Batch if self.discard => {
                 let sentence = "samples can be discarded only if insertion is \"one-by-one\", not \"batch\"";

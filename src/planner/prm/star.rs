@@ -86,7 +86,8 @@ impl PlannerKind for PrmStarOptions {
         let k = rule(samples + 2, problem.space().dimension());
         check_motions(samples, k)?;
         let growing = self.samples.is_none().then_some(Growing(Some(rule)));
-        let roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        let mut roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        roadmap.is_direct = self.edges.direct;
         Ok(Box::new(Batch::planner(problem, roadmap, samples, growing, sampler)))
     }
 }

@@ -21,7 +21,7 @@ const scene = (id, title, algorithm, pace, settings, story, generation) => ({ id
 export const SCENES = [
   scene("stones", "Two links among stones", "prm", 130, { samples: 260, k: 9, seed: 0 },
     "Nearby configurations are now connected. Each line is a motion proven to be collision-free."),
-  scene("open", "Nothing in the way", "rrt", 30, { step: 0.14, goal_bias: 0, seed: 3 },
+  scene("open", "Nothing in the way", "rrt", 30, { step: 0.14, goal_bias: 0, direct: false, seed: 3 },
     "Without obstacles the tree first spreads into the largest empty regions, then fills in."),
   scene("pillar", "One disc in the middle", "rrt", 35, { step: 0.3, seed: 15 },
     "One disc in the workspace is an island in configuration space: the tree grows round it."),

@@ -31,7 +31,7 @@ pub trait Validity<S> {
     /// Why the configuration is in collision, for a sentence; `None` if it is free. The default names all contacts.
     fn collision(&self, state: &S) -> Option<String> {
         let contacts = self.contacts(state);
-        (!contacts.is_empty()).then(|| Contact::sentence(&contacts, |part| self.part_name(part)))
+        (!contacts.is_empty()).then(|| Contact::sentence(&contacts, &|part| self.part_name(part)))
     }
 
     /// The error that ended the checks, of a checker whose evaluation can fail; from then on it refuses everything, and a run ends with
@@ -91,7 +91,7 @@ pub enum Touched {
 
 impl Contact {
     /// Contacts in words, with parts by these names: `link 1 touches obstacle 0, link 2 leaves the bounds`.
-    pub fn sentence(contacts: &[Self], name: impl Fn(usize) -> String) -> String {
+    pub fn sentence(contacts: &[Self], name: &dyn Fn(usize) -> String) -> String {
         let words = contacts.iter().map(|contact| format!("{} {}", name(contact.part), contact.with));
         words.collect::<Vec<_>>().join(", ")
     }

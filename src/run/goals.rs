@@ -50,7 +50,7 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, index: usize, seed: u6
     }
     let (code, sentence) = match reach.explain() {
         Verdict::InCollision { contacts } => {
-            let contacts = Contact::sentence(&contacts, link_name);
+            let contacts = Contact::sentence(&contacts, &link_name);
             let all = "every configuration found that reaches the target is in collision";
             (Code::GoalInCollision, format!("{all}: {contacts}"))
         }

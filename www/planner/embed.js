@@ -80,6 +80,7 @@ export function watchParent(page) {
       if (!names.includes(query)) throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${names.join(", ")}.`);
     }
     await page.open(source, { entry, ...opening });
+    await page.arrived();
     if (page.source !== source) throw fault("superseded", "", "Another scene was loaded meanwhile.");
     return planned(Object.keys(order.settings ?? {}));
   }

@@ -48,6 +48,8 @@ pub enum Stream {
     Tasks = 11,
     /// The noise of rollouts.
     Rollouts = 12,
+    /// The seeds of worlds that are drawn again until one is as required.
+    Worlds = 13,
 }
 
 /// A stream of random numbers.

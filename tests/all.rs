@@ -61,3 +61,4 @@ mod truth;
 mod verify;
 mod verify_body;
 mod viewers;
+mod worlds;

@@ -15,6 +15,9 @@ pub const MAX_CELLS: usize = 1_000_000;
 /// The number of cells by default.
 pub const DEFAULT_CELLS: usize = 50_000;
 
+/// The most cells that are divided between two searches for channels.
+const MOST_AT_ONCE: usize = 256;
+
 /// The query and the clearance that a subdivision decides about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
@@ -215,8 +218,8 @@ impl Subdivision {
         }
     }
 
-    /// Finds the channels with the fewest mixed cells: all of these are divided next. If there is no channel, or one without mixed cells,
-    /// that is the verdict.
+    /// Finds the channels with the fewest mixed cells: all of these are divided next, the newest if there are many. If there is no channel,
+    /// or one without mixed cells, that is the verdict.
     fn search(&mut self) {
         if self.verdict.is_some() {
             return;
@@ -234,8 +237,9 @@ impl Subdivision {
             self.nodes[i].kind == Kind::Mixed && from_start[i] < u32::MAX && from_start[i] + from_goal[i] == fewest + 1
         };
         let is_divisible = |i: usize| self.nodes[i].cell.depth < DEEPEST;
-        self.channel =
-            (0..self.cell_count()).rev().filter(|&i| is_on_channel(i) && is_divisible(i)).map(|i| i as u32).collect();
+        // Where contact with the bounds makes many channels alike, the newest cells are soon small enough to be free.
+        let newest = (0..self.cell_count()).rev().filter(|&i| is_on_channel(i) && is_divisible(i));
+        self.channel = newest.take(MOST_AT_ONCE).map(|i| i as u32).collect();
         if self.channel.is_empty() {
             self.verdict = Some(Verdict::Unknown);
         }

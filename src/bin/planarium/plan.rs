@@ -7,6 +7,7 @@ use planarium::Error;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
+use planarium::PlanningWorld;
 use planarium::run::{self, Options, Phase, Run, Status, Value};
 use std::io::{IsTerminal, stderr};
 use std::num::NonZeroUsize;
@@ -52,6 +53,9 @@ pub fn plan(arguments: &Plan) -> Answer {
     }
     files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
+    if let (Status::Exhausted, Some(why)) = (result.status, PlanningWorld::new(scenario).without_width()) {
+        files::say(&why);
+    }
     Ok(result.status == Status::Solved)
 }
 

@@ -1,8 +1,6 @@
 //! Certificates: what they say against planners, against known worlds, and against checks by other code; and the refusal of false ones.
 
-use crate::common::documents::{
-    arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario, text,
-};
+use crate::common::documents::{arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario, text};
 use crate::common::{
     arm_and_wall, begin_with, car_and_wall, cases, disc_and_wall, finish, golden, no_way, parse, seeds,
 };
@@ -121,7 +119,9 @@ fn a_contact_at_one_point_is_decided_without_options() {
     let [low, high] = [4.7, 5.3].map(|y| rectangle([4.1, 0.0], [5.3, y]));
     let above = |y: f64| rectangle([5.3, y], [6.6, 10.0]);
     let corners = [rectangle([4.0, 0.0], [5.0, 5.0]), rectangle([5.0, 5.0], [6.0, 10.0])];
-    for (radius, obstacles) in [(0.0, corners.clone()), (0.0, [low.clone(), above(4.7)]), (0.25, corners), (0.3, [low, above(5.3)])] {
+    for (radius, obstacles) in
+        [(0.0, corners.clone()), (0.0, [low.clone(), above(4.7)]), (0.25, corners), (0.3, [low, above(5.3)])]
+    {
         let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
         let query = r#""start": [1, 5], "goal": [9, 5]"#;
         let world = scenario("[0, 0], [10, 10]", &obstacles.join(","), &robot, query);
@@ -155,18 +155,69 @@ fn worlds_without_width_and_ends_in_contact_are_decided_and_confirmed() {
         (round("[0, 0], [10, 1]", 0.5, &[disc([5.0, 0.5], 0.2)], along), Verdict::Infeasible),
         (round("[0, 0], [10, 1]", 0.5, &[disc([5.0, 2.0], 0.2)], along), Verdict::Connected),
         // Far from the origin, where a slack is many of the smallest cells.
-        (round("[999990, 0], [1000000, 1]", 0.5, &[], r#""start": [999991, 0.4999999], "goal": [999999, 0.5000001]"#), Verdict::Connected),
+        (
+            round(
+                "[999990, 0], [1000000, 1]",
+                0.5,
+                &[],
+                r#""start": [999991, 0.4999999], "goal": [999999, 0.5000001]"#,
+            ),
+            Verdict::Connected,
+        ),
         // Start and goal in contact with the bounds, also outside them by less than the slack.
         (round("[0, 0], [10, 10]", 0.5, &[], r#""start": [0.5, 0.5], "goal": [9.5, 9.5]"#), Verdict::Connected),
-        (round("[0, 0], [10, 10]", 0.5, &[], r#""start": [0.499999999999, 5], "goal": [9.500000000001, 5]"#), Verdict::Connected),
-        (round("[0, 0], [10, 10]", 0.5, &[rectangle([5.0, 0.0], [6.0, 10.0])], r#""start": [0.499999999999, 5], "goal": [9.5, 5]"#), Verdict::Infeasible),
+        (
+            round("[0, 0], [10, 10]", 0.5, &[], r#""start": [0.499999999999, 5], "goal": [9.500000000001, 5]"#),
+            Verdict::Connected,
+        ),
+        (
+            round(
+                "[0, 0], [10, 10]",
+                0.5,
+                &[rectangle([5.0, 0.0], [6.0, 10.0])],
+                r#""start": [0.499999999999, 5], "goal": [9.5, 5]"#,
+            ),
+            Verdict::Infeasible,
+        ),
         // The cut of a circle; limits in contact; the same start and goal.
-        (scenario("", "", &arm(&[1.0, 0.5], 0.0), r#""start": [-3.141592653589793, 1], "goal": [3.141592653589793, -1]"#), Verdict::Connected),
-        (scenario("", &disc([-1.2, 0.0], 0.1), &arm(&[1.0, 0.5], 0.0), r#""start": [-3.141592653589793, 1], "goal": [9.42477796076938, -1]"#), Verdict::Connected),
-        (scenario("", &disc([1.5, 0.0], 0.5), &limited_arm(&[0.5, 0.5], 0.0, &[[0.0, 1.0], [0.0, 2.0]]), r#""start": [0.5, 0], "goal": [0, 2]"#), Verdict::Connected),
+        (
+            scenario(
+                "",
+                "",
+                &arm(&[1.0, 0.5], 0.0),
+                r#""start": [-3.141592653589793, 1], "goal": [3.141592653589793, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
+        (
+            scenario(
+                "",
+                &disc([-1.2, 0.0], 0.1),
+                &arm(&[1.0, 0.5], 0.0),
+                r#""start": [-3.141592653589793, 1], "goal": [9.42477796076938, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
+        (
+            scenario(
+                "",
+                &disc([1.5, 0.0], 0.5),
+                &limited_arm(&[0.5, 0.5], 0.0, &[[0.0, 1.0], [0.0, 2.0]]),
+                r#""start": [0.5, 0], "goal": [0, 2]"#,
+            ),
+            Verdict::Connected,
+        ),
         (no_way_from_start_to_start(), Verdict::Connected),
-        // The first link turns through contact with the bounds.
-        (scenario("[-1, -1], [1, 1]", "", &arm(&[1.0, 0.3], 0.0), r#""start": [0.5, 3], "goal": [2.5, 3]"#), Verdict::Connected),
+        // The first link lies along the bounds at the start and at the goal.
+        (
+            scenario(
+                "[-2, 0], [2, 2]",
+                "",
+                &arm(&[1.0, 0.3], 0.0),
+                r#""start": [0, 1], "goal": [3.141592653589793, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
     ];
     for (world, expected) in worlds {
         assert_eq!(certify(&world, 0.0, Options::default().cells).verdict, expected, "{}", world.to_json_string());
@@ -188,11 +239,7 @@ fn degenerate_world(random: &mut Random) -> Option<Scenario> {
     let obstacle = |pick: &mut dyn FnMut(&[f64]) -> f64| {
         let [x, y] = [(); 2].map(|()| pick(&[-1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0]));
         let [w, h] = [(); 2].map(|()| pick(&[0.25, 0.5, 1.0, 2.0]));
-        if pick(&[0.0, 1.0]) == 0.0 {
-            disc([s(x), s(y)], s(w))
-        } else {
-            rectangle([s(x), s(y)], [s(x + w), s(y + h)])
-        }
+        if pick(&[0.0, 1.0]) == 0.0 { disc([s(x), s(y)], s(w)) } else { rectangle([s(x), s(y)], [s(x + w), s(y + h)]) }
     };
     let obstacles: Vec<String> = (0..count).map(|_| obstacle(&mut pick)).collect();
     let is_disc = pick(&[0.0, 1.0]) == 0.0;
@@ -209,7 +256,8 @@ fn degenerate_world(random: &mut Random) -> Option<Scenario> {
             limited_arm(&links, radius, &[[-PI, 1.0], [pick(&[-2.0, 0.0]), 0.5]])
         };
         let half = pick(&[0.0, 1.0, 1.5, 2.0]);
-        let bounds = if half == 0.0 { String::new() } else { format!("[{0:?}, {0:?}], [{1:?}, {1:?}]", s(-half), s(half)) };
+        let bounds =
+            if half == 0.0 { String::new() } else { format!("[{0:?}, {0:?}], [{1:?}, {1:?}]", s(-half), s(half)) };
         (bounds, robot)
     };
     let mut end = || {

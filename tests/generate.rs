@@ -158,7 +158,12 @@ fn a_seed_is_a_document() {
         ("forest", r#""links": 4"#, 0, 0x0265_032b_56ae_3dd0),
         ("forest", r#""links": 8"#, 5, 0x5c27_f2e6_a8f5_c3e3),
         ("clutter", "", 0, 0x8b31_3591_0e07_facb),
-        ("clutter", r#""robot": "arm", "links": 3, "count": 20, "largest": 0.2, "radius": 0.02"#, 7, 0xc046_26df_927b_294d),
+        (
+            "clutter",
+            r#""robot": "arm", "links": 3, "count": 20, "largest": 0.2, "radius": 0.02"#,
+            7,
+            0xc046_26df_927b_294d,
+        ),
         ("discs", "", 1, 0xf1d2_0cce_022a_c05b),
         ("discs", r#""robot": "arm", "links": 4, "count": 24, "placement": "overlapping""#, 2, 0x4557_3809_161e_431c),
         ("maze", "", 0, 0x4192_d110_18ba_46c3),

@@ -91,7 +91,9 @@ impl Experiment {
                     found.push(if is_drawn { Some(seeded()?.1) } else { None });
                 }
             }
-            if let (true, Source::Generator { drawn, .. }) = (found.iter().any(Option::is_some), &mut self.worlds[w].source) {
+            if let (true, Source::Generator { drawn, .. }) =
+                (found.iter().any(Option::is_some), &mut self.worlds[w].source)
+            {
                 *drawn = found;
             }
         }

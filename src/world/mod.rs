@@ -82,7 +82,9 @@ impl PlanningWorld {
         let (axis, other) = match [fills(min.x, max.x), fills(min.y, max.y)] {
             [false, false] => return None,
             [true, true] => {
-                return Some("the disc fills the world: it cannot move, and random samples are hardly ever free".to_owned());
+                return Some(
+                    "the disc fills the world: it cannot move, and random samples are hardly ever free".to_owned(),
+                );
             }
             [true, false] => ("x", "y"),
             [false, true] => ("y", "x"),

@@ -1,9 +1,10 @@
 //! Generated scenarios in which a path exists, or in which none does: a generator draws again until that is known.
 //!
-//! A path is known once a planner has found one, or a certificate says that there is one. That there is none is known from a certificate
-//! alone, so only for robots whose configurations have two coordinates. Both are given limits that no clock decides, so the same options and
-//! seed give the same scenario on every platform. The first draw is the world of the seed itself; each further one has a seed of its own, which
-//! depends on that seed and the number of the draw and stands in the name of the scenario. Without `ensure` that seed gives the same scenario.
+//! A path is known once a planner has found one, or a certificate says that there is one. That there is none is known
+//! from a certificate alone, so only for robots whose configurations have two coordinates. Both are given limits that
+//! no clock decides, so the same options and seed give the same scenario on every platform. The first draw is the
+//! world of the seed itself; each further one has a seed of its own, which depends on that seed and the number of the
+//! draw and stands in the name of the scenario. Without `ensure` that seed gives the same scenario.
 
 use crate::certificate::{self, Subdivision, Verdict};
 use crate::error::{Code, Error};
@@ -31,8 +32,7 @@ crate::choice! {
 crate::options! {
     /// What a generated scenario is drawn for.
     pub struct EnsureOptions for &[];
-    /// Draws again until a path is known, by a planner or a certificate, or until a certificate proves that none exists (arms of two links and
-    /// discs only). Any takes the first draw.
+    /// Draws again until a path is known, by a planner or a certificate, or until a certificate proves that there is none.
     ensure: Ensure = Ensure::Any, "Path";
     /// The most draws; with `ensure` only.
     draws: usize = 100, in 1.0..=1000.0, "Draws";
@@ -54,12 +54,13 @@ pub fn generators() -> Vec<Info> {
     seeded::generators().into_iter().map(with_ensure).collect()
 }
 
-/// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest take their
-/// defaults.
+/// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the
+/// rest take their defaults.
 ///
 /// # Errors
-/// Those of [`seeded::generate_with`] and of the options; `unsupported` (pointer `/ensure`) for `no-path` and a robot without certificates;
-/// `unknown-field` for `draws` without `ensure`; `gave-up` (pointer `/ensure`) if no draw is known to be as required.
+/// Those of [`seeded::generate_with`] and of the options; `unsupported` (pointer `/ensure`) for `no-path` and a robot
+/// without certificates; `unknown-field` for `draws` without `ensure`; `gave-up` (pointer `/ensure`) if no draw is
+/// known to be as required.
 ///
 /// # Complexity
 /// A draw takes at most 5000 iterations of RRT-Connect, 2000 for a car, and a certificate of at most 20,000 cells.
@@ -129,7 +130,8 @@ pub(crate) fn draw(id: &str, options: &[(String, Value)]) -> Result<(Scenario, u
     let (wanted, other) = if ensure == Ensure::Path { ("a path", "no path") } else { ("no path", "a path") };
     let open = draws - opposite;
     let sentence = format!(
-        "none of {draws} draws is known to have {wanted}: {opposite} have {other}, {open} are undecided; other options, or more draws, may help"
+        "none of {draws} draws is known to have {wanted}: {opposite} have {other}, {open} are undecided; \
+         other options, or more draws, may help"
     );
     Err(refusal(Code::GaveUp, "ensure", sentence))
 }
@@ -141,7 +143,8 @@ fn with_seed(options: &[(String, Value)], seed: u64) -> Vec<(String, Value)> {
     given
 }
 
-/// Whether the first query has a path; `None` if that is not known within the limits. A planner is asked only for what it can answer.
+/// Whether the first query has a path; `None` if that is not known within the limits. A planner is asked only for
+/// what it can answer.
 ///
 /// # Errors
 /// `unsupported` for [`Ensure::NoPath`] and a robot without certificates.

@@ -288,7 +288,7 @@ fn invalid_documents_are_refused_before_any_trial() {
 fn worlds_are_drawn_until_they_have_a_path() {
     let generated = "/worlds/1";
     let world = |set: Value| json!({ "generate": "discs", "set": set, "vary": { "ensure": ["any", "path"] }, "seeds": [0, 1, 2] });
-    let mut document = changed(generated, world(json!({ "robot": "arm", "count": 8 })));
+    let mut document = changed(generated, world(json!({ "robot": "arm", "count": 10 })));
     document["worlds"].as_array_mut().expect("a list").remove(0);
     document["planners"] = json!([{ "algorithm": "rrt-connect" }]);
     document["budget"] = json!({ "iterations": 5000 });
@@ -300,9 +300,9 @@ fn worlds_are_drawn_until_they_have_a_path() {
     assert!(any < 6 && path == 6, "{any} {path}");
     assert_eq!(rows(&document, 7), rows(&document, u64::MAX));
     let mut refused = document.clone();
-    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 8, "draws": 0 });
+    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 10, "draws": 0 });
     refuses(Experiment::read(&refused), "out-of-range", "/worlds/0/set/draws");
-    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 8, "seed": 3 });
+    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 10, "seed": 3 });
     refuses(Experiment::read(&refused), "duplicate-field", "/worlds/0/set/seed");
     refused["worlds"][0]["set"] = json!({ "robot": "car" });
     refused["worlds"][0]["vary"] = json!({ "ensure": ["no-path"] });

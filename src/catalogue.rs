@@ -9,8 +9,8 @@ use crate::navigation::{ComparisonOptions, RolloutOptions, TrainingOptions, navi
 use crate::options::{Info, Kind, OptionInfo, Options, Value, in_camel_case};
 use crate::planner::{self, ByControls, PlannerOptions, Preset, planners};
 use crate::run::neighbours::{self, indexes};
-use crate::scenario::generate::generators;
 use crate::trajectories::{ParticleOptions, TrajectoryOptions};
+use crate::worlds::generators;
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 

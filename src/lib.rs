@@ -75,6 +75,7 @@ pub mod sampling;
 pub mod shortening;
 #[doc(hidden)]
 pub mod world;
+pub mod worlds;
 
 pub use error::{Code, Error};
 pub use world::PlanningWorld;

@@ -50,6 +50,8 @@ pub enum Stream {
     Rollouts = 12,
     /// In which directions a free configuration is looked for.
     Ends = 13,
+    /// The seeds of worlds that are drawn again until one is as required.
+    Worlds = 14,
 }
 
 /// A stream of random numbers.

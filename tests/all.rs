@@ -64,3 +64,4 @@ mod truth;
 mod verify;
 mod verify_body;
 mod viewers;
+mod worlds;

@@ -1,6 +1,6 @@
 //! Certificates: what they say against planners, against known worlds, and against checks by other code; and the refusal of false ones.
 
-use crate::common::documents::{arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario};
+use crate::common::documents::{arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario, text};
 use crate::common::{
     arm_and_wall, begin_with, car_and_wall, cases, disc_and_wall, finish, golden, no_way, parse, seeds,
 };
@@ -113,12 +113,185 @@ fn a_way_that_only_a_touch_leaves_is_none_at_any_clearance() {
     assert_eq!(verdict(&elbow, 0.001), Verdict::Infeasible);
 }
 
+/// A contact is a collision: where nothing else connects start and goal, cells become smaller than the slack there.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_contact_at_one_point_is_decided_without_options() {
+    let low = rectangle([4.1, 0.0], [5.3, 4.7]);
+    let above = |y: f64| rectangle([5.3, y], [6.6, 10.0]);
+    let corners = [rectangle([4.0, 0.0], [5.0, 5.0]), rectangle([5.0, 5.0], [6.0, 10.0])];
+    for (radius, obstacles) in
+        [(0.0, corners.clone()), (0.0, [low.clone(), above(4.7)]), (0.25, corners), (0.3, [low, above(5.3)])]
+    {
+        let robot = format!(r#"{{"type": "disc", "radius": {radius:?}}}"#);
+        let query = r#""start": [1, 5], "goal": [9, 5]"#;
+        let world = scenario("[0, 0], [10, 10]", &obstacles.join(","), &robot, query);
+        let certificate = certify(&world, 0.0, Options::default().cells);
+        assert_eq!((certificate.verdict, certificate.clearance_at_most), (Verdict::Infeasible, Some(0.0)), "{radius}");
+        assert!(certificate.wall.iter().any(|blocked| blocked.cell.depth > 30) || radius > 0.0);
+        assert!((certificate.slack - 2e-12 * (10.0 + radius)).abs() < 1e-20);
+        // Nor at any clearance more.
+        assert_eq!(verdict(&world, 1e-9), Verdict::Infeasible);
+    }
+    // Somewhat more room is a path.
+    let gap = [rectangle([4.1, 0.0], [5.3, 4.7]), rectangle([5.3, 4.700_001], [6.6, 10.0])];
+    let query = r#""start": [1, 5], "goal": [9, 5]"#;
+    let world = scenario("[0, 0], [10, 10]", &gap.join(","), r#"{"type": "disc", "radius": 0}"#, query);
+    assert_eq!(certify(&world, 0.0, Options::default().cells).verdict, Verdict::Connected);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn worlds_without_width_and_ends_in_contact_are_decided_and_confirmed() {
+    let round = |bounds: &str, radius: f64, obstacles: &[String], query: &str| {
+        scenario(bounds, &obstacles.join(","), &format!(r#"{{"type": "disc", "radius": {radius:?}}}"#), query)
+    };
+    let along = r#""start": [1, 0.5], "goal": [9, 0.5]"#;
+    let worlds = [
+        // As high as the disc, also where rounding makes it lower, or slack higher; as large as the disc.
+        (round("[0, 0], [10, 1]", 0.5, &[], along), Verdict::Connected),
+        (round("[0, 0.1], [10, 1.1]", 0.5, &[], r#""start": [1, 0.6], "goal": [9, 0.6]"#), Verdict::Connected),
+        (round("[0, 0], [10, 0.999999999999]", 0.5, &[], along), Verdict::Connected),
+        (round("[0, 0], [10, 1.000000000001]", 0.5, &[], along), Verdict::Connected),
+        (round("[0, 0], [1, 1]", 0.5, &[], r#""start": [0.5, 0.5], "goal": [0.5, 0.5]"#), Verdict::Connected),
+        (round("[0, 0], [10, 1]", 0.5, &[disc([5.0, 0.5], 0.2)], along), Verdict::Infeasible),
+        (round("[0, 0], [10, 1]", 0.5, &[disc([5.0, 2.0], 0.2)], along), Verdict::Connected),
+        // Far from the origin, where a slack is many of the smallest cells.
+        (
+            round(
+                "[999990, 0], [1000000, 1]",
+                0.5,
+                &[],
+                r#""start": [999991, 0.4999999], "goal": [999999, 0.5000001]"#,
+            ),
+            Verdict::Connected,
+        ),
+        // Start and goal in contact with the bounds, also outside them by less than the slack.
+        (round("[0, 0], [10, 10]", 0.5, &[], r#""start": [0.5, 0.5], "goal": [9.5, 9.5]"#), Verdict::Connected),
+        (
+            round("[0, 0], [10, 10]", 0.5, &[], r#""start": [0.499999999999, 5], "goal": [9.500000000001, 5]"#),
+            Verdict::Connected,
+        ),
+        (
+            round(
+                "[0, 0], [10, 10]",
+                0.5,
+                &[rectangle([5.0, 0.0], [6.0, 10.0])],
+                r#""start": [0.499999999999, 5], "goal": [9.5, 5]"#,
+            ),
+            Verdict::Infeasible,
+        ),
+        // The cut of a circle; limits in contact; the same start and goal.
+        (
+            scenario(
+                "",
+                "",
+                &arm(&[1.0, 0.5], 0.0),
+                r#""start": [-3.141592653589793, 1], "goal": [3.141592653589793, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
+        (
+            scenario(
+                "",
+                &disc([-1.2, 0.0], 0.1),
+                &arm(&[1.0, 0.5], 0.0),
+                r#""start": [-3.141592653589793, 1], "goal": [9.42477796076938, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
+        (
+            scenario(
+                "",
+                &disc([1.5, 0.0], 0.5),
+                &limited_arm(&[0.5, 0.5], 0.0, &[[0.0, 1.0], [0.0, 2.0]]),
+                r#""start": [0.5, 0], "goal": [0, 2]"#,
+            ),
+            Verdict::Connected,
+        ),
+        (no_way_from_start_to_start(), Verdict::Connected),
+        // The first link lies along the bounds at the start and at the goal.
+        (
+            scenario(
+                "[-2, 0], [2, 2]",
+                "",
+                &arm(&[1.0, 0.3], 0.0),
+                r#""start": [0, 1], "goal": [3.141592653589793, -1]"#,
+            ),
+            Verdict::Connected,
+        ),
+    ];
+    for (world, expected) in worlds {
+        assert_eq!(certify(&world, 0.0, Options::default().cells).verdict, expected, "{}", world.to_json_string());
+    }
+}
+
+/// A query whose start is its goal, in a world where its arm cannot go far.
+fn no_way_from_start_to_start() -> Scenario {
+    scenario("", &disc([2.0, 0.0], 0.5), &arm(&[1.0, 0.5], 0.05), r#""start": [2, 0], "goal": [2, 0]"#)
+}
+
+/// Worlds of few different coordinates, so that much touches: discs as wide as gaps, bounds and limits in contact, obstacles outside.
+fn degenerate_world(random: &mut Random) -> Option<Scenario> {
+    let scale = [1.0, 1.0, 0.3, 1e6 / 8.0, 1e-7, 1e-70][random.below(6) as usize];
+    let mut pick = |list: &[f64]| list[random.below(list.len() as u64) as usize];
+    let numbers = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0];
+    let s = |x: f64| x * scale;
+    let count = pick(&[0.0, 1.0, 2.0, 3.0, 5.0]) as usize;
+    let obstacle = |pick: &mut dyn FnMut(&[f64]) -> f64| {
+        let [x, y] = [(); 2].map(|()| pick(&[-1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0]));
+        let [w, h] = [(); 2].map(|()| pick(&[0.25, 0.5, 1.0, 2.0]));
+        if pick(&[0.0, 1.0]) == 0.0 { disc([s(x), s(y)], s(w)) } else { rectangle([s(x), s(y)], [s(x + w), s(y + h)]) }
+    };
+    let obstacles: Vec<String> = (0..count).map(|_| obstacle(&mut pick)).collect();
+    let is_disc = pick(&[0.0, 1.0]) == 0.0;
+    let (bounds, robot) = if is_disc {
+        let (radius, x, y) = (pick(&[0.0, 0.25, 0.5, 1.0]), pick(&[1.0, 2.0, 4.0]), pick(&[0.5, 1.0, 2.0, 4.0]));
+        let robot = format!(r#"{{"type": "disc", "radius": {:?}}}"#, s(radius));
+        (format!("[0, 0], [{:?}, {:?}]", s(x), s(y)), robot)
+    } else {
+        let links = [(); 2].map(|()| s(pick(&[0.5, 1.0])));
+        let radius = s(pick(&[0.0, 0.0, 0.25]));
+        let robot = if pick(&[0.0, 1.0]) == 0.0 {
+            arm(&links, radius)
+        } else {
+            limited_arm(&links, radius, &[[-PI, 1.0], [pick(&[-2.0, 0.0]), 0.5]])
+        };
+        let half = pick(&[0.0, 1.0, 1.5, 2.0]);
+        let bounds =
+            if half == 0.0 { String::new() } else { format!("[{0:?}, {0:?}], [{1:?}, {1:?}]", s(-half), s(half)) };
+        (bounds, robot)
+    };
+    let mut end = || {
+        let angle = |pick: &mut dyn FnMut(&[f64]) -> f64| pick(&[-PI, -1.0, 0.0, 0.5, PI / 2.0, PI]);
+        if is_disc { [s(pick(&numbers)), s(pick(&numbers))] } else { [angle(&mut pick), angle(&mut pick)] }
+    };
+    let (start, goal) = (end(), end());
+    let goal = if count == 3 { start } else { goal };
+    let query = format!(r#""start": {start:?}, "goal": {goal:?}"#);
+    Scenario::parse(&text("s", &bounds, &obstacles.join(","), &robot, &query)).ok()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn certificates_of_degenerate_worlds_are_confirmed() {
+    let (mut random, mut seen) = (Random::new(11, Stream::Samples), [0; 3]);
+    for case in 0..cases(8000) {
+        let Some(world) = degenerate_world(&mut random) else { continue };
+        let clearance = [0.0, 0.0, 0.25][case % 3];
+        let Ok(mut subdivision) = Subdivision::new(&world, &options(clearance, 1500)) else { continue };
+        subdivision.step(u64::MAX);
+        let certificate = subdivision.certificate();
+        let verified = verify(&world, &certificate).expect("of this scenario");
+        assert_eq!(verified, None, "{} {}", world.to_json_string(), certificate.to_json());
+        seen[certificate.verdict as usize] += 1;
+    }
+    assert!(seen[0] > 10 && seen[1] > 10, "{seen:?}");
+}
+
 /// A random world of an arm of two links or of a disc; `None` if its start or goal is in collision.
 fn random_world(seed: u64) -> Option<Scenario> {
     if seed.is_multiple_of(2) {
         return generate("discs", &json!({ "placement": "overlapping", "count": 70, "seed": seed })).ok();
     }
-    generate("clutter", &json!({ "robot": "arm", "count": 20, "seed": seed })).ok()
+    generate("clutter", &json!({ "robot": "arm", "count": 20, "largest": 0.2, "seed": seed })).ok()
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -153,20 +326,20 @@ fn certificates() -> Vec<(Scenario, Certificate)> {
 }
 
 /// The configurations of a cell: low and high of both coordinates.
-fn ranges(world: &Scenario, [depth, column, row]: [u32; 3]) -> [[f64; 2]; 2] {
+fn ranges(world: &Scenario, [depth, column, row]: [u64; 3]) -> [[f64; 2]; 2] {
     let inspector = Inspector::new(world);
     let whole = inspector.configuration_space_range().unwrap_or_else(|_| {
         let planarium::scenario::Robot::Disc(disc) = world.robot() else { panic!("an arm has a range") };
         let (extent, r) = (inspector.extent(), disc.radius());
         [[extent.min.x + r, extent.max.x - r], [extent.min.y + r, extent.max.y - r]]
     });
-    let side = f64::from(1u32 << depth);
+    let side = (1u64 << depth) as f64;
     [(column, whole[0]), (row, whole[1])]
-        .map(|(at, [low, high])| [0, 1].map(|end| low + f64::from(at + end) / side * (high - low)))
+        .map(|(at, [low, high])| [0, 1].map(|end| low + (at + end) as f64 / side * (high - low)))
 }
 
 /// Whether the cells of a wall, as pixels of the depth of the smallest, keep the pixel of the start apart from that of the goal.
-fn keeps_apart(world: &Scenario, cells: &[[u32; 3]], wraps: bool) -> bool {
+fn keeps_apart(world: &Scenario, cells: &[[u64; 3]], wraps: bool) -> bool {
     let depth = cells.iter().map(|cell| cell[0]).max().unwrap_or(0);
     let side = 1usize << depth;
     let mut pixels = vec![false; side * side];
@@ -214,12 +387,12 @@ fn walls_keep_start_and_goal_apart_and_channels_are_free_by_other_means() {
     let mut seen = [0; 2];
     for (world, certificate) in certificates() {
         let inspector = Inspector::new(&world);
-        let mut draw = |cell: [u32; 3]| ranges(&world, cell).map(|[low, high]| low + random.uniform() * (high - low));
+        let mut draw = |cell: [u64; 3]| ranges(&world, cell).map(|[low, high]| low + random.uniform() * (high - low));
         let clearance = |q: &[f64]| {
             inspector.clearance(q).expect("a configuration").map_or(f64::NEG_INFINITY, |near| near.distance)
         };
         if let Some(most) = certificate.clearance_at_most {
-            let cells: Vec<[u32; 3]> = certificate.wall.iter().map(|blocked| blocked.cell.into()).collect();
+            let cells: Vec<[u64; 3]> = certificate.wall.iter().map(|blocked| blocked.cell.into()).collect();
             for &cell in &cells {
                 let q = draw(cell);
                 assert!(clearance(&q) <= most + 1e-9, "{q:?} keeps {} of {most}", clearance(&q));
@@ -260,8 +433,8 @@ fn a_false_certificate_is_refused() {
         changed
     };
     refused(&world, &with(&|c| c.wall.clear()), "separate");
-    refused(&world, &with(&|c| c.wall[0].cell.depth = 31), "not within the square");
-    refused(&world, &with(&|c| c.wall[0].cell.column = u32::MAX), "not within the square");
+    refused(&world, &with(&|c| c.wall[0].cell.depth = 51), "not within the square");
+    refused(&world, &with(&|c| c.wall[0].cell.column = u64::MAX), "not within the square");
     refused(&world, &with(&|c| c.wall[0].part = 2), "does not have");
     refused(&world, &with(&|c| c.wall[0].along = 1.5), "does not have");
     refused(&world, &with(&|c| c.wall[0].with = planarium::problem::Touched::Obstacle(9)), "does not exist");
@@ -270,10 +443,21 @@ fn a_false_certificate_is_refused() {
     refused(&world, &with(&|c| c.wall[0].cell = [1, 0, 0].into()), "not proven");
     refused(&world, &with(&|c| c.clearance_at_most = None), "without a clearance");
     refused(&world, &with(&|c| c.clearance_at_most = Some(0.1)), "but the wall is for");
-    refused(&world, &with(&|c| c.verdict = Verdict::Connected), "empty");
+    refused(&world, &with(&|c| c.verdict = Verdict::Connected), "the verdict is connected, but");
+    refused(&world, &with(&|c| (c.verdict, c.clearance_at_most) = (Verdict::Connected, None)), "without a clearance");
+    let nothing = |c: &mut Certificate| (c.clearance_at_most, c.wall) = (None, Vec::new());
+    let empty_channel = |c: &mut Certificate| {
+        nothing(c);
+        c.verdict = Verdict::Connected;
+    };
+    refused(&world, &with(&empty_channel), "empty");
+    refused(&world, &with(&|c| c.slack *= 0.5), "the slack is");
+    refused(&world, &with(&|c| c.slack *= 2.0), "the slack is");
+    refused(&world, &with(&|c| c.cells = 1), "are named");
+    refused(&world, &with(&|c| c.channel = vec![c.wall[0].cell]), "there is a channel");
     // The same wall where there is none.
     let empty = scenario("", &disc([5.0, 5.0], 0.1), &arm(&[1.0, 1.0], 0.0), r#""start": [1.5, 0], "goal": [-1.5, 0]"#);
-    refused(&empty, &with(&|c| (c.scenario, c.query) = ("s".into(), "q".into())), "not proven");
+    refused(&empty, &with(&|c| (c.scenario, c.query, c.slack) = ("s".into(), "q".into(), 2.0 * 7.1e-12)), "not proven");
     refuses(verify(&empty, &certificate), "invalid-result", "/scenario");
     refuses(verify(&world, &with(&|c| c.query = "other".into())), "unknown-query", "/query");
 

@@ -1,5 +1,6 @@
 //! The command line: the program itself, its output, its exit codes.
 
+use crate::common::documents::{disc, text as document};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
@@ -190,7 +191,7 @@ fn a_certificate_is_printed_and_verified() {
             "infeasible",
             "infeasible: no path with clearance above 0.35 m exists; ",
         ),
-        ("--query around --cells 1", 1, "unknown", "unknown: "),
+        ("--query around --cells 1", 1, "unknown", "unknown: gave up after 1 cells; "),
     ] {
         let finished = planarium(&format!("certify room.json {line}"));
         assert_eq!((finished.code, finished.json()["verdict"].as_str()), (code, Some(verdict)), "{}", finished.stderr);
@@ -300,6 +301,40 @@ fn verify_distinguishes_valid_from_invalid() {
 }
 
 #[test]
+fn a_scenario_is_drawn_until_it_has_a_path_or_none() {
+    for (ensure, verdict) in [("path", "connected"), ("no-path", "infeasible")] {
+        let generated =
+            planarium(&format!("generate discs --set robot=arm --set count=6 --set ensure={ensure} --seed 1"));
+        assert_eq!((generated.code, generated.stderr.as_str()), (0, ""));
+        let certified = planarium_with("certify -", &generated.stdout);
+        assert_eq!(certified.json()["verdict"], verdict, "{}", certified.stderr);
+        let slack = certified.json()["slack"].as_f64().expect("a number");
+        assert_eq!(verdict == "infeasible", certified.stderr.contains(&format!("to within {slack:e} m")));
+    }
+    planarium("generate maze --set ensure=no-path --set draws=2").refuses("gave-up", "/ensure");
+    planarium("generate maze --set draws=2").refuses("unknown-field", "/draws");
+}
+
+/// A disc that fills its world moves on a line: planners that give up say why samples are of no use, and a certificate decides.
+#[test]
+fn a_world_as_high_as_the_disc_is_decided_and_planners_say_why() {
+    let world = |x: f64| {
+        document(
+            "flat",
+            "[0, 0], [10, 1]",
+            &disc([x, 0.5], 0.2),
+            r#"{"type": "disc", "radius": 0.5}"#,
+            r#""start": [1, 0.5], "goal": [9, 0.5]"#,
+        )
+    };
+    let planned = planarium_with("plan - --planner prm --max-iterations 1000", &world(5.0));
+    assert_eq!(planned.code, 1);
+    assert!(planned.stderr.contains("the disc fills the world along y"), "{}", planned.stderr);
+    assert_eq!(planarium_with("certify -", &world(5.0)).json()["verdict"], "infeasible");
+    assert_eq!(planarium_with("certify -", &world(12.0)).json()["verdict"], "connected");
+}
+
+#[test]
 fn generate_plan_and_verify_form_a_pipeline() {
     for (i, kind) in [
         "forest --set links=3 --seed 2",
@@ -394,7 +429,7 @@ fn list_describes_everything_in_the_catalogue() {
     }
     assert_eq!(words(&listed["generators"], "id"), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
     let known: Vec<&str> = planarium::error::Code::ALL.iter().map(|code| code.as_str()).collect();
-    assert_eq!((known.len(), known[0], known[28]), (29, "invalid-json", "usage"));
+    assert_eq!((known.len(), known[0], known[29]), (30, "invalid-json", "usage"));
     assert_eq!(words(&listed["errors"], "code"), known, "every code once, in order");
 }
 

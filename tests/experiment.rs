@@ -293,6 +293,32 @@ fn invalid_documents_are_refused_before_any_trial() {
     refuses(Experiment::read(&document), "out-of-range", "/planners/0/set/metric");
 }
 
+/// Worlds that are drawn again: a world of every seed has a path, the same in every trial and on every reading.
+#[wasm_bindgen_test(unsupported = test)]
+fn worlds_are_drawn_until_they_have_a_path() {
+    let generated = "/worlds/1";
+    let world = |set: Value| json!({ "generate": "discs", "set": set, "vary": { "ensure": ["any", "path"] }, "seeds": [0, 1, 2] });
+    let mut document = changed(generated, world(json!({ "robot": "arm", "count": 10 })));
+    document["worlds"].as_array_mut().expect("a list").remove(0);
+    document["planners"] = json!([{ "algorithm": "rrt-connect" }]);
+    document["budget"] = json!({ "iterations": 5000 });
+    let solved = |ensure: &str| {
+        let rows = rows(&document, u64::MAX);
+        rows.iter().filter(|row| row["world.ensure"] == ensure && row["status"] == "solved").count()
+    };
+    let (any, path) = (solved("any"), solved("path"));
+    assert!(any < 6 && path == 6, "{any} {path}");
+    assert_eq!(rows(&document, 7), rows(&document, u64::MAX));
+    let mut refused = document.clone();
+    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 10, "draws": 0 });
+    refuses(Experiment::read(&refused), "out-of-range", "/worlds/0/set/draws");
+    refused["worlds"][0]["set"] = json!({ "robot": "arm", "count": 10, "seed": 3 });
+    refuses(Experiment::read(&refused), "duplicate-field", "/worlds/0/set/seed");
+    refused["worlds"][0]["set"] = json!({ "robot": "car" });
+    refused["worlds"][0]["vary"] = json!({ "ensure": ["no-path"] });
+    refuses(Experiment::read(&refused), "unsupported", "/worlds/0/vary/ensure/0");
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn equal_steps_are_the_decimals_that_are_written() {
     let span = json!([{ "algorithm": "rrt", "vary": { "step": { "from": 0.1, "to": 0.7, "step": 0.1 } } }]);

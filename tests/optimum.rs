@@ -28,6 +28,7 @@ fn of(world: &Scenario) -> Optimum {
 fn shortest(world: &Scenario) -> f64 {
     let found = of(world);
     assert_eq!((found.method, found.exact, found.resolution), (Method::TangentGraph, true, None));
+    assert!(found.slack.is_some_and(|slack| 0.0 < slack && slack < 1e-6));
     found.length.expect("there is a path")
 }
 

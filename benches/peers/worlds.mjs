@@ -22,7 +22,7 @@ export const rows = [
   ...[2, 3, 4].map((links) => row("prm", "forest", { links }, `forest ${links}R`, links)),
   ...[2, 3, 4].map((links) => row("rrt-connect", "forest", { links }, `forest ${links}R`, links)),
   row("rrt-connect", "discs", { robot: "arm", links: 3, count: 12, largest: 0.1 }, "discs 3R, thick links", 3),
-  row("rrt-connect", "clutter", { robot: "arm", links: 4, radius: 0 }, "clutter 4R", 4),
+  row("rrt-connect", "clutter", { robot: "arm", links: 4, radius: 0, count: 14, largest: 0.2 }, "clutter 4R", 4),
   row("rrt-connect", "clutter", { robot: "rigid_body", count: 8, smallest: 0.12, largest: 0.26 }, "body in clutter", 0),
   row("rrt-connect", "gap", { robot: "rigid_body", width: 0.14, thickness: 0.2 }, "body through a gap", 0),
   row("rrt-control", "clutter", { robot: "car", count: 8, smallest: 0.12, largest: 0.26 }, "car in clutter", 0),

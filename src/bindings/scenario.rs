@@ -21,6 +21,7 @@ use crate::run::storage::RoadmapDocument;
 use crate::run::{self, Options};
 use crate::scenario;
 use crate::world::PlanningWorld;
+use crate::worlds;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
@@ -78,9 +79,11 @@ impl Scenario {
 
     /// Generates a scenario from a seed; the same generator, options and seed give the same scenario. `generators()` lists the
     /// generators and their options.
-    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`
+    /// With `ensure` worlds are drawn until one is known to have a path, or none; that takes up to a few seconds.
+    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`; `unsupported`,
+    /// `gave-up` of `ensure`
     pub fn generate(kind: &GeneratorName, options: Option<GenerateOptions>) -> Result<Scenario, Error> {
-        scenario::generate::generate(&text(kind, "kind")?, &fields(options)?.object()).map(Self::new)
+        worlds::generate(&text(kind, "kind")?, &fields(options)?.object()).map(Self::new)
     }
 
     /// Whether a configuration is free, and every pair that touches if it is not.

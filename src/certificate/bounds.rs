@@ -89,7 +89,9 @@ impl Clearances {
             Robot::Disc(disc) => {
                 // The centre keeps the radius away from the bounds.
                 let inside = world.bounds().grown(-disc.radius());
-                let [low, high] = [inside.min, inside.max].map(|corner| [corner.x, corner.y]);
+                // In a world as wide as the disc the range is a point, and rounding may exchange its ends.
+                let ends = [[inside.min.x, inside.max.x], [inside.min.y, inside.max.y]];
+                let (low, high) = (ends.map(|[a, b]| a.min(b)), ends.map(|[a, b]| a.max(b)));
                 (None, disc.radius(), Square { low, high, wraps: [false; 2] })
             }
             robot => {
@@ -118,13 +120,12 @@ impl Clearances {
         for (i, part) in self.parts(cell).iter().enumerate() {
             // A sum of convex functions is greatest at an end.
             let travel = self.travel(part, 0.0).max(self.travel(part, 1.0));
-            let depth = self.depth(part);
-            if depth + self.bulge(part, 1.0) < -self.eta {
+            if self.depth(part, f64::max) + self.bulge(part, 1.0) < -self.eta {
                 let witness = Some(Witness { part: i, along: 1.0, with: Touched::Bounds });
                 return Bounds { least: f64::NEG_INFINITY, most: f64::NEG_INFINITY, witness };
             }
-            let is_inside = |bounds: &Aabb| bounds.depth(part.axis.b) - self.radius >= travel;
-            if !self.bounds.as_ref().is_none_or(is_inside) {
+            // Contact with the bounds is allowed.
+            if self.depth(part, f64::min) - self.bulge(part, 1.0) < -0.5 * self.eta {
                 bounds.least = f64::NEG_INFINITY;
             }
             let around = part.axis.aabb().grown(self.radius + travel + near + self.eta);
@@ -188,13 +189,14 @@ impl Clearances {
         self.arm.as_ref().map_or(0.0, |arm| (point(&part.axis, along) - arm.base()).norm())
     }
 
-    /// How deep the outer end of the part is within the bounds at all corners, by the side of the bounds that it is least deep within.
-    fn depth(&self, part: &Part) -> f64 {
+    /// How deep the outer end of the part is within the bounds at all corners of the cell, by the side of the bounds that it is least deep
+    /// within: at the corner where it is least deep, or deepest, by the function. Elsewhere in the cell it differs by the bulge at most.
+    fn depth(&self, part: &Part, of_two: fn(f64, f64) -> f64) -> f64 {
         let Some(Aabb { min, max }) = &self.bounds else { return f64::INFINITY };
         let sides: [&dyn Fn(Point) -> f64; 4] =
             [&|p| p.x - min.x, &|p| max.x - p.x, &|p| p.y - min.y, &|p| max.y - p.y];
         let depth = |side: &&dyn Fn(Point) -> f64| {
-            part.corners.iter().map(|axis| side(axis.b)).fold(f64::NEG_INFINITY, f64::max)
+            part.corners.iter().map(|axis| side(axis.b)).reduce(of_two).unwrap_or(f64::INFINITY)
         };
         sides.iter().map(depth).fold(f64::INFINITY, f64::min) - self.radius
     }

@@ -51,6 +51,10 @@ pub struct Certificate {
     /// proven, or that a path exists.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub clearance_at_most: Option<f64>,
+    /// What clearances are known to: an obstacle nearer than this may count as touched, and a path that keeps more than `clearance` or
+    /// `clearance_at_most` by less than this may exist. 2e-12 times the largest coordinate plus the reach.
+    #[serde(deserialize_with = "json::not_negative")]
+    pub slack: f64,
     /// The number of cells of the subdivision, divided ones too.
     pub cells: u64,
     /// The cells that separate start and goal, if no path keeps more than `clearance_at_most`.

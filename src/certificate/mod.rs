@@ -5,7 +5,8 @@
 //! clearance is the distance of the robot from the nearest obstacle, in metres, negative infinity outside the bounds of the world,
 //! which may be touched.
 //!
-//! All clearances are rounded: they are meant up to a slack of 2e-12 times the largest coordinate plus the reach.
+//! All clearances are rounded: they are meant up to a slack of 2e-12 times the largest coordinate plus the reach, which certificates name.
+//! Contact with an obstacle is collision, and cells may become smaller than the slack: a contact at one point is decided.
 //!
 //! - If the cells that are not blocked, joined where they touch, even in a corner, do not connect start and goal, **no path keeps more
 //!   than the clearance**.

@@ -215,8 +215,8 @@ impl Subdivision {
         }
     }
 
-    /// Finds the channels with the fewest mixed cells: all of these are divided next. If there is no channel, or one without mixed cells,
-    /// that is the verdict.
+    /// Finds the channels with the fewest mixed cells: all of these are divided next; once those are the smallest cells, those
+    /// of all other channels. If there is no channel, or one without mixed cells, that is the verdict.
     fn search(&mut self) {
         if self.verdict.is_some() {
             return;
@@ -230,15 +230,21 @@ impl Subdivision {
         }
         let (from_goal, _) = self.counts(goal);
         // The cell itself counts in both directions.
-        let is_on_channel = |i: usize| {
-            self.nodes[i].kind == Kind::Mixed && from_start[i] < u32::MAX && from_start[i] + from_goal[i] == fewest + 1
+        let length = |i: usize| u64::from(from_start[i]) + u64::from(from_goal[i]);
+        let is_divisible = |node: &Node| node.kind == Kind::Mixed && node.cell.depth < DEEPEST;
+        let divisible = |most: u64| -> Vec<u32> {
+            let all = (0..self.cell_count()).rev();
+            all.filter(|&i| is_divisible(&self.nodes[i]) && length(i) <= most).map(|i| i as u32).collect()
         };
-        let is_divisible = |i: usize| self.nodes[i].cell.depth < DEEPEST;
-        self.channel =
-            (0..self.cell_count()).rev().filter(|&i| is_on_channel(i) && is_divisible(i)).map(|i| i as u32).collect();
-        if self.channel.is_empty() {
+        let mut channel = divisible(u64::from(fewest) + 1);
+        if channel.is_empty() {
+            // The smallest cells are left there. Others still make the proven clearance smaller.
+            channel = divisible(u64::from(u32::MAX) - 1);
+        }
+        if channel.is_empty() {
             self.verdict = Some(Verdict::Unknown);
         }
+        self.channel = channel;
     }
 
     /// For each cell the fewest mixed cells from one to it, both counted, on a way through cells that touch, none of them blocked; and

@@ -52,6 +52,7 @@ impl Subdivision {
             clearance: self.clearance,
             verdict,
             clearance_at_most,
+            slack: 2.0 * self.clearances.eta,
             cells: self.cell_count() as u64,
             wall: clearance_at_most
                 .map_or(Vec::new(), |most| self.wall(most).into_iter().map(|cell| self.blocked(cell, most)).collect()),

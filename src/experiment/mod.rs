@@ -61,7 +61,13 @@ struct Worlds {
 /// Where worlds come from.
 enum Source {
     Scenario(PlanningWorld),
-    Generator { id: String, grid: Grid, seeds: Seeds },
+    Generator {
+        id: String,
+        grid: Grid,
+        seeds: Seeds,
+        /// Of worlds with `ensure` the seeds that were drawn for them, by the number of the variant and that of the seed; else empty.
+        drawn: Vec<Option<u64>>,
+    },
 }
 
 /// One entry of the document's planners.

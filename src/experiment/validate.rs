@@ -8,8 +8,8 @@ use crate::graph::Fingerprint;
 use crate::json;
 use crate::run::{self, Options, Value};
 use crate::scenario::Scenario;
-use crate::scenario::generate::generate_with;
 use crate::world::PlanningWorld;
+use crate::worlds::{self, Ensure};
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
 
@@ -47,8 +47,9 @@ impl Experiment {
         let (verify, title, fingerprint) = (document.verify, document.title, fingerprint(tree));
         let budget = document.budget.map_or(Ok(Budget::Own), checked_budget)?;
         let (worlds, planners) = (checked_worlds(document.worlds)?, checked_planners(document.planners)?);
-        let experiment = Self { title, worlds, planners, seeds, budget, verify, measures, fingerprint };
+        let mut experiment = Self { title, worlds, planners, seeds, budget, verify, measures, fingerprint };
         experiment.check_size()?;
+        experiment.draw_worlds()?;
         experiment.check_starts()?;
         Ok(experiment)
     }
@@ -70,6 +71,31 @@ impl Experiment {
         if trials > u128::from(MAX_TRIALS) {
             let sentence = format!("these are {trials} trials; at most {MAX_TRIALS} are allowed");
             return refused(Code::TooLarge, "/seeds", sentence);
+        }
+        Ok(())
+    }
+
+    /// Draws the worlds with `ensure` once: from then on each is made from the seed that was drawn.
+    fn draw_worlds(&mut self) -> Result<(), Error> {
+        for w in 0..self.worlds.len() {
+            let (variants, count) = (self.worlds[w].variants(), self.worlds[w].seed_count());
+            let Source::Generator { id, grid, seeds, .. } = &self.worlds[w].source else { continue };
+            let mut found = Vec::new();
+            for variant in 0..variants {
+                let located = |error| located(error, w, grid, variant);
+                let options = grid.options(variant);
+                let (_, ensured) = worlds::split(&options).map_err(located)?;
+                for seed in (0..count).map(|seed| seeds.at(seed)) {
+                    let is_drawn = ensured.ensure != Ensure::Any;
+                    let seeded = || worlds::draw(id, &seeded(&options, seed)).map_err(located);
+                    found.push(if is_drawn { Some(seeded()?.1) } else { None });
+                }
+            }
+            if let (true, Source::Generator { drawn, .. }) =
+                (found.iter().any(Option::is_some), &mut self.worlds[w].source)
+            {
+                *drawn = found;
+            }
         }
         Ok(())
     }
@@ -99,19 +125,15 @@ impl Experiment {
     pub(super) fn world(&self, w: usize, variant: u64, seed: u64) -> Result<PlanningWorld, Error> {
         match &self.worlds[w].source {
             Source::Scenario(world) => Ok(world.clone()),
-            Source::Generator { id, grid, seeds } => {
-                let mut options = grid.options(variant);
-                options.push(("seed".to_owned(), Value::Number(seeds.at(seed) as f64)));
-                let located = |error: Error| {
-                    let below = match error.pointer() {
-                        "" => "/generate".to_owned(),
-                        option => grid
-                            .pointer(variant, option)
-                            .unwrap_or_else(|| if option == "/seed" { "/seeds" } else { "" }.to_owned()),
-                    };
-                    Error::new(error.code(), format!("/worlds/{w}{below}"), error.message())
+            Source::Generator { id, grid, seeds, drawn } => {
+                let located = |error| located(error, w, grid, variant);
+                let number = (variant * self.worlds[w].seed_count() + seed) as usize;
+                let given = grid.options(variant);
+                let options = match drawn.get(number).copied().flatten() {
+                    Some(drawn) => seeded(&worlds::split(&given).map_err(located)?.0, drawn),
+                    None => seeded(&given, seeds.at(seed)),
                 };
-                generate_with(id, &options).map(PlanningWorld::new).map_err(located)
+                worlds::generate_with(id, &options).map(PlanningWorld::new).map_err(located)
             }
         }
     }
@@ -143,6 +165,22 @@ impl Experiment {
         };
         Error::new(error.code(), pointer, error.message())
     }
+}
+
+/// The options and a seed.
+fn seeded(options: &[(String, Value)], seed: u64) -> Vec<(String, Value)> {
+    [options, &[("seed".to_owned(), Value::Number(seed as f64))]].concat()
+}
+
+/// The error of a generator with a pointer into the document of the experiment.
+fn located(error: Error, w: usize, grid: &Grid, variant: u64) -> Error {
+    let below = match error.pointer() {
+        "" => "/generate".to_owned(),
+        option => {
+            grid.pointer(variant, option).unwrap_or_else(|| if option == "/seed" { "/seeds" } else { "" }.to_owned())
+        }
+    };
+    Error::new(error.code(), format!("/worlds/{w}{below}"), error.message())
 }
 
 /// See [`Experiment::fingerprint`].
@@ -222,7 +260,7 @@ fn checked_world(entry: document::World, before: u64) -> Result<Worlds, Error> {
         (None, Some(id)) => {
             let seeds =
                 seeds.as_ref().map_or(Ok(Seeds::List(vec![0])), Seeds::read).map_err(|error| error.under("/seeds"))?;
-            (id.clone(), Source::Generator { id, grid: Grid::read(set, &vary)?, seeds })
+            (id.clone(), Source::Generator { id, grid: Grid::read(set, &vary)?, seeds, drawn: Vec::new() })
         }
         (Some(_), Some(_)) => {
             return refused(Code::UnknownField, "/generate", "a world has a scenario or a generator, not both");

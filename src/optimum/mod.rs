@@ -52,6 +52,9 @@ pub struct Optimum {
     pub exact: bool,
     /// The distance between two lines of the grid along each coordinate, in its units; null if there is none.
     pub resolution: Option<[f64; 2]>,
+    /// By how much obstacles count as larger, in metres: a passage that leaves less than this on both sides of the disc counts as closed. It is
+    /// less than the slack of proofs and certificates, so that a passage which is closed for those may be open here. Null if not exact.
+    pub slack: Option<f64>,
     /// The length; null without a path: none exists if `exact`, else the grid has none.
     pub length: Option<f64>,
     /// What the length measures, as in results of the same robot and `metric`.
@@ -99,6 +102,7 @@ pub fn optimum(
         method,
         exact: method == Method::TangentGraph,
         resolution: (method == Method::Grid).then(|| [0, 1].map(|i| grid::resolution(&space, i))),
+        slack: None,
         length,
         length_measure: LengthMeasure::of(world.robot(), metric),
         path,
@@ -110,7 +114,8 @@ pub fn optimum(
             tangent_graph::shortest(world.scenario().world(), bounds, disc.radius(), ends).map_err(at_query)?;
         let (length, points) = shortest.unzip();
         let path = points.unwrap_or_default().iter().map(|p| vec![p.x, p.y]).collect();
-        return Ok(found(Method::TangentGraph, length, path));
+        let slack = Some(tangent_graph::larger(world.scenario().world(), &bounds, disc.radius()));
+        return Ok(Optimum { slack, ..found(Method::TangentGraph, length, path) });
     }
     let path = grid::reference(&problem).unwrap_or_default();
     let along = (!path.is_empty()).then(|| length(&space, &path));

@@ -268,6 +268,13 @@ impl TangentGraph {
     }
 }
 
+/// How much larger the disc is taken, in metres.
+pub(super) fn larger(world: &World, bounds: &Aabb, radius: f64) -> f64 {
+    let largest = |aabb: &Aabb| aabb.min.coords.amax().max(aabb.max.coords.amax());
+    let obstacles = world.obstacles.iter().map(|obstacle| largest(&obstacle.aabb()));
+    LARGER * Tolerance::new(obstacles.fold(largest(bounds), f64::max) + radius, 0.0).eta
+}
+
 /// The length of the shortest path of a disc between two positions, and its points: arcs are replaced by chords of at most 0.05
 /// radians. `None` if there is no path. O(n^2 log n) for n convex corners and discs.
 ///
@@ -281,9 +288,7 @@ pub(super) fn shortest(
     [start, goal]: [Point; 2],
 ) -> Result<Option<(f64, Vec<Point>)>, Error> {
     let obstacles = Obstacles::new(Arc::clone(&world.obstacles));
-    let largest = |aabb: &Aabb| aabb.min.coords.amax().max(aabb.max.coords.amax());
-    let scale = obstacles.largest_coordinate().max(largest(&bounds)) + radius;
-    let grown = Grown { obstacles, bounds, radius, larger: LARGER * Tolerance::new(scale, 0.0).eta };
+    let grown = Grown { obstacles, bounds, radius, larger: larger(world, &bounds, radius) };
     for (what, at, code) in [("start", start, Code::StartInCollision), ("goal", goal, Code::GoalInCollision)] {
         if !grown.is_free(&Segment::new(at, at)) {
             let least = Number(radius + grown.larger);

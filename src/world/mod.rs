@@ -73,6 +73,27 @@ impl PlanningWorld {
         self.scenario().world().bounds.as_ref().expect("only an arm does without bounds")
     }
 
+    /// In a sentence, why samples are hardly ever free although free configurations exist: a disc that fills its world from side to side
+    /// can move on a line only. `None` for any other robot, and where the disc has a billionth of the width to spare.
+    pub fn without_width(&self) -> Option<String> {
+        let Robot::Disc(disc) = self.robot() else { return None };
+        let Aabb { min, max } = self.bounds();
+        let fills = |low: f64, high: f64| high - low - 2.0 * disc.radius() <= 1e-9 * (high - low);
+        let (axis, other) = match [fills(min.x, max.x), fills(min.y, max.y)] {
+            [false, false] => return None,
+            [true, true] => {
+                return Some(
+                    "the disc fills the world: it cannot move, and random samples are hardly ever free".to_owned(),
+                );
+            }
+            [true, false] => ("x", "y"),
+            [false, true] => ("y", "x"),
+        };
+        Some(format!(
+            "the disc fills the world along {axis}: random samples are hardly ever free, and a path can only be a straight motion along {other}"
+        ))
+    }
+
     /// The obstacles and bounds, prepared.
     pub(crate) fn collision(&self) -> &CollisionWorld {
         self.0.collision.get_or_init(|| CollisionWorld::from(self.scenario().world()))

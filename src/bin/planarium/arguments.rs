@@ -142,7 +142,8 @@ pub struct Plan {
 #[derive(Args)]
 #[command(after_help = "\
 For an arm of two links and for a disc. The verdict is \"infeasible\" (no path keeps more than the clearance), \"connected\" (a
-path does), or \"unknown\" once there are too many cells; then no path keeps more than \"clearance_at_most\", if that is there.
+path does), or \"unknown\" once --cells are spent; then no path keeps more than \"clearance_at_most\", if that is there.
+Clearances are known to within \"slack\"; contact is collision.
 Exit codes: 0 infeasible or connected; 1 unknown; 2 the input is wrong.
 
 Examples:
@@ -531,12 +532,14 @@ pub struct List {
 
 #[derive(Args)]
 #[command(after_help = "\
-`planarium list` describes the generators and their options.
+`planarium list` describes the generators and their options. With --set ensure=path (or no-path) scenarios are drawn
+again until a path is known (or until it is proven that none exists).
 
 Examples:
   planarium generate forest --set links=4 --seed 1
   planarium generate maze --set difficulty=hard --seed 3
-  planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json")]
+  planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json
+  planarium generate discs --set robot=arm --set count=12 --set ensure=path")]
 pub struct Generate {
     /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make fleets;
     /// or rooms or furnished, which make navigation tasks

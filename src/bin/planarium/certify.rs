@@ -2,7 +2,7 @@
 
 use crate::arguments::Certify;
 use crate::{Answer, files};
-use planarium::certificate::{Options, Subdivision, Verdict};
+use planarium::certificate::{Certificate, Options, Subdivision, Verdict};
 
 /// Divides to the end and prints the certificate; true if it is decided.
 pub fn certify(arguments: &Certify) -> Answer {
@@ -14,12 +14,17 @@ pub fn certify(arguments: &Certify) -> Answer {
     let certificate = subdivision.certificate();
     files::write(&certificate.to_json(), arguments.out.as_deref())?;
     let path = |most: f64| if most > 0.0 { format!("path with clearance above {most} m") } else { "path".to_owned() };
-    let sentence = match (certificate.verdict, certificate.clearance_at_most) {
-        (Verdict::Connected, _) => format!("a {} exists", path(*clearance)),
-        (_, Some(most)) => format!("no {} exists", path(most)),
-        (_, None) => "nothing is proven".to_owned(),
+    let Certificate { verdict, clearance_at_most, slack, cells, .. } = certificate;
+    let sentence = match (verdict, clearance_at_most) {
+        (Verdict::Connected, _) => format!("a {} exists; {cells} cells", path(*clearance)),
+        (Verdict::Infeasible, most) => {
+            let path = path(most.unwrap_or(*clearance));
+            format!("no {path} exists; {cells} cells; clearances are known to within {slack:e} m")
+        }
+        (Verdict::Unknown, Some(most)) => format!("gave up after {cells} cells; no {} exists", path(most)),
+        (Verdict::Unknown, None) => format!("gave up after {cells} cells; nothing is proven"),
     };
-    let word: &str = certificate.verdict.into();
-    files::say(&format!("{word}: {sentence}; {} cells", certificate.cells));
-    Ok(certificate.verdict != Verdict::Unknown)
+    let word: &str = verdict.into();
+    files::say(&format!("{word}: {sentence}"));
+    Ok(verdict != Verdict::Unknown)
 }

@@ -6,7 +6,7 @@ use planarium::fleet::{self, fleet_generators};
 use planarium::navigation::{self, navigation_generators};
 use planarium::options::Info;
 use planarium::run::Value;
-use planarium::scenario::generate::generate_with;
+use planarium::worlds::generate_with;
 
 pub fn generate(arguments: &Generate) -> Answer {
     let options = arguments.given.parameters("seed", Some(Value::Number(arguments.given.seed as f64)));

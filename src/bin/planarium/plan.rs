@@ -4,6 +4,7 @@ use crate::arguments::{Plan, RoadmapFormat};
 use crate::{Answer, files};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use planarium::Error;
+use planarium::PlanningWorld;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
@@ -52,6 +53,9 @@ pub fn plan(arguments: &Plan) -> Answer {
     }
     files::write(&result.to_json(), arguments.out.as_deref())?;
     files::say(&summary(&result));
+    if let (Status::Exhausted, Some(why)) = (result.status, PlanningWorld::new(scenario).without_width()) {
+        files::say(&why);
+    }
     Ok(result.status == Status::Solved)
 }
 

@@ -21,8 +21,11 @@ const MOST_EXAMINED: u64 = 10_000_000;
 /// How often a cell is halved: its parts are then as small as what rounding moves.
 const MOST_HALVINGS: u32 = 32;
 
-/// How far a point may be from a cell that contains it, in sides of the smallest cells: more than rounding moves it.
-const ROUNDED: f64 = 1e-6;
+/// How far a configuration may be from a cell that contains it, in slacks: more than rounding moves it.
+const ROUNDED: f64 = 0.25;
+
+/// The least slack, in metres.
+const SMALLEST_SLACK: f64 = 1e-150;
 
 /// The ranges of both coordinates over a part of a cell.
 type Ranges = [[f64; 2]; 2];
@@ -47,8 +50,7 @@ pub fn verify(scenario: &Scenario, certificate: &Certificate) -> Result<Option<S
         return Err(Error::new(Code::Unsupported, "/query", "a query with a target has no certificates"));
     };
     let mut verifier = Verifier::new(scenario)?;
-    let ends = [&query.start[..], goal].map(|q| verifier.units(q));
-    Ok(verifier.check(certificate, ends).err())
+    Ok(verifier.check(certificate, [&query.start, goal]).err())
 }
 
 struct Verifier<'a> {
@@ -59,6 +61,8 @@ struct Verifier<'a> {
     ranges: Ranges,
     wraps: bool,
     slack: f64,
+    /// How far rounding may move a coordinate.
+    rounded: f64,
     examined: u64,
 }
 
@@ -81,24 +85,55 @@ impl<'a> Verifier<'a> {
         let boxes = scenario.world().obstacles.iter().map(Obstacle::aabb).chain(bounds).chain(base);
         let largest =
             boxes.flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]).fold(0.0, |most: f64, x| most.max(x.abs()));
-        let slack = 1e-12 * (largest + radius + arm.map_or(0.0, |(_, links)| links[0] + links[1]));
-        Ok(Self { scenario, arm, radius, ranges, wraps, slack, examined: 0 })
+        let reach = arm.map_or(0.0, |(_, links)| links[0] + links[1]);
+        let slack = (1e-12 * (largest + radius + reach)).max(SMALLEST_SLACK);
+        // A joint that turns by this moves no point of the arm farther than the same part of the slack.
+        let rounded = ROUNDED * if arm.is_some() { slack / reach } else { slack };
+        // In a world as wide as the disc rounding may exchange the ends.
+        let ranges = ranges.map(|[low, high]| [f64::min(low, high), f64::max(low, high)]);
+        Ok(Self { scenario, arm, radius, ranges, wraps, slack, rounded, examined: 0 })
     }
 
-    /// A configuration in sides of the smallest cells.
-    fn units(&self, q: &[f64]) -> [f64; 2] {
-        [0, 1].map(|axis| {
-            let [low, high] = self.ranges[axis];
-            let angle = if self.wraps { libm::remainder(q[axis], TAU) } else { q[axis] };
-            f64::from(SIDE) * ((angle - low) / (high - low))
-        })
+    /// A configuration within the ranges: angles are turned into them. A disc may be outside its range by the slack, as contact with the
+    /// bounds is allowed; `None` if it is farther outside.
+    fn placed(&self, q: &[f64]) -> Option<[f64; 2]> {
+        let at = [0, 1].map(|axis| if self.wraps { libm::remainder(q[axis], TAU) } else { q[axis] });
+        let within = [0, 1].map(|axis| at[axis].clamp(self.ranges[axis][0], self.ranges[axis][1]));
+        (0..2).all(|axis| (at[axis] - within[axis]).abs() <= self.slack).then_some(within)
+    }
+
+    /// A length along an axis in sides of the smallest cells; infinite along an axis without length, unless it is 0.
+    fn units(&self, axis: usize, length: f64) -> f64 {
+        let [low, high] = self.ranges[axis];
+        if length == 0.0 { 0.0 } else { SIDE as f64 * (length / (high - low)) }
     }
 
     /// Checks that the parts of the document agree, then what it proves.
-    fn check(&mut self, certificate: &Certificate, ends: [[f64; 2]; 2]) -> Result<(), String> {
-        let Certificate { clearance, verdict, clearance_at_most, wall, channel, .. } = certificate;
+    fn check(&mut self, certificate: &Certificate, ends: [&[f64]; 2]) -> Result<(), String> {
+        let [Some(start), Some(goal)] = ends.map(|q| self.placed(q)) else {
+            return Err("the start or the goal is outside the bounds".into());
+        };
+        let ends = [start, goal];
+        let Certificate { clearance, verdict, clearance_at_most, slack, cells, wall, channel, .. } = certificate;
+        let own = 2.0 * self.slack;
+        if (slack - own).abs() > 1e-9 * own {
+            return Err(format!("the slack is {own} m, not {slack} m"));
+        }
+        let named = wall.len().max(channel.len()) as u64;
+        if *cells < named {
+            return Err(format!("of {cells} cells {named} are named"));
+        }
+        if !channel.is_empty() && *verdict != Verdict::Connected {
+            return Err("there is a channel, but the verdict is not connected".into());
+        }
+        if !wall.is_empty() && clearance_at_most.is_none() {
+            return Err("there is a wall, without a clearance".into());
+        }
         match (verdict, clearance_at_most) {
-            (Verdict::Connected, _) => return self.check_channel(channel, *clearance, ends),
+            (Verdict::Connected, Some(most)) => {
+                return Err(format!("the verdict is connected, but with no path that keeps more than {most} m"));
+            }
+            (Verdict::Connected, None) => return self.check_channel(channel, *clearance, ends),
             (Verdict::Unknown, None) => return Ok(()),
             (Verdict::Infeasible, None) => return Err("the verdict is infeasible, without a clearance".into()),
             (Verdict::Infeasible, Some(most)) if most > clearance => {
@@ -107,7 +142,9 @@ impl<'a> Verifier<'a> {
             (Verdict::Infeasible | Verdict::Unknown, Some(most)) => self.check_wall(wall, *most)?,
         }
         let cells: Vec<Cell> = wall.iter().map(|blocked| blocked.cell).collect();
-        if separation::separates(&cells, [self.wraps; 2], ends) {
+        let points = ends.map(|q| [0, 1].map(|axis| self.units(axis, q[axis] - self.ranges[axis][0])));
+        let rounded = [0, 1].map(|axis| self.units(axis, self.rounded));
+        if separation::separates(&cells, [self.wraps; 2], points, rounded) {
             return Ok(());
         }
         Err("the wall does not separate start and goal".into())
@@ -154,12 +191,7 @@ impl<'a> Verifier<'a> {
         let middle = [0.5 * (a + b), 0.5 * (c + d)];
         let place = |q: [f64; 2]| self.place(q, blocked.part, blocked.along);
         let (center, corners) = (place(middle), [[a, c], [b, c], [a, d], [b, d]].map(place));
-        // A function differs from its bilinear interpolation by the squares of the sides times its second derivatives, over 8.
-        let bulge = self.arm.map_or(0.0, |(_, [inner, outer])| {
-            let (first, second) =
-                if blocked.part == 0 { (inner * blocked.along, 0.0) } else { (inner, outer * blocked.along) };
-            ((b - a) * (b - a) * (first + second) + (d - c) * (d - c) * second) / 8.0
-        });
+        let bulge = self.bulge(ranges, blocked.part, blocked.along);
         let room = most + self.radius + 2.0 * self.slack - bulge;
         let is_near = |shape: &Obstacle| corners.iter().all(|&p| signed_distance(p, shape) <= room);
         let (is_proven, is_hopeless) = match shapes {
@@ -195,20 +227,22 @@ impl<'a> Verifier<'a> {
                 return Err(format!("{name} is not proven to keep more than {clearance} m"));
             }
         }
-        for (what, cell, [x, y]) in [("start", first, ends[0]), ("goal", last, ends[1])] {
-            let [column, row] = cell.spans().map(|span| span.map(f64::from));
-            let is_in = |[low, high]: [f64; 2], x: f64| low - ROUNDED <= x && x <= high + ROUNDED;
-            if !is_in(column, x) || !is_in(row, y) {
+        for (what, cell, q) in [("start", first, ends[0]), ("goal", last, ends[1])] {
+            let ranges = self.ranges_of(cell, what)?;
+            let is_in = |[low, high]: [f64; 2], x: f64| low - self.rounded <= x && x <= high + self.rounded;
+            // Both ends of a range that wraps are the same angle.
+            let turns: &[f64] = if self.wraps { &[0.0, -TAU, TAU] } else { &[0.0] };
+            if !(0..2).all(|axis| turns.iter().any(|turn| is_in(ranges[axis], q[axis] + turn))) {
                 return Err(format!("the channel does not contain the {what}"));
             }
         }
-        let apart = |low: u32, high: u32| u64::from(low.saturating_sub(high));
+        let apart = |low: u64, high: u64| low.saturating_sub(high);
         let do_touch = |pair: &[Cell]| {
             let (here, there) = (pair[0].spans(), pair[1].spans());
             (0..2).all(|axis| {
                 let ([a, b], [c, d]) = (here[axis], there[axis]);
                 let gap = apart(c, b).max(apart(a, d));
-                gap == 0 || (self.wraps && gap + u64::from(b - a) + u64::from(d - c) == u64::from(SIDE))
+                gap == 0 || (self.wraps && gap + (b - a) + (d - c) == SIDE)
             })
         };
         match channel.windows(2).position(|pair| !do_touch(pair)) {
@@ -239,7 +273,11 @@ impl<'a> Verifier<'a> {
                 keeps(obstacle.distance_to_segment(&axis) - self.radius - clearance - 0.5 * self.slack);
             }
             if let (Some(bounds), true) = (self.scenario.world().bounds, self.arm.is_some()) {
-                keeps(bounds.depth(axis.b) - self.radius + self.slack);
+                // Contact with the bounds is allowed.
+                let room = |end: Point| bounds.depth(end) - self.radius + self.slack;
+                let corners = [[a, c], [b, c], [a, d], [b, d]].map(|q| room(self.place(q, part, 1.0)));
+                is_proven &= corners.iter().all(|&room| room > self.bulge(ranges, part, 1.0));
+                is_hopeless |= room(axis.b) <= 0.0;
             }
         }
         is_proven
@@ -247,6 +285,15 @@ impl<'a> Verifier<'a> {
                 && halvings > 0
                 && self.examined < MOST_EXAMINED
                 && quarters(ranges).into_iter().all(|part| self.is_clear(part, clearance, halvings - 1)))
+    }
+
+    /// How far a point of a part can leave the hull of its places at the corners of the ranges: a function differs from its bilinear
+    /// interpolation by the squares of the sides times its second derivatives, over 8.
+    fn bulge(&self, [[a, b], [c, d]]: Ranges, part: usize, along: f64) -> f64 {
+        self.arm.map_or(0.0, |(_, [inner, outer])| {
+            let (first, second) = if part == 0 { (inner * along, 0.0) } else { (inner, outer * along) };
+            ((b - a) * (b - a) * (first + second) + (d - c) * (d - c) * second) / 8.0
+        })
     }
 
     /// The point at a fraction of the axis of a part.
@@ -264,10 +311,10 @@ impl<'a> Verifier<'a> {
         if cell.depth > DEEPEST || cell.column >> cell.depth != 0 || cell.row >> cell.depth != 0 {
             return Err(format!("{name} is not within the square: {cell:?}"));
         }
-        let side = f64::from(SIDE);
+        let side = SIDE as f64;
         let [columns, rows] = cell.spans();
         Ok([(columns, self.ranges[0]), (rows, self.ranges[1])]
-            .map(|(span, [low, high])| span.map(|at| low + f64::from(at) / side * (high - low))))
+            .map(|(span, [low, high])| span.map(|at| low + at as f64 / side * (high - low))))
     }
 }
 

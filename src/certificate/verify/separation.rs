@@ -7,18 +7,26 @@ use crate::certificate::cell::{Cell, SIDE};
 use crate::graph::UnionFind;
 
 /// A gap of the slab under the line: its ends, and its number.
-type Gap = ([u32; 2], usize);
+type Gap = ([u64; 2], usize);
 
 /// Whether every path in the square, of which axes may wrap, from one point to the other meets a cell. Points are in sides of the
-/// smallest cells. O(n log n) for n cells, and O(m) for each slab with m cells.
-pub(super) fn separates(cells: &[Cell], wraps: [bool; 2], points: [[f64; 2]; 2]) -> bool {
-    let mut spans: Vec<[[u32; 2]; 2]> = cells.iter().map(Cell::spans).collect();
-    let is_in = |span: [u32; 2], x: f64| f64::from(span[0]) <= x && x <= f64::from(span[1]);
-    if points.iter().any(|&[x, y]| spans.iter().any(|&[column, row]| is_in(column, x) && is_in(row, y))) {
+/// smallest cells, and so is how far rounding may have moved them along each axis out of a cell. O(n log n) for n cells, and O(m) for
+/// each slab with m cells.
+pub(super) fn separates(cells: &[Cell], wraps: [bool; 2], points: [[f64; 2]; 2], rounded: [f64; 2]) -> bool {
+    let mut spans: Vec<[[u64; 2]; 2]> = cells.iter().map(Cell::spans).collect();
+    let is_in = |span: [u64; 2], x: f64| span[0] as f64 <= x && x <= span[1] as f64;
+    let is_near = |spans: &[[u64; 2]; 2], point: &[f64; 2]| {
+        (0..2).all(|axis| {
+            let ([low, high], x) = (spans[axis].map(|at| at as f64), point[axis]);
+            let is_between = |x: f64| low - rounded[axis] <= x && x <= high + rounded[axis];
+            is_between(x) || (wraps[axis] && (is_between(x - SIDE as f64) || is_between(x + SIDE as f64)))
+        })
+    };
+    if points.iter().any(|point| spans.iter().any(|spans| is_near(spans, point))) {
         return true;
     }
     spans.sort_unstable();
-    let mut cuts: Vec<u32> = spans.iter().flat_map(|[column, _]| *column).chain([0, SIDE]).collect();
+    let mut cuts: Vec<u64> = spans.iter().flat_map(|[column, _]| *column).chain([0, SIDE]).collect();
     cuts.sort_unstable();
     cuts.dedup();
     let mut sets = UnionFind::default();
@@ -27,7 +35,7 @@ pub(super) fn separates(cells: &[Cell], wraps: [bool; 2], points: [[f64; 2]; 2])
     let (mut first, mut before): (Option<Vec<Gap>>, Vec<Gap>) = (None, Vec::new());
     let (mut next, mut active) = (0, Vec::new());
     for slab in cuts.windows(2) {
-        active.retain(|[column, _]: &[[u32; 2]; 2]| column[1] > slab[0]);
+        active.retain(|[column, _]: &[[u64; 2]; 2]| column[1] > slab[0]);
         while next < spans.len() && spans[next][0][0] == slab[0] {
             active.push(spans[next]);
             next += 1;
@@ -61,7 +69,7 @@ pub(super) fn separates(cells: &[Cell], wraps: [bool; 2], points: [[f64; 2]; 2])
 }
 
 /// The intervals that the spans leave open, in order.
-fn gaps_of(mut spans: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
+fn gaps_of(mut spans: Vec<[u64; 2]>) -> Vec<[u64; 2]> {
     spans.sort_unstable();
     let (mut gaps, mut end) = (Vec::new(), 0);
     for [low, high] in spans.into_iter().chain([[SIDE, SIDE]]) {

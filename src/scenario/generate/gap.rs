@@ -2,7 +2,7 @@
 //!
 //! A disc has a path exactly if the gap is wider than the disc (by more than 1e-9 m, to be safe from rounding); if it is not,
 //! the title says so. At its goal the arm is stretched through the gap and bent behind it, at its start folded up in front of
-//! it. A path need not exist: arms of three links and more mostly have one, two links often do not.
+//! it. A path need not exist: by default arms mostly have one, but two links often do not through a gap narrower than 0.4 m.
 
 use super::free::{SOME, polygon};
 use super::robots::{RobotChoice, SIDE};
@@ -34,7 +34,7 @@ crate::options! {
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// The width of the gap; a disc passes if it is more than twice its radius.
-    width: f64 = 0.2, in 0.0..=1.0, "Width of the gap", unit "m";
+    width: Option<f64>, in 0.0..=1.0, "Width of the gap", unit "m", else "0.2 m; 0.4 m for an arm of two links";
     /// The thickness of the wall, which is the length of the passage.
     thickness: f64 = 0.1, in 0.005..=0.5, "Thickness of the wall", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
@@ -45,7 +45,8 @@ impl Generator for GapOptions {
     /// With the query "through". The seed places the gap along the wall, start and goal.
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
-        let Self { robot: choice, links, radius, width, thickness, seed } = *self;
+        let Self { robot: choice, links, radius, thickness, seed, .. } = *self;
+        let width = self.width();
         if choice == RobotChoice::Arm && width - 2.0 * radius < PLAY - SOME {
             let sentence = format!(
                 "an arm of radius {radius} reaches its goal only through a gap wider than twice that by {PLAY}; {width} is less"
@@ -94,9 +95,17 @@ impl Generator for GapOptions {
     }
 }
 
+impl GapOptions {
+    /// The width of the gap: two links hardly reach through a narrow one.
+    fn width(&self) -> f64 {
+        self.width.unwrap_or(if self.robot == RobotChoice::Arm && self.links == 2 { 0.4 } else { 0.2 })
+    }
+}
+
 /// An arm before a gap at height `middle`, its start and its goal.
 fn reach_through(options: &GapOptions, middle: f64, random: &mut Random) -> Result<(Robot, Vec<f64>, Vec<f64>), Error> {
-    let GapOptions { links, radius, width, thickness, .. } = *options;
+    let GapOptions { links, radius, thickness, .. } = *options;
+    let width = options.width();
     // A line through the middle of the gap, at an angle a to the level, keeps w/2 cos a - t/2 sin a from the wall. With
     // cos a >= 1 - a^2 / 2, sin a <= a and a <= 0.5 at least half of the play on either side is left up to this angle.
     let steepest = ((width / 2.0 - radius) / (thickness + width / 4.0)).min(0.5);

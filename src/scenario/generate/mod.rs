@@ -75,11 +75,18 @@ generators! {
 /// # Errors
 /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
 pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
+    generate_with(id, &given(options)?)
+}
+
+/// The options of an object by name.
+///
+/// # Errors
+/// `wrong-type` if it is not an object.
+pub(crate) fn given(options: &Json) -> Result<Vec<(String, Value)>, Error> {
     let Json::Object(fields) = options else {
         return Err(Error::new(Code::WrongType, "", "options must be an object"));
     };
-    let options: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    generate_with(id, &options)
+    Ok(fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect())
 }
 
 /// Reads options given by name.

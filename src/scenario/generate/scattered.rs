@@ -1,8 +1,8 @@
 //! Clutter and discs: convex polygons or discs scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm
 //! whose base is in its middle.
 //!
-//! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. A path
-//! need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
+//! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. By default nearly all
+//! worlds have a path: an arm reaches much of the box, so it has fewer obstacles, and smaller polygons. A path need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
 //! still apart, and too small to cut off a corner of the box.
 
 use super::free::{are_apart, is_clear_of, polygon};
@@ -36,11 +36,11 @@ crate::options! {
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// Number of polygons.
-    count: usize = 14, in 0.0..=60.0, "Obstacles";
+    count: Option<usize>, in 0.0..=60.0, "Obstacles", else "14; for an arm twice the number of links less 2, at least 1";
     /// The radius of the smallest circle that a polygon may fill, at most `largest`.
     smallest: f64 = 0.08, in 0.02..=0.5, "Smallest", unit "m";
     /// The radius of the largest such circle.
-    largest: f64 = 0.2, in 0.02..=0.5, "Largest", unit "m";
+    largest: Option<f64>, in 0.02..=0.5, "Largest", unit "m", else "0.2 m; 0.12 m for an arm";
     /// Polygons are farther than this from each other, and from the robot at its start and its goal.
     gap: f64 = 0.05, in 0.0..=0.2, "Gap", unit "m";
     /// The seed: 0 (default) to 2^53 - 1.
@@ -57,7 +57,7 @@ crate::options! {
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// Number of discs.
-    count: usize = 24, in 0.0..=200.0, "Obstacles";
+    count: Option<usize>, in 0.0..=200.0, "Obstacles", else "24; for an arm twice the number of links less 2, at least 1";
     /// The smallest radius of a disc, at most `largest`.
     smallest: f64 = 0.05, in 0.01..=0.5, "Smallest", unit "m";
     /// The largest radius of a disc.
@@ -74,7 +74,9 @@ impl Generator for ClutterOptions {
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
-        let placement = Placement::Apart;
+        // Never less than a smallest one that is given.
+        let largest = largest.unwrap_or(if robot == RobotChoice::Arm { smallest.max(0.12) } else { 0.2 });
+        let (count, placement) = (Some(count_for(count, robot, links, 14)), Placement::Apart);
         let options = DiscsOptions { robot, links, radius, count, smallest, largest, gap, placement, seed };
         scattered(&options, "clutter", "convex polygons", draw_polygon)
     }
@@ -101,6 +103,7 @@ fn scattered(
         let sentence = format!("smallest must be at most largest, {largest}, not {smallest}");
         return Err(out_of_range("smallest", sentence));
     }
+    let count = count_for(count, choice, links, 24);
     let (robot, query) = choice.across(links, radius)?;
     let keep_clear: Vec<Part> = query.ends().flat_map(|q| robot.footprint(q)).collect();
     let mut random = Random::new(seed, Stream::Scenario);
@@ -113,6 +116,11 @@ fn scattered(
     let name = format!("{id}-{word}-{count}-{seed}");
     let title = format!("{title} among {count} {what}, seed {seed}");
     Ok(in_box(name, title, SIDE, placed, robot, query))
+}
+
+/// The number of obstacles: as given, else `usual`, and for an arm as many as leave nearly always a path.
+fn count_for(given: Option<usize>, robot: RobotChoice, links: usize, usual: usize) -> usize {
+    given.unwrap_or(if robot == RobotChoice::Arm { (2 * links).saturating_sub(2).max(1) } else { usual })
 }
 
 /// A convex polygon of 3 to 7 corners somewhere in the box.

@@ -86,12 +86,12 @@ export class Certifying {
     const { clearance, found: { blocks, certificate } } = this;
     const path = clearance > 0 ? `path with clearance above ${numberText(clearance)} m` : "path";
     const blocked = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
-    if (!certificate) return `Does a ${path} exist? Cells are divided until all configurations in each are alike: every one ${blocked}, or none.`;
+    if (!certificate) return `Does a ${path} exist? Cells are split until in each either every configuration ${blocked}, or none.`;
     const cells = `${grouped(blocks.reduce((sum, { length }) => sum + length / WIDTH, 0))} cells`;
-    const { verdict, clearance_at_most: most } = certificate;
-    if (verdict === "infeasible") return `No ${path} exists: in the solid cells every configuration ${blocked}, and they separate start and goal. ${cells}.`;
+    const { verdict, clearance_at_most: most, slack } = certificate;
+    if (verdict === "infeasible") return `No ${path} exists: in the solid cells every configuration ${blocked}, to within ${small(slack)} m, and they separate start and goal. ${cells}.`;
     if (verdict === "connected") return `A ${path} exists: it leads through the solid cells, in which no configuration ${blocked}. ${cells}.`;
-    return `Not decided with ${cells}.${most === undefined ? "" : ` No path with clearance above ${small(roundedUp(most))} m exists.`}`;
+    return `Not decided: gave up after ${cells}.${most === undefined ? "" : ` No path with clearance above ${small(roundedUp(most))} m exists.`}`;
   }
 
   /** Draws the cells where configurations are points: on the square of two joints, and in the workspace of a disc. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */

@@ -65,6 +65,8 @@ pub enum Code {
     OtherScenario,
     /// A file of rows cannot be continued: it has rows of another experiment or of another shard (command line only).
     OtherExperiment,
+    /// A file that is to be written contains something else, or is an input or another output (command line only).
+    WouldOverwrite,
     /// The arguments do not make sense (command line only).
     Usage,
 }

@@ -19,6 +19,8 @@ mod custom;
 mod directed;
 mod driving;
 mod experiment;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod files;
 mod fleet;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod fuzz;

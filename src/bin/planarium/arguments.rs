@@ -137,6 +137,10 @@ pub struct Plan {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -168,6 +172,10 @@ pub struct Certify {
     /// Write the certificate to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -209,6 +217,10 @@ pub struct Reach {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// The angles of a configuration, in one argument.
@@ -263,6 +275,10 @@ pub struct Train {
     /// Write the policy to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -301,6 +317,10 @@ pub struct Navigate {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -324,6 +344,10 @@ pub struct Compare {
     /// Write the summary to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -356,6 +380,10 @@ pub struct Fleet {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -405,6 +433,10 @@ pub struct Optimum {
     /// Write the document to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -441,6 +473,10 @@ pub struct Sweep {
     /// Write all rows to this file as a log of OMPL's benchmarks
     #[arg(long, value_name = "FILE")]
     pub ompl_log: Option<String>,
+
+    /// Replace files that contain something else; rows of this experiment are continued all the same
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Part `index`, from 1, of `count` equal parts; all of it by default.
@@ -548,6 +584,10 @@ pub struct Generate {
     /// Write the scenario to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -566,6 +606,10 @@ pub struct Trajectories {
     /// Write a row for every accepted trajectory to this file
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 fn setting(text: &str) -> Result<(String, Value), String> {

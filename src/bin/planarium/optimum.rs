@@ -1,6 +1,7 @@
 //! `planarium optimum`: the shortest path of a query, and how much longer that of a result is.
 
 use crate::arguments;
+use crate::output::{Kind, Outputs};
 use crate::{Answer, files};
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
@@ -21,6 +22,9 @@ struct Compared {
 
 /// Prints the shortest path; true if there is one.
 pub fn optimum(arguments: &arguments::Optimum) -> Answer {
+    let inputs = [Some(&*arguments.file), arguments.result.as_deref()];
+    let mut outputs = Outputs::beside(inputs.into_iter().flatten(), arguments.force);
+    let out = outputs.add(arguments.out.as_deref(), Kind::OPTIMUM)?;
     let other = arguments.result.as_deref().map(|name| ("result", name));
     let scenario = files::scenario(&arguments.file, other)?;
     let result = arguments.result.as_deref().map(|name| ResultDocument::parse(&files::read(name)?)).transpose()?;
@@ -43,7 +47,7 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
     });
     files::say(&message(&optimum, gap.flatten()));
     let is_found = optimum.length.is_some();
-    files::write(&json::to_string(&Compared { optimum, gap }), arguments.out.as_deref())?;
+    out.write(&json::to_string(&Compared { optimum, gap }))?;
     Ok(is_found)
 }
 

@@ -31,7 +31,7 @@ pub enum Code {
     WrongDimension,
     /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to 0.
     DegeneratePolygon,
-    /// Two queries, worlds or planners share a name.
+    /// Two queries, worlds or planners share a name, or two rows that differ a trial.
     DuplicateName,
     /// An obstacle lies within the arm's radius of its base, which never moves.
     BaseInCollision,

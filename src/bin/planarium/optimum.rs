@@ -5,8 +5,9 @@ use crate::output::{Kind, Outputs};
 use crate::{Answer, files};
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
-use planarium::path::ResultDocument;
-use planarium::run::Value;
+use planarium::path::{self, ResultDocument, Verdict};
+use planarium::run::{Status, Value};
+use planarium::scenario::Scenario;
 use planarium::{Error, json};
 use serde::Serialize;
 
@@ -38,6 +39,9 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
         let sentence = format!("the result is of the query {:?}, not {asked:?}", result.query);
         return Err(Error::new(Code::InvalidResult, "/query", sentence));
     }
+    if let Some(result) = &result {
+        check(&scenario, result)?;
+    }
     let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
     let metric: Vec<_> = arguments.metric.iter().map(|name| ("metric".to_owned(), Value::Text(name.clone()))).collect();
     let optimum = optimum::optimum(&scenario, query, &metric)?;
@@ -49,6 +53,21 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
     let is_found = optimum.length.is_some();
     out.write(&json::to_string(&Compared { optimum, gap }))?;
     Ok(is_found)
+}
+
+/// Refuses a result whose length cannot be compared: its path is not valid, or does not have that length.
+fn check(scenario: &Scenario, result: &ResultDocument) -> Result<(), Error> {
+    if result.status != Status::Solved {
+        let sentence = format!("the status is {}, but there is a path", result.status.as_str());
+        let is_empty = result.path.is_empty();
+        return if is_empty { Ok(()) } else { Err(Error::new(Code::InvalidResult, "/path", sentence)) };
+    }
+    match path::verify(scenario, result)? {
+        Verdict::Valid { .. } => Ok(()),
+        Verdict::Invalid { why } => {
+            Err(Error::new(Code::InvalidResult, "/path", format!("the result cannot be compared: {why}")))
+        }
+    }
 }
 
 /// The result for people.

@@ -12,6 +12,7 @@ use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon, Segment, Vector, convex_pieces};
 use crate::problem::Touched;
 use crate::scenario::{Obstacle, Robot, Scenario};
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 /// The most parts of cells of one certificate that are examined.
@@ -48,6 +49,43 @@ pub fn verify(scenario: &Scenario, certificate: &Certificate) -> Result<Option<S
     let mut verifier = Verifier::new(scenario)?;
     let ends = [&query.start[..], goal].map(|q| verifier.units(q));
     Ok(verifier.check(certificate, ends).err())
+}
+
+/// Returns an error if the document has what its verdict excludes, or fewer cells than those that it names take: every one that contains
+/// such a cell is divided into quarters.
+fn check_claims(certificate: &Certificate) -> Result<(), String> {
+    let Certificate { verdict, clearance_at_most, cells, wall, channel, .. } = certificate;
+    if *verdict == Verdict::Connected && (clearance_at_most.is_some() || !wall.is_empty()) {
+        return Err("the verdict is connected: its wall is empty, and it excludes no clearance".into());
+    }
+    if *verdict != Verdict::Connected && !channel.is_empty() {
+        return Err("there is a channel, but the verdict is not connected".into());
+    }
+    if clearance_at_most.is_none() && !wall.is_empty() {
+        return Err("there is a wall without a clearance that it is for".into());
+    }
+    let mut divided = BTreeSet::new();
+    for cell in wall.iter().map(|blocked| &blocked.cell).chain(channel) {
+        // Cells beyond the square are refused by name.
+        if cell.depth > DEEPEST || (cell.column | cell.row) >> cell.depth > 0 {
+            continue;
+        }
+        // The larger ones of a cell that was met before are there as well.
+        let larger = (0..cell.depth).rev().map(|depth| {
+            let halvings = cell.depth - depth;
+            [depth, cell.column >> halvings, cell.row >> halvings]
+        });
+        for cell in larger {
+            if !divided.insert(cell) {
+                break;
+            }
+        }
+    }
+    let fewest = 1 + 4 * divided.len() as u64;
+    if *cells < fewest {
+        return Err(format!("there are said to be {cells} cells, but those of the document take at least {fewest}"));
+    }
+    Ok(())
 }
 
 struct Verifier<'a> {
@@ -96,6 +134,7 @@ impl<'a> Verifier<'a> {
     /// Checks that the parts of the document agree, then what it proves.
     fn check(&mut self, certificate: &Certificate, ends: [[f64; 2]; 2]) -> Result<(), String> {
         let Certificate { clearance, verdict, clearance_at_most, wall, channel, .. } = certificate;
+        check_claims(certificate)?;
         match (verdict, clearance_at_most) {
             (Verdict::Connected, _) => return self.check_channel(channel, *clearance, ends),
             (Verdict::Unknown, None) => return Ok(()),

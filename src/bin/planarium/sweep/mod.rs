@@ -158,8 +158,7 @@ fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
             "build_seconds" => build.to_string(),
             "search_seconds" => search.to_string(),
             _ => columns.get(name).map_or(String::new(), |&i| cells[i].clone()),
-        });
-        Ok(())
+        })
     })?;
     Ok(json::to_string(&summary.document()))
 }

@@ -308,6 +308,9 @@ fn records<'a>(
                 let unreadable = |why: &dyn std::fmt::Display| format!("it has no line of JSON ({why})");
                 let line = line.map_err(|error| unreadable(&error))?;
                 let text = std::str::from_utf8(&line).map_err(|error| unreadable(&error))?;
+                if !(text.starts_with('{') && text.ends_with('}')) {
+                    return Err(unreadable(&"there is something around an object"));
+                }
                 let row = json::parse(text).map_err(|error| unreadable(&error))?;
                 let cells = columns.iter().map_while(|column| row.get(column).map(cell_text)).collect();
                 let record = Record { start, length: line.len() as u64 + 1, cells };

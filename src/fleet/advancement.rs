@@ -1,9 +1,10 @@
 //! When two robots touch along their trajectories, interval by interval between rows of either, for the verifier.
 //!
-//! The times of an interval are those since its begin, as a fraction of it, so that late times round no motion. Relative to each other the
-//! centres move along a segment; while the discs around the robots are apart, so are they, and discs are done. Bodies advance from the front:
-//! from a time at which they are a distance apart to the one before which they cannot meet, and so on (conservative advancement: Mirtich
-//! 1996, "Impulse-based dynamic simulation of rigid body systems").
+//! The times of an interval are those since its begin, as a fraction of it, so that late times round no motion.
+//! Relative to each other the centres move along a segment; while the discs around the robots are apart, so are they,
+//! and discs are done. Bodies advance from the front: from a time at which they are a distance apart to the one before
+//! which they cannot meet, and so on (conservative advancement: Mirtich 1996, "Impulse-based dynamic simulation of
+//! rigid body systems").
 
 use super::motion::{Motion, Pose};
 use super::trajectory::Trajectory;
@@ -21,7 +22,8 @@ const MOST_PER_ROW: u64 = 2_000;
 /// The conflicts of all pairs of trajectories, in the order of their times, and the number of distances evaluated.
 ///
 /// # Complexity
-/// O(pairs x their rows), and of bodies as many distances as the constants allow: what is undecided then counts as conflict.
+/// O(pairs x their rows), and of bodies as many distances as the constants allow: what is undecided then counts as
+/// conflict.
 pub(super) fn found(robots: &[&Robot], trajectories: &[Trajectory], slack: f64) -> (Vec<Conflict>, u64) {
     let rows: usize = trajectories.iter().map(|trajectory| trajectory.times().len()).sum();
     let mut search =

@@ -1,9 +1,10 @@
 //! The independent verifier of plans.
 //!
-//! Planners prove a pair of motions from the middle of their time, discs by a formula for two points. The verifier goes from the front, row by
-//! row ([`advancement`](super::advancement)). Its distances are those of corners from edges, and an exact test of intersection. Each robot's
-//! way among the obstacles is judged by [`path::verify`](crate::path::verify()), its speed motion by motion, and every number that a plan
-//! claims is compared with its rows.
+//! Planners prove a pair of motions from the middle of their time, discs by a formula for two points. The verifier goes
+//! from the front, row by row ([`advancement`](super::advancement)). Its distances are those of corners from edges, and
+//! an exact test of intersection. Each robot's way among the obstacles is judged by
+//! [`path::verify`](crate::path::verify()), its speed motion by motion, and every number that a plan claims is compared
+//! with its rows.
 
 use super::advancement::found;
 use super::document::{Fleet, FleetRobot, pose};
@@ -94,8 +95,9 @@ impl Verification {
 /// Those of [`trajectories`].
 ///
 /// # Complexity
-/// For each pair of robots the number of their rows; near contact of bodies more distances, whose number is bounded by that of all rows: what
-/// is undecided then counts as conflict. For each robot that of [`path::verify`](crate::path::verify()).
+/// For each pair of robots the number of their rows; near contact of bodies more distances, whose number is bounded by
+/// that of all rows: what is undecided then counts as conflict. For each robot that of
+/// [`path::verify`](crate::path::verify()).
 pub fn verify(fleet: &Fleet, result: &FleetResult) -> Result<Verification, Error> {
     let trajectories = trajectories(fleet, result)?;
     let mut faults = Vec::new();
@@ -133,8 +135,8 @@ pub fn straight(fleet: &Fleet) -> Vec<Trajectory> {
 ///
 /// # Errors
 /// `invalid-result` with a pointer into the result: if it belongs to another fleet, is not solved, names other robots or in another order,
-/// if a configuration has the wrong length or a coordinate outside [-1e6, 1e6], if times do not begin at 0 or go back, or if the robot can
-/// move by more than the slack of the fleet between a time and the next larger double.
+/// if a configuration has the wrong length or a coordinate outside [-1e6, 1e6], if times do not begin at 0 or go back,
+/// or if the robot can move by more than the slack of the fleet between a time and the next larger double.
 pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajectory>, Error> {
     let refuse = |pointer: String, sentence: String| Err(Error::new(Code::InvalidResult, pointer, sentence));
     if result.fleet != fleet.name() {
@@ -150,7 +152,7 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
         let sentence = format!("there are {} trajectories, and {} robots", result.robots.len(), fleet.robots().len());
         return refuse("/robots".to_owned(), sentence);
     }
-    let mut trajectories = Vec::with_capacity(result.robots.len());
+    let (slack, mut trajectories) = (fleet.slack(), Vec::with_capacity(result.robots.len()));
     for (i, (given, member)) in result.robots.iter().zip(fleet.robots()).enumerate() {
         if given.name != member.name {
             let sentence = format!("this is robot {}, not {}", quoted(&member.name), quoted(&given.name));
@@ -170,10 +172,11 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
         for (row, &time) in given.times.iter().enumerate() {
             // What the next time would be, at the robot's speed.
             let step = (time.next_up() - time) * member.speed;
-            if step.is_nan() || step > fleet.slack() {
-                let [time, step, slack] = [time, step, fleet.slack()].map(Number);
+            if step.is_nan() || step > slack {
+                let [time, step, slack] = [time, step, slack].map(Number);
                 let sentence = format!(
-                    "the time {time} s is too large to be judged: until the next double the robot moves {step} m, more than {slack}"
+                    "the time {time} s is too large to be judged: until the next double the robot moves {step} m, \
+                     more than {slack}"
                 );
                 return refuse(format!("/robots/{i}/times/{row}"), sentence);
             }
@@ -223,8 +226,8 @@ fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec
     }
 }
 
-/// Returns an error if a motion is faster than the robot, judged by its own duration. Its times are rounded to the next double, its
-/// coordinates to theirs.
+/// Returns an error if a motion is faster than the robot, judged by its own duration. Its times are rounded to the next
+/// double, its coordinates to theirs.
 fn check_speed(member: &FleetRobot, trajectory: &Trajectory) -> Result<(), String> {
     let footprint = Footprint::of(&member.robot);
     let rows: Vec<(&f64, &Pose)> = trajectory.times().iter().zip(trajectory.poses()).collect();

@@ -1,8 +1,9 @@
-//! The files that commands write: what is there is lost only if an earlier run wrote it, and only once the new one is complete.
+//! The files that commands write: what is there is lost only if an earlier run wrote it, and only once the new one is
+//! complete.
 //!
-//! A file is examined before the work begins and again before it is written. It is refused if it is an input, another output of the
-//! same command, or contains anything but an earlier document of its kind. The new document is written into another file of the same
-//! folder, which then takes its place. Pipes and devices are written as they are.
+//! A file is examined before the work begins and again before it is written. It is refused if it is an input, another
+//! output of the same command, or contains anything but an earlier document of its kind. The new document is written
+//! into another file of the same folder, which then takes its place. Pipes and devices are written as they are.
 
 use crate::files::{self, failed};
 use planarium::Error;

@@ -51,8 +51,8 @@ pub fn verify(scenario: &Scenario, certificate: &Certificate) -> Result<Option<S
     Ok(verifier.check(certificate, ends).err())
 }
 
-/// Returns an error if the document has what its verdict excludes, or fewer cells than those that it names take: every one that contains
-/// such a cell is divided into quarters.
+/// Returns an error if the document has what its verdict excludes, or fewer cells than those that it names take: every
+/// one that contains such a cell is divided into quarters.
 fn check_claims(certificate: &Certificate) -> Result<(), String> {
     let Certificate { verdict, clearance_at_most, cells, wall, channel, .. } = certificate;
     if *verdict == Verdict::Connected && (clearance_at_most.is_some() || !wall.is_empty()) {

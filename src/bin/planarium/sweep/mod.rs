@@ -50,7 +50,8 @@ pub fn sweep(arguments: &Sweep) -> Answer {
     Ok(true)
 }
 
-/// The document of an experiment, with the documents of scenarios in place of the names of their files, and the names of all files.
+/// The document of an experiment, with the documents of scenarios in place of the names of their files, and the names
+/// of all files.
 fn document(name: &str) -> Result<(Value, Vec<String>), Error> {
     let mut names = vec![name.to_owned()];
     let mut document = json::parse(&files::read(name)?)?;

@@ -69,12 +69,12 @@ impl Rows {
         &self.names
     }
 
-    /// Opens the files to be continued after their last complete row; returns the number of the trial that comes next. With `force`, a file
-    /// that cannot be continued is replaced by an empty one.
+    /// Opens the files to be continued after their last complete row; returns the number of the trial that comes next.
+    /// With `force`, a file that cannot be continued is replaced by an empty one.
     ///
     /// # Errors
-    /// Nothing is changed: `other-experiment` if the file of rows has anything but the experiment's rows up to the next one;
-    /// `would-overwrite` if that of times has anything but times. `file`.
+    /// Nothing is changed: `other-experiment` if the file of rows has anything but the experiment's rows up to the next
+    /// one; `would-overwrite` if that of times has anything but times. `file`.
     pub fn resume(&self, force: bool) -> Result<(u64, Writer), Error> {
         let forced = |error: Error, name: &str| match error.code() {
             Code::OtherExperiment | Code::WouldOverwrite if force => emptied(name),
@@ -127,8 +127,8 @@ impl Rows {
         Ok(())
     }
 
-    /// The number of the trial that comes next, and the size of the complete rows in bytes. All of the file is the experiment's: the rows
-    /// are as they were written, and what follows them is the beginning of the next one.
+    /// The number of the trial that comes next, and the size of the complete rows in bytes. All of the file is the
+    /// experiment's: the rows are as they were written, and what follows them is the beginning of the next one.
     fn examine_rows(&self) -> Result<(u64, u64), Error> {
         let mut next = self.trials.start;
         let size = self.each(|trial, _| {
@@ -282,8 +282,8 @@ fn beginning(name: &str, start: u64, most: usize) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The records of a file up to its last line break; none if there is no such file. Of lines of JSON, the cells are those of the columns,
-/// up to the first that is missing.
+/// The records of a file up to its last line break; none if there is no such file. Of lines of JSON, the cells are
+/// those of the columns, up to the first that is missing.
 fn records<'a>(
     name: &str,
     format: Format,

@@ -193,7 +193,8 @@ pub fn fleet(bytes: &[u8]) {
             result.robots.truncate(fleet.robots().len());
             result.robots.iter_mut().zip(fleet.robots()).for_each(|(of, robot)| of.name.clone_from(&robot.name));
             if let Ok(verification) = fleet::verify(fleet, &result) {
-                let is_clean = verification.conflicts.is_empty() && verification.faults.is_empty();
+                let fleet::Verification { conflicts, faults, claims, .. } = &verification;
+                let is_clean = conflicts.is_empty() && faults.is_empty() && claims.is_empty();
                 assert_eq!(verification.is_valid(), is_clean);
             }
         }
@@ -205,8 +206,11 @@ fn assert_plan(fleet: &Fleet, whole: &FleetResult, sliced: &FleetResult) {
     assert_eq!(whole, sliced, "slices change nothing");
     assert_eq!(FleetResult::parse(&whole.to_json()).as_ref(), Ok(whole));
     if whole.status == Status::Solved {
-        let verification = fleet::verify(fleet, whole).expect("a plan of this fleet");
-        assert!(verification.is_valid(), "{verification:?}: {}", whole.to_json());
+        match fleet::verify(fleet, whole) {
+            Ok(verification) => assert!(verification.is_valid(), "{verification:?}: {}", whole.to_json()),
+            // A fast robot that waits for a very slow one.
+            Err(error) => assert!(error.pointer().contains("/times/"), "{error}: {}", whole.to_json()),
+        }
     }
 }
 

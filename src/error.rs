@@ -31,7 +31,7 @@ pub enum Code {
     WrongDimension,
     /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to 0.
     DegeneratePolygon,
-    /// Two queries, worlds or planners share a name.
+    /// Two queries, worlds or planners share a name, or two rows that differ a trial.
     DuplicateName,
     /// An obstacle lies within the arm's radius of its base, which never moves.
     BaseInCollision,
@@ -67,6 +67,8 @@ pub enum Code {
     OtherScenario,
     /// A file of rows cannot be continued: it has rows of another experiment or of another shard (command line only).
     OtherExperiment,
+    /// A file that is to be written contains something else, or is an input or another output (command line only).
+    WouldOverwrite,
     /// The arguments do not make sense (command line only).
     Usage,
 }

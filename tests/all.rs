@@ -21,6 +21,8 @@ mod directed;
 mod driving;
 mod ends;
 mod experiment;
+#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+mod files;
 mod fleet;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod fuzz;

@@ -443,8 +443,8 @@ fn a_false_certificate_is_refused() {
     refused(&world, &with(&|c| c.wall[0].cell = [1, 0, 0].into()), "not proven");
     refused(&world, &with(&|c| c.clearance_at_most = None), "without a clearance");
     refused(&world, &with(&|c| c.clearance_at_most = Some(0.1)), "but the wall is for");
-    refused(&world, &with(&|c| c.verdict = Verdict::Connected), "the verdict is connected, but");
-    refused(&world, &with(&|c| (c.verdict, c.clearance_at_most) = (Verdict::Connected, None)), "without a clearance");
+    refused(&world, &with(&|c| c.verdict = Verdict::Connected), "its wall is empty");
+    refused(&world, &with(&|c| (c.verdict, c.clearance_at_most) = (Verdict::Connected, None)), "its wall is empty");
     let nothing = |c: &mut Certificate| (c.clearance_at_most, c.wall) = (None, Vec::new());
     let empty_channel = |c: &mut Certificate| {
         nothing(c);
@@ -453,8 +453,11 @@ fn a_false_certificate_is_refused() {
     refused(&world, &with(&empty_channel), "empty");
     refused(&world, &with(&|c| c.slack *= 0.5), "the slack is");
     refused(&world, &with(&|c| c.slack *= 2.0), "the slack is");
-    refused(&world, &with(&|c| c.cells = 1), "are named");
     refused(&world, &with(&|c| c.channel = vec![c.wall[0].cell]), "there is a channel");
+    refused(&world, &with(&|c| c.cells = 0), "0 cells");
+    refused(&world, &with(&|c| c.cells = 4 * u64::from(c.wall[0].cell.depth)), "take at least");
+    let unknown = |c: &mut Certificate| (c.verdict, c.clearance_at_most) = (Verdict::Unknown, None);
+    refused(&world, &with(&unknown), "without a clearance");
     // The same wall where there is none.
     let empty = scenario("", &disc([5.0, 5.0], 0.1), &arm(&[1.0, 1.0], 0.0), r#""start": [1.5, 0], "goal": [-1.5, 0]"#);
     refused(&empty, &with(&|c| (c.scenario, c.query, c.slack) = ("s".into(), "q".into(), 2.0 * 7.1e-12)), "not proven");
@@ -468,6 +471,11 @@ fn a_false_certificate_is_refused() {
         broken.channel.remove(i);
         let why = verify(&world, &broken).expect("of this scenario").expect("refused");
         assert!(why.contains("do not touch") || why.contains("does not contain"), "{why}");
+    }
+    for change in [(|c| c.clearance_at_most = Some(1.0)) as fn(&mut Certificate), |c| c.cells = 1] {
+        let mut changed = path.clone();
+        change(&mut changed);
+        assert!(verify(&world, &changed).expect("of this scenario").is_some(), "{}", changed.to_json());
     }
     let mut wide = path.clone();
     wide.clearance = 0.5;

@@ -155,6 +155,16 @@ fn the_optimum_is_printed_and_a_result_compared_with_it() {
     assert_eq!((finished.code, &found["exact"], &found["method"]), (0, &json!(true), &json!("tangent-graph")));
     assert!(finished.stderr.starts_with("shortest path: length 2.") && finished.stderr.contains(" % longer"));
 
+    // What the result claims is not believed: neither a length nor a path through a wall.
+    let told = |name: &str, value: Value| {
+        let mut told = planned.json();
+        told[name] = value;
+        planarium_with("optimum room.json --result -", &told.to_string()).refuses("invalid-result", "/path");
+    };
+    told("length", json!(1.5));
+    told("path", json!([[0.5, 0.5], [2, 0.5]]));
+    told("status", json!("exhausted"));
+
     let none = planarium("optimum room.json --query cut-off");
     assert_eq!((none.code, &none.json()["length"], none.json().get("gap")), (1, &Value::Null, None));
     let firs = planarium("optimum firs.json --metric euclidean").json();

@@ -181,7 +181,9 @@ fn rows_and_summaries_are_the_committed_ones_on_every_platform() {
             rows.iter().map(|row| columns.iter().map(|name| cell_text(&row[name])).collect::<Vec<_>>().join(","));
         let mut summary = Summary::new(&experiment);
         for (number, row) in (0..).zip(&rows) {
-            summary.add_row(number, |column| row.get(column).map_or(String::new(), cell_text));
+            let cell = |column: &str| row.get(column).map_or(String::new(), cell_text);
+            summary.add_row(number, cell).expect("a new trial");
+            summary.add_row(number, cell).expect("the same row counts once");
         }
         json!({ "rows": texts.collect::<Vec<_>>(), "summary": planarium::json::to_string(&summary.document()) })
     });
@@ -350,7 +352,15 @@ fn a_summary_counts_what_is_solved_and_compares_settings_on_the_same_worlds_and_
     for row in rows.iter().rev() {
         let values = ["visited", "length"].map(|name| row[name].as_f64().unwrap_or(f64::NAN));
         let trial = experiment.trial(row["trial"].as_u64().unwrap());
-        summary.add(&trial, row["status"] == "solved", row["valid"].as_bool(), &[values[0], values[1], f64::NAN]);
+        let (is_solved, is_valid) = (row["status"] == "solved", row["valid"].as_bool());
+        let mut add = |is_solved, is_valid, values: &[f64]| summary.add(&trial, is_solved, is_valid, values);
+        add(is_solved, is_valid, &[values[0], values[1], f64::NAN]).expect("a new trial");
+        add(is_solved, is_valid, &[values[0], values[1], f64::NAN]).expect("the same again");
+        refuses(add(!is_solved, is_valid, &values), "duplicate-name", "/trial");
+        refuses(add(is_solved, is_valid.map_or(Some(true), |_| None), &values), "duplicate-name", "/trial");
+        if is_solved {
+            refuses(add(true, is_valid, &[values[0], values[1] + 1.0, f64::NAN]), "duplicate-name", "/trial");
+        }
     }
     let document = summary.document();
     assert_eq!((document.rows, document.trials), (46, 48));

@@ -293,6 +293,146 @@ fn a_plan_that_was_changed_is_found_out() {
     refuses(verify(&fleet, &missing), "invalid-result", "/robots");
 }
 
+/// A fleet in an open square of 10 m, and a plan of it with these rows, whose totals are right.
+fn rows_of(robots: serde_json::Value, rows: &[(&[f64], &[&[f64]])]) -> (Fleet, planarium::fleet::FleetResult) {
+    let document = json!({ "format": "planarium-fleet-1", "name": "square", "robots": robots,
+        "world": { "bounds": { "min": [0, 0], "max": [10, 10] }, "obstacles": [] } });
+    let fleet = Fleet::read(&document).expect("a fleet");
+    let of = |(member, (times, path)): (&planarium::fleet::FleetRobot, &(&[f64], &[&[f64]]))| {
+        let path = path.iter().map(|q| q.to_vec()).collect();
+        planarium::fleet::RobotTrajectory { name: member.name.clone(), times: times.to_vec(), path }
+    };
+    let mut result = planner(&fleet, "prioritized", 0, None).result();
+    result.status = Status::Solved;
+    result.robots = fleet.robots().iter().zip(rows).map(of).collect();
+    if let Ok(trajectories) = trajectories(&fleet, &result) {
+        result.makespan = trajectories.iter().map(Trajectory::arrival).fold(0.0, f64::max);
+        result.sum_of_costs = trajectories.iter().map(Trajectory::arrival).sum();
+        result.waits = trajectories.iter().map(Trajectory::waits).sum();
+    }
+    (fleet, result)
+}
+
+fn small_disc(name: &str, speed: f64, start: [f64; 2], goal: [f64; 2]) -> serde_json::Value {
+    json!({ "name": name, "robot": { "type": "disc", "radius": 0.1 }, "speed": speed, "start": start, "goal": goal })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_motion_is_judged_by_its_own_time_however_late_others_are() {
+    let one = json!([small_disc("a", 1.0, [1.0, 1.0], [9.0, 1.0])]);
+    let honest: (&[f64], &[&[f64]]) = (&[0.0, 8.0, 5e4], &[&[1.0, 1.0], &[9.0, 1.0], &[9.0, 1.0]]);
+    let (fleet, plan) = rows_of(one.clone(), &[honest]);
+    assert!(verify(&fleet, &plan).expect("a plan").is_valid(), "waiting at the goal is no motion");
+    // A jump, at once or in steps that a late row would round away.
+    for steps in [1, 40] {
+        for late in [0.0, 3e4] {
+            let mut times: Vec<f64> = (0..=steps).map(|k| 1e-12 * f64::from(k)).collect();
+            let mut path: Vec<[f64; 2]> =
+                (0..=steps).map(|k| [1.0 + 8.0 * f64::from(k) / f64::from(steps), 1.0]).collect();
+            if late > 0.0 {
+                times.push(late);
+                path.push([9.0, 1.0]);
+            }
+            let path: Vec<&[f64]> = path.iter().map(|q| &q[..]).collect();
+            let (fleet, plan) = rows_of(one.clone(), &[(&times, &path)]);
+            let verification = verify(&fleet, &plan).expect("a plan");
+            assert!(verification.faults.iter().any(|fault| fault.why.contains("speed")), "{verification:?}");
+        }
+    }
+    // Where the next double is farther than the slack, at the speed of the robot, nothing is judged.
+    for late in [1e5, 1e16, f64::MAX] {
+        let (fleet, plan) = rows_of(one.clone(), &[(&[0.0, 8.0, late], honest.1)]);
+        refuses(verify(&fleet, &plan), "invalid-result", "/robots/0/times/2");
+    }
+    let two = json!([small_disc("a", 1.0, [1.0, 1.0], [3.0, 1.0]), small_disc("b", 1.0, [2.25, 1.0], [2.25, 3.0])]);
+    let through = |begin: f64| {
+        let a: [f64; 4] = [0.0, begin, begin + 2.0, begin + 2000.0];
+        let b: [f64; 3] = [0.0, begin + 1000.0, begin + 1002.0];
+        rows_of(
+            two.clone(),
+            &[
+                (&a, &[&[1.0, 1.0], &[1.0, 1.0], &[3.0, 1.0], &[3.0, 1.0]]),
+                (&b, &[&[2.25, 1.0], &[2.25, 1.0], &[2.25, 3.0]]),
+            ],
+        )
+    };
+    let (fleet, plan) = through(1e16);
+    refuses(verify(&fleet, &plan), "invalid-result", "/robots/0/times/1");
+    for begin in [0.0, 1.0, 3e4] {
+        let (fleet, plan) = through(begin);
+        let verification = verify(&fleet, &plan).expect("a plan");
+        let [conflict] = &verification.conflicts[..] else { panic!("{begin}: {verification:?}") };
+        let [from, to] = [conflict.from, conflict.to.expect("it ends")].map(|time| time - begin);
+        assert!((from - 1.05).abs() < 1e-9 && (to - 1.45).abs() < 1e-9, "{begin}: {conflict:?}");
+        assert!(verification.faults.is_empty() && verification.claims.is_empty(), "{verification:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_work_of_the_verifier_is_bounded_by_the_size_of_a_plan() {
+    let discs: Vec<_> = (0..4)
+        .map(|i| small_disc(&i.to_string(), 1.0, [2.0 * f64::from(i) + 1.0, 1.0], [2.0 * f64::from(i) + 1.0, 3.0]))
+        .collect();
+    for (far, is_refused) in [(1e300, true), (-1.1e6, true), (1e6, false)] {
+        let paths: Vec<[[f64; 2]; 3]> = (0..4)
+            .map(|i| 2.0 * f64::from(i) + 1.0)
+            .map(|x| [[x, 1.0], [if x > 4.0 { far } else { x }, 2.0], [x, 3.0]])
+            .collect();
+        let rows: Vec<Vec<&[f64]>> = paths.iter().map(|path| path.iter().map(|q| &q[..]).collect()).collect();
+        let rows: Vec<(&[f64], &[&[f64]])> = rows.iter().map(|path| (&[0.0, 1.0, 2.0][..], &path[..])).collect();
+        let (fleet, plan) = rows_of(json!(discs), &rows);
+        if is_refused {
+            refuses(verify(&fleet, &plan), "invalid-result", "/robots/2/path/1");
+        } else {
+            let verification = verify(&fleet, &plan).expect("a plan");
+            assert!(!verification.faults.is_empty() && verification.looks < 100, "{verification:?}");
+        }
+    }
+    // Two bodies that turn side by side, so near that no number of steps decides.
+    let shape = json!({ "type": "polygon", "vertices": [[-0.6, -0.2], [0.6, -0.2], [0.6, 0.2], [-0.6, 0.2]] });
+    let bodies: Vec<_> = [("a", 2.0), ("b", 2.4 + 1e-7)]
+        .map(|(name, y)| {
+            json!({ "name": name, "robot": { "type": "rigid_body", "shape": shape }, "start": [1, y, 0], "goal": [9, y, 0] })
+        })
+        .into();
+    let paths = [2.0, 2.4 + 1e-7].map(|y| [[1.0, y, 0.0], [9.0, y, 0.0]]);
+    let late = [0.5, 0.0].map(|wait| [0.0, wait, wait + 8.0]);
+    let rows: Vec<Vec<&[f64]>> = paths.iter().map(|[from, to]| vec![&from[..], &from[..], &to[..]]).collect();
+    let rows: Vec<(&[f64], &[&[f64]])> = late.iter().zip(&rows).map(|(times, path)| (&times[..], &path[..])).collect();
+    let (fleet, plan) = rows_of(json!(bodies), &rows);
+    let verification = verify(&fleet, &plan).expect("a plan");
+    assert!(verification.looks < 300_000, "{verification:?}");
+    assert!(!verification.valid, "what is undecided is no valid plan");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_a_plan_says_of_itself_is_compared_with_its_rows() {
+    for id in ["prioritized", "composite"] {
+        let (kind, options) =
+            if id == "composite" { ("swap", json!({})) } else { ("crossroads", json!({ "count": 6 })) };
+        let fleet = generate(kind, &options).expect("a fleet");
+        let result = planned(&fleet, id, 1).result();
+        let claims = |change: &dyn Fn(&mut planarium::fleet::FleetResult)| {
+            let mut changed = result.clone();
+            change(&mut changed);
+            let verification = verify(&fleet, &changed).expect("still a plan");
+            assert!(verification.conflicts.is_empty() && verification.faults.is_empty());
+            assert_eq!(verification.is_valid(), verification.claims.is_empty());
+            verification.claims.into_iter().map(|claim| claim.pointer).collect::<Vec<_>>()
+        };
+        assert_eq!(claims(&|_| ()), [""; 0]);
+        assert_eq!(claims(&|plan| plan.makespan *= 1.0 - 1e-6), ["/makespan"]);
+        assert_eq!(claims(&|plan| plan.sum_of_costs += 0.001), ["/sum_of_costs"]);
+        assert_eq!(claims(&|plan| plan.waits += 0.001), ["/waits"]);
+        assert_eq!(claims(&|plan| plan.waits = f64::NAN), ["/waits"]);
+        let names: Vec<String> = fleet.robots().iter().map(|member| member.name.clone()).collect();
+        assert_eq!(claims(&|plan| plan.order = Some(names[1..].to_vec())), ["/order"]);
+        assert_eq!(claims(&|plan| plan.order = Some(vec![names[0].clone(); names.len()])), ["/order"]);
+        let blocked = planarium::fleet::BlockedNames { robot: names[0].clone(), by: Vec::new() };
+        assert_eq!(claims(&|plan| plan.blocked = Some(blocked.clone())), ["/blocked"]);
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn another_order_can_succeed_where_one_fails() {
     // In a corridor for one, "a" cannot pass the start of "b", which can go on first.

@@ -244,6 +244,35 @@ fn malformed_paths_are_refused_by_name() {
     }
 }
 
+/// A result says nothing that no result can say, of its robot or of a run that is solved.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_claim_of_a_result_is_compared() {
+    let path: &[&[f64]] = &[&[0.0, 0.0], &[1.0, 0.0]];
+    let scenario = scenario(ROOM, &[], &robot_disc(0.1), [path[0], path[1]]);
+    let good = result(path, 1.0);
+    clearance(judged(&scenario, &good));
+    let refused_with = |change: &dyn Fn(&mut ResultDocument), word: &str| {
+        let mut changed = good.clone();
+        change(&mut changed);
+        refused(judged(&scenario, &changed), &[word]);
+    };
+    refused_with(&|r| r.motions = Some(Vec::new()), "motions");
+    refused_with(&|r| r.integration = Some("euler".into()), "integration");
+    refused_with(&|r| r.chord_length = Some(1.0), "chord_length");
+    refused_with(&|r| r.blended_length = Some(0.9), "blended length");
+    refused_with(&|r| r.edge_check = Some("proven".into()), "edge check");
+    refused_with(&|r| r.coverage = Some(1.5), "coverage");
+    for length in [f64::NAN, f64::INFINITY, -1.0] {
+        refused_with(&|r| r.length = length, "length");
+        refused_with(&|r| r.blended_length = Some(length), "blended_length");
+    }
+    let approximate = planarium::path::Approximate { path: vec![vec![0.0; 2]], motions: None, goal_distance: 1.0 };
+    refused_with(&|r| r.approximate = Some(approximate.clone()), "approximate");
+    for word in ["sampled", "none", "joint-lines", "rollouts"] {
+        clearance(judged(&scenario, &ResultDocument { edge_check: Some(word.into()), ..good.clone() }));
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn concave_obstacles_keep_their_pockets() {
     // A cup, open at the top, from (-1, -1) to (1, 1), with walls of a fifth.

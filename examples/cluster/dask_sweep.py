@@ -10,6 +10,7 @@ experiment and of the rows under the same paths. Started again, it goes on with 
 """
 
 import argparse
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -36,6 +37,9 @@ def main():
     arguments = parser.parse_args()
 
     out, parts = arguments.out.resolve(), arguments.parts
+    for file, columns in ((out, b"experiment,trial,"), (out.with_name(out.stem + ".times.csv"), b"trial,build_seconds,")):
+        if file.exists() and file.stat().st_size > 0 and not file.read_bytes().startswith(columns):
+            parser.error(f"{file} contains something else than rows; it is left as it is")
     files = [str(out.with_name(f"{out.stem}.part-{part}-of-{parts}.csv")) for part in range(1, parts + 1)]
     local = {} if arguments.scheduler else {"threads_per_worker": 1}
     with Client(arguments.scheduler, **local) as client:
@@ -47,10 +51,13 @@ def main():
             print(f"part {task.result()} is done, {finished} of {parts}", flush=True)
 
     for ending in ("", ".times"):
-        with open(out.with_name(out.stem + ending + ".csv"), "wb") as joined:
+        target = out.with_name(out.stem + ending + ".csv")
+        joined = target.with_name(f".{target.name}.partial")
+        with open(joined, "wb") as file:
             for rows in files:
                 with open(rows.removesuffix(".csv") + ending + ".csv", "rb") as part:
-                    shutil.copyfileobj(part, joined)
+                    shutil.copyfileobj(part, file)
+        os.replace(joined, target)
 
 
 if __name__ == "__main__":

@@ -49,7 +49,8 @@ impl Experiment {
     /// The statistics of rows, in any order: the summary that `planarium sweep` prints of the same rows. Rows may have the columns
     /// `build_seconds` and `search_seconds` as well. O(trials) of memory.
     /// @throws {PlanariumError} `other-experiment` for rows of another experiment, `out-of-range` for a trial that it does not have;
-    /// `wrong-type`, `missing-field`
+    /// `duplicate-name` for two rows of one trial that differ (the same row again counts once); `wrong-type`,
+    /// `missing-field`
     pub fn summary(&self, rows: &JsTrialRows) -> Result<JsSummary, Error> {
         let rows: Vec<Map<String, Value>> = records(rows, "rows")?;
         let (fingerprint, all) = (digits(self.experiment.fingerprint()), self.experiment.trial_count());
@@ -64,7 +65,7 @@ impl Experiment {
                 let sentence = format!("there are {all} trials, and none is number {}", cell("trial"));
                 return Err(Error::new(Code::OutOfRange, format!("/rows/{i}/trial"), sentence));
             };
-            summary.add_row(trial, cell);
+            summary.add_row(trial, cell).map_err(|error| error.under(&format!("/rows/{i}")))?;
         }
         Ok(object(&summary.document()).into())
     }

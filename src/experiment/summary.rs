@@ -2,6 +2,7 @@
 
 use super::statistics::{Mean, Names, Paired, Quartiles, Share, mean, paired, quartiles, share};
 use super::{Experiment, Measure, Trial};
+use crate::error::{Code, Error};
 use crate::json::hex;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -93,8 +94,11 @@ impl<'a> Summary<'a> {
     }
 
     /// Adds a trial: whether it is solved, whether its path is valid if that was asked, and the value of each of
-    /// [`Experiment::measures`], NaN if it is unknown.
-    pub fn add(&mut self, trial: &Trial, is_solved: bool, is_valid: Option<bool>, values: &[f64]) {
+    /// [`Experiment::measures`], NaN if it is unknown. A trial that is added again counts once.
+    ///
+    /// # Errors
+    /// `duplicate-name` (pointer `/trial`) if the trial has been added with other values; then nothing is changed.
+    pub fn add(&mut self, trial: &Trial, is_solved: bool, is_valid: Option<bool>, values: &[f64]) -> Result<(), Error> {
         let experiment = self.experiment;
         let seeds = experiment.seeds.len();
         let size = (experiment.worlds[trial.worlds].seed_count() * seeds) as usize;
@@ -106,21 +110,41 @@ impl<'a> Summary<'a> {
             measures: experiment.measures.iter().map(|_| unknown()).collect(),
         });
         let place = (trial.world_seed * seeds + trial.seed) as usize;
-        group.solved[place] = f64::from(u8::from(is_solved));
-        if let Some(is_valid) = is_valid.filter(|_| experiment.verify) {
-            group.valid[place] = f64::from(u8::from(is_valid));
+        let number = |is_so: bool| f64::from(u8::from(is_so));
+        let valid = is_valid.map_or(f64::NAN, number);
+        let of_solved = |value: Option<&f64>| value.copied().filter(|_| is_solved).unwrap_or(f64::NAN);
+        let given: Vec<f64> = [number(is_solved)]
+            .into_iter()
+            .chain(experiment.verify.then_some(valid))
+            .chain((0..experiment.measures.len()).map(|i| of_solved(values.get(i))))
+            .collect();
+        let places: Vec<&mut f64> = [&mut group.solved]
+            .into_iter()
+            .chain(experiment.verify.then_some(&mut group.valid))
+            .chain(&mut group.measures)
+            .map(|all| &mut all[place])
+            .collect();
+        if !places[0].is_nan() {
+            let is_same = |(old, new): (&&mut f64, &f64)| **old == *new || (old.is_nan() && new.is_nan());
+            if places.iter().zip(&given).all(is_same) {
+                return Ok(());
+            }
+            let sentence = format!("trial {} has two rows that differ", trial.number);
+            return Err(Error::new(Code::DuplicateName, "/trial", sentence));
         }
-        if is_solved {
-            group.measures.iter_mut().zip(values).for_each(|(all, value)| all[place] = *value);
-        }
+        places.into_iter().zip(given).for_each(|(place, value)| *place = value);
         self.rows += 1;
+        Ok(())
     }
 
     /// Adds the row of a trial: each cell as text, by its column or, of a time, by its word as a measure; empty if it is unknown.
-    pub fn add_row(&mut self, trial: u64, cell: impl Fn(&str) -> String) {
+    ///
+    /// # Errors
+    /// Those of [`Summary::add`].
+    pub fn add_row(&mut self, trial: u64, cell: impl Fn(&str) -> String) -> Result<(), Error> {
         let number = |measure: &Measure| cell(measure.as_str()).parse().unwrap_or(f64::NAN);
         let values: Vec<f64> = self.experiment.measures().iter().map(number).collect();
-        self.add(&self.experiment.trial(trial), cell("status") == "solved", cell("valid").parse().ok(), &values);
+        self.add(&self.experiment.trial(trial), cell("status") == "solved", cell("valid").parse().ok(), &values)
     }
 
     /// The summary of the trials that were added.

@@ -21,8 +21,9 @@
 //! - `run.rs`: a planner that is stepped, and its result;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
-//! - `verify.rs`: the independent verifier.
+//! - `verify.rs`: the independent verifier; `advancement.rs`: when two robots touch along their trajectories.
 
+mod advancement;
 mod composite;
 mod document;
 mod generate;
@@ -45,7 +46,7 @@ pub use run::{
     Blocked, BlockedNames, FleetOptions, FleetPlanner, FleetResult, FleetStats, RobotTrajectory, fleet_planners,
 };
 pub use trajectory::Trajectory;
-pub use verify::{Conflict, Fault, Verification, conflicts, straight, trajectories, verify};
+pub use verify::{Claim, Conflict, Fault, Verification, conflicts, straight, trajectories, verify};
 
 use crate::world::PlanningWorld;
 use motion::Footprint;

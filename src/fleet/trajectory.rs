@@ -68,7 +68,7 @@ impl Trajectory {
     }
 
     /// The motion from a row on; that of the last one has no end.
-    fn motion(&self, row: usize) -> Motion {
+    pub(super) fn motion(&self, row: usize) -> Motion {
         match self.times.get(row + 1) {
             Some(&end) => Motion::new([self.times[row], end], self.poses[row], self.poses[row + 1]),
             None => Motion::standing([self.times[row], f64::INFINITY], self.poses[row]),
@@ -99,18 +99,6 @@ impl Trajectory {
             *checks += 1;
             !Pair { footprints, motions: [own, motion], slack }.is_apart()
         })
-    }
-
-    /// How fast a point of the robot moves at most, in metres per second, and from which row; `rounding` metres of each motion do not count:
-    /// they are all of it if the motion is short enough.
-    pub(super) fn fastest(&self, footprint: &Footprint, rounding: f64) -> (f64, usize) {
-        let speed = |row: usize| {
-            let [from, to] = [row, row + 1].map(|i| self.poses[i]);
-            let way = footprint.travel(from, to) - rounding;
-            if way <= 0.0 { 0.0 } else { way / (self.times[row + 1] - self.times[row]) }
-        };
-        let faster = |fastest: (f64, usize), row| if speed(row) > fastest.0 { (speed(row), row) } else { fastest };
-        (0..self.times.len() - 1).fold((0.0, 0), faster)
     }
 
     /// The trajectory of these rows.

@@ -1,30 +1,32 @@
 //! The independent verifier of plans.
 //!
-//! Planners prove a pair of motions from the middle of their time, discs by a formula. The verifier goes from the front, whatever the shapes:
-//! from a time at which two robots are a distance apart it advances by the time in which they cannot meet, and looks again
-//! (conservative advancement: Mirtich 1996, "Impulse-based dynamic simulation of rigid body systems"). Its distances are those of corners from
-//! edges, and an exact test of intersection. Each robot's way among the obstacles is judged by [`path::verify`](crate::path::verify()).
+//! Planners prove a pair of motions from the middle of their time, discs by a formula for two points. The verifier goes
+//! from the front, row by row ([`advancement`](super::advancement)). Its distances are those of corners from edges, and
+//! an exact test of intersection. Each robot's way among the obstacles is judged by
+//! [`path::verify`](crate::path::verify()), its speed motion by motion, and every number that a plan claims is compared
+//! with its rows.
 
-use super::document::{Fleet, pose};
-use super::motion::{Footprint, Motion, Pose};
+use super::advancement::found;
+use super::document::{Fleet, FleetRobot, pose};
+use super::motion::{Footprint, Pose, difference};
 use super::run::FleetResult;
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Point, Polygon, distance_point_segment, intersects_polygon_polygon};
 use crate::path::{self, ResultDocument, Verdict};
 use crate::problem::{Stats, Status};
-use crate::robot::Part;
+use crate::robot::{LARGEST, Part};
 use crate::scenario::Robot;
 use serde::Serialize;
 
 /// How far a coordinate may be from that of the start or the goal, and by what fraction a speed may exceed the robot's.
 const REACHED: f64 = 1e-9;
 
-/// The most distances of one pair of robots; a plan that needs more is refused.
-const MOST_DISTANCES: u32 = 1_000_000;
+/// The most samples between those that the way of every robot among the obstacles takes, all robots together.
+const MOST_SAMPLES: u64 = 10_000_000;
 
-/// While bodies are in conflict, their distance is evaluated so many times in each motion at least.
-const LOOKS: f64 = 64.0;
+/// By how many units in the last place of a coordinate two rows of a motion are rounded together, at most.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
 /// Two robots that touch for a while.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,11 +53,21 @@ pub struct Fault {
     pub why: String,
 }
 
+/// A number or a name of a plan that does not agree with its rows.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetClaim"))]
+pub struct Claim {
+    /// A JSON pointer into the plan.
+    pub pointer: String,
+    /// The reason, in a sentence.
+    pub why: String,
+}
+
 /// The verdict on a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetVerification"))]
 pub struct Verification {
-    /// Whether there is no conflict and no fault.
+    /// Whether there is no conflict, no fault and no false claim.
     pub valid: bool,
     /// The conflicts, in the order of their times.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetConflict[]"))]
@@ -63,12 +75,15 @@ pub struct Verification {
     /// What is wrong with single robots: a start or a goal missed, too fast, an obstacle touched.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetFault[]"))]
     pub faults: Vec<Fault>,
+    /// What the plan says of itself that its rows do not confirm: its totals, its order, a robot without a way.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetClaim[]"))]
+    pub claims: Vec<Claim>,
     /// How many distances between robots were evaluated.
     pub looks: u64,
 }
 
 impl Verification {
-    /// Whether there is no conflict and no fault.
+    /// Whether there is no conflict, no fault and no false claim.
     pub fn is_valid(&self) -> bool {
         self.valid
     }
@@ -80,7 +95,8 @@ impl Verification {
 /// Those of [`trajectories`].
 ///
 /// # Complexity
-/// For each pair of robots the number of motions, and of distances near contact; for each robot that of
+/// For each pair of robots the number of their rows; near contact of bodies more distances, whose number is bounded by
+/// that of all rows: what is undecided then counts as conflict. For each robot that of
 /// [`path::verify`](crate::path::verify()).
 pub fn verify(fleet: &Fleet, result: &FleetResult) -> Result<Verification, Error> {
     let trajectories = trajectories(fleet, result)?;
@@ -90,8 +106,10 @@ pub fn verify(fleet: &Fleet, result: &FleetResult) -> Result<Verification, Error
             faults.push(Fault { robot, why });
         }
     }
-    let (conflicts, looks) = found(fleet, &trajectories);
-    Ok(Verification { valid: conflicts.is_empty() && faults.is_empty(), conflicts, faults, looks })
+    let (conflicts, looks) = all_conflicts(fleet, &trajectories);
+    let claims = claims(fleet, result, &trajectories);
+    let valid = conflicts.is_empty() && faults.is_empty() && claims.is_empty();
+    Ok(Verification { valid, conflicts, faults, claims, looks })
 }
 
 /// The conflicts of trajectories, one of every robot in order, in the order of their times.
@@ -99,7 +117,7 @@ pub fn verify(fleet: &Fleet, result: &FleetResult) -> Result<Verification, Error
 /// # Panics
 /// If there are fewer trajectories than robots.
 pub fn conflicts(fleet: &Fleet, trajectories: &[Trajectory]) -> Vec<Conflict> {
-    found(fleet, trajectories).0
+    all_conflicts(fleet, trajectories).0
 }
 
 /// Every robot straight to its goal at once, at its speed, whatever is in the way.
@@ -117,7 +135,8 @@ pub fn straight(fleet: &Fleet) -> Vec<Trajectory> {
 ///
 /// # Errors
 /// `invalid-result` with a pointer into the result: if it belongs to another fleet, is not solved, names other robots or in another order,
-/// if a configuration has the wrong length, or if times do not begin at 0 or go back.
+/// if a configuration has the wrong length or a coordinate outside [-1e6, 1e6], if times do not begin at 0 or go back,
+/// or if the robot can move by more than the slack of the fleet between a time and the next larger double.
 pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajectory>, Error> {
     let refuse = |pointer: String, sentence: String| Err(Error::new(Code::InvalidResult, pointer, sentence));
     if result.fleet != fleet.name() {
@@ -133,7 +152,7 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
         let sentence = format!("there are {} trajectories, and {} robots", result.robots.len(), fleet.robots().len());
         return refuse("/robots".to_owned(), sentence);
     }
-    let mut trajectories = Vec::with_capacity(result.robots.len());
+    let (slack, mut trajectories) = (fleet.slack(), Vec::with_capacity(result.robots.len()));
     for (i, (given, member)) in result.robots.iter().zip(fleet.robots()).enumerate() {
         if given.name != member.name {
             let sentence = format!("this is robot {}, not {}", quoted(&member.name), quoted(&given.name));
@@ -143,6 +162,24 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
         if let Some(row) = given.path.iter().position(|q| q.len() != dimension) {
             let sentence = format!("a configuration has {dimension} numbers, not {}", given.path[row].len());
             return refuse(format!("/robots/{i}/path/{row}"), sentence);
+        }
+        for (row, q) in given.path.iter().enumerate() {
+            if let Some(value) = q.iter().find(|value| value.is_nan() || value.abs() > LARGEST) {
+                let sentence = format!("a coordinate must lie within [-{LARGEST:e}, {LARGEST:e}], not {value:e}");
+                return refuse(format!("/robots/{i}/path/{row}"), sentence);
+            }
+        }
+        for (row, &time) in given.times.iter().enumerate() {
+            // What the next time would be, at the robot's speed.
+            let step = (time.next_up() - time) * member.speed;
+            if step.is_nan() || step > slack {
+                let [time, step, slack] = [time, step, slack].map(Number);
+                let sentence = format!(
+                    "the time {time} s is too large to be judged: until the next double the robot moves {step} m, \
+                     more than {slack}"
+                );
+                return refuse(format!("/robots/{i}/times/{row}"), sentence);
+            }
         }
         match Trajectory::of_rows(&given.times, given.path.iter().map(|q| pose(q)).collect()) {
             Ok(trajectory) => trajectories.push(trajectory),
@@ -155,17 +192,11 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
 /// Checks the ends, the speed, and the way among obstacles of one robot.
 fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec<f64>]) -> Result<(), String> {
     let member = &fleet.robots()[robot];
-    // What places and times are rounded by: a motion of nanoseconds can have any speed.
-    let rounding = fleet.slack() + f64::EPSILON * member.speed * trajectory.times().iter().copied().fold(0.0, f64::max);
-    let (speed, row) = trajectory.fastest(&Footprint::of(&member.robot), rounding);
-    if speed > member.speed * (1.0 + REACHED) {
-        let [most, speed] = [member.speed, speed].map(Number);
-        return Err(format!("from row {row} on it moves at up to {speed} m/s, faster than its speed of {most}"));
-    }
+    check_speed(member, trajectory)?;
     let scenario = fleet.scenario(robot);
     let weights = member.robot.placed_shape().map(|(_, weights)| weights);
     let length = trajectory.poses().windows(2).map(|ends| {
-        let [x, y, turn] = super::motion::difference(ends[0], ends[1]);
+        let [x, y, turn] = difference(ends[0], ends[1]);
         let way = (x * x + y * y).sqrt();
         weights.map_or(way, |weights| weights.translation * way + weights.rotation * turn.abs())
     });
@@ -193,99 +224,79 @@ fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec
         moved_goal: None,
         approximate: None,
     };
-    match path::verify(&scenario, &result) {
+    match path::verify_within(&scenario, &result, MOST_SAMPLES / fleet.robots().len() as u64) {
         Ok(Verdict::Valid { .. }) => Ok(()),
         Ok(Verdict::Invalid { why }) => Err(why),
         Err(error) => Err(error.message().to_owned()),
     }
 }
 
+/// Returns an error if a motion is faster than the robot, judged by its own duration. Its times are rounded to the next
+/// double, its coordinates to theirs.
+fn check_speed(member: &FleetRobot, trajectory: &Trajectory) -> Result<(), String> {
+    let footprint = Footprint::of(&member.robot);
+    let rows: Vec<(&f64, &Pose)> = trajectory.times().iter().zip(trajectory.poses()).collect();
+    for (row, ends) in rows.windows(2).enumerate() {
+        let [(begin, from), (end, to)] = [ends[0], ends[1]];
+        let (way, duration) = (footprint.travel(*from, *to), end - begin);
+        let size = |[x, y, theta]: &Pose| x.abs() + y.abs() + footprint.reach() * theta.abs();
+        let rounding = member.speed * 2.0 * (end.next_up() - end) + ROUNDED * (size(from) + size(to));
+        if way > member.speed * duration * (1.0 + REACHED) + rounding {
+            let [way, duration, most] = [way, duration, member.speed].map(Number);
+            return Err(format!(
+                "from row {row} on it moves {way} m in {duration} s, faster than its speed of {most} m/s"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// What a plan says of itself and its rows do not confirm.
+fn claims(fleet: &Fleet, result: &FleetResult, trajectories: &[Trajectory]) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    let mut refuse = |pointer: &str, why: String| claims.push(Claim { pointer: pointer.to_owned(), why });
+    let sum = |of: fn(&Trajectory) -> f64| trajectories.iter().map(of).sum::<f64>();
+    let makespan = trajectories.iter().map(Trajectory::arrival).fold(0.0, f64::max);
+    let costs = sum(Trajectory::arrival);
+    // Waits are differences of times, which round as the arrivals do.
+    for (name, given, measured, size, what) in [
+        ("makespan", result.makespan, makespan, makespan, "the last robot arrives at"),
+        ("sum_of_costs", result.sum_of_costs, costs, costs, "the arrivals add up to"),
+        ("waits", result.waits, sum(Trajectory::waits), costs, "the waits add up to"),
+    ] {
+        let off = (given - measured).abs();
+        if off.is_nan() || off > REACHED * size {
+            let [given, measured] = [given, measured].map(Number);
+            refuse(&format!("/{name}"), format!("the {name} is given as {given} s, but {what} {measured} s"));
+        }
+    }
+    if let Some(order) = &result.order {
+        let [mut given, mut names]: [Vec<&str>; 2] = [
+            order.iter().map(String::as_str).collect(),
+            fleet.robots().iter().map(|member| member.name.as_str()).collect(),
+        ];
+        given.sort_unstable();
+        names.sort_unstable();
+        if given != names {
+            refuse("/order", "the order of priorities does not name every robot once".to_owned());
+        }
+    }
+    if let Some(blocked) = &result.blocked {
+        let name = quoted(&blocked.robot);
+        refuse("/blocked", format!("robot {name} is said to find no way, but the plan is solved"));
+    }
+    claims
+}
+
 /// The conflicts of all pairs, and the number of distances evaluated.
-fn found(fleet: &Fleet, trajectories: &[Trajectory]) -> (Vec<Conflict>, u64) {
-    let (mut conflicts, mut looks) = (Vec::new(), 0);
+fn all_conflicts(fleet: &Fleet, trajectories: &[Trajectory]) -> (Vec<Conflict>, u64) {
     let robots: Vec<&Robot> = fleet.robots().iter().map(|member| &member.robot).collect();
-    for second in 1..robots.len() {
-        for first in 0..second {
-            let pair = Advancement {
-                robots: [robots[first], robots[second]],
-                trajectories: [&trajectories[first], &trajectories[second]],
-                // A tenth of the slack of planners: what they have proven passes whatever is rounded here.
-                slack: 0.1 * fleet.slack(),
-            };
-            pair.run(&mut looks, |from, to, places| {
-                conflicts.push(Conflict { robots: [first, second], from, to, places });
-            });
-        }
-    }
-    conflicts.sort_by(|a: &Conflict, b: &Conflict| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
-    (conflicts, looks)
-}
-
-/// Two robots along their trajectories.
-struct Advancement<'a> {
-    robots: [&'a Robot; 2],
-    trajectories: [&'a Trajectory; 2],
-    slack: f64,
-}
-
-impl Advancement<'_> {
-    /// Calls `report` for every conflict: when it begins, when it is over, and where the robots are.
-    fn run(&self, looks: &mut u64, mut report: impl FnMut(f64, Option<f64>, [Pose; 2])) {
-        let mut time = 0.0;
-        let mut touching: Option<(f64, [Pose; 2])> = None;
-        for _ in 0..MOST_DISTANCES {
-            let motions = self.trajectories.map(|trajectory| trajectory.motion_at(time));
-            let end = motions[0].end.min(motions[1].end);
-            let places = self.trajectories.map(|trajectory| trajectory.at(time));
-            let distance = distance(self.robots, places);
-            *looks += 1;
-            let rate = self.rate(&motions);
-            let room = distance - self.slack;
-            if room <= 0.0 {
-                touching.get_or_insert((time, places));
-            } else if let Some((from, places)) = touching.take() {
-                report(from, Some(time), places);
-            }
-            let is_last = end == f64::INFINITY;
-            if is_last && touching.is_some() {
-                break;
-            }
-            // Apart: they cannot meet before; touching: discs cannot be apart before, bodies are looked at often.
-            let mut next = time + room.abs() / rate;
-            if touching.is_some() {
-                next = next.max(time + (end - motions[0].begin.max(motions[1].begin)) / LOOKS);
-            }
-            if next >= end {
-                if is_last {
-                    return;
-                }
-                next = end;
-            } else if next <= time {
-                // Closer than the times can tell.
-                touching.get_or_insert((time, places));
-                next = time.next_up();
-            }
-            time = next;
-        }
-        if let Some((from, places)) = touching {
-            report(from, None, places);
-        } else {
-            report(time, None, self.trajectories.map(|trajectory| trajectory.at(time)));
-        }
-    }
-
-    /// How fast the distance can change at most, in metres per second.
-    fn rate(&self, motions: &[Motion; 2]) -> f64 {
-        let rates = motions.each_ref().map(Motion::rates);
-        let (x, y) = (rates[0][0] - rates[1][0], rates[0][1] - rates[1][1]);
-        let turning =
-            |i: usize| self.robots[i].placed_shape().map_or(0.0, |(shape, _)| shape.reach()) * rates[i][2].abs();
-        (x * x + y * y).sqrt() + turning(0) + turning(1)
-    }
+    // A tenth of the slack of planners: what they have proven passes whatever is rounded here.
+    found(&robots, trajectories, 0.1 * fleet.slack())
 }
 
 /// The distance between two robots, in metres; 0 or less if they touch.
-fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
+pub(super) fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
     let part = |i: usize| robots[i].footprint(&places[i][..robots[i].dimension()]).swap_remove(0);
     match (part(0), part(1)) {
         (Part::Disc { center: a, radius: r }, Part::Disc { center: b, radius: s }) => (a - b).norm() - r - s,

@@ -55,6 +55,9 @@ test("a summary has the rows that it was given, and times if they have some", ()
   assert.equal(measures.build_seconds?.mean.mean, 0.25);
   /** @param {object} change */
   const given = (change) => () => experiment.summary([row, /** @type {TrialRow} */ ({ ...row, ...change })]);
+  assert.deepEqual(experiment.summary([row, { ...row }]), experiment.summary([row]), "the same row counts once");
+  fails(given({ status: "exhausted" }), "duplicate-name", "/rows/1/trial");
+  fails(given({ build_seconds: 0.5 }), "duplicate-name", "/rows/1/trial");
   fails(given({ experiment: "0" }), "other-experiment", "/rows/1/experiment");
   fails(given({ trial: 16 }), "out-of-range", "/rows/1/trial");
   fails(given({ trial: "first" }), "out-of-range", "/rows/1/trial");

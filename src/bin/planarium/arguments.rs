@@ -137,6 +137,10 @@ pub struct Plan {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -169,6 +173,10 @@ pub struct Certify {
     /// Write the certificate to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -210,6 +218,10 @@ pub struct Reach {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// The angles of a configuration, in one argument.
@@ -264,6 +276,10 @@ pub struct Train {
     /// Write the policy to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -302,6 +318,10 @@ pub struct Navigate {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -325,6 +345,10 @@ pub struct Compare {
     /// Write the summary to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -357,6 +381,10 @@ pub struct Fleet {
     /// Write the result to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -406,6 +434,10 @@ pub struct Optimum {
     /// Write the document to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -442,6 +474,10 @@ pub struct Sweep {
     /// Write all rows to this file as a log of OMPL's benchmarks
     #[arg(long, value_name = "FILE")]
     pub ompl_log: Option<String>,
+
+    /// Replace files that contain something else; rows of this experiment are continued all the same
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Part `index`, from 1, of `count` equal parts; all of it by default.
@@ -551,6 +587,10 @@ pub struct Generate {
     /// Write the scenario to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Args)]
@@ -569,6 +609,10 @@ pub struct Trajectories {
     /// Write a row for every accepted trajectory to this file
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
 }
 
 fn setting(text: &str) -> Result<(String, Value), String> {

@@ -1,5 +1,6 @@
-//! Reading and writing: files, standard input and output.
+//! Reading files and standard input, and writing to standard output; [`output`](crate::output) writes files.
 
+use crate::output;
 use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
@@ -14,6 +15,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`, and output is lost without an error. So the
 /// descriptor is checked before the runtime starts.
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Whether standard output goes into an input: then nothing is printed.
+static IS_INPUT: AtomicBool = AtomicBool::new(false);
 
 /// Run by the C runtime before `main`.
 #[cfg(target_os = "linux")]
@@ -49,35 +53,35 @@ pub fn read(name: &str) -> Result<String, Error> {
     String::from_utf8(read_bytes(name)?).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
 }
 
-/// The bytes of the file; of standard input for `-`.
+/// The bytes of the file; of standard input for `-`. A file that standard output goes into is refused.
 pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
+    if output::is_standard_output(name) {
+        IS_INPUT.store(true, Ordering::Relaxed);
+        return Err(output::would_overwrite(name, &"it is an input of this command, and standard output goes into it"));
+    }
     let mut bytes = Vec::new();
     let result =
         if name == "-" { io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes) } else { std::fs::read(name) };
     result.map_err(|error| failed("read", name, &error))
 }
 
-/// Writes the document and a line break to the file, or to standard output if no file is named.
-pub fn write(document: &str, file: Option<&str>) -> Result<(), Error> {
-    match file {
-        Some(name) => write_bytes(format!("{document}\n").as_bytes(), name),
-        None => print(document),
-    }
-}
-
-pub fn write_bytes(bytes: &[u8], name: &str) -> Result<(), Error> {
-    std::fs::write(name, bytes).map_err(|error| failed("write", name, &error))
-}
-
 /// Writes the text and a line break to standard output. A closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Error> {
+    print_bytes(format!("{text}\n").as_bytes())
+}
+
+/// Writes all bytes to standard output.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Error> {
     let unwritten =
         |why: &dyn Display| Err(Error::new(Code::File, "", format!("cannot write to standard output: {why}")));
     if WAS_CLOSED.load(Ordering::Relaxed) {
         return unwritten(&"it is closed");
     }
+    if IS_INPUT.load(Ordering::Relaxed) {
+        return unwritten(&"it goes into an input of this command");
+    }
     let mut out = io::stdout().lock();
-    match writeln!(out, "{text}").and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => unwritten(&error),
         _ => Ok(()),
     }

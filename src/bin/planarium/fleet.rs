@@ -1,5 +1,6 @@
 //! `planarium fleet`: plans for all robots of a fleet, with the time that took.
 
+use crate::output::{Kind, Outputs};
 use crate::{Answer, arguments, files};
 use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetResult};
 use planarium::problem::Status;
@@ -7,6 +8,7 @@ use std::time::Instant;
 
 /// Plans and prints the result; true if it is solved.
 pub fn fleet(arguments: &arguments::Fleet) -> Answer {
+    let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::FLEET_PLAN)?;
     let fleet = Fleet::parse(&files::read(&arguments.file)?)?;
     let options = FleetOptions {
         planner: arguments.planner.clone(),
@@ -19,7 +21,7 @@ pub fn fleet(arguments: &arguments::Fleet) -> Answer {
     planner.step(u64::MAX);
     let seconds = begun.elapsed().as_secs_f64();
     let result = planner.result();
-    files::write(&result.to_json(), arguments.out.as_deref())?;
+    out.write(&result.to_json())?;
     files::say(&format!("{}; {seconds:.3} s", summary(&result)));
     Ok(result.status == Status::Solved)
 }

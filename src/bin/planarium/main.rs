@@ -15,6 +15,7 @@ mod navigation;
 mod nearest;
 mod npy;
 mod optimum;
+mod output;
 mod plan;
 mod reach;
 mod sweep;

@@ -1,5 +1,6 @@
 //! `planarium train`, `navigate` and `compare`: a policy trained, paths along edges that it drives reliably, and how these do beside others.
 
+use crate::output::{Kind, Outputs};
 use crate::{Answer, arguments, files, plan};
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
@@ -19,6 +20,8 @@ const TRIALS: u64 = 1000;
 
 /// Trains a policy and prints it.
 pub fn train(arguments: &arguments::Train) -> Answer {
+    let out =
+        Outputs::beside(arguments.file.as_deref(), arguments.force).add(arguments.out.as_deref(), Kind::POLICY)?;
     let task = match &arguments.file {
         Some(file) => Navigation::parse(&files::read(file)?)?,
         None => navigation::generate_with("furnished", &[])?,
@@ -40,7 +43,7 @@ pub fn train(arguments: &arguments::Train) -> Answer {
     })?;
     bar.finish_and_clear();
     let (policy, seconds) = (training.policy(), begun.elapsed().as_secs_f64());
-    files::write(&policy.to_json_string(), arguments.out.as_deref())?;
+    out.write(&policy.to_json_string())?;
     let assessed = navigation::assess(&task, &policy, GOALS_WITHIN, TRIALS, arguments.given.seed)?;
     let percent = |value: Option<f64>| 100.0 * value.unwrap_or(0.0);
     files::say(&format!(
@@ -65,6 +68,8 @@ fn inputs(task: &str, policy: &str) -> Result<(Navigation, Policy), Error> {
 
 /// Plans, executes and prints the result; true if there is a path.
 pub fn navigate(arguments: &arguments::Navigate) -> Answer {
+    let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
+    let out = outputs.add(arguments.out.as_deref(), Kind::NAVIGATION_PLAN)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
     let options = Options {
         planner: arguments.planner.clone(),
@@ -75,7 +80,7 @@ pub fn navigate(arguments: &arguments::Navigate) -> Answer {
     };
     let begun = Instant::now();
     let result = navigation::navigate(&task, &policy, &options, arguments.trials)?;
-    files::write(&result.to_json(), arguments.out.as_deref())?;
+    out.write(&result.to_json())?;
     let (edges, seconds) = (result.rollouts.len(), begun.elapsed().as_secs_f64());
     let reached = format!("{} of {} executions reached the goal", result.reached.count, result.reached.n);
     files::say(&match result.plan.status {
@@ -88,12 +93,14 @@ pub fn navigate(arguments: &arguments::Navigate) -> Answer {
 
 /// Compares three ways to drive and prints how each did.
 pub fn compare(arguments: &arguments::Compare) -> Answer {
+    let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
+    let out = outputs.add(arguments.out.as_deref(), Kind::COMPARISON)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
     let begun = Instant::now();
     let mut comparison = Comparison::new(&task, &policy, &arguments.given.set, arguments.given.seed)?;
     comparison.step(u64::MAX);
     let summary = comparison.summary();
-    files::write(&json::to_string(&summary), arguments.out.as_deref())?;
+    out.write(&json::to_string(&summary))?;
     for one in &summary {
         let name = match one.method {
             Method::Policy => "policy alone",

@@ -1,11 +1,13 @@
 //! `planarium optimum`: the shortest path of a query, and how much longer that of a result is.
 
 use crate::arguments;
+use crate::output::{Kind, Outputs};
 use crate::{Answer, files};
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
-use planarium::path::{LengthMeasure, ResultDocument};
-use planarium::run::Value;
+use planarium::path::{self, LengthMeasure, ResultDocument, Verdict};
+use planarium::run::{Status, Value};
+use planarium::scenario::Scenario;
 use planarium::{Error, json};
 use serde::Serialize;
 
@@ -21,6 +23,9 @@ struct Compared {
 
 /// Prints the shortest path; true if there is one.
 pub fn optimum(arguments: &arguments::Optimum) -> Answer {
+    let inputs = [Some(&*arguments.file), arguments.result.as_deref()];
+    let mut outputs = Outputs::beside(inputs.into_iter().flatten(), arguments.force);
+    let out = outputs.add(arguments.out.as_deref(), Kind::OPTIMUM)?;
     let other = arguments.result.as_deref().map(|name| ("result", name));
     let scenario = files::scenario(&arguments.file, other)?;
     let result = arguments.result.as_deref().map(|name| ResultDocument::parse(&files::read(name)?)).transpose()?;
@@ -33,6 +38,9 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
     {
         let sentence = format!("the result is of the query {:?}, not {asked:?}", result.query);
         return Err(Error::new(Code::InvalidResult, "/query", sentence));
+    }
+    if let Some(result) = &result {
+        check(&scenario, result)?;
     }
     let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
     let measured = result.as_ref().and_then(|result| result.length_measure);
@@ -51,8 +59,23 @@ pub fn optimum(arguments: &arguments::Optimum) -> Answer {
     });
     files::say(&message(&optimum, gap.flatten()));
     let is_found = optimum.length.is_some();
-    files::write(&json::to_string(&Compared { optimum, gap }), arguments.out.as_deref())?;
+    out.write(&json::to_string(&Compared { optimum, gap }))?;
     Ok(is_found)
+}
+
+/// Refuses a result whose length cannot be compared: its path is not valid, or does not have that length.
+fn check(scenario: &Scenario, result: &ResultDocument) -> Result<(), Error> {
+    if result.status != Status::Solved {
+        let sentence = format!("the status is {}, but there is a path", result.status.as_str());
+        let is_empty = result.path.is_empty();
+        return if is_empty { Ok(()) } else { Err(Error::new(Code::InvalidResult, "/path", sentence)) };
+    }
+    match path::verify(scenario, result)? {
+        Verdict::Valid { .. } => Ok(()),
+        Verdict::Invalid { why } => {
+            Err(Error::new(Code::InvalidResult, "/path", format!("the result cannot be compared: {why}")))
+        }
+    }
 }
 
 /// The result for people.

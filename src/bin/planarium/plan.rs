@@ -1,6 +1,7 @@
 //! `planarium plan`: drives a run in short slices, with a clock.
 
 use crate::arguments::{Plan, RoadmapFormat};
+use crate::output::{Kind, Output, Outputs};
 use crate::{Answer, files};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use planarium::Error;
@@ -27,6 +28,9 @@ pub const REDRAW: Duration = Duration::from_millis(100);
 /// Plans and prints the result; true if it is solved.
 pub fn plan(arguments: &Plan) -> Answer {
     let saved = arguments.roadmap.as_deref();
+    let mut outputs = Outputs::beside([Some(&*arguments.file), saved].into_iter().flatten(), arguments.force);
+    let roadmap = arguments.save_roadmap.as_deref().map(|name| outputs.add(Some(name), Kind::ROADMAP)).transpose()?;
+    let out = outputs.add(arguments.out.as_deref(), Kind::PLAN)?;
     let scenario = files::scenario(&arguments.file, saved.map(|name| ("roadmap", name)))?;
     let most = arguments.max_iterations.map(|most| Value::Number(most as f64));
     let options = Options {
@@ -48,10 +52,10 @@ pub fn plan(arguments: &Plan) -> Answer {
     run.set_threads(arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN));
     let result = drive(run.as_mut(), arguments.max_seconds);
     // Before the result: standard output contains either a result or an error.
-    if let (Some(name), Some(document)) = (&arguments.save_roadmap, run.roadmap()) {
-        write_roadmap(&document, name, arguments.roadmap_format)?;
+    if let (Some(name), Some(output), Some(document)) = (&arguments.save_roadmap, roadmap, run.roadmap()) {
+        write_roadmap(&document, name, &output, arguments.roadmap_format)?;
     }
-    files::write(&result.to_json(), arguments.out.as_deref())?;
+    out.write(&result.to_json())?;
     files::say(&summary(&result));
     if let (Status::Exhausted, Some(why)) = (result.status, PlanningWorld::new(scenario).without_width()) {
         files::say(&why);
@@ -135,7 +139,12 @@ fn position(run: &dyn Run, bar: &ProgressBar) -> u64 {
 }
 
 /// Writes a roadmap in the given format, or in that of the file's extension.
-fn write_roadmap(document: &RoadmapDocument, name: &str, format: Option<RoadmapFormat>) -> Result<(), Error> {
+fn write_roadmap(
+    document: &RoadmapDocument,
+    name: &str,
+    output: &Output,
+    format: Option<RoadmapFormat>,
+) -> Result<(), Error> {
     let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let format = format.unwrap_or_else(|| match extension.to_ascii_lowercase().as_str() {
         "json" => RoadmapFormat::Json,
@@ -143,8 +152,8 @@ fn write_roadmap(document: &RoadmapDocument, name: &str, format: Option<RoadmapF
         _ => RoadmapFormat::Binary,
     });
     match format {
-        RoadmapFormat::Json => files::write(&document.to_json(), Some(name)),
-        RoadmapFormat::Binary => files::write_bytes(&document.to_bytes(), name),
-        RoadmapFormat::Graphml => files::write_bytes(document.to_graphml().as_bytes(), name),
+        RoadmapFormat::Json => output.write(&document.to_json()),
+        RoadmapFormat::Binary => output.write_bytes(&document.to_bytes()),
+        RoadmapFormat::Graphml => output.write_bytes(document.to_graphml().as_bytes()),
     }
 }

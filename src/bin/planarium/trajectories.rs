@@ -1,5 +1,6 @@
 //! `planarium trajectories`: many trajectories that do not cross, with the time that each took.
 
+use crate::output::{Kind, Output, Outputs};
 use crate::{Answer, arguments, files};
 use planarium::problem::Status;
 use planarium::trajectories::{Trajectories, TrajectoriesResult};
@@ -11,6 +12,9 @@ use std::time::Instant;
 /// The width of the moving average.
 const WINDOW: usize = 20;
 
+/// The names of the columns of the table.
+const COLUMNS: &str = "x,y,theta,v,w,duration,tries,microseconds,average_of_20\n";
+
 /// The printed document.
 #[derive(Serialize)]
 struct Timed {
@@ -21,6 +25,8 @@ struct Timed {
 
 /// Tries trajectories until all are accepted or the iterations are spent, and prints counts and seconds.
 pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
+    let mut outputs = Outputs::beside([], arguments.force);
+    let table = arguments.csv.as_deref().map(|name| outputs.add(Some(name), Kind::table(COLUMNS))).transpose()?;
     let mut trajectories = Trajectories::new(&arguments.given.set, arguments.given.seed)?;
     let mut microseconds = Vec::new();
     let begun = Instant::now();
@@ -34,16 +40,16 @@ pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
         }
     }
     let seconds = begun.elapsed().as_secs_f64();
-    if let Some(name) = &arguments.csv {
-        write_rows(&trajectories, &microseconds, name)?;
+    if let Some(table) = table {
+        write_rows(&trajectories, &microseconds, &table)?;
     }
     files::print(&json::to_string(&Timed { result: trajectories.result(), seconds }))?;
     Ok(trajectories.status() == Status::Solved)
 }
 
 /// Writes a row for every accepted trajectory; the average begins with the twentieth.
-fn write_rows(trajectories: &Trajectories, microseconds: &[f64], name: &str) -> Result<(), Error> {
-    let mut text = String::from("x,y,theta,v,w,duration,tries,microseconds,average_of_20\n");
+fn write_rows(trajectories: &Trajectories, microseconds: &[f64], table: &Output) -> Result<(), Error> {
+    let mut text = String::from(COLUMNS);
     for (i, (particle, tries)) in trajectories.accepted().zip(trajectories.tries()).enumerate() {
         for number in particle.numbers() {
             let _ = write!(text, "{number},");
@@ -55,5 +61,5 @@ fn write_rows(trajectories: &Trajectories, microseconds: &[f64], name: &str) -> 
         }
         text.push('\n');
     }
-    files::write_bytes(text.as_bytes(), name)
+    table.write_bytes(text.as_bytes())
 }

@@ -16,9 +16,10 @@ pub fn verify(arguments: &Verify) -> Answer {
     let text = files::read(&arguments.result)?;
     if document["format"] == fleet::FORMAT {
         let verification = fleet::verify(&Fleet::read(&document)?, &FleetResult::parse(&text)?)?;
-        let [conflicts, faults] = [verification.conflicts.len(), verification.faults.len()];
+        let fleet::Verification { conflicts, faults, claims, .. } = &verification;
+        let counts = [conflicts.len(), faults.len(), claims.len()];
         let verdict = if verification.is_valid() { "valid" } else { "not valid" };
-        files::say(&format!("{verdict}: {conflicts} conflicts, {faults} faults"));
+        files::say(&format!("{verdict}: {} conflicts, {} faults, {} false claims", counts[0], counts[1], counts[2]));
         files::print(&json::to_string(&verification))?;
         return Ok(verification.is_valid());
     }

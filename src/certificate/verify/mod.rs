@@ -13,6 +13,7 @@ use crate::geometry::{Aabb, Point, Polygon, Segment, Vector, convex_pieces};
 use crate::problem::Touched;
 use crate::robot::link_name;
 use crate::scenario::{Obstacle, Robot, Scenario};
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 /// The most parts of cells of one certificate that are examined.
@@ -51,6 +52,43 @@ pub fn verify(scenario: &Scenario, certificate: &Certificate) -> Result<Option<S
     };
     let mut verifier = Verifier::new(scenario)?;
     Ok(verifier.check(certificate, [&query.start, goal]).err())
+}
+
+/// Returns an error if the document has what its verdict excludes, or fewer cells than those that it names take: every
+/// one that contains such a cell is divided into quarters.
+fn check_claims(certificate: &Certificate) -> Result<(), String> {
+    let Certificate { verdict, clearance_at_most, cells, wall, channel, .. } = certificate;
+    if *verdict == Verdict::Connected && (clearance_at_most.is_some() || !wall.is_empty()) {
+        return Err("the verdict is connected: its wall is empty, and it excludes no clearance".into());
+    }
+    if *verdict != Verdict::Connected && !channel.is_empty() {
+        return Err("there is a channel, but the verdict is not connected".into());
+    }
+    if clearance_at_most.is_none() && !wall.is_empty() {
+        return Err("there is a wall without a clearance that it is for".into());
+    }
+    let mut divided = BTreeSet::new();
+    for cell in wall.iter().map(|blocked| &blocked.cell).chain(channel) {
+        // Cells beyond the square are refused by name.
+        if cell.depth > DEEPEST || (cell.column | cell.row) >> cell.depth > 0 {
+            continue;
+        }
+        // The larger ones of a cell that was met before are there as well.
+        let larger = (0..cell.depth).rev().map(|depth| {
+            let halvings = cell.depth - depth;
+            [depth, cell.column >> halvings, cell.row >> halvings]
+        });
+        for cell in larger {
+            if !divided.insert(cell) {
+                break;
+            }
+        }
+    }
+    let fewest = 1 + 4 * divided.len() as u64;
+    if *cells < fewest {
+        return Err(format!("there are said to be {cells} cells, but those of the document take at least {fewest}"));
+    }
+    Ok(())
 }
 
 struct Verifier<'a> {
@@ -114,26 +152,14 @@ impl<'a> Verifier<'a> {
             return Err("the start or the goal is outside the bounds".into());
         };
         let ends = [start, goal];
-        let Certificate { clearance, verdict, clearance_at_most, slack, cells, wall, channel, .. } = certificate;
+        let Certificate { clearance, verdict, clearance_at_most, slack, wall, channel, .. } = certificate;
         let own = 2.0 * self.slack;
         if (slack - own).abs() > 1e-9 * own {
             return Err(format!("the slack is {own} m, not {slack} m"));
         }
-        let named = wall.len().max(channel.len()) as u64;
-        if *cells < named {
-            return Err(format!("of {cells} cells {named} are named"));
-        }
-        if !channel.is_empty() && *verdict != Verdict::Connected {
-            return Err("there is a channel, but the verdict is not connected".into());
-        }
-        if !wall.is_empty() && clearance_at_most.is_none() {
-            return Err("there is a wall, without a clearance".into());
-        }
+        check_claims(certificate)?;
         match (verdict, clearance_at_most) {
-            (Verdict::Connected, Some(most)) => {
-                return Err(format!("the verdict is connected, but with no path that keeps more than {most} m"));
-            }
-            (Verdict::Connected, None) => return self.check_channel(channel, *clearance, ends),
+            (Verdict::Connected, _) => return self.check_channel(channel, *clearance, ends),
             (Verdict::Unknown, None) => return Ok(()),
             (Verdict::Infeasible, None) => return Err("the verdict is infeasible, without a clearance".into()),
             (Verdict::Infeasible, Some(most)) if most > clearance => {

@@ -48,6 +48,12 @@ const AMBIGUOUS: f64 = 1e-9;
 /// How far the given length may differ from the measured one, relative to it.
 const LENGTH: f64 = 1e-9;
 
+/// How edges that are not proven were checked.
+const EDGE_CHECKS: [&str; 4] = ["sampled", "none", "joint-lines", "rollouts"];
+
+/// The most samples in between that may be taken for one path.
+const MOST_REFINEMENTS: u64 = 10_000_000;
+
 /// The verdict on a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
@@ -67,7 +73,7 @@ pub enum Verdict {
     },
     /// The path is refused.
     Invalid {
-        /// The reason, naming waypoint or edge, link and obstacle, all counted from 0.
+        /// The reason, naming waypoint or edge and obstacle, counted from 0, and the link, counted from 1.
         why: String,
     },
 }
@@ -78,7 +84,7 @@ struct Examined {
     clearance: f64,
 }
 
-/// The lengths that a verdict depends on, in metres.
+/// The lengths that a verdict depends on, in metres, and the work that it may take.
 struct Scale {
     /// At this distance or less the robot touches an obstacle.
     slack: f64,
@@ -86,6 +92,8 @@ struct Scale {
     overstep: f64,
     /// The largest motion between two samples.
     spacing: f64,
+    /// The most samples in between.
+    refinements: u64,
 }
 
 /// Verifies a result against its scenario.
@@ -98,6 +106,14 @@ struct Scale {
 /// # Complexity
 /// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
 pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, Error> {
+    verify_within(scenario, result, MOST_REFINEMENTS)
+}
+
+/// [`verify`] with at most so many samples in between.
+///
+/// # Errors
+/// Those of [`verify`].
+pub(crate) fn verify_within(scenario: &Scenario, result: &ResultDocument, refinements: u64) -> Result<Verdict, Error> {
     if result.scenario != scenario.name() {
         let sentence = format!("the result belongs to scenario {:?}, not to {:?}", result.scenario, scenario.name());
         return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
@@ -105,7 +121,7 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     let (_, query) = scenario.find_query(Some(&result.query))?;
     let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
     let moved = [result.moved_start.is_some(), result.moved_goal.is_some()];
-    Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares)))
+    Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares, refinements)))
 }
 
 /// Verifies legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
@@ -129,19 +145,26 @@ fn verdict(waypoints: usize, [moved_start, moved_goal]: [bool; 2], examined: Res
 }
 
 /// Checks the status, the numbers, the ends, the motion and the lengths, in this order; `shares` are those of the blends.
-fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[[f64; 2]]) -> Result<Examined, String> {
+fn check(
+    scenario: &Scenario,
+    query: &Query,
+    result: &ResultDocument,
+    shares: &[[f64; 2]],
+    refinements: u64,
+) -> Result<Examined, String> {
     let (robot, path) = (scenario.robot(), &result.path);
     if result.status != Status::Solved {
         return Err(format!("the status is {}: there is no path to verify", result.status.as_str()));
     }
     check_numbers(robot.dimension(), path)?;
     check_measure(robot, result)?;
+    check_claims(robot, result)?;
     check_moved(scenario, query, result)?;
     check_ends(robot, query, result)?;
     if !matches!(robot, Robot::Car(_)) {
         check_steps(robot, path)?;
     }
-    let scale = Scale::of(scenario.world(), robot);
+    let scale = Scale { refinements, ..Scale::of(scenario.world(), robot) };
     let blends = Quadratic::blends(first_circle(robot), path, shares);
     let examined = match robot {
         Robot::Arm(arm) => arm::check(scenario.world(), arm, path, &blends, &scale)?,
@@ -225,6 +248,41 @@ fn is_clearly_free(scenario: &Scenario, q: &[f64]) -> bool {
         }
     };
     examined.is_ok()
+}
+
+/// Returns an error if the result says what no result for this robot, or none that is solved, can say.
+fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
+    let ResultDocument {
+        motions, integration, blended_length, chord_length, edge_check, coverage, approximate, ..
+    } = result;
+    let is_car = matches!(robot, Robot::Car(_));
+    for (name, is_there) in [
+        ("motions", motions.is_some() && !is_car),
+        ("integration", integration.is_some() && !is_car),
+        ("chord_length", chord_length.is_some() && !is_car),
+        ("blended_length", blended_length.is_some() && is_car),
+    ] {
+        if is_there {
+            return Err(format!("it has \"{name}\", which no result for the robot {} has", robot.kind()));
+        }
+    }
+    if approximate.is_some() {
+        return Err("it has an approximate solution, although it is solved".into());
+    }
+    if let Some(word) = edge_check.as_ref().filter(|word| !EDGE_CHECKS.contains(&word.as_str())) {
+        return Err(format!("there is no edge check {word:?}"));
+    }
+    let claimed =
+        [("length", Some(result.length)), ("blended_length", *blended_length), ("chord_length", *chord_length)];
+    for (name, value) in claimed {
+        if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
+            return Err(format!("the {name} is given as {value}, which is no length"));
+        }
+    }
+    match coverage.filter(|share| !(0.0..=1.0).contains(share)) {
+        Some(share) => Err(format!("the coverage is given as {share}, which is not within [0, 1]")),
+        None => Ok(()),
+    }
 }
 
 /// Returns an error if the path does not lead from the start to the goal of the query, or into its region; or from and to what the result
@@ -377,6 +435,6 @@ impl Scale {
         // Nothing is missed between samples: a tiny robot in a wide world needs no sample at every length of its own.
         let size = if reach > 0.0 { side.min(2.0 * reach) } else { side };
         let size = if side < f64::INFINITY { size.max(1e-2 * side) } else { size };
-        Self { slack: 1e-13 * largest, overstep: 2e-12 * largest, spacing: 1e-3 * size }
+        Self { slack: 1e-13 * largest, overstep: 2e-12 * largest, spacing: 1e-3 * size, refinements: MOST_REFINEMENTS }
     }
 }

@@ -13,9 +13,6 @@ use crate::scenario::{Obstacle, World};
 /// Samples that are taken together, so that the obstacles nearby are found once.
 const BLOCK: u64 = 64;
 
-/// The most samples in between that may be taken for one path.
-const MOST_REFINEMENTS: u64 = 10_000_000;
-
 /// A part of the path, in words.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Stretch {
@@ -224,7 +221,7 @@ impl<'a> Checker<'a> {
 
     /// The points at one more sample; an error if there have been too many.
     fn sample_between(&mut self, robot: &Moving, t: f64) -> Result<Vec<Point>, String> {
-        if self.refinements == MOST_REFINEMENTS {
+        if self.refinements == self.scale.refinements {
             let (stretch, samples) = (robot.stretch, self.examined.samples);
             return Err(format!("{stretch} cannot be distinguished from contact at t = {t} after {samples} samples"));
         }

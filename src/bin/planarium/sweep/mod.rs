@@ -4,6 +4,7 @@ mod ompl_log;
 pub mod rows;
 
 use crate::arguments::Sweep;
+use crate::output::{Kind, Outputs};
 use crate::plan::{REDRAW, next_slice, progress_target};
 use crate::{Answer, files};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -28,14 +29,20 @@ type Finished = Result<(Vec<u8>, [f64; 2]), Error>;
 
 /// Runs the trials that have no row yet, and prints the statistics of all rows.
 pub fn sweep(arguments: &Sweep) -> Answer {
-    let experiment = Arc::new(Experiment::read(&document(&arguments.file)?)?);
+    let (document, inputs) = document(&arguments.file)?;
+    let experiment = Arc::new(Experiment::read(&document)?);
     let rows = Rows::new(&experiment, &arguments.out, arguments.format, arguments.shard.unwrap_or_default());
-    let (next, writer) = rows.resume()?;
+    let mut outputs = Outputs::beside(inputs.iter().map(String::as_str), arguments.force);
+    for name in rows.names() {
+        outputs.claim_apart_from_standard_output(name)?;
+    }
+    let log = arguments.ompl_log.as_deref().map(|name| outputs.add(Some(name), Kind::OMPL_LOG)).transpose()?;
+    let (next, writer) = rows.resume(arguments.force)?;
     let begun = Instant::now();
     run(&experiment, &rows, next, writer, arguments.threads)?;
     let (made, seconds) = (rows.trials.end - next, begun.elapsed().as_secs_f64());
-    if let Some(name) = &arguments.ompl_log {
-        ompl_log::write(&experiment, &rows, seconds, name)?;
+    if let Some(log) = log {
+        ompl_log::write(&experiment, &rows, seconds, &log)?;
     }
     files::print(&summary(&experiment, &rows)?)?;
     let kept = next - rows.trials.start;
@@ -43,8 +50,10 @@ pub fn sweep(arguments: &Sweep) -> Answer {
     Ok(true)
 }
 
-/// The document of an experiment, with the documents of scenarios in place of the names of their files.
-fn document(name: &str) -> Result<Value, Error> {
+/// The document of an experiment, with the documents of scenarios in place of the names of their files, and the names
+/// of all files.
+fn document(name: &str) -> Result<(Value, Vec<String>), Error> {
+    let mut names = vec![name.to_owned()];
     let mut document = json::parse(&files::read(name)?)?;
     let worlds = document.get_mut("worlds").and_then(Value::as_array_mut);
     for (i, world) in worlds.into_iter().flatten().enumerate() {
@@ -53,10 +62,12 @@ fn document(name: &str) -> Result<Value, Error> {
         {
             let under = |error: Error| error.under(&format!("/worlds/{i}/scenario"));
             let path = Path::new(name).parent().unwrap_or(Path::new("")).join(file);
-            *scenario = files::read(&path.to_string_lossy()).and_then(|text| json::parse(&text)).map_err(under)?;
+            let path = path.to_string_lossy().into_owned();
+            *scenario = files::read(&path).and_then(|text| json::parse(&text)).map_err(under)?;
+            names.push(path);
         }
     }
-    Ok(document)
+    Ok((document, names))
 }
 
 /// Runs trials from `next` on. Threads take them in order; their rows wait until all before them are written.
@@ -116,7 +127,7 @@ fn run(
             }
         }
         bar.finish_and_clear();
-        writer.flush()
+        writer.sync()
     })
 }
 
@@ -148,8 +159,7 @@ fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
             "build_seconds" => build.to_string(),
             "search_seconds" => search.to_string(),
             _ => columns.get(name).map_or(String::new(), |&i| cells[i].clone()),
-        });
-        Ok(())
+        })
     })?;
     Ok(json::to_string(&summary.document()))
 }

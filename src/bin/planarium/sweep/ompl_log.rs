@@ -4,7 +4,7 @@
 //! own planners run until a time is over; ours have a budget of work, so the limits of time and memory are infinite.
 
 use super::rows::{Row, Rows};
-use crate::files;
+use crate::output::Output;
 use planarium::Error;
 use planarium::experiment::Experiment;
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ struct Runs {
 }
 
 /// Writes all rows.
-pub fn write(experiment: &Experiment, rows: &Rows, seconds: f64, name: &str) -> Result<(), Error> {
+pub fn write(experiment: &Experiment, rows: &Rows, seconds: f64, log_file: &Output) -> Result<(), Error> {
     let at = |name: &str| rows.columns.iter().position(|column| column == name).expect("a column of all rows");
     let ([status, reason, planner], columns) =
         (["status", "reason", "planner"].map(at), COLUMNS.map(|(_, column)| at(column)));
@@ -102,7 +102,7 @@ pub fn write(experiment: &Experiment, rows: &Rows, seconds: f64, name: &str) -> 
             properties.join("\n")
         );
     }
-    files::write_bytes(log.as_bytes(), name)
+    log_file.write_bytes(log.as_bytes())
 }
 
 /// A text without the separators of the log.

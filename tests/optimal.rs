@@ -188,7 +188,7 @@ fn a_march_that_finds_no_path_goes_on_with_twice_as_many_samples() {
     let run = finish(begin_with(&narrow, "fmt-star", 1, ""));
     assert_eq!(run.status(), Status::Solved);
     let vertices = run.vertex_count();
-    assert!(vertices > 1002 && vertices % 1002 == 0 && (vertices / 1002).is_power_of_two(), "{vertices}");
+    assert!(vertices > 1002 && vertices.is_multiple_of(1002) && (vertices / 1002).is_power_of_two(), "{vertices}");
     assert_valid(&narrow, &*run);
     let run = finish(begin_with(&crate::common::no_way(), "fmt-star", 1, "max_iterations=2000"));
     assert_eq!((run.status(), run.iterations()), (Status::Exhausted, 2000));

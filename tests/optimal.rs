@@ -166,7 +166,7 @@ fn what_cannot_be_on_a_shorter_path_is_removed() {
 fn batches_try_no_motion_twice() {
     for world in [arm_and_wall(0.1), arm_of(3, true, 0.02), disc_and_wall(0.3, 0.5)] {
         for (planner, settings) in PLANNERS.iter().filter(|(planner, _)| ["fmt-star", "bit-star"].contains(planner)) {
-            let run = finish(begin_with(&world, planner, 1, settings));
+            let run = finish(begin_with(&world, planner, 1, &format!("direct=false {settings}")));
             let mut pairs = tried(&*run);
             let count = pairs.len();
             assert_eq!(run.stats().motion_checks, count as u64, "{planner} {settings}");

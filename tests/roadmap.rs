@@ -28,7 +28,7 @@ fn every_pair_of_neighbours_is_tried_once_and_no_other() {
     for (settings, k, radius) in
         [("k=10", 10, f64::INFINITY), ("radius=0.9", usize::MAX, 0.9), ("radius=0.9 k=4", 4, 0.9)]
     {
-        let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, &format!("samples=120 {settings}")));
+        let run = finish(begin_with(&arm_of(2, false, 0.0), "prm", 4, &format!("direct=false samples=120 {settings}")));
         let mut tried = tried(run.as_ref());
         tried.iter_mut().for_each(|pair| pair.sort_unstable());
         tried.sort_unstable();

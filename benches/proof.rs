@@ -4,16 +4,18 @@
 //! others are grouped by outcome, which flatters branch prediction. Of bodies: a rectangle in random clutter, grouped by outcome;
 //! "distances" is the simple variant of the proof. "sampled" checks samples and proves nothing.
 //!
-//! `cargo bench --bench proof`; a run pinned to one core is quieter. `-- forests`, `-- many`, `-- bodies` run one table alone;
-//! `-- bodies 0.3` runs motions of that length alone, `-- bodies proof` the fast proof alone.
+//! Of corners: a jagged floor as one polygon and as its convex pieces, for a point, a disc, an arm and a body.
+//!
+//! `cargo bench --bench proof`; a run pinned to one core is quieter. `-- forests`, `-- many`, `-- bodies`, `-- corners`
+//! run one table alone; `-- bodies 0.3` runs motions of that length alone, `-- bodies proof` the fast proof alone.
 
-use planarium::collision::{ArmValidity, BodyCollision, BodyMotion};
+use planarium::collision::{ArmValidity, BodyCollision, BodyMotion, CollisionWorld, DiscValidity};
 use planarium::geometry::{Aabb, Point, Polygon};
 use planarium::graph::VertexId;
 use planarium::nearest::{LinearScan, Nearest};
 use planarium::problem::{Sampled, Samples, Validity};
 use planarium::random::{Random, Stream};
-use planarium::robot::joint_space;
+use planarium::robot::{Arm, DiscRobot, joint_space};
 use planarium::scenario::{Obstacle, Robot, Scenario, World, generate::generate};
 use planarium::space::{Metric, ProductSpace, Space};
 use serde_json::{Value as Json, json};
@@ -56,6 +58,9 @@ fn main() {
     if wanted("bodies") {
         let options = arguments.get(1..).unwrap_or_default();
         bodies(options.iter().find_map(|option| option.parse().ok()), options.iter().any(|option| option == "proof"));
+    }
+    if wanted("corners") {
+        corners();
     }
 }
 
@@ -170,6 +175,83 @@ fn bodies(only: Option<f64>, is_alone: bool) {
             row("convex | L", &ell, 16, false);
         }
     }
+}
+
+/// Prints the table of one polygon with many corners beside its pieces.
+fn corners() {
+    println!("| corners | robot | one polygon ns | pieces ns | ratio |");
+    println!("|---|---|---|---|---|");
+    for count in [50, 500, 5000] {
+        let worlds = [true, false].map(|is_one| CollisionWorld::from(&skyline(count, is_one)));
+        let mut random = Random::new(1, Stream::Samples);
+        let mut pose = || [100.0 * random.uniform(), 100.0 * random.uniform(), TAU * random.uniform()];
+        let motions: Vec<[[f64; 3]; 2]> = (0..MOTIONS)
+            .map(|_| {
+                let (from, by) = (pose(), pose());
+                [from, [from[0] + 0.1 * by[0] - 5.0, from[1] + 0.1 * by[1] - 5.0, from[2] + 0.1 * by[2]]]
+            })
+            .collect();
+        let row = |name: &str, ns: [f64; 2]| {
+            let [one, pieces] = ns.map(|ns| ns / MOTIONS as f64);
+            println!("| {count} | {name} | {one:.0} | {pieces:.0} | {:.2} |", one / pieces);
+        };
+        for (name, radius) in [("point", 0.0), ("disc", 0.5)] {
+            let robot = DiscRobot::new(radius).expect("a radius");
+            row(
+                name,
+                worlds.each_ref().map(|world| {
+                    let disc = DiscValidity::new(&robot, world.clone());
+                    nanoseconds(&motions, PASSES, |[a, b]| disc.is_motion_free(a, b))
+                }),
+            );
+        }
+        let arm = Arm::new(Point::new(50.0, 70.0), vec![20.0, 15.0, 10.0], 0.2, None).expect("an arm");
+        row(
+            "arm",
+            worlds.each_ref().map(|world| {
+                let arm = ArmValidity::<3>::new(&arm, joint_space(&arm, Metric::Sum), world.clone(), 1e-4);
+                nanoseconds(&motions, PASSES, |[a, b]| arm.is_motion_free(&a.map(|x| x % TAU), &b.map(|x| x % TAU)))
+            }),
+        );
+        let shape = [[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]].map(Point::from);
+        let body = Polygon::new(&shape).expect("a rectangle");
+        row(
+            "body",
+            worlds.each_ref().map(|world| {
+                let body = BodyCollision::new(&body, world.clone(), 1e-4);
+                nanoseconds(&motions, PASSES, |&[from, to]| {
+                    body.is_motion_free(&BodyMotion::Straight { from, delta: [0, 1, 2].map(|i| to[i] - from[i]) })
+                })
+            }),
+        );
+        row(
+            "clearance of a body",
+            worlds.each_ref().map(|world| {
+                let robot = BodyCollision::new(&body, world.clone(), 1e-4);
+                nanoseconds(&motions, 1, |[from, _]| robot.clearance(from) > 1.0)
+            }),
+        );
+    }
+}
+
+/// A jagged floor of so many corners below a free sky, as one polygon or as its convex pieces.
+fn skyline(count: usize, is_one: bool) -> World {
+    let mut random = Random::new(1, Stream::Scenario);
+    let mut top = |i: usize| {
+        let y = if i.is_multiple_of(2) { 5.0 + 20.0 * random.uniform() } else { 20.0 + 40.0 * random.uniform() };
+        Point::new(100.0 * i as f64 / count as f64, y)
+    };
+    let mut corners: Vec<Point> = (0..=count).map(&mut top).collect();
+    let polygon = |corners: &[Point]| Obstacle::Polygon(Polygon::new(corners).expect("a simple polygon"));
+    let foot = |p: Point| Point::new(p.x, -1.0);
+    let obstacles = if is_one {
+        corners.extend([Point::new(100.0, -1.0), Point::new(0.0, -1.0)]);
+        vec![polygon(&corners)]
+    } else {
+        corners.windows(2).map(|pair| polygon(&[pair[0], pair[1], foot(pair[1]), foot(pair[0])])).collect()
+    };
+    let bounds = Aabb { min: Point::new(0.0, -2.0), max: Point::new(100.0, 100.0) };
+    World { bounds: Some(bounds), obstacles: obstacles.into() }
 }
 
 /// The columns of a row, over five worlds.

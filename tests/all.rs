@@ -30,6 +30,7 @@ mod generate;
 mod geometry;
 mod golden;
 mod ik;
+mod jagged;
 mod json;
 mod lazy;
 mod lengths;

@@ -298,6 +298,19 @@ fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_thousand_corners_are_compared() {
+    // In the way stands one square; the others stand aside, some of them aligned and in contact.
+    let square = |x: f64, y: f64| rectangle([x, y], [x + 1.0, y + 1.0]);
+    let mut squares = vec![square(16.0, 0.5)];
+    squares.extend((0..250).map(|i| square(2.0 * f64::from(i % 16) + f64::from(i % 2), 3.0 + 1.5 * f64::from(i / 16))));
+    let bounds = "[0, 0], [34, 34]";
+    let [alone, all] =
+        [&squares[..1], &squares].map(|squares| of(&room(bounds, squares, 0.0, [[0.5, 1.0], [33.5, 1.0]])));
+    assert!(all.exact && all.length.is_some());
+    assert_eq!(all.length, alone.length);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn what_has_no_optimum_is_refused() {
     let refused = |text: &str, code: &str, pointer: &str| refuses(optimum(&parse(text), None, &[]), code, pointer);
     for text in [CAR, BODY, &reaching()] {
@@ -317,6 +330,6 @@ fn what_has_no_optimum_is_refused() {
     // A point that is free by an exact test, but nearer than rounding.
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, &[]), "start-in-collision", "/queries/0/start");
-    let many: Vec<_> = (0..1001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
+    let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
     refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, &[]), "too-large", "");
 }

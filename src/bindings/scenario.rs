@@ -206,7 +206,8 @@ impl Scenario {
     /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body whose query
     /// keeps its angle, a reference, which is the length of a proven path on a fine grid.
     /// @throws {PlanariumError} `unsupported` for other robots and for a query with a target; `unknown-query`, `unknown-parameter`,
-    /// `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than 1000 corners and discs
+    /// `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than 4000 convex
+    /// corners and discs, or 2,000,000 free tangents between them
     pub fn optimum(&self, options: Option<OptimumOptions>) -> Result<Ts<Optimum>, Error> {
         let mut fields = fields(options)?;
         let query: Option<String> = fields.take("query")?;

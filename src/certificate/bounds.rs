@@ -13,7 +13,7 @@
 use super::cell::{Cell, Square};
 use crate::collision::{Obstacles, Tolerance, largest_coordinate};
 use crate::error::{Code, Error};
-use crate::geometry::{Aabb, Point, Segment, Vector, convex_pieces, distance_squared_point_segment};
+use crate::geometry::{Aabb, Point, Segment, Vector, convex_pieces, signed_distance_point_polygon};
 use crate::problem::Touched;
 use crate::robot::Arm;
 use crate::scenario::{Obstacle, Robot};
@@ -66,8 +66,8 @@ pub(super) struct Clearances {
     arm: Option<Arm>,
     radius: f64,
     obstacles: Arc<Obstacles>,
-    /// The convex pieces of each obstacle; none if it is convex itself.
-    pieces: Vec<Vec<Obstacle>>,
+    /// The convex pieces of each obstacle; `None` if it is convex itself.
+    pieces: Vec<Option<Obstacles>>,
     bounds: Option<Aabb>,
     pub square: Square,
     /// The slack: it covers rounding, and an obstacle nearer than this is touched.
@@ -212,21 +212,37 @@ impl Clearances {
             signed_distance(point(&part.axis, along), shape) + self.travel(part, along) - self.radius
         };
         let (shape, is_disc) = (self.obstacles.shape(obstacle), self.arm.is_none());
-        if self.pieces[obstacle].is_empty() {
+        let Some(pieces) = &self.pieces[obstacle] else {
             return least(is_disc, |along| by_corners(along, shape));
+        };
+        let mut best = least(is_disc, |along| by_center(along, shape));
+        // A bound by a piece is no less than the distance of any corner's axis from its box.
+        let around = part.corners.map(|axis| axis.aabb());
+        let reach = |best: f64| (best + self.radius).max(0.0) + self.eta;
+        let mut near = Vec::new();
+        pieces.any_near(&around[0].grown(reach(best.1)), |piece| {
+            near.push(piece);
+            false
+        });
+        near.sort_unstable();
+        for piece in near {
+            let is_near = |axis: &Aabb| axis.gap_squared(pieces.aabb(piece)) <= reach(best.1) * reach(best.1);
+            if around.iter().all(is_near) {
+                let found = least(is_disc, |along| by_corners(along, pieces.shape(piece)));
+                best = if found.1 < best.1 { found } else { best };
+            }
         }
-        let pieces = self.pieces[obstacle].iter().map(|piece| least(is_disc, |along| by_corners(along, piece)));
-        let whole = least(is_disc, |along| by_center(along, shape));
-        pieces.fold(whole, |best, found| if found.1 < best.1 { found } else { best })
+        best
     }
 }
 
-fn pieces_of(obstacle: &Obstacle) -> Vec<Obstacle> {
+fn pieces_of(obstacle: &Obstacle) -> Option<Obstacles> {
     match obstacle {
         Obstacle::Polygon(polygon) if !polygon.is_convex() => {
-            convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect()
+            let pieces: Vec<Obstacle> = convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect();
+            Some(Obstacles::new(pieces))
         }
-        _ => Vec::new(),
+        _ => None,
     }
 }
 
@@ -262,10 +278,6 @@ fn least(is_constant: bool, value: impl Fn(f64) -> f64) -> (f64, f64) {
 fn signed_distance(p: Point, obstacle: &Obstacle) -> f64 {
     match obstacle {
         Obstacle::Disc(disc) => (p - disc.center).norm() - disc.radius,
-        Obstacle::Polygon(polygon) => {
-            let squared = polygon.edges().map(|edge| distance_squared_point_segment(p, &edge));
-            let distance = squared.fold(f64::INFINITY, f64::min).sqrt();
-            if polygon.contains(p) { -distance } else { distance }
-        }
+        Obstacle::Polygon(polygon) => signed_distance_point_polygon(p, polygon),
     }
 }

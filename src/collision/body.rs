@@ -84,21 +84,24 @@ impl BodyCollision {
         prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
     }
 
-    /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body x all vertices).
+    /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body +
+    /// obstacles), and more for those that it is near.
     pub fn contacts(&self, q: &[f64; 3]) -> Vec<Contact> {
         let placed = self.body.placed(*q);
-        let near = placed.aabb().grown(self.scene.tolerance.eta);
+        let eta = self.scene.tolerance.eta;
+        let near = placed.aabb().grown(eta);
         let is_near = |&i: &usize| self.obstacles.aabb(i).intersects(&near);
-        let touches = |&i: &usize| self.obstacles.distance_from(&placed, i) <= self.scene.tolerance.eta;
+        let touches = |&i: &usize| self.obstacles.distance_from(&placed, i, 2.0 * eta) <= eta;
         let touched = (0..self.obstacles.len()).filter(is_near).filter(touches).map(Touched::Obstacle);
-        let leaves = depth(&self.bounds, placed.vertices()) < -self.scene.tolerance.eta;
+        let leaves = depth(&self.bounds, placed.vertices()) < -eta;
         touched.chain(leaves.then_some(Touched::Bounds)).map(|with| Contact { part: 0, with }).collect()
     }
 
     /// The distance from the body at `q` to the nearest obstacle, in metres; infinite without obstacles.
     pub fn clearance(&self, q: &[f64; 3]) -> f64 {
         let placed = self.body.placed(*q);
-        (0..self.obstacles.len()).map(|i| self.obstacles.distance_from(&placed, i)).fold(f64::INFINITY, f64::min)
+        let nearer = |least: f64, i: usize| least.min(self.obstacles.distance_from(&placed, i, least));
+        (0..self.obstacles.len()).fold(f64::INFINITY, nearer)
     }
 
     /// The depth of the body at `q` within the bounds, in metres: negative if it is not wholly inside.

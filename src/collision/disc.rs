@@ -54,7 +54,7 @@ impl DiscValidity {
         if radius == 0.0 {
             self.obstacles.touches_point(i, swept, self.tolerance.eta)
         } else {
-            self.obstacles.distance(i, swept) - radius <= self.tolerance.eta
+            self.obstacles.distance_within(i, swept, radius + 2.0 * self.tolerance.eta) - radius <= self.tolerance.eta
         }
     }
 

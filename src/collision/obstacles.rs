@@ -88,6 +88,11 @@ impl Obstacles {
         self.shapes[i].distance_to_segment(segment)
     }
 
+    /// The same; if it is `most` or more, that distance or infinity.
+    pub fn distance_within(&self, i: usize, segment: &Segment, most: f64) -> f64 {
+        self.shapes[i].distance_to_segment_within(segment, most)
+    }
+
     /// Whether a point that moves along the segment touches obstacle `i`: exact for polygons; within the slack `eta` for
     /// discs, whose boundary no double can hit exactly.
     pub fn touches_point(&self, i: usize, segment: &Segment, eta: f64) -> bool {
@@ -97,14 +102,15 @@ impl Obstacles {
         }
     }
 
-    /// The distance from the placed body to obstacle `i`, in metres; 0 or less if they share a point.
-    pub(super) fn distance_from(&self, body: &Polygon, i: usize) -> f64 {
-        self.shapes[i].distance_to_polygon(body)
+    /// The distance from the placed body to obstacle `i`, in metres; 0 or less if they share a point; if it is `most`
+    /// or more, that distance or infinity.
+    pub(super) fn distance_from(&self, body: &Polygon, i: usize, most: f64) -> f64 {
+        self.shapes[i].distance_to_polygon_within(body, most)
     }
 
     /// The distance from the segment to the nearest obstacle, in metres; infinite without obstacles. O(n).
     pub fn clearance(&self, segment: &Segment) -> f64 {
-        (0..self.len()).map(|i| self.distance(i, segment)).fold(f64::INFINITY, f64::min)
+        (0..self.len()).fold(f64::INFINITY, |least, i| least.min(self.distance_within(i, segment, least)))
     }
 
     /// The largest coordinate of any obstacle, in metres; 0 without obstacles.
@@ -132,8 +138,6 @@ pub(super) fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
         let edge_vector = edge.b - edge.a;
         let along = (edge_vector / edge_vector.amax()).normalize();
         let normal = Vector::new(along.y, -along.x);
-        let support =
-            polygon.vertices().iter().map(|corner| normal.dot(&corner.coords)).fold(f64::NEG_INFINITY, f64::max);
-        Face { normal, support, corner: edge.a }
+        Face { normal, support: polygon.support(normal), corner: edge.a }
     })
 }

@@ -1,9 +1,12 @@
 //! The obstacles and bounds of a scenario, prepared once for every collision query.
 
 use super::Obstacles;
-use crate::geometry::{Aabb, convex_pieces};
+use crate::geometry::{Aabb, small_convex_pieces};
 use crate::scenario::{Obstacle, World};
 use std::sync::{Arc, OnceLock};
+
+/// The most corners of a convex piece: all sides of two pieces are tried to separate them.
+pub(super) const MOST_CORNERS: usize = 24;
 
 /// A world prepared for collision queries: obstacles with their bounding boxes and faces, and their convex pieces. Cheap to
 /// clone: clones share what was prepared.
@@ -27,15 +30,15 @@ impl CollisionWorld {
         Arc::clone(&self.0.obstacles)
     }
 
-    /// The obstacles with concave polygons cut into convex pieces.
+    /// The obstacles with concave polygons, and those of many corners, cut into small convex pieces.
     pub(super) fn pieces(&self) -> Arc<Obstacles> {
         let obstacles = &self.0.obstacles;
-        let is_convex = |shape: &Obstacle| match shape {
-            Obstacle::Polygon(polygon) => polygon.is_convex(),
+        let is_small = |shape: &Obstacle| match shape {
+            Obstacle::Polygon(polygon) => polygon.is_convex() && polygon.vertices().len() <= MOST_CORNERS,
             Obstacle::Disc(_) => true,
         };
         let cut = || {
-            if obstacles.shapes.iter().all(is_convex) {
+            if obstacles.shapes.iter().all(is_small) {
                 return Arc::clone(obstacles);
             }
             let pieces: Vec<Obstacle> = obstacles.shapes.iter().flat_map(pieces_of).collect();
@@ -56,7 +59,9 @@ impl From<&World> for CollisionWorld {
 /// The convex pieces of an obstacle.
 fn pieces_of(obstacle: &Obstacle) -> Vec<Obstacle> {
     match obstacle {
-        Obstacle::Polygon(polygon) => convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect(),
+        Obstacle::Polygon(polygon) => {
+            small_convex_pieces(polygon, MOST_CORNERS).into_iter().map(Obstacle::Polygon).collect()
+        }
         Obstacle::Disc(_) => vec![obstacle.clone()],
     }
 }

@@ -2,7 +2,7 @@
 //! rules that they cannot express.
 
 use super::FORMAT;
-use super::motion::{Footprint, Pose};
+use super::motion::{Footprint, Pose, reach};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::Aabb;
 use crate::json;
@@ -188,24 +188,23 @@ impl Fleet {
 
     /// Refuses starts and goals in collision, with an obstacle or with one another.
     fn check_ends(&self) -> Result<(), Error> {
-        let worlds = self.worlds();
-        let footprints: Vec<Footprint> = self.robots().iter().map(|member| Footprint::of(&member.robot)).collect();
+        let (kinds, worlds) = self.worlds();
+        // Equal robots share what is prepared of them.
+        let prepared = |world: &PlanningWorld| {
+            let checker = world.checker::<SMALL>(&MotionSpace::new(world.default_space()), ANY_TOLERANCE).validity();
+            (checker, Footprint::of(world.scenario().robot()))
+        };
+        let prepared: Vec<_> = worlds.iter().map(prepared).collect();
         let slack = self.slack();
         for (i, member) in self.robots().iter().enumerate() {
-            let world = &worlds.1[worlds.0[i]];
-            let space = MotionSpace::new(world.default_space());
-            let checker = world.checker::<SMALL>(&space, ANY_TOLERANCE).validity();
+            let (checker, footprint) = &prepared[kinds[i]];
+            let space = MotionSpace::new(worlds[kinds[i]].default_space());
             for (what, code, q) in
                 [("start", Code::StartInCollision, &member.start), ("goal", Code::GoalInCollision, &member.goal)]
             {
                 let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
-                let touches = |at: Pose, j: usize| {
-                    let there = ends(&self.robots()[j]);
-                    let apart = libm::hypot(at[0] - there[0], at[1] - there[1]);
-                    // Robots whose bounding discs are apart need no distance of shapes.
-                    apart <= footprints[i].radius() + footprints[j].radius() + slack
-                        && footprints[i].distance(at, &footprints[j], there) <= slack
-                };
+                let touches =
+                    |at: Pose, j: usize| footprint.is_within(at, &prepared[kinds[j]].1, ends(&self.robots()[j]), slack);
                 let refuse = |why: String| {
                     let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
                     let error = Error::new(code, format!("/robots/{i}/{what}"), sentence);
@@ -278,18 +277,23 @@ impl Fleet {
         let obstacles = self.world().obstacles.iter().map(crate::scenario::Obstacle::aabb);
         let corners = obstacles.chain([*self.bounds()]).flat_map(|aabb| [aabb.min, aabb.max]);
         let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-        let reach = self.robots().iter().map(|member| Footprint::of(&member.robot).radius()).fold(0.0, f64::max);
+        let reach = self.robots().iter().map(|member| reach(&member.robot)).fold(0.0, f64::max);
         1e-12 * (largest + reach)
     }
 
-    /// A world for every kind of robot, and for every robot the index of its own: equal robots share one.
+    /// A world for every kind of robot, and for every robot the index of its own: equal robots share one, and all
+    /// share what is prepared of the obstacles.
     pub(super) fn worlds(&self) -> (Vec<usize>, Vec<PlanningWorld>) {
         let mut worlds: Vec<PlanningWorld> = Vec::new();
         let mut of = Vec::with_capacity(self.robots().len());
         for (i, member) in self.robots().iter().enumerate() {
             let known = worlds.iter().position(|world| world.scenario().robot() == &member.robot);
             of.push(known.unwrap_or_else(|| {
-                worlds.push(PlanningWorld::new(self.scenario(i)));
+                let scenario = self.scenario(i);
+                worlds.push(match worlds.first() {
+                    Some(world) => world.with_other_robot(scenario),
+                    None => PlanningWorld::new(scenario),
+                });
                 worlds.len() - 1
             }));
         }

@@ -67,7 +67,9 @@ struct Setup {
 impl Setup {
     fn new(fleet: &Fleet) -> Self {
         let (kinds, worlds) = fleet.worlds();
-        let footprints = fleet.robots().iter().map(|member| Footprint::of(&member.robot)).collect();
+        // Equal robots share one.
+        let of_kinds: Vec<Footprint> = worlds.iter().map(|world| Footprint::of(world.scenario().robot())).collect();
+        let footprints = kinds.iter().map(|&kind| of_kinds[kind].clone()).collect();
         Self { fleet: fleet.clone(), kinds, worlds, footprints, slack: fleet.slack() }
     }
 }

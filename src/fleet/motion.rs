@@ -6,16 +6,21 @@
 //! relative to each other until either end (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for single and
 //! multiple articulated robots in complex environments").
 
-use crate::geometry::{
-    Aabb, Point, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon, wrap,
-};
+use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, distance_point_segment, wrap};
 use crate::scenario::Robot;
+use std::sync::Arc;
 
 /// x, y in metres and theta in radians; theta of a disc is 0.
 pub type Pose = [f64; 3];
 
 /// The most distances of bodies that one proof evaluates.
 const MOST_DISTANCES: u32 = 1 << 12;
+
+/// The most comparisons of edges, and of boxes around edges, after which one proof begins no other distance.
+const MOST_WORK: u64 = 1 << 18;
+
+/// A distance is computed if it is no more than what is asked for, and by this part of it more, which covers rounding.
+const BEYOND: f64 = 1e-9;
 
 /// An interval whose bound on relative motion is below this many slacks is refused.
 const FEWEST_SLACKS: f64 = 10.0;
@@ -29,21 +34,26 @@ const PARTS: u32 = 32;
 /// What a robot covers, prepared for distances to other robots.
 #[derive(Debug, Clone)]
 pub(super) struct Footprint {
-    /// `None` of a disc.
-    body: Option<Polygon>,
+    /// `None` of a disc; clones share it.
+    body: Option<Arc<Polygon>>,
     radius: f64,
+}
+
+/// The radius of a disc, or of the disc about the origin of a body's frame that contains the body.
+///
+/// # Panics
+/// If the robot is neither.
+pub(super) fn reach(robot: &Robot) -> f64 {
+    match robot {
+        Robot::Disc(disc) => disc.radius(),
+        other => other.placed_shape().expect("a robot of a fleet is a disc or a body").0.reach(),
+    }
 }
 
 impl Footprint {
     /// The footprint of a disc or a body.
     pub fn of(robot: &Robot) -> Self {
-        match robot {
-            Robot::Disc(disc) => Self { body: None, radius: disc.radius() },
-            other => {
-                let (shape, _) = other.placed_shape().expect("a robot of a fleet is a disc or a body");
-                Self { body: Some(shape.clone()), radius: shape.reach() }
-            }
-        }
+        Self { body: robot.placed_shape().map(|(shape, _)| Arc::new(shape.clone())), radius: reach(robot) }
     }
 
     /// The radius of the disc, or of the disc about the origin of a body's frame that contains the body.
@@ -61,14 +71,31 @@ impl Footprint {
         if self.is_body() { self.radius } else { 0.0 }
     }
 
-    /// The distance from another robot, in metres; 0 or less if they touch.
-    pub fn distance(&self, at: Pose, other: &Footprint, there: Pose) -> f64 {
+    /// Whether another robot is no farther than `most` metres, which is at least 0.
+    pub fn is_within(&self, at: Pose, other: &Footprint, there: Pose, most: f64) -> bool {
+        self.distance_within(at, other, there, most, &mut 0) <= most
+    }
+
+    /// The distance from another robot, in metres; 0 or less if they touch; if it is more than `most`, which is at
+    /// least 0, that distance or infinity. `work` is increased by the number of comparisons of edges and of boxes
+    /// around edges.
+    fn distance_within(&self, at: Pose, other: &Footprint, there: Pose, most: f64, work: &mut u64) -> f64 {
         let [center, other_center] = [at, there].map(|[x, y, _]| Point::new(x, y));
+        let apart = (center - other_center).norm() - self.radius - other.radius;
+        let most = most * (1.0 + BEYOND);
+        *work += 1;
         match (&self.body, &other.body) {
-            (None, None) => (center - other_center).norm() - self.radius - other.radius,
-            (Some(body), None) => distance_point_polygon(other_center, &body.placed(at)) - other.radius,
-            (None, Some(body)) => distance_point_polygon(center, &body.placed(there)) - self.radius,
-            (Some(one), Some(two)) => distance_polygon_polygon(&one.placed(at), &two.placed(there)),
+            (None, None) => apart,
+            _ if apart > most => f64::INFINITY,
+            (Some(body), None) => {
+                Placed::new(body, at).distance_to_point(other_center, (most + other.radius) * (1.0 + BEYOND), work)
+                    - other.radius
+            }
+            (None, Some(body)) => {
+                Placed::new(body, there).distance_to_point(center, (most + self.radius) * (1.0 + BEYOND), work)
+                    - self.radius
+            }
+            (Some(one), Some(two)) => Placed::new(one, at).distance(&Placed::new(two, there), most, work),
         }
     }
 
@@ -160,6 +187,13 @@ impl Pair<'_> {
     /// Whether the robots are proven apart during all of their common time, its ends included. Discs are refused if and only if they
     /// come closer than the slack.
     pub fn is_apart(&self) -> bool {
+        self.is_apart_counted(&mut 0)
+    }
+
+    /// The same; `work` is increased by the number of comparisons. A proof that has done [`MOST_WORK`] is given up: it
+    /// is bounded.
+    pub fn is_apart_counted(&self, work: &mut u64) -> bool {
+        *work += 1;
         let Some([begin, end]) = self.common() else { return true };
         let (margin, [a, b]) = (self.margin(end), self.footprints);
         let swept = Segment::new(self.offset(begin), self.offset(end));
@@ -169,11 +203,12 @@ impl Pair<'_> {
         if !a.is_body() && !b.is_body() {
             return false;
         }
-        self.is_apart_by_halving(begin, end, margin)
+        self.is_apart_by_halving(begin, end, margin, work)
     }
 
     /// The proof by halving, the longest intervals first.
-    fn is_apart_by_halving(&self, begin: f64, end: f64, margin: f64) -> bool {
+    fn is_apart_by_halving(&self, begin: f64, end: f64, margin: f64, work: &mut u64) -> bool {
+        let most_work = *work + MOST_WORK;
         let [a, b] = self.footprints;
         let [rate, other] = self.motions.map(Motion::rates);
         let across = [other[0] - rate[0], other[1] - rate[1]];
@@ -183,13 +218,17 @@ impl Pair<'_> {
         let mut open = std::collections::VecDeque::from([[begin, end]]);
         for _ in 0..MOST_DISTANCES {
             let Some([begin, end]) = open.pop_front() else { return true };
+            if *work > most_work {
+                return false;
+            }
             let middle = 0.5 * (begin + end);
             let bound = fastest * 0.5 * (end - begin);
             // The discs around the bodies are cheaper, and mostly enough.
             if self.offset(middle).coords.norm() - a.radius - b.radius - bound > margin {
                 continue;
             }
-            let clearance = a.distance(self.motions[0].at(middle), b, self.motions[1].at(middle));
+            let [at, there] = self.motions.map(|motion| motion.at(middle));
+            let clearance = a.distance_within(at, b, there, bound + margin, work);
             if clearance <= margin {
                 return false;
             }
@@ -205,30 +244,36 @@ impl Pair<'_> {
 
     /// When the robots are not known to be apart: intervals of time in order, added to a list. The one of two discs is exact but for
     /// rounding.
-    pub fn add_conflicts(&self, found: &mut Vec<[f64; 2]>) {
-        let Some([begin, end]) = self.common() else { return };
+    /// `is_apart` proves a pair of motions; its error ends the list.
+    pub fn add_conflicts<E>(
+        &self,
+        found: &mut Vec<[f64; 2]>,
+        mut is_apart: impl FnMut(&Pair) -> Result<bool, E>,
+    ) -> Result<(), E> {
+        let Some([begin, end]) = self.common() else { return Ok(()) };
         // Two stands: they conflict always or never.
         let is_standing = self.motions.iter().all(|motion| motion.end == f64::INFINITY);
         if is_standing {
-            if !self.is_apart() {
+            if !is_apart(self)? {
                 found.push([begin, f64::INFINITY]);
             }
-            return;
+            return Ok(());
         }
-        let Some([from, to]) = self.while_discs_meet(begin, end) else { return };
+        let Some([from, to]) = self.while_discs_meet(begin, end) else { return Ok(()) };
         if !self.footprints.iter().any(|footprint| footprint.is_body()) {
             found.push([from, to]);
-            return;
+            return Ok(());
         }
         let time = |i: u32| from + (to - from) * (f64::from(i) / f64::from(PARTS));
         for i in 0..PARTS {
             let part = [time(i), time(i + 1)];
             let motions = self.motions.map(|motion| Motion { begin: part[0], end: part[1], ..motion.during(part) });
             let pair = Pair { motions: [&motions[0], &motions[1]], ..*self };
-            if !pair.is_apart() {
+            if !is_apart(&pair)? {
                 found.push(part);
             }
         }
+        Ok(())
     }
 
     /// When the discs around the robots are closer than the slack.

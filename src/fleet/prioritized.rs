@@ -96,6 +96,7 @@ impl Prioritized {
         let search = self.search.get_or_insert_with(|| Search::new(&scene));
         match search.step(&scene, &mut self.stats.pair_checks) {
             Expansion::Vertex => self.stats.expanded += 1,
+            Expansion::Part => {}
             Expansion::Found(trajectory) => {
                 self.trajectories[robot] = trajectory;
                 self.planned += 1;

@@ -9,7 +9,10 @@ use crate::problem::Problem;
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// After this many clearance evaluations an iteration tries no further direct edge.
+const MOST_EVALUATIONS: u64 = 1 << 14;
 
 /// A roadmap that grows.
 pub(super) struct Roadmap {
@@ -21,8 +24,9 @@ pub(super) struct Roadmap {
     pub footprint: Footprint,
     /// Of every vertex, its neighbours, each with the length of the way there; filled once the roadmap is built.
     neighbours: Vec<Vec<(u32, f64)>>,
-    /// The edges that are not those of the planner.
+    /// The edges that are not those of the planner, and of how many robots they have been tried.
     direct: Vec<[u32; 2]>,
+    tried: u32,
 }
 
 impl Roadmap {
@@ -44,7 +48,16 @@ impl Roadmap {
         problem.records_events = false;
         let planner = options.begin(&problem, seed)?;
         let footprint = Footprint::of(world.scenario().robot());
-        Ok(Self { problem, planner, iteration: 0, robots, footprint, neighbours: Vec::new(), direct: Vec::new() })
+        Ok(Self {
+            problem,
+            planner,
+            iteration: 0,
+            robots,
+            footprint,
+            neighbours: Vec::new(),
+            direct: Vec::new(),
+            tried: 0,
+        })
     }
 
     /// Whether all samples are connected.
@@ -52,24 +65,35 @@ impl Roadmap {
         !self.neighbours.is_empty()
     }
 
-    /// One iteration of the planner: a sample, or a vertex that is connected to its neighbours.
+    /// One iteration of the planner: a sample, or a vertex that is connected to its neighbours; at last some direct
+    /// edges.
     pub fn iterate(&mut self) {
-        self.iteration += 1;
-        self.planner.iterate(&self.problem, self.iteration);
+        if self.tried == 0 {
+            self.iteration += 1;
+            self.planner.iterate(&self.problem, self.iteration);
+        }
         if !matches!(self.planner.phase(), Phase::Sampling | Phase::Connecting) {
             self.complete();
         }
     }
 
-    /// Adds the direct edges, and lists the neighbours of every vertex.
+    /// Adds direct edges; once all have been tried, lists the neighbours of every vertex.
     fn complete(&mut self) {
         let graph = self.planner.graph();
         let edges: Vec<[u32; 2]> = graph.edges().iter().map(|edge| edge.map(|vertex| vertex.0)).collect();
-        for robot in 0..self.robots.len() as u32 {
+        let is_end = |edge: &&[u32; 2]| edge.iter().all(|vertex| (*vertex as usize) < 2 * self.robots.len());
+        let known: BTreeSet<[u32; 2]> = edges.iter().filter(is_end).copied().collect();
+        let validity = self.problem.validity();
+        let most = validity.clearance_evaluations() + MOST_EVALUATIONS;
+        for robot in self.tried..self.robots.len() as u32 {
+            if validity.clearance_evaluations() > most {
+                return;
+            }
+            self.tried = robot + 1;
             let [start, goal] = [2 * robot, 2 * robot + 1];
             let [a, b] = [start, goal].map(|vertex| graph.states()[vertex as usize]);
-            let is_known = edges.contains(&[start, goal]) || edges.contains(&[goal, start]);
-            if !is_known && self.problem.validity().is_motion_free(&a, &b) {
+            let is_known = known.contains(&[start, goal]) || known.contains(&[goal, start]);
+            if !is_known && validity.is_motion_free(&a, &b) {
                 self.direct.push([start, goal]);
             }
         }

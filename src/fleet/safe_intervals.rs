@@ -19,6 +19,10 @@ const HALVINGS: [u32; 2] = [30, 10];
 /// The most motions of others that one departure waits for.
 const MOST_WAITS: u32 = 256;
 
+/// After this many comparisons of edges, and of boxes around edges, an iteration begins no further proof: its expansion
+/// goes on in the next one. Among discs it never happens in practice.
+const MOST_WORK: u64 = 1 << 17;
+
 /// What a robot plans among.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
@@ -33,24 +37,72 @@ pub(super) struct Scene<'a> {
     pub slack: f64,
 }
 
+/// The iteration has done its work. The next one does the same again, with the results of all proofs so far.
+struct Pause;
+
+/// The results of the proofs of a part of an expansion, in their order, so that it may be spread over several
+/// iterations.
+#[derive(Default)]
+struct Proofs {
+    results: Vec<bool>,
+    /// How many of them have been asked for in this iteration.
+    asked: usize,
+    /// The comparisons of this iteration.
+    work: u64,
+    /// Whether this iteration has added a result.
+    has_new: bool,
+    /// The proofs of motions that the robot may take, since they were last read.
+    checks: u64,
+}
+
+impl Proofs {
+    /// Whether a pair of motions is proven apart.
+    fn is_apart(&mut self, pair: &Pair, counts: bool) -> Result<bool, Pause> {
+        let at = self.asked;
+        if at == self.results.len() {
+            if self.has_new && self.work > MOST_WORK {
+                return Err(Pause);
+            }
+            self.has_new = true;
+            self.checks += u64::from(counts);
+            self.results.push(pair.is_apart_counted(&mut self.work));
+        }
+        self.asked += 1;
+        Ok(self.results[at])
+    }
+
+    /// Begins an iteration.
+    fn begin(&mut self) {
+        (self.asked, self.work, self.has_new) = (0, 0, false);
+    }
+
+    /// A part of the expansion is complete: its results are not asked for again.
+    fn complete(&mut self) {
+        self.results.clear();
+        self.asked = 0;
+    }
+}
+
 impl Scene<'_> {
     /// The first of the others from which a motion is not proven apart, and its motion that is in the way.
-    fn first_in_conflict(&self, motion: &Motion, checks: &mut u64) -> Option<(usize, Motion)> {
+    fn first_in_conflict(&self, motion: &Motion, proofs: &mut Proofs) -> Result<Option<(usize, Motion)>, Pause> {
         let own = &self.footprints[self.robot];
         let near = motion.around().grown(own.radius() + 2.0 * self.slack);
-        let others = (0..self.trajectories.len()).filter(|&other| other != self.robot);
-        others.into_iter().find_map(|other| {
+        for other in (0..self.trajectories.len()).filter(|&other| other != self.robot) {
             let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
             if !trajectory.around().grown(footprint.radius()).intersects(&near) {
-                return None;
+                continue;
             }
-            let found = trajectory.first_in_conflict([footprint, own], motion, self.slack, checks)?;
-            Some((other, found))
-        })
+            let is_apart = |pair: &Pair| proofs.is_apart(pair, true);
+            if let Some(found) = trajectory.first_in_conflict([footprint, own], motion, self.slack, is_apart)? {
+                return Ok(Some((other, found)));
+            }
+        }
+        Ok(None)
     }
 
     /// The safe intervals of a pose, in order.
-    fn safe_intervals(&self, at: Pose) -> Vec<[f64; 2]> {
+    fn safe_intervals(&self, at: Pose, proofs: &mut Proofs) -> Result<Vec<[f64; 2]>, Pause> {
         let own = &self.footprints[self.robot];
         let stand = Motion::standing([0.0, f64::INFINITY], at);
         let near = stand.around().grown(own.radius() + 2.0 * self.slack);
@@ -62,7 +114,7 @@ impl Scene<'_> {
             }
             for motion in trajectory.during(0.0, f64::INFINITY) {
                 let pair = Pair { footprints: [footprint, own], motions: [&motion, &stand], slack: self.slack };
-                pair.add_conflicts(&mut unsafe_intervals);
+                pair.add_conflicts(&mut unsafe_intervals, |pair| proofs.is_apart(pair, false))?;
             }
         }
         unsafe_intervals.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -76,7 +128,7 @@ impl Scene<'_> {
         if from < f64::INFINITY {
             safe.push([from, f64::INFINITY]);
         }
-        safe
+        Ok(safe)
     }
 }
 
@@ -98,11 +150,24 @@ const ROOT: u32 = u32::MAX;
 pub(super) enum Expansion {
     /// The search goes on.
     Vertex,
+    /// So does the expansion of the same vertex: it takes more than one iteration.
+    Part,
     /// The robot can reach its goal, and stay there.
     Found(Trajectory),
     /// It cannot. The robots that are in the way of every way on, in order; none if there is no way on its roadmap even without the
     /// others.
     Nothing(Vec<usize>),
+}
+
+/// A node whose expansion has begun, and how far it has come.
+#[derive(Debug, Clone, Copy)]
+struct Begun {
+    number: u32,
+    /// Whether it is known that the robot cannot end here.
+    is_no_end: bool,
+    /// How many of the neighbours are done, and of the next one how many safe intervals.
+    neighbours: usize,
+    intervals: usize,
 }
 
 /// A safe interval of a vertex, and its node if it has one.
@@ -121,6 +186,10 @@ pub(super) struct Search {
     open: BinaryHeap<Reverse<(u64, u32)>>,
     /// Vertices, and the robots that were in the way to them.
     refused: BTreeSet<(u32, usize)>,
+    /// Whether the start has been reached, if it can be.
+    has_started: bool,
+    begun: Option<Begun>,
+    proofs: Proofs,
 }
 
 impl Search {
@@ -129,7 +198,7 @@ impl Search {
         let [start, goal] = scene.roadmap.ends(scene.robot);
         let distances = scene.roadmap.distances_to(goal);
         let heuristic: Vec<f64> = distances.into_iter().map(|distance| distance / scene.speed).collect();
-        let mut search = Self {
+        Self {
             start,
             goal,
             intervals: vec![None; heuristic.len()],
@@ -137,38 +206,32 @@ impl Search {
             nodes: Vec::new(),
             open: BinaryHeap::new(),
             refused: BTreeSet::new(),
-        };
-        let first = search.intervals(scene, start).first().map(|(interval, _)| *interval);
-        if let Some(interval) = first.filter(|[begin, _]| *begin == 0.0) {
-            search.reach(scene, (start, 0, interval), 0.0, 0.0, ROOT);
+            has_started: false,
+            begun: None,
+            proofs: Proofs::default(),
         }
-        search
     }
 
     /// The safe intervals of a vertex.
-    fn intervals(&mut self, scene: &Scene, vertex: u32) -> &mut Vec<([f64; 2], Option<u32>)> {
-        self.intervals[vertex as usize].get_or_insert_with(|| {
-            let safe = scene.safe_intervals(scene.roadmap.pose(vertex));
-            safe.into_iter().map(|interval| (interval, None)).collect()
-        })
+    fn intervals(&mut self, scene: &Scene, vertex: u32) -> Result<&mut Vec<SafeInterval>, Pause> {
+        let known = &mut self.intervals[vertex as usize];
+        if known.is_none() {
+            let safe = scene.safe_intervals(scene.roadmap.pose(vertex), &mut self.proofs)?;
+            self.proofs.complete();
+            *known = Some(safe.into_iter().map(|interval| (interval, None)).collect());
+        }
+        Ok(known.get_or_insert_default())
     }
 
     /// Reaches a vertex in its safe interval of this number, if that is earlier than before.
-    fn reach(
-        &mut self,
-        scene: &Scene,
-        (vertex, number, [_, until]): (u32, usize, [f64; 2]),
-        time: f64,
-        departure: f64,
-        parent: u32,
-    ) {
+    fn reach(&mut self, (vertex, number, [_, until]): (u32, usize, [f64; 2]), time: f64, departure: f64, parent: u32) {
         let estimate = time + self.heuristic[vertex as usize];
         if estimate == f64::INFINITY {
             return;
         }
         let reached = Node { vertex, until, time, departure, parent };
-        let known = self.intervals(scene, vertex)[number].1;
-        let node = match known {
+        let known = self.intervals[vertex as usize].as_mut().expect("an interval of known ones is reached");
+        let node = match known[number].1 {
             Some(node) if self.nodes[node as usize].time <= time => return,
             Some(node) => {
                 self.nodes[node as usize] = reached;
@@ -177,37 +240,54 @@ impl Search {
             None => {
                 self.nodes.push(reached);
                 let node = self.nodes.len() as u32 - 1;
-                self.intervals(scene, vertex)[number].1 = Some(node);
+                known[number].1 = Some(node);
                 node
             }
         };
         self.open.push(Reverse((estimate.to_bits(), node)));
     }
 
-    /// Expands one node.
+    /// Expands one node, or a part of it.
     pub fn step(&mut self, scene: &Scene, checks: &mut u64) -> Expansion {
-        let (number, node) = loop {
-            let Some(Reverse((estimate, number))) = self.open.pop() else {
-                return Expansion::Nothing(self.in_the_way(scene));
-            };
-            let node = self.nodes[number as usize];
-            // Entries that an earlier arrival has made stale are skipped.
-            if (node.time + self.heuristic[node.vertex as usize]).to_bits() == estimate {
-                break (number, node);
+        self.proofs.begin();
+        let expansion = self.expand(scene).unwrap_or(Expansion::Part);
+        *checks += std::mem::take(&mut self.proofs.checks);
+        expansion
+    }
+
+    fn expand(&mut self, scene: &Scene) -> Result<Expansion, Pause> {
+        if !self.has_started {
+            let start = self.start;
+            let first = self.intervals(scene, start)?.first().map(|(interval, _)| *interval);
+            if let Some(interval) = first.filter(|[begin, _]| *begin == 0.0) {
+                self.reach((start, 0, interval), 0.0, 0.0, ROOT);
             }
+            self.has_started = true;
+        }
+        let mut begun = match self.begun {
+            Some(begun) => begun,
+            None => match self.next() {
+                Some(number) => Begun { number, is_no_end: false, neighbours: 0, intervals: 0 },
+                None => return Ok(Expansion::Nothing(self.in_the_way(scene)?)),
+            },
         };
+        self.begun = Some(begun);
+        let number = begun.number;
+        let node = self.nodes[number as usize];
         let at = scene.roadmap.pose(node.vertex);
-        if node.vertex == self.goal && node.until == f64::INFINITY {
-            match scene.first_in_conflict(&Motion::standing([node.time, f64::INFINITY], at), checks) {
-                None => return Expansion::Found(self.trajectory(scene, number)),
+        if node.vertex == self.goal && node.until == f64::INFINITY && !begun.is_no_end {
+            match scene.first_in_conflict(&Motion::standing([node.time, f64::INFINITY], at), &mut self.proofs)? {
+                None => return Ok(Expansion::Found(self.trajectory(scene, number))),
                 Some((other, _)) => self.refused.insert((self.goal, other)),
             };
+            begun.is_no_end = true;
+            self.completed(begun);
         }
-        for &(next, way) in scene.roadmap.neighbours(node.vertex) {
+        for &(next, way) in &scene.roadmap.neighbours(node.vertex)[begun.neighbours..] {
             let duration = way / scene.speed;
-            let count = self.intervals(scene, next).len();
-            for i in 0..count {
-                let (interval, known) = self.intervals(scene, next)[i];
+            let count = self.intervals(scene, next)?.len();
+            for i in begun.intervals..count {
+                let (interval, known) = self.intervals(scene, next)?[i];
                 let earliest = node.time.max(interval[0] - duration);
                 let latest = node.until.min(interval[1] - duration);
                 let is_known = |known: u32| self.nodes[known as usize].time <= earliest + duration;
@@ -215,30 +295,51 @@ impl Search {
                     continue;
                 }
                 let leave = Leave { at, to: scene.roadmap.pose(next), arrived: node.time, duration };
-                match leave.first_time(scene, [earliest, latest], checks) {
-                    Ok(departure) => {
-                        self.reach(scene, (next, i, interval), departure + duration, departure, number);
-                    }
+                match leave.first_time(scene, [earliest, latest], &mut self.proofs)? {
+                    Ok(departure) => self.reach((next, i, interval), departure + duration, departure, number),
                     Err(other) => {
                         self.refused.insert((next, other));
                     }
                 }
+                begun.intervals = i + 1;
+                self.completed(begun);
             }
             // Without safe intervals, others stand there for ever.
             if count == 0 {
                 let stand = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(next));
-                if let Some((other, _)) = scene.first_in_conflict(&stand, checks) {
+                if let Some((other, _)) = scene.first_in_conflict(&stand, &mut self.proofs)? {
                     self.refused.insert((next, other));
                 }
             }
+            (begun.neighbours, begun.intervals) = (begun.neighbours + 1, 0);
+            self.completed(begun);
         }
-        Expansion::Vertex
+        self.begun = None;
+        Ok(Expansion::Vertex)
+    }
+
+    /// A part of an expansion is complete, which has now come that far.
+    fn completed(&mut self, begun: Begun) {
+        self.begun = Some(begun);
+        self.proofs.complete();
+    }
+
+    /// The open node of the least estimate.
+    fn next(&mut self) -> Option<u32> {
+        // Entries that an earlier arrival has made stale are skipped.
+        while let Some(Reverse((estimate, number))) = self.open.pop() {
+            let node = self.nodes[number as usize];
+            if (node.time + self.heuristic[node.vertex as usize]).to_bits() == estimate {
+                return Some(number);
+            }
+        }
+        None
     }
 
     /// Who is in the way to the vertices that were not reached, or over the goal later.
-    fn in_the_way(&self, scene: &Scene) -> Vec<usize> {
+    fn in_the_way(&mut self, scene: &Scene) -> Result<Vec<usize>, Pause> {
         if self.heuristic[self.start as usize] == f64::INFINITY {
-            return Vec::new();
+            return Ok(Vec::new());
         }
         let is_reached = |vertex: u32| self.nodes.iter().any(|node| node.vertex == vertex);
         let mut others: BTreeSet<usize> =
@@ -246,16 +347,18 @@ impl Search {
         let goal = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(self.goal));
         if is_reached(self.goal) || others.is_empty() {
             let own = &scene.footprints[scene.robot];
-            let crosses = |other: &usize| {
-                let (footprint, trajectory) = (&scene.footprints[*other], &scene.trajectories[*other]);
-                trajectory.first_in_conflict([footprint, own], &goal, scene.slack, &mut 0).is_some()
-            };
-            others.extend((0..scene.trajectories.len()).filter(|other| *other != scene.robot).filter(crosses));
+            for other in (0..scene.trajectories.len()).filter(|other| *other != scene.robot) {
+                let (footprint, trajectory) = (&scene.footprints[other], &scene.trajectories[other]);
+                let is_apart = |pair: &Pair| self.proofs.is_apart(pair, false);
+                if trajectory.first_in_conflict([footprint, own], &goal, scene.slack, is_apart)?.is_some() {
+                    others.insert(other);
+                }
+            }
         }
         if others.is_empty() {
             others.extend(self.refused.iter().map(|(_, other)| *other));
         }
-        others.into_iter().collect()
+        Ok(others.into_iter().collect())
     }
 
     /// The trajectory to a node: along the edges, with the stands before them.
@@ -294,30 +397,35 @@ impl Leave {
 
     /// The earliest departure between two times with which stand and motion are proven free of conflict; if there is none, the robot
     /// that is in the way.
-    fn first_time(&self, scene: &Scene, [earliest, latest]: [f64; 2], checks: &mut u64) -> Result<f64, usize> {
+    fn first_time(
+        &self,
+        scene: &Scene,
+        [earliest, latest]: [f64; 2],
+        proofs: &mut Proofs,
+    ) -> Result<Result<f64, usize>, Pause> {
         let (mut departure, mut in_the_way) = (earliest, None);
         for _ in 0..MOST_WAITS {
-            let Some((other, motion)) = scene.first_in_conflict(&self.motion(departure), checks) else {
+            let Some((other, motion)) = scene.first_in_conflict(&self.motion(departure), proofs)? else {
                 let stand = Motion::standing([self.arrived, departure], self.at);
-                return match scene.first_in_conflict(&stand, checks) {
+                return Ok(match scene.first_in_conflict(&stand, proofs)? {
                     Some((other, _)) if departure > self.arrived => Err(other),
                     _ => Ok(departure),
-                };
+                });
             };
             in_the_way = Some(other);
             let footprints = [&scene.footprints[other], &scene.footprints[scene.robot]];
             let mut is_past = |departure: f64| {
-                *checks += 1;
-                Pair { footprints, motions: [&motion, &self.motion(departure)], slack: scene.slack }.is_apart()
+                let motions = [&motion, &self.motion(departure)];
+                proofs.is_apart(&Pair { footprints, motions, slack: scene.slack }, true)
             };
             // Departures that conflict with one motion of a disc are an interval, so all after the first that does not are free of it.
             let (mut early, mut late) = (departure, latest.min(motion.end.next_up()));
-            if late <= early || late == f64::INFINITY || !is_past(late) {
-                return Err(other);
+            if late <= early || late == f64::INFINITY || !is_past(late)? {
+                return Ok(Err(other));
             }
             for _ in 0..HALVINGS[usize::from(footprints.iter().any(|footprint| footprint.is_body()))] {
                 let middle = 0.5 * (early + late);
-                if is_past(middle) {
+                if is_past(middle)? {
                     late = middle;
                 } else {
                     early = middle;
@@ -325,6 +433,6 @@ impl Leave {
             }
             departure = late;
         }
-        Err(in_the_way.unwrap_or(scene.robot))
+        Ok(Err(in_the_way.unwrap_or(scene.robot)))
     }
 }

@@ -87,18 +87,21 @@ impl Trajectory {
         (first..self.times.len()).take_while(move |&row| self.times[row] <= end).map(|row| self.motion(row))
     }
 
-    /// The first of this robot's motions from which another robot's motion is not proven apart.
-    pub(super) fn first_in_conflict(
+    /// The first of this robot's motions from which another robot's motion is not proven apart. `is_apart` proves a
+    /// pair of motions; its error ends the search.
+    pub(super) fn first_in_conflict<E>(
         &self,
         footprints: [&Footprint; 2],
         motion: &Motion,
         slack: f64,
-        checks: &mut u64,
-    ) -> Option<Motion> {
-        self.during(motion.begin, motion.end).find(|own| {
-            *checks += 1;
-            !Pair { footprints, motions: [own, motion], slack }.is_apart()
-        })
+        mut is_apart: impl FnMut(&Pair) -> Result<bool, E>,
+    ) -> Result<Option<Motion>, E> {
+        for own in self.during(motion.begin, motion.end) {
+            if !is_apart(&Pair { footprints, motions: [&own, motion], slack })? {
+                return Ok(Some(own));
+            }
+        }
+        Ok(None)
     }
 
     /// The trajectory of these rows.

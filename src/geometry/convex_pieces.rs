@@ -27,6 +27,37 @@ pub fn convex_pieces(polygon: &Polygon) -> Vec<Polygon> {
     pieces
 }
 
+/// The same, cut further until no piece has more than `most` corners: at least 3. O(n log n).
+///
+/// A piece with more is cut by chords into pieces along its border, and what is left in the middle likewise.
+pub fn small_convex_pieces(polygon: &Polygon, most: usize) -> Vec<Polygon> {
+    let mut pieces = Vec::new();
+    for piece in convex_pieces(polygon) {
+        if piece.vertices().len() <= most {
+            pieces.push(piece);
+            continue;
+        }
+        let corners: Vec<u32> = (0..piece.vertices().len() as u32).collect();
+        let mut left = strictly_convex(piece.vertices(), &corners).vertices().to_vec();
+        while left.len() > most {
+            let (n, mut kept) = (left.len(), Vec::new());
+            for first in (0..n).step_by(most - 1) {
+                let end = (first + most - 1).min(n);
+                let along: Vec<Point> = (first..=end).map(|i| left[i % n]).collect();
+                kept.push(left[first]);
+                if along.len() > 2 {
+                    pieces.push(Polygon::of(along, true));
+                }
+            }
+            left = kept;
+        }
+        if left.len() > 2 {
+            pieces.push(Polygon::of(left, true));
+        }
+    }
+    pieces
+}
+
 /// Triangles and their sides, numbered from 3 times the triangle on.
 struct Cuts {
     triangles: Vec<[u32; 3]>,

@@ -1,7 +1,7 @@
 //! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the
 //! largest coordinate.
 
-use super::{Point, Polygon, Segment};
+use super::{Placed, Point, Polygon, Segment};
 
 /// The squared distance from the point to the nearest point of the segment, in square metres. O(1).
 pub fn distance_squared_point_segment(p: Point, s: &Segment) -> f64 {
@@ -47,29 +47,28 @@ pub fn distance_segment_segment(s: &Segment, t: &Segment) -> f64 {
     distance_squared_segment_segment(s, t).sqrt()
 }
 
-/// The distance from the point to the closed, filled polygon, in metres; 0 inside and on the border. O(vertices).
+/// The distance from the point to the closed, filled polygon, in metres; 0 inside and on the border. O(log n) if the
+/// border is as usual, O(n) if most of it is equally near.
 pub fn distance_point_polygon(p: Point, polygon: &Polygon) -> f64 {
-    if polygon.contains(p) {
-        return 0.0;
-    }
-    polygon.edges().map(|edge| distance_squared_point_segment(p, &edge)).fold(f64::INFINITY, f64::min).sqrt()
+    Placed::resting(polygon).distance_to_point(p, f64::INFINITY, &mut 0)
 }
 
-/// The distance from the segment to the closed, filled polygon, in metres; 0 if they share a point. O(vertices).
+/// The distance from the point to the border of the polygon, in metres; inside, the depth below the border as a
+/// negative number. As [`distance_point_polygon`].
+pub fn signed_distance_point_polygon(p: Point, polygon: &Polygon) -> f64 {
+    let distance = Placed::resting(polygon).distance_to_border(p, f64::INFINITY, &mut 0);
+    if polygon.contains(p) { -distance } else { distance }
+}
+
+/// The distance from the segment to the closed, filled polygon, in metres; 0 if they share a point. As
+/// [`distance_point_polygon`], and O(1) for each edge beside the segment.
 pub fn distance_segment_polygon(s: &Segment, polygon: &Polygon) -> f64 {
-    if polygon.contains(s.a) {
-        return 0.0;
-    }
-    polygon.edges().map(|edge| distance_squared_segment_segment(s, &edge)).fold(f64::INFINITY, f64::min).sqrt()
+    Placed::resting(polygon).distance_to_segment(s, f64::INFINITY, &mut 0)
 }
 
-/// The distance between the two closed, filled polygons, in metres; 0 if they share a point. O(n m).
-///
-/// Polygons that share a point either have borders that meet, or one contains all of the other, and so its first vertex.
+/// The distance between the two closed, filled polygons, in metres; 0 if they share a point. As
+/// [`distance_point_polygon`], for each edge that is near the other polygon; O(n m) if neither has more than 16
+/// corners.
 pub fn distance_polygon_polygon(a: &Polygon, b: &Polygon) -> f64 {
-    if a.contains(b.vertices()[0]) || b.contains(a.vertices()[0]) {
-        return 0.0;
-    }
-    let to_border = |s| b.edges().map(|t| distance_squared_segment_segment(&s, &t)).fold(f64::INFINITY, f64::min);
-    a.edges().map(to_border).fold(f64::INFINITY, f64::min).sqrt()
+    Placed::resting(a).distance(&Placed::resting(b), f64::INFINITY, &mut 0)
 }

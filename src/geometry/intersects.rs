@@ -1,6 +1,6 @@
 //! Whether closed segments and closed, filled polygons share a point: exact (Shewchuk's adaptive predicates).
 
-use super::{Polygon, Segment, orientation};
+use super::{Placed, Polygon, Segment, orientation};
 
 /// Whether the closed segments share a point; exact, degenerate segments included. O(1).
 pub fn intersects_segment_segment(s: &Segment, t: &Segment) -> bool {
@@ -14,16 +14,14 @@ pub fn intersects_segment_segment(s: &Segment, t: &Segment) -> bool {
     !apart(t_a, t_b) && !apart(s_a, s_b)
 }
 
-/// Whether the closed segment shares a point with the closed, filled polygon; exact. O(vertices).
+/// Whether the closed segment shares a point with the closed, filled polygon; exact. O(log n), and O(1) for each edge
+/// near the segment.
 pub fn intersects_segment_polygon(s: &Segment, polygon: &Polygon) -> bool {
-    s.aabb().intersects(polygon.aabb())
-        && (polygon.contains(s.a) || polygon.edges().any(|edge| intersects_segment_segment(s, &edge)))
+    s.aabb().intersects(polygon.aabb()) && Placed::resting(polygon).intersects_segment(s)
 }
 
-/// Whether the closed, filled polygons share a point; exact. O(n m).
+/// Whether the closed, filled polygons share a point; exact. O(log n), and O(1) for each pair of edges near each other;
+/// O(n m) if neither has more than 16 corners.
 pub fn intersects_polygon_polygon(a: &Polygon, b: &Polygon) -> bool {
-    a.aabb().intersects(b.aabb())
-        && (a.contains(b.vertices()[0])
-            || b.contains(a.vertices()[0])
-            || a.edges().any(|s| b.edges().any(|t| intersects_segment_segment(&s, &t))))
+    a.aabb().intersects(b.aabb()) && Placed::resting(a).intersects(&Placed::resting(b))
 }

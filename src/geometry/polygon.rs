@@ -1,8 +1,10 @@
 //! A simple polygon, convex or concave, closed and filled.
 
 use super::crossing::find_crossing;
-use super::{Aabb, Point, Segment, orientation};
+use super::edge_tree::{EdgeTree, MOST_WITHOUT, Node};
+use super::{Aabb, Placed, Point, Segment, Vector, orientation};
 use serde::Serialize;
+use std::sync::{Arc, OnceLock};
 
 /// The smallest magnitude of a vertex coordinate other than 0, in metres.
 ///
@@ -29,7 +31,7 @@ pub enum PolygonFault {
 }
 
 /// A simple polygon with at least three vertices and positive area, counter-clockwise, without repeated vertices.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 #[serde(tag = "type", rename = "polygon")]
 pub struct Polygon {
     vertices: Vec<Point>,
@@ -37,6 +39,16 @@ pub struct Polygon {
     aabb: Aabb,
     #[serde(skip)]
     convex: bool,
+    /// Built by the first query; clones share it.
+    #[serde(skip)]
+    tree: OnceLock<Arc<EdgeTree>>,
+}
+
+/// Polygons are equal if their corners are, from the first on.
+impl PartialEq for Polygon {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices == other.vertices
+    }
 }
 
 impl Polygon {
@@ -85,7 +97,7 @@ impl Polygon {
     /// The polygon of these corners, known to be simple and counter-clockwise.
     pub(super) fn of(vertices: Vec<Point>, convex: bool) -> Self {
         let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
-        Self { vertices, aabb, convex }
+        Self { vertices, aabb, convex, tree: OnceLock::new() }
     }
 
     /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
@@ -123,26 +135,54 @@ impl Polygon {
         self.convex
     }
 
-    /// Whether the point lies inside or on the border; exact. O(vertices).
+    /// Whether the point lies inside or on the border; exact. O(log n) if the border is as usual, O(n) if most of it
+    /// winds around the point.
     pub fn contains(&self, p: Point) -> bool {
-        if !self.aabb.contains(p) {
-            return false;
-        }
-        let mut inside = false;
-        for edge in self.edges() {
-            let (a, b) = (edge.a, edge.b);
-            if a.y.min(b.y) > p.y || a.y.max(b.y) < p.y {
+        self.aabb.contains(p) && Placed::resting(self).contains(p)
+    }
+
+    /// How far the polygon reaches in a direction: the largest scalar product with a corner. O(log n) of a convex
+    /// polygon.
+    pub fn support(&self, direction: Vector) -> f64 {
+        let along = |p: &Point| direction.dot(&p.coords);
+        let Some(tree) = self.tree() else { return self.vertices.iter().map(along).fold(f64::NEG_INFINITY, f64::max) };
+        // Rounding keeps the order, so the product with the foremost corner of a box is no less than any in it.
+        let bound = |node: Node| {
+            let Aabb { min, max } = tree.aabb(node);
+            let side = |way: f64, low: f64, high: f64| if way > 0.0 { high } else { low };
+            along(&Point::new(side(direction.x, min.x, max.x), side(direction.y, min.y, max.y)))
+        };
+        let mut most = f64::NEG_INFINITY;
+        let mut stack = vec![tree.root()];
+        while let Some(node) = stack.pop() {
+            if bound(node) <= most {
                 continue;
             }
-            let side = orientation(a, b, p);
-            if side == 0.0 && edge.aabb().contains(p) {
-                return true;
-            }
-            if (a.y > p.y) != (b.y > p.y) && (side > 0.0) == (b.y > a.y) {
-                inside = !inside;
+            match tree.children(node) {
+                None => most = self.vertices[tree.edges(node)].iter().map(along).fold(most, f64::max),
+                Some((first, second)) => {
+                    let mut children = [Some(first), second];
+                    children.sort_by(|a, b| {
+                        a.map_or(f64::NEG_INFINITY, bound).total_cmp(&b.map_or(f64::NEG_INFINITY, bound))
+                    });
+                    stack.extend(children.into_iter().flatten());
+                }
             }
         }
-        inside
+        most
+    }
+
+    /// Calls `visit` with every edge whose box meets the given one, and the number of the corner that it starts from,
+    /// in order, until it returns true; returns whether it did. O(log n + edges visited) if the border is as usual.
+    pub fn any_edge_near(&self, near: &Aabb, mut visit: impl FnMut(usize, &Segment) -> bool) -> bool {
+        let visit = |i: usize, edge: &Segment| edge.aabb().intersects(near) && visit(i, edge);
+        Placed::resting(self).any_edge(|aabb| aabb.intersects(near), visit)
+    }
+
+    /// The tree of edges; `None` if there are so few that comparing all is faster.
+    pub(super) fn tree(&self) -> Option<&EdgeTree> {
+        (self.vertices.len() > MOST_WITHOUT)
+            .then(|| &**self.tree.get_or_init(|| Arc::new(EdgeTree::new(&self.vertices))))
     }
 }
 

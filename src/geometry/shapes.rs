@@ -52,6 +52,14 @@ impl Aabb {
         self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y
     }
 
+    /// The squared distance between the boxes, in square metres; 0 if they share a point.
+    #[inline]
+    pub fn gap_squared(&self, other: &Self) -> f64 {
+        let x = (other.min.x - self.max.x).max(self.min.x - other.max.x).max(0.0);
+        let y = (other.min.y - self.max.y).max(self.min.y - other.max.y).max(0.0);
+        x * x + y * y
+    }
+
     /// How far the point is from the nearest side: positive inside, negative outside, in metres.
     pub fn depth(&self, p: Point) -> f64 {
         (p.x - self.min.x).min(self.max.x - p.x).min(p.y - self.min.y).min(self.max.y - p.y)

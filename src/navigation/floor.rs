@@ -55,7 +55,10 @@ impl Near {
             match obstacles.shape(i) {
                 Obstacle::Disc(disc) => self.discs.push(*disc),
                 Obstacle::Polygon(polygon) => {
-                    self.edges.extend(polygon.edges().filter(|edge| edge.aabb().intersects(around)));
+                    polygon.any_edge_near(around, |_, edge| {
+                        self.edges.push(*edge);
+                        false
+                    });
                 }
             }
             false

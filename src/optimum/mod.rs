@@ -77,7 +77,7 @@ pub struct Optimum {
 /// # Errors
 /// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without exactly
 /// two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for more
-/// than 1000 corners and discs.
+/// than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,

@@ -29,8 +29,11 @@ const LARGER: f64 = 1.0 / 16.0;
 /// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
 const ROUNDING: f64 = 0.25;
 
-/// Corners and discs at most: if all of them see each other, their tangents take a quarter of a gigabyte.
-const MOST: usize = 1000;
+/// Convex corners and discs at most: every two of them are compared, which takes seconds.
+const MOST: usize = 4000;
+
+/// Free tangents at most: they and what is made of them take a quarter of a gigabyte.
+const MOST_TANGENTS: usize = 2_000_000;
 
 /// The largest turn of one chord of an arc in the path, in radians.
 const CHORD: f64 = 0.05;
@@ -50,7 +53,7 @@ impl Grown {
         let radius = self.radius + self.larger;
         let rounding = ROUNDING * self.larger;
         let is_within = |p: Point| self.bounds.depth(p) >= self.radius - rounding;
-        let touches = |i| self.obstacles.distance(i, segment) < radius - rounding;
+        let touches = |i| self.obstacles.distance_within(i, segment, radius) < radius - rounding;
         is_within(segment.a) && is_within(segment.b) && !self.obstacles.any_near(&segment.aabb().grown(radius), touches)
     }
 
@@ -97,14 +100,15 @@ impl Grown {
                     crossings_disc(circle, &disc, &mut found);
                 }
                 Obstacle::Polygon(polygon) => {
-                    for edge in polygon.edges().filter(|edge| edge.aabb().intersects(&near)) {
+                    polygon.any_edge_near(&near, |_, edge| {
                         crossings_disc(circle, &Disc { center: edge.a, radius }, &mut found);
                         crossings_disc(circle, &Disc { center: edge.b, radius }, &mut found);
-                        let normal = normal(&edge);
+                        let normal = normal(edge);
                         let height = normal.dot(&edge.a.coords);
                         crossings_line(circle, &normal, height + radius, &mut found);
                         crossings_line(circle, &normal, height - radius, &mut found);
-                    }
+                        false
+                    });
                 }
             }
             false
@@ -151,13 +155,17 @@ impl TangentGraph {
             return Err(Error::new(Code::TooLarge, "", sentence));
         }
         let mut graph = Self { circles, larger: grown.larger, ends: Vec::new(), edges: Vec::new() };
-        graph.add_tangents(grown);
+        graph.add_tangents(grown)?;
         graph.add_arcs(grown, shapes);
         Ok(graph)
     }
 
-    fn add_tangents(&mut self, grown: &Grown) {
+    fn add_tangents(&mut self, grown: &Grown) -> Result<(), Error> {
         for a in 0..self.circles.len() {
+            if self.ends.len() > 2 * MOST_TANGENTS {
+                let sentence = format!("the obstacles have more than {MOST_TANGENTS} free tangents");
+                return Err(Error::new(Code::TooLarge, "", sentence));
+            }
             for b in a + 1..self.circles.len() {
                 let pair = [&self.circles[a], &self.circles[b]];
                 let turns = |circle: usize| &Turn::BOTH[..if circle <= GOAL { 1 } else { 2 }];
@@ -176,6 +184,7 @@ impl TangentGraph {
                 }
             }
         }
+        Ok(())
     }
 
     /// The arcs between neighbouring ends of tangents: a piece between two neighbouring angles at which it may become free or
@@ -279,8 +288,8 @@ pub(super) fn larger(world: &World, bounds: &Aabb, radius: f64) -> f64 {
 /// radians. `None` if there is no path. O(n^2 log n) for n convex corners and discs.
 ///
 /// # Errors
-/// `too-large` for more than 1000 of them; `start-in-collision`, `goal-in-collision` if a position is nearer to an obstacle than
-/// rounding allows.
+/// `too-large` for more than 4000 of them, or more than 2,000,000 free tangents; `start-in-collision`,
+/// `goal-in-collision` if a position is nearer to an obstacle than rounding allows.
 pub(super) fn shortest(
     world: &World,
     bounds: Aabb,

@@ -1,10 +1,7 @@
 //! A checked scenario and its parts.
 
 use crate::error::{Code, Error, quoted};
-use crate::geometry::{
-    Aabb, Disc, Polygon, Segment, distance_point_polygon, distance_point_segment, distance_polygon_polygon,
-    distance_segment_polygon,
-};
+use crate::geometry::{Aabb, Disc, Placed, Polygon, Segment, distance_point_segment};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
@@ -114,19 +111,30 @@ impl Obstacle {
         }
     }
 
-    /// The distance from the segment to the obstacle, in metres; 0 or less if they share a point. O(vertices).
+    /// The distance from the segment to the obstacle, in metres; 0 or less if they share a point.
     pub fn distance_to_segment(&self, segment: &Segment) -> f64 {
+        self.distance_to_segment_within(segment, f64::INFINITY)
+    }
+
+    /// The same; if it is `most` or more, that distance or infinity.
+    pub fn distance_to_segment_within(&self, segment: &Segment, most: f64) -> f64 {
         match self {
             Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
-            Obstacle::Polygon(polygon) => distance_segment_polygon(segment, polygon),
+            Obstacle::Polygon(polygon) => Placed::resting(polygon).distance_to_segment(segment, most, &mut 0),
         }
     }
 
-    /// The distance from the polygon to the obstacle, in metres; 0 or less if they share a point. O(product of vertices).
+    /// The distance from the polygon to the obstacle, in metres; 0 or less if they share a point.
     pub fn distance_to_polygon(&self, other: &Polygon) -> f64 {
+        self.distance_to_polygon_within(other, f64::INFINITY)
+    }
+
+    /// The same; if it is `most` or more, that distance or infinity.
+    pub fn distance_to_polygon_within(&self, other: &Polygon, most: f64) -> f64 {
+        let other = Placed::resting(other);
         match self {
-            Obstacle::Disc(disc) => distance_point_polygon(disc.center, other) - disc.radius,
-            Obstacle::Polygon(polygon) => distance_polygon_polygon(other, polygon),
+            Obstacle::Disc(disc) => other.distance_to_point(disc.center, most + disc.radius, &mut 0) - disc.radius,
+            Obstacle::Polygon(polygon) => other.distance(&Placed::resting(polygon), most, &mut 0),
         }
     }
 }

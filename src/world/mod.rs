@@ -55,6 +55,12 @@ impl PlanningWorld {
         Self(Arc::new(Prepared { scenario, collision: OnceLock::new() }))
     }
 
+    /// A scenario with the same obstacles and bounds, and another robot: both share what is prepared of the obstacles.
+    pub(crate) fn with_other_robot(&self, scenario: Scenario) -> Self {
+        let collision = OnceLock::from(self.collision().clone());
+        Self(Arc::new(Prepared { scenario, collision }))
+    }
+
     /// The scenario.
     pub fn scenario(&self) -> &Scenario {
         &self.0.scenario

@@ -9,11 +9,11 @@ mod separation;
 use super::cell::{Cell, DEEPEST, SIDE};
 use super::document::{Blocked, Certificate, Verdict};
 use crate::error::{Code, Error};
-use crate::geometry::{Aabb, Point, Polygon, Segment, Vector, convex_pieces};
+use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, Vector, convex_pieces};
 use crate::problem::Touched;
 use crate::robot::link_name;
 use crate::scenario::{Obstacle, Robot, Scenario};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 
 /// The most parts of cells of one certificate that are examined.
@@ -178,26 +178,22 @@ impl<'a> Verifier<'a> {
 
     /// Checks every cell of a wall.
     fn check_wall(&mut self, wall: &[Blocked], most: f64) -> Result<(), String> {
+        // Of every obstacle that has been named, its convex pieces and then the obstacle itself.
+        let mut known: BTreeMap<usize, Vec<Obstacle>> = BTreeMap::new();
         for (i, blocked) in wall.iter().enumerate() {
             let name = format!("cell {i} of the wall");
             let ranges = self.ranges_of(&blocked.cell, &name)?;
             if blocked.part > usize::from(self.arm.is_some()) || !(0.0..=1.0).contains(&blocked.along) {
                 return Err(format!("{name} names a point that the robot does not have"));
             }
-            let shapes = match blocked.with {
-                Touched::Bounds => Vec::new(),
+            let shapes: &[Obstacle] = match blocked.with {
+                Touched::Bounds => &[],
                 Touched::Obstacle(i) => match self.scenario.world().obstacles.get(i) {
-                    Some(Obstacle::Polygon(polygon)) => {
-                        let mut shapes: Vec<Obstacle> =
-                            convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect();
-                        shapes.push(Obstacle::Polygon(polygon.clone()));
-                        shapes
-                    }
-                    Some(disc) => vec![disc.clone(), disc.clone()],
+                    Some(obstacle) => known.entry(i).or_insert_with(|| pieces_and_whole(obstacle)),
                     None => return Err(format!("{name} names obstacle {i}, which does not exist")),
                 },
             };
-            if !self.stays_near(blocked, &shapes, ranges, most, MOST_HALVINGS) {
+            if !self.stays_near(blocked, shapes, ranges, most, MOST_HALVINGS) {
                 let part = if self.arm.is_some() { link_name(blocked.part) } else { "the disc".into() };
                 let with = match blocked.with {
                     Touched::Obstacle(i) => format!("obstacle {i}"),
@@ -219,7 +215,12 @@ impl<'a> Verifier<'a> {
         let (center, corners) = (place(middle), [[a, c], [b, c], [a, d], [b, d]].map(place));
         let bulge = self.bulge(ranges, blocked.part, blocked.along);
         let room = most + self.radius + 2.0 * self.slack - bulge;
-        let is_near = |shape: &Obstacle| corners.iter().all(|&p| signed_distance(p, shape) <= room);
+        // The box first: most pieces of an obstacle are far away.
+        let reach = room.max(0.0) + self.slack;
+        let is_near = |shape: &Obstacle| {
+            let around = shape.aabb().grown(reach);
+            corners.iter().all(|&p| around.contains(p)) && corners.iter().all(|&p| signed_distance(p, shape) <= room)
+        };
         let (is_proven, is_hopeless) = match shapes {
             [convex @ .., whole] => {
                 let spread = corners.iter().map(|p| (p - center).norm()).fold(0.0, f64::max);
@@ -296,7 +297,10 @@ impl<'a> Verifier<'a> {
                 is_hopeless |= room <= 0.0;
             };
             for obstacle in self.scenario.world().obstacles.iter() {
-                keeps(obstacle.distance_to_segment(&axis) - self.radius - clearance - 0.5 * self.slack);
+                let least = self.radius + clearance + 0.5 * self.slack;
+                // Beyond that it keeps away, however far it is.
+                let most = (least + travel).max(0.0) + self.slack;
+                keeps(obstacle.distance_to_segment_within(&axis, most) - least);
             }
             if let (Some(bounds), true) = (self.scenario.world().bounds, self.arm.is_some()) {
                 // Contact with the bounds is allowed.
@@ -344,6 +348,16 @@ impl<'a> Verifier<'a> {
     }
 }
 
+/// The convex pieces of an obstacle, and then the obstacle itself.
+fn pieces_and_whole(obstacle: &Obstacle) -> Vec<Obstacle> {
+    let mut shapes = match obstacle {
+        Obstacle::Polygon(polygon) => convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect(),
+        Obstacle::Disc(_) => vec![obstacle.clone()],
+    };
+    shapes.push(obstacle.clone());
+    shapes
+}
+
 /// The quarters of the ranges.
 fn quarters([[a, b], [c, d]]: Ranges) -> [Ranges; 4] {
     let (x, y) = (0.5 * (a + b), 0.5 * (c + d));
@@ -359,14 +373,14 @@ fn signed_distance(p: Point, obstacle: &Obstacle) -> f64 {
 }
 
 fn signed_distance_polygon(p: Point, polygon: &Polygon) -> f64 {
-    let (mut nearest, mut is_inside) = (f64::INFINITY, false);
-    for Segment { a, b } in polygon.edges() {
-        let along = b - a;
-        let t = ((p - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-        nearest = nearest.min((p - (a + along * t)).norm());
+    let nearest = Placed::resting(polygon).distance_to_border(p, f64::INFINITY, &mut 0);
+    let mut is_inside = false;
+    let ray = Aabb { min: p, max: Point::new(f64::INFINITY, p.y) };
+    polygon.any_edge_near(&ray, |_, &Segment { a, b }| {
         if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
             is_inside = !is_inside;
         }
-    }
+        false
+    });
     if is_inside { -nearest } else { nearest }
 }

@@ -18,7 +18,8 @@ use super::pair::{Direction, Part, nearest_point, polygon_support};
 use super::rotation::unit;
 use crate::collision::BodyMotion;
 use crate::collision::obstacles::{Face, faces_of};
-use crate::geometry::{Aabb, Point, Polygon, Vector, convex_pieces};
+use crate::collision::world::MOST_CORNERS;
+use crate::geometry::{Aabb, Point, Polygon, Vector, small_convex_pieces};
 use crate::space::Lanes;
 use std::ops::Range;
 
@@ -47,7 +48,7 @@ impl MovingBody {
     /// The body, cut into convex pieces, with this slack. O(n log n).
     pub fn new(body: &Polygon, eta: f64) -> Self {
         let (mut faces, mut ranges) = (Vec::new(), Vec::new());
-        for piece in convex_pieces(body) {
+        for piece in small_convex_pieces(body, MOST_CORNERS) {
             let first = faces.len() as u32;
             faces.extend(faces_of(&piece));
             ranges.push((first, faces.len() as u32));

@@ -79,7 +79,11 @@ impl<'a> Checker<'a> {
         self.examined.samples += 1;
         for i in 0..points.len() - 1 {
             let here = segment(&points, i);
-            for obstacle in near(&self.world.obstacles, &here.aabb(), f64::INFINITY) {
+            // All obstacles once, since one may be inside the body; then those that may be nearer than the nearest so
+            // far.
+            let nearest = self.touching(robot, i, 0.0).max(self.examined.clearance + robot.radius);
+            let reach = if i == 0 { f64::INFINITY } else { nearest };
+            for obstacle in near(&self.world.obstacles, &here.aabb(), reach) {
                 self.check_segment(robot, i, &obstacle, &here, 0.0)?;
                 let inside = match obstacle.obstacle {
                     Obstacle::Disc(disc) => disc.center,

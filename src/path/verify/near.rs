@@ -1,7 +1,7 @@
 //! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Point, Segment, distance_point_segment, distance_segment_segment, distance_squared_segment_segment,
+    Aabb, Point, Polygon, Segment, distance_point_segment, distance_segment_segment, distance_squared_segment_segment,
     orientation,
 };
 use crate::scenario::Obstacle;
@@ -23,11 +23,23 @@ pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> 
         .map(|(index, obstacle)| {
             let edges = match obstacle {
                 Obstacle::Disc(_) => Vec::new(),
-                Obstacle::Polygon(polygon) => polygon.edges().filter(|edge| is_near(&edge.aabb())).collect(),
+                Obstacle::Polygon(polygon) => edges_near(polygon, &around.grown(reach), is_near),
             };
             Near { index, obstacle, edges }
         })
         .collect()
+}
+
+/// The edges of a polygon whose boxes are near, all of which meet `around`.
+fn edges_near(polygon: &Polygon, around: &Aabb, is_near: impl Fn(&Aabb) -> bool) -> Vec<Segment> {
+    let mut edges = Vec::new();
+    polygon.any_edge_near(around, |_, edge| {
+        if is_near(&edge.aabb()) {
+            edges.push(*edge);
+        }
+        false
+    });
+    edges
 }
 
 impl Near<'_> {

@@ -3,7 +3,7 @@
 
 use super::Inspector;
 use crate::error::Error;
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Aabb, Point, Segment};
 use crate::robot::Part;
 use crate::scenario::Obstacle;
 use parry2d_f64::math::{Pose, Vector};
@@ -27,17 +27,25 @@ pub struct Clearance {
     pub points: [Point; 2],
 }
 
+/// The number of segments that share a box.
+const RUN: usize = 8;
+
 /// The boundary of a shape: all points at a distance from segments.
 pub(super) struct Boundary {
     segments: Vec<shape::Segment>,
+    /// Around every [`RUN`] segments in sequence.
+    boxes: Vec<Aabb>,
     radius: f64,
 }
 
 impl Boundary {
     fn new(segments: impl IntoIterator<Item = Segment>, radius: f64) -> Self {
         let vector = |point: Point| Vector::new(point.x, point.y);
-        let segment = |segment: Segment| shape::Segment::new(vector(segment.a), vector(segment.b));
-        Self { segments: segments.into_iter().map(segment).collect(), radius }
+        let segments: Vec<Segment> = segments.into_iter().collect();
+        let around = |run: &[Segment]| Aabb::around(run.iter().flat_map(|s| [s.a, s.b])).expect("a run has a segment");
+        let boxes = segments.chunks(RUN).map(around).collect();
+        let segment = |segment: &Segment| shape::Segment::new(vector(segment.a), vector(segment.b));
+        Self { segments: segments.iter().map(segment).collect(), boxes, radius }
     }
 
     pub(super) fn of_obstacle(obstacle: &Obstacle) -> Self {
@@ -61,8 +69,17 @@ impl Boundary {
     /// The distance to another boundary that this one does not cross, and the nearest points.
     fn distance(&self, other: &Self) -> (f64, [Point; 2]) {
         let mut nearest = (f64::INFINITY, [Vector::ZERO; 2]);
-        for s in &self.segments {
-            for t in &other.segments {
+        let pairs = self
+            .boxes
+            .iter()
+            .zip(self.segments.chunks(RUN))
+            .flat_map(|own| other.boxes.iter().zip(other.segments.chunks(RUN)).map(move |theirs| (own, theirs)));
+        for ((around, run), (other_around, other_run)) in pairs {
+            // A little less, since distances are rounded.
+            if around.gap_squared(other_around).sqrt() * (1.0 - 1e-9) > nearest.0 {
+                continue;
+            }
+            for (s, t) in run.iter().flat_map(|s| other_run.iter().map(move |t| (s, t))) {
                 if let ClosestPoints::WithinMargin(a, b) =
                     closest_points_segment_segment(&Pose::identity(), s, t, f64::MAX)
                     && (b - a).length() < nearest.0

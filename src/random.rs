@@ -48,6 +48,10 @@ pub enum Stream {
     Tasks = 11,
     /// The noise of rollouts.
     Rollouts = 12,
+    /// The samples that the roadmaps of a fleet grow by where they are too thin.
+    Growth = 13,
+    /// The order in which joint moves of a fleet are tried.
+    Moves = 14,
 }
 
 /// A stream of random numbers.

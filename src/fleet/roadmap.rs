@@ -1,15 +1,21 @@
 //! The roadmap of one kind of robot: a PRM in the world without other robots, whose first vertices are the starts and the goals of the
-//! robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free.
+//! robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free. A roadmap that is
+//! complete can grow by more samples, each connected to its neighbours at once.
 
 use super::document::Fleet;
 use super::motion::{Footprint, Pose};
 use crate::error::Error;
+use crate::graph::VertexId;
 use crate::planner::{Phase, Planner, PlannerKind, PrmOptions};
 use crate::problem::Problem;
+use crate::random::{Random, Stream};
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// So many samples are drawn at most for one that is wanted: in the rest of the time there is little free space.
+const DRAWS: u64 = 50;
 
 /// A roadmap that grows.
 pub(super) struct Roadmap {
@@ -21,8 +27,9 @@ pub(super) struct Roadmap {
     pub footprint: Footprint,
     /// Of every vertex, its neighbours, each with the length of the way there; filled once the roadmap is built.
     neighbours: Vec<Vec<(u32, f64)>>,
-    /// The edges that are not those of the planner.
-    direct: Vec<[u32; 2]>,
+    random: Random,
+    /// The number of vertices to grow to, and how many more samples may be drawn for it.
+    wanted: (usize, u64),
 }
 
 impl Roadmap {
@@ -44,7 +51,9 @@ impl Roadmap {
         problem.records_events = false;
         let planner = options.begin(&problem, seed)?;
         let footprint = Footprint::of(world.scenario().robot());
-        Ok(Self { problem, planner, iteration: 0, robots, footprint, neighbours: Vec::new(), direct: Vec::new() })
+        let random = Random::new(seed, Stream::Growth);
+        let (iteration, neighbours, wanted) = (0, Vec::new(), (0, 0));
+        Ok(Self { problem, planner, iteration, robots, footprint, neighbours, random, wanted })
     }
 
     /// Whether all samples are connected.
@@ -52,29 +61,60 @@ impl Roadmap {
         !self.neighbours.is_empty()
     }
 
-    /// One iteration of the planner: a sample, or a vertex that is connected to its neighbours.
+    /// Begins to grow to so many vertices; until it has them, it is not built.
+    pub fn grow_to(&mut self, vertices: usize) {
+        let more = vertices.saturating_sub(self.vertex_count()) as u64;
+        self.wanted = (vertices, DRAWS * more);
+        self.neighbours = Vec::new();
+    }
+
+    /// One iteration: a sample, or a vertex that is connected to its neighbours.
     pub fn iterate(&mut self) {
         self.iteration += 1;
+        if self.wanted.0 > 0 {
+            self.draw();
+            return;
+        }
         self.planner.iterate(&self.problem, self.iteration);
         if !matches!(self.planner.phase(), Phase::Sampling | Phase::Connecting) {
+            self.add_direct_edges();
             self.complete();
         }
     }
 
-    /// Adds the direct edges, and lists the neighbours of every vertex.
+    /// One more sample.
+    fn draw(&mut self) {
+        let (vertices, left) = self.wanted;
+        if self.vertex_count() >= vertices || left == 0 {
+            return self.complete();
+        }
+        self.wanted.1 = left - 1;
+        let state = self.problem.space().sample(&mut self.random);
+        if self.problem.validity().is_free(&state)
+            && let Some(roadmap) = self.planner.roadmap_mut()
+        {
+            roadmap.extend(&self.problem, self.iteration, state);
+        }
+    }
+
+    /// Adds the motions from each start straight to its goal.
+    fn add_direct_edges(&mut self) {
+        let mut edges: BTreeSet<[u32; 2]> = self.edges().collect();
+        for robot in 0..self.robots.len() as u32 {
+            let [start, goal] = [2 * robot, 2 * robot + 1];
+            let is_new = !edges.contains(&[start, goal]) && edges.insert([goal, start]);
+            if is_new && let Some(roadmap) = self.planner.roadmap_mut() {
+                roadmap.join(&self.problem, self.iteration, VertexId(start), VertexId(goal));
+            }
+        }
+    }
+
+    /// Lists the neighbours of every vertex.
     fn complete(&mut self) {
         let graph = self.planner.graph();
         let edges: Vec<[u32; 2]> = graph.edges().iter().map(|edge| edge.map(|vertex| vertex.0)).collect();
-        for robot in 0..self.robots.len() as u32 {
-            let [start, goal] = [2 * robot, 2 * robot + 1];
-            let [a, b] = [start, goal].map(|vertex| graph.states()[vertex as usize]);
-            let is_known = edges.contains(&[start, goal]) || edges.contains(&[goal, start]);
-            if !is_known && self.problem.validity().is_motion_free(&a, &b) {
-                self.direct.push([start, goal]);
-            }
-        }
         self.neighbours = vec![Vec::new(); graph.states().len()];
-        for [a, b] in edges.into_iter().chain(self.direct.iter().copied()) {
+        for [a, b] in edges {
             let way = self.footprint.travel(self.pose(a), self.pose(b));
             self.neighbours[a as usize].push((b, way));
             self.neighbours[b as usize].push((a, way));
@@ -91,6 +131,11 @@ impl Roadmap {
         [2 * at, 2 * at + 1]
     }
 
+    /// How many vertices are starts and goals.
+    pub fn end_count(&self) -> usize {
+        2 * self.robots.len()
+    }
+
     /// The pose of a vertex.
     pub fn pose(&self, vertex: u32) -> Pose {
         let [x, y, theta, _] = self.planner.graph().states()[vertex as usize];
@@ -104,13 +149,12 @@ impl Roadmap {
 
     /// The number of edges.
     pub fn edge_count(&self) -> usize {
-        self.planner.graph().edges().len() + self.direct.len()
+        self.planner.graph().edges().len()
     }
 
     /// The edges, in the order of their creation.
     pub fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let grown = self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0));
-        grown.chain(self.direct.iter().copied())
+        self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0))
     }
 
     /// The neighbours of a vertex, each with the length of the way there; none before the roadmap is built.
@@ -120,7 +164,7 @@ impl Roadmap {
 
     /// The motions tested for collision.
     pub fn motion_checks(&self) -> u64 {
-        self.planner.growth().counters.motion_checks + self.robots.len() as u64
+        self.planner.growth().counters.motion_checks
     }
 
     /// The length of the way from every vertex to one, infinite if there is none. Dijkstra's algorithm, O(e log n).

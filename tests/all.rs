@@ -20,6 +20,7 @@ mod directed;
 mod driving;
 mod experiment;
 mod fleet;
+mod fleet_places;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod fuzz;
 mod generate;

@@ -140,6 +140,11 @@ impl Composite {
         self.trajectories.len()
     }
 
+    /// The trajectories of all robots, once solved.
+    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+        self.trajectories.drain(..).map(Rc::new).collect()
+    }
+
     /// The vertices of both trees: the configurations of all robots, one after the other.
     pub fn vertices(&self) -> &[Joint] {
         self.planner.graph().states()

@@ -46,8 +46,7 @@ impl Joint {
     /// Distances to goals count up to `1 + noise` times what they are, drawn by the seed.
     pub fn new(ground: &Ground, seed: u64, noise: f64) -> Self {
         let robots = 0..ground.setup.kinds.len();
-        let ends: Vec<[u32; 2]> =
-            robots.map(|robot| ground.roadmaps[ground.setup.kinds[robot]].ends(robot)).collect();
+        let ends: Vec<[u32; 2]> = robots.map(|robot| ground.roadmaps[ground.setup.kinds[robot]].ends(robot)).collect();
         let [starts, goals] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<Vec<u32>>());
         let mut joint = Self {
             starts,

@@ -1,21 +1,22 @@
-//! The planner that is chosen if none is named: four searches take turns on roadmaps that grow while none of them finds a plan.
+//! The planner that is chosen if none is named: searches take turns on roadmaps that grow while none of them finds a plan.
 //!
 //! - Orders of priorities among robots that stand at their starts until they have planned (`prioritized.rs`) are fast where one works.
 //! - The tree of priorities (`priority_tree.rs`) finds who gives way to whom where robots must make room before they plan.
-//! - Joint moves (`joint.rs`) find what no priorities can, as where two robots have to make way for each other.
-//! - Walks (`walks.rs`) find where to step aside if that is far from every way to a goal.
+//! - Two or three robots are planned for as one, too (`composite.rs`): that needs no roadmap.
+//! - Joint moves (`moves.rs`) find what no priorities can, as where two robots have to make way for each other.
 //!
-//! So a plan takes a few times as long as the search takes that finds it first. Plans of joint moves are refined (`refinement.rs`).
+//! So a plan takes a few times as long as the search takes that finds it first. Plans other than by priorities are refined
+//! (`refinement.rs`).
 
 use super::Setup;
-use super::joint::Joint;
+use super::composite::{Composite, CompositeOptions};
+use super::moves::Moves;
 use super::prioritized::{Orders, default_samples, roadmap_stats, roadmaps};
 use super::priority_tree::{Ground, PriorityTree};
 use super::refinement::{Refined, Refinement};
 use super::roadmap::Roadmap;
 use super::run::{Blocked, FleetReason, FleetStats};
 use super::trajectory::Trajectory;
-use super::walks::Walks;
 use crate::error::Error;
 use crate::problem::Status;
 use std::rc::Rc;
@@ -26,11 +27,11 @@ const TURN: [u64; 2] = [5000, 1000];
 const JOINT: u64 = 8;
 /// How many orders of priorities are tried after the first.
 const RESTARTS: u32 = 20;
-/// Distances in joint moves count up to so much more than they are, a multiple of it in every round.
-const NOISE: f64 = 0.25;
-/// How often the robots of a plan of joint moves try to arrive earlier if nothing else is given.
+/// The roadmaps grow after so many rounds: mostly they are dense enough.
+const ROUNDS: u32 = 3;
+/// How often the robots of a plan try to arrive earlier if nothing else is given and the plan is not one of priorities.
 const REFINEMENTS: u32 = 3;
-/// The most distances to goals that are kept, of all robots; without them there are no joint moves.
+/// The most distances to goals that are kept, of all robots; of more, those of a robot are computed whenever it plans.
 const MOST_DISTANCES: usize = 4_000_000;
 
 crate::options! {
@@ -43,7 +44,7 @@ crate::options! {
     /// Each vertex is connected to its k nearest neighbours.
     k: usize = 15, in 1.0..=100.0, "Neighbours";
     /// How many times the robots of a plan try, one after another, to arrive earlier.
-    refinements: Option<u32>, in 0.0..=1000.0, "Refinements", else "3 for a plan of joint moves, else 0";
+    refinements: Option<u32>, in 0.0..=1000.0, "Refinements", else "0 for a plan by priorities, else 3";
     /// Number of iterations after which the planner gives up.
     max_iterations: u64 = 5_000_000, in 1.0..=1e12, "Most iterations";
 }
@@ -55,15 +56,15 @@ enum Stage {
     /// Distances to goals are computed, for one robot after another.
     Distances,
     Searches,
-    Refinement(Refinement),
+    Refinement(Box<Refinement>),
 }
 
 /// One of the searches.
 enum Search {
     Orders(Orders),
     Tree(PriorityTree),
-    Joint(Joint),
-    Walks(Walks),
+    Composite(Box<Composite>),
+    Moves(Box<Moves>),
 }
 
 /// Searches that take turns, on roadmaps that are complete.
@@ -84,6 +85,7 @@ pub(super) struct Pbs {
     stage: Stage,
     searches: Searches,
     round: u32,
+    k: usize,
     most_samples: usize,
     refinements: Option<u32>,
     seed: u64,
@@ -104,6 +106,7 @@ impl Pbs {
             stage: Stage::Roadmaps,
             searches: Searches::default(),
             round: 0,
+            k: options.k,
             most_samples: options.most_samples,
             refinements: options.refinements,
             seed,
@@ -172,21 +175,21 @@ impl Pbs {
         self.distances.push(if is_kept { distances.into() } else { Rc::new([]) });
     }
 
-    /// Begins a round of searches: all of them where roadmaps have grown, else others by joint moves.
+    /// Begins a round of searches; those by priorities begin again where roadmaps have grown.
     fn begin_searches(&mut self, setup: &Setup, have_grown: bool) {
-        let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &self.distances };
         let left = &mut self.searches.left;
-        left.retain(|search| !have_grown && matches!(search, Search::Orders(_) | Search::Tree(_)));
+        let is_first = self.round == 0;
         if have_grown {
+            left.retain(|search| matches!(search, Search::Composite(_) | Search::Moves(_)));
             let order = (0..setup.kinds.len()).collect();
-            left.push(Search::Orders(Orders::new(setup, order, self.seed, RESTARTS)));
-            left.push(Search::Tree(PriorityTree::new(setup)));
+            left.insert(0, Search::Orders(Orders::new(setup, order, self.seed, RESTARTS)));
+            left.insert(1, Search::Tree(PriorityTree::new(setup)));
         }
-        let can_join = setup.kinds.len() > 1 && self.distances.iter().all(|distances| !distances.is_empty());
-        if can_join {
-            let seed = self.seed.wrapping_add(u64::from(self.round));
-            left.push(Search::Joint(Joint::new(&ground, seed, NOISE * f64::from(self.round))));
-            left.push(Search::Walks(Walks::new(&ground, seed)));
+        if is_first && let Ok(composite) = Composite::new(setup, &CompositeOptions::default(), self.seed) {
+            left.push(Search::Composite(Box::new(composite)));
+        }
+        if is_first && setup.kinds.len() > 1 {
+            left.push(Search::Moves(Box::new(Moves::new(self.k, self.most_samples, self.seed))));
         }
         self.searches.turn = 0;
         self.searches.turns = (left.len() as u64) << self.round.min(30);
@@ -200,7 +203,7 @@ impl Pbs {
         let searches = &mut self.searches;
         let Some(search) = searches.left.get_mut(searches.turn) else {
             self.round += 1;
-            if !self.grow(setup) {
+            if !self.round.is_multiple_of(ROUNDS) || !self.grow(setup) {
                 self.begin_searches(setup, false);
                 if self.searches.left.is_empty() {
                     return self.give_up(FleetReason::OrderLimit, self.blocked.clone());
@@ -211,9 +214,9 @@ impl Pbs {
         let status = search.iterate(&ground, &mut self.stats);
         searches.iterations -= 1;
         if status == Status::Solved {
-            let is_joint = matches!(search, Search::Joint(_) | Search::Walks(_));
-            let rounds = self.refinements.unwrap_or(if is_joint { REFINEMENTS } else { 0 });
-            self.stage = Stage::Refinement(Refinement::new(search.take_solution(), rounds));
+            let is_ordered = matches!(search, Search::Orders(_) | Search::Tree(_));
+            let rounds = self.refinements.unwrap_or(if is_ordered { 0 } else { REFINEMENTS });
+            self.stage = Stage::Refinement(Box::new(Refinement::new(search.take_solution(), rounds)));
         }
         if status != Status::Running || searches.iterations == 0 {
             self.blocked = search.blocked().cloned().or(self.blocked.take());
@@ -281,7 +284,7 @@ impl Searches {
     fn of_a_turn(&self, setup: &Setup) -> u64 {
         let single = TURN[0] + TURN[1] * setup.kinds.len() as u64;
         match self.left.get(self.turn) {
-            Some(Search::Joint(_) | Search::Walks(_)) => JOINT * single,
+            Some(Search::Moves(_)) => JOINT * single,
             _ => single,
         }
     }
@@ -309,8 +312,15 @@ impl Search {
         match self {
             Search::Orders(orders) => orders.iterate(ground, stats),
             Search::Tree(tree) => tree.iterate(ground, stats),
-            Search::Joint(joint) => joint.iterate(ground, stats),
-            Search::Walks(walks) => walks.iterate(ground, stats),
+            Search::Moves(moves) => moves.iterate(ground, stats),
+            Search::Composite(composite) => {
+                let before = composite.stats();
+                let status = composite.iterate(ground.setup, u32::MAX);
+                let after = composite.stats();
+                stats.pair_checks += after.pair_checks - before.pair_checks;
+                stats.motion_checks += after.motion_checks - before.motion_checks;
+                status
+            }
         }
     }
 
@@ -318,8 +328,8 @@ impl Search {
         match self {
             Search::Orders(orders) => orders.take_solution(),
             Search::Tree(tree) => tree.take_solution(),
-            Search::Joint(joint) => joint.take_solution(),
-            Search::Walks(walks) => walks.take_solution(),
+            Search::Moves(moves) => moves.take_solution(),
+            Search::Composite(composite) => composite.take_solution(),
         }
     }
 
@@ -328,7 +338,7 @@ impl Search {
         match self {
             Search::Orders(orders) => orders.blocked(),
             Search::Tree(tree) => tree.blocked(),
-            Search::Joint(_) | Search::Walks(_) => None,
+            Search::Composite(_) | Search::Moves(_) => None,
         }
     }
 }

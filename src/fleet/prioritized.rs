@@ -106,7 +106,7 @@ pub(super) fn roadmap_stats(roadmaps: &[Roadmap], searches: FleetStats) -> Fleet
     FleetStats {
         vertices: roadmaps.iter().map(|roadmap| roadmap.vertex_count() as u64).sum(),
         edges: roadmaps.iter().map(|roadmap| roadmap.edge_count() as u64).sum(),
-        motion_checks: roadmaps.iter().map(Roadmap::motion_checks).sum(),
+        motion_checks: roadmaps.iter().map(Roadmap::motion_checks).sum::<u64>() + searches.motion_checks,
         ..searches
     }
 }
@@ -185,7 +185,11 @@ impl Orders {
             return Some(FleetReason::NotConnected);
         }
         if self.restarts == self.most_restarts {
-            return Some(if self.have_all_failed(&mut Vec::new()) { FleetReason::NoOrder } else { FleetReason::OrderLimit });
+            return Some(if self.have_all_failed(&mut Vec::new()) {
+                FleetReason::NoOrder
+            } else {
+                FleetReason::OrderLimit
+            });
         }
         let last = self.order.clone();
         self.order[..=self.planned].rotate_right(1);

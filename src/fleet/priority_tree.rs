@@ -78,7 +78,7 @@ impl Branch {
     }
 
     /// A robot and all below it, those with most above them first: each comes before all that are above it.
-    fn from_below(&self, robot: usize) -> Vec<usize> {
+    fn lowest_first(&self, robot: usize) -> Vec<usize> {
         let mut robots: Vec<usize> =
             (0..self.above.len()).filter(|&one| one == robot || self.is_above(robot, one)).collect();
         robots.sort_by_key(|&one| std::cmp::Reverse((self.above[one].len(), one)));
@@ -89,7 +89,7 @@ impl Branch {
     fn put_above(&mut self, first: usize, second: usize) {
         let mut added = self.above[first].to_vec();
         added.push(first);
-        for robot in self.from_below(second) {
+        for robot in self.lowest_first(second) {
             let mut above = [&self.above[robot][..], &added].concat();
             above.sort_unstable();
             above.dedup();
@@ -125,7 +125,7 @@ impl PriorityTree {
     pub fn new(setup: &Setup) -> Self {
         let count = setup.kinds.len();
         let branch = Branch {
-            above: vec![Rc::new([]); count],
+            above: (0..count).map(|_| Rc::new([]) as Rc<[usize]>).collect(),
             trajectories: standing(setup),
             conflicts: BTreeMap::new(),
             cost: f64::INFINITY,
@@ -159,7 +159,7 @@ impl PriorityTree {
             if !parent.is_above(second, first) {
                 let mut branch = parent.clone();
                 branch.put_above(first, second);
-                let left = branch.from_below(second);
+                let left = branch.lowest_first(second);
                 stats.restarts += 1;
                 self.work = Some(Work { branch, left, must: vec![second], planning: None });
             }

@@ -162,6 +162,13 @@ impl Roadmap {
         &self.neighbours[vertex as usize]
     }
 
+    /// The mean length of the edges, in metres; infinite if there is none.
+    pub fn mean_way(&self) -> f64 {
+        let ways = self.neighbours.iter().flatten().map(|(_, way)| *way);
+        let (count, sum) = ways.fold((0u32, 0.0), |(count, sum), way| (count + 1, sum + way));
+        if count == 0 { f64::INFINITY } else { sum / f64::from(count) }
+    }
+
     /// The motions tested for collision.
     pub fn motion_checks(&self) -> u64 {
         self.planner.growth().counters.motion_checks

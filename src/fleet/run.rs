@@ -346,9 +346,9 @@ impl FleetPlanner {
     pub fn roadmap_size(&self, roadmap: usize) -> (usize, usize) {
         match &self.algorithm {
             Algorithm::Composite(planner) => (planner.vertices().len(), planner.edges().count()),
-            Algorithm::Pbs(_) | Algorithm::Prioritized(_) => self.roadmaps().map_or((0, 0), |roadmaps| {
-                (roadmaps[roadmap].vertex_count(), roadmaps[roadmap].edge_count())
-            }),
+            Algorithm::Pbs(_) | Algorithm::Prioritized(_) => self
+                .roadmaps()
+                .map_or((0, 0), |roadmaps| (roadmaps[roadmap].vertex_count(), roadmaps[roadmap].edge_count())),
         }
     }
 

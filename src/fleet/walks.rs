@@ -3,7 +3,8 @@
 //! A random tree over the joint configurations of the roadmaps, whose local planner is the joint move (Solovey, Salzman and Halperin
 //! 2016, "Finding a needle in an exponential haystack: discrete RRT for exploration of implicit roadmaps in multi-robot motion
 //! planning"). A walk begins at a configuration that an earlier one came to, or at the starts. Half of the robots are drawn a place
-//! to go to first: so some step aside to where nobody else wants to go, as into a bay, before the others pass.
+//! to go to first, and go before the others, which go to their goals: so some step aside to where nobody else wants to go, as into
+//! a bay, and others pass. Then all go to their goals.
 
 use super::joint_move::{JointMove, Moved, timed};
 use super::priority_tree::Ground;
@@ -13,8 +14,8 @@ use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::rc::Rc;
 
-/// The most moves of a walk to drawn places, and as many to the goals.
-const MOVES: u32 = 100;
+/// Each half of a walk has so many moves at most, and so many times as many as edges lead from the farthest vertex to a goal.
+const MOVES: [f64; 2] = [20.0, 2.0];
 
 /// How often a walk begins at the starts: one time of so many.
 const AFRESH: u64 = 4;
@@ -26,6 +27,8 @@ pub(super) struct Walks {
     tree: Vec<(Rc<[u32]>, usize)>,
     /// The last configuration of every walk.
     ends: Vec<usize>,
+    /// The most moves of half a walk.
+    moves: u32,
     walk: Option<Walk>,
     random: Random,
     solution: Vec<Rc<Trajectory>>,
@@ -33,9 +36,12 @@ pub(super) struct Walks {
 
 struct Walk {
     at: usize,
-    /// The distances to the places that were drawn, of all robots once it has begun.
+    /// The distances to the places that were drawn, or to the goals, of all robots once it has begun.
     distances: Vec<Rc<[f64]>>,
+    /// First the robots that have been drawn a place, then the others; the other way round in the second half.
     order: Vec<usize>,
+    /// How many have been drawn a place.
+    drawn: usize,
     /// The moves left to the places, and to the goals.
     left: [u32; 2],
     chosen: Option<JointMove>,
@@ -49,7 +55,13 @@ impl Walks {
         let [starts, goals] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<Vec<u32>>());
         let random = Random::new(seed, Stream::Moves);
         let (tree, ends) = (vec![(starts.into(), 0)], vec![0]);
-        Self { goals, tree, ends, walk: None, random, solution: Vec::new() }
+        let edges = |robot: usize| {
+            let distances = ground.distances[robot].iter().copied().filter(|distance| distance.is_finite());
+            distances.fold(0.0, f64::max) / ground.roadmaps[ground.setup.kinds[robot]].mean_way()
+        };
+        let most = (0..goals.len()).map(edges).filter(|edges| edges.is_finite()).fold(0.0, f64::max);
+        let moves = (MOVES[0] + MOVES[1] * most) as u32;
+        Self { goals, tree, ends, moves, walk: None, random, solution: Vec::new() }
     }
 
     /// `Solved` once a walk comes to the goals.
@@ -62,8 +74,12 @@ impl Walks {
             let robot = walk.distances.len();
             let roadmap = &ground.roadmaps[ground.setup.kinds[robot]];
             let distances = if self.random.below(2) == 0 {
+                walk.order.push(robot);
                 Rc::clone(&ground.distances[robot])
             } else {
+                let at = self.random.below(walk.drawn as u64 + 1) as usize;
+                walk.order.insert(at, robot);
+                walk.drawn += 1;
                 let place = self.random.below(roadmap.vertex_count() as u64) as u32;
                 roadmap.distances_to(place).into()
             };
@@ -100,6 +116,7 @@ impl Walks {
         walk.chosen = None;
         if is_first && walk.left[0] == 0 {
             self.ends.push(walk.at);
+            walk.order.reverse();
         }
         if walk.left[1] == 0 {
             self.walk = None;
@@ -111,11 +128,8 @@ impl Walks {
     fn begin(&mut self) {
         let afresh = self.random.below(AFRESH) == 0;
         let at = if afresh { 0 } else { self.ends[self.random.below(self.ends.len() as u64) as usize] };
-        let mut order: Vec<usize> = (0..self.goals.len()).collect();
-        for i in (1..order.len()).rev() {
-            order.swap(i, self.random.below(i as u64 + 1) as usize);
-        }
-        self.walk = Some(Walk { at, distances: Vec::new(), order, left: [MOVES; 2], chosen: None });
+        let (distances, order) = (Vec::new(), Vec::new());
+        self.walk = Some(Walk { at, distances, order, drawn: 0, left: [self.moves; 2], chosen: None });
     }
 
     /// The trajectories of all robots, once solved.

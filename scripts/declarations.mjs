@@ -82,8 +82,8 @@ export function optionTypes({ planners, generators, reach_methods, indexes, flee
     type("GenerateFleetOptions", "Options of `Fleet.generate`; `fleetGenerators()` lists which generator takes which.", "", merged(fleet_generators.flatMap(({ options }) => options))),
     `/** The id of a planner of fleets. */\nexport type FleetPlannerId = ${ids(fleet_planners)};\n`,
     type("FleetOptions", "Options of `fleet.planner`; `fleetPlanners()` lists which planner takes which.", [
-      ["The id of the planner; `prioritized` by default.", "algorithm?: FleetPlannerId"],
-      ["The order of priorities, the highest first: the names of all robots. For `prioritized` only; that of the document by default.", "order?: readonly string[]"],
+      ["The id of the planner; by default `pbs`, or `prioritized` if there is an order.", "algorithm?: FleetPlannerId"],
+      ["The order of priorities, the highest first: the names of all robots. For `prioritized` only, which begins with that of the document by default.", "order?: readonly string[]"],
     ].map(([text, code]) => `    ${comment(text)}\n    ${code};\n`).join(""), merged(fleet_planners.flatMap(({ parameters }) => parameters))),
     `/** The id of a generator of navigation tasks. */\nexport type NavigationGeneratorId = ${ids(navigation_generators)};\n`,
     type("GenerateNavigationOptions", "Options of `Navigation.generate`; `navigationGenerators()` lists which generator takes which.", "", merged(navigation_generators.flatMap(({ options }) => options))),

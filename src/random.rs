@@ -52,6 +52,10 @@ pub enum Stream {
     Ends = 13,
     /// The seeds of worlds that are drawn again until one is as required.
     Worlds = 14,
+    /// The samples that the roadmaps of a fleet grow by where they are too thin.
+    Growth = 15,
+    /// The order in which joint moves of a fleet are tried.
+    Moves = 16,
 }
 
 /// A stream of random numbers.

@@ -24,6 +24,7 @@ mod experiment;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod files;
 mod fleet;
+mod fleet_places;
 #[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
 mod fuzz;
 mod generate;

@@ -4,7 +4,7 @@
 use crate::common::documents::refuses;
 use crate::common::{cases, deep, golden, seeds};
 use planarium::fleet::{
-    Fleet, FleetOptions, FleetPlanner, Trajectory, conflicts, generate, straight, trajectories, verify,
+    Fleet, FleetOptions, FleetPlanner, FleetReason, Trajectory, conflicts, generate, straight, trajectories, verify,
 };
 use planarium::geometry::wrap;
 use planarium::options::Value;
@@ -37,7 +37,7 @@ fn planner(fleet: &Fleet, id: &str, seed: u64, order: Option<&[&str]>) -> FleetP
     FleetPlanner::new(fleet, &options).expect("options of this planner")
 }
 
-fn planned(fleet: &Fleet, id: &str, seed: u64) -> FleetPlanner {
+pub fn planned(fleet: &Fleet, id: &str, seed: u64) -> FleetPlanner {
     let mut planner = planner(fleet, id, seed, None);
     planner.step(u64::MAX);
     planner
@@ -103,7 +103,7 @@ fn seen(fleet: &Fleet, trajectories: &[Trajectory]) -> Option<([usize; 2], f64)>
 
 /// Verified, and without contact at any look of other code.
 #[track_caller]
-fn assert_free(planner: &FleetPlanner, about: &str) {
+pub fn assert_free(planner: &FleetPlanner, about: &str) {
     let verification = verify(planner.fleet(), &planner.result()).expect("a plan of this fleet");
     assert!(verification.is_valid(), "{about}: {verification:?}");
     let trajectories = trajectories(planner.fleet(), &planner.result()).expect("a plan of this fleet");
@@ -163,6 +163,8 @@ fn options_that_do_not_fit_are_refused_with_their_place() {
     refused(FleetOptions { order: order(&["a", "c"]), ..default() }, "out-of-range", "/order/1");
     refused(FleetOptions { order: order(&["a", "0"]), ..default() }, "out-of-range", "/order/1");
     refused(FleetOptions { seed: u64::MAX, ..default() }, "out-of-range", "/seed");
+    let pbs = FleetOptions { planner: Some("pbs".to_owned()), ..default() };
+    refused(FleetOptions { order: order(&["b", "a"]), ..pbs }, "unsupported", "/order");
     let composite = FleetOptions { planner: Some("composite".to_owned()), ..default() };
     refused(FleetOptions { order: order(&["b", "a"]), ..composite.clone() }, "unsupported", "/order");
     let k = vec![("k".to_owned(), Value::Number(0.0))];
@@ -234,7 +236,7 @@ fn a_composite_plan_of_two_or_three_is_free_of_conflict() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_swap_in_a_corridor_is_solved_by_the_composite_and_by_no_order_of_priorities() {
+fn a_swap_in_a_corridor_is_solved_by_the_composite_and_by_default_and_by_no_order_of_priorities() {
     for seed in 0..3 {
         let fleet = generate("swap", &json!({ "seed": seed })).expect("a swap");
         let names: Vec<&str> = fleet.robots().iter().map(|member| member.name.as_str()).collect();
@@ -243,10 +245,15 @@ fn a_swap_in_a_corridor_is_solved_by_the_composite_and_by_no_order_of_priorities
             assert_eq!(planner.step(u64::MAX), Status::Exhausted, "{order:?}");
             let blocked = planner.blocked().expect("a robot finds no way");
             assert_eq!((blocked.robot, &blocked.by[..]), (order[0], &[order[1]][..]));
+            assert_eq!(planner.reason(), Some(FleetReason::OrderLimit), "the other order was not to be tried");
         }
-        let planner = planned(&fleet, "composite", seed);
-        assert_eq!(planner.status(), Status::Solved);
-        assert_free(&planner, "swap");
+        let both = planned(&fleet, "prioritized", seed);
+        assert_eq!((both.reason(), both.stats().restarts), (Some(FleetReason::NoOrder), 1), "there are two orders");
+        for id in ["composite", "pbs"] {
+            let planner = planned(&fleet, id, seed);
+            assert_eq!((planner.status(), planner.reason()), (Status::Solved, None), "{id}");
+            assert_free(&planner, id);
+        }
     }
 }
 
@@ -257,10 +264,13 @@ fn robots_that_cannot_pass_each_other_are_never_said_to() {
     let fleet = Fleet::read(&document).expect("a fleet");
     for seed in 0..5 {
         assert_eq!(planned(&fleet, "prioritized", seed).status(), Status::Exhausted);
-        let parameters = vec![("max_iterations".to_owned(), Value::Number(2000.0))];
-        let options =
-            FleetOptions { planner: Some("composite".to_owned()), seed, parameters, ..FleetOptions::default() };
-        assert_eq!(FleetPlanner::new(&fleet, &options).expect("options").step(u64::MAX), Status::Exhausted);
+        for (id, most) in [("composite", 2000.0), ("pbs", 60_000.0)] {
+            let parameters = vec![("max_iterations".to_owned(), Value::Number(most))];
+            let options = FleetOptions { planner: Some(id.to_owned()), seed, parameters, ..FleetOptions::default() };
+            let mut planner = FleetPlanner::new(&fleet, &options).expect("options");
+            assert_eq!(planner.step(u64::MAX), Status::Exhausted);
+            assert_eq!(planner.reason(), Some(FleetReason::IterationLimit), "{id}");
+        }
     }
 }
 
@@ -456,8 +466,16 @@ fn another_order_can_succeed_where_one_fails() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn slices_change_nothing() {
-    for (id, fleet) in [("prioritized", "hall"), ("prioritized", "corridor"), ("composite", "swap")] {
-        let fleet = generate(fleet, &json!({})).expect("a fleet");
+    let exchange = json!({ "exchange": true });
+    let none = json!({});
+    for (id, fleet, options) in [
+        ("prioritized", "hall", &none),
+        ("prioritized", "corridor", &none),
+        ("composite", "swap", &none),
+        ("pbs", "swap", &none),
+        ("pbs", "ring", &exchange),
+    ] {
+        let fleet = generate(fleet, options).expect("a fleet");
         let whole = planned(&fleet, id, 3);
         for slice in [1, 7] {
             let mut sliced = planner(&fleet, id, 3, None);

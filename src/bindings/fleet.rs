@@ -126,11 +126,11 @@ impl Stepped for fleet::FleetPlanner {
 stepped!(FleetPlanner);
 
 members! { FleetPlanner(self): wasm_bindgen(getter);
-    /// `solved` once every robot has a trajectory; `exhausted` if the order of priorities fails, or the iterations are spent.
+    /// `solved` once every robot has a trajectory; `exhausted` if there is no plan, for the `reason` of the result.
     status: Status = self.0.borrow().run.status().into();
     /// The number of iterations so far.
     iterations: f64 = self.0.borrow().run.iterations() as f64;
-    /// The number of robots that have a trajectory.
+    /// The number of robots that have a trajectory; of `pbs` none, or all.
     planned: usize = self.0.borrow().run.planned();
     /// The number of roadmaps: equal robots share one; of the composite every robot has its own.
     roadmapCount: usize = self.0.borrow().run.roadmap_count();
@@ -143,11 +143,11 @@ members! { FleetPlanner(self): wasm_bindgen(getter);
 }
 
 members! { FleetPlanner(self): wasm_bindgen;
-    /// The robots in the order in which they plan, by their indices. A copy.
+    /// The robots in the order in which they plan, by their indices; without priorities, that of the document. A copy.
     order: Vec<u32> = self.0.borrow().run.order().into_iter().map(|robot| robot as u32).collect();
-    /// The robot that finds no way, followed by those in its way, by their indices; empty if there is none. A copy.
+    /// The robot that found no way last, followed by those in its way, by their indices; empty if none is known. A copy.
     blocked: Vec<u32> = {
-        let of = |blocked: &Blocked| std::iter::once(&blocked.robot).chain(&blocked.by).map(|robot| *robot as u32).collect();
+        let of = |blocked: Blocked| std::iter::once(&blocked.robot).chain(&blocked.by).map(|robot| *robot as u32).collect();
         self.0.borrow().run.blocked().map_or_else(Vec::new, of)
     };
     /// The result document, the one that the command line prints.

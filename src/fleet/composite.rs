@@ -6,7 +6,7 @@
 
 use super::Setup;
 use super::motion::{Footprint, Motion, Pair, Pose};
-use super::run::FleetStats;
+use super::run::{FleetReason, FleetStats};
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error};
 use crate::path::{Improvement, Wanted, split};
@@ -128,12 +128,22 @@ impl Composite {
         trajectories
     }
 
+    /// Why it has given up, if it has not for the number of its iterations.
+    pub fn reason(&self) -> Option<FleetReason> {
+        self.planner.is_full().then_some(FleetReason::GraphFull)
+    }
+
     pub fn trajectory(&self, robot: usize) -> Option<&Trajectory> {
         self.trajectories.get(robot)
     }
 
     pub fn planned(&self) -> usize {
         self.trajectories.len()
+    }
+
+    /// The trajectories of all robots, once solved.
+    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+        self.trajectories.drain(..).map(Rc::new).collect()
     }
 
     /// The vertices of both trees: the configurations of all robots, one after the other.

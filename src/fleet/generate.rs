@@ -89,12 +89,14 @@ crate::options! {
 }
 
 crate::options! {
-    /// Robots on a circle, each to the other side of it.
+    /// Robots on a circle, each to the other side of it, or to the place of the next one.
     pub struct RingOptions for &[];
     /// Number of robots.
     count: usize = 8, in 2.0..=40.0, "Robots";
     /// The radius of a pillar in the middle; 0 for none.
     pillar: f64 = 0.0, in 0.0..=5.0, "Pillar", unit "m";
+    /// Whether each goes to the place of the next robot, in place of the other side.
+    exchange: bool = false, "Exchange places";
     /// How the robots are.
     robots: FleetRobots;
     /// The seed: 0 (default) to 2^53 - 1.
@@ -146,7 +148,7 @@ generators! {
     "swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other." => SwapOptions;
     "corridor", "Corridor", "Two rooms and a corridor between them that lets one robot pass." => CorridorOptions;
     "crossroads", "Crossroads", "Two streets that cross; robots come from four sides and go straight on." => CrossroadsOptions;
-    "ring", "Ring", "Robots on a circle, each to the other side of it." => RingOptions;
+    "ring", "Ring", "Robots on a circle, each to the other side of it or to the place of the next." => RingOptions;
     "hall", "Hall", "Robots in an open hall, from anywhere to anywhere or from side to side." => HallOptions;
 }
 
@@ -280,7 +282,7 @@ impl Generator for CrossroadsOptions {
 impl Generator for RingOptions {
     /// The seed turns the ring.
     fn generate(&self) -> Result<Fleet, Error> {
-        let Self { count, pillar, robots, seed } = *self;
+        let Self { count, pillar, exchange, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         // Starts and goals alternate along the circle.
         let around = (2.6 * robots.radius * 2.0 * count as f64 / TAU).max(pillar + 4.0 * robots.radius).max(2.0);
@@ -294,12 +296,17 @@ impl Generator for RingOptions {
             let angle = turn + spacing * robot as f64;
             // Half a turn on, between two starts.
             let half = if count % 2 == 0 { spacing / 2.0 } else { 0.0 };
+            if exchange {
+                let next = (robot + 1) % count;
+                return [angle, turn + spacing * next as f64].map(|at| place(at, at + PI));
+            }
             [place(angle, angle + PI), place(angle + PI + half, angle + PI)]
         };
         let ways: Vec<_> = (0..count).map(way).collect();
         let center = Point::new(side / 2.0, side / 2.0);
         let pillars = (pillar > 0.0).then_some(Obstacle::Disc(Disc { center, radius: pillar })).into_iter().collect();
-        let title = format!("{count} {} across a ring, seed {seed}", robots.word());
+        let what = if exchange { "that exchange places on" } else { "across" };
+        let title = format!("{count} {} {what} a ring, seed {seed}", robots.word());
         robots.fleet((format!("ring-{count}-{seed}"), title), [side; 2], pillars, &ways)
     }
 }

@@ -20,6 +20,8 @@
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
 //! - `run.rs`: a planner that is stepped, and its result;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
+//! - `pbs.rs`: searches that take turns, those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and `moves.rs`: `joint.rs` and
+//!   `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
 //! - `verify.rs`: the independent verifier; `advancement.rs`: when two robots touch along their trajectories.
 
@@ -27,13 +29,20 @@ mod advancement;
 mod composite;
 mod document;
 mod generate;
+mod joint;
+mod joint_move;
 mod motion;
+mod moves;
+mod pbs;
 mod prioritized;
+mod priority_tree;
+mod refinement;
 mod roadmap;
 mod run;
 mod safe_intervals;
 mod trajectory;
 mod verify;
+mod walks;
 
 pub use composite::CompositeOptions;
 #[cfg(feature = "schema")]
@@ -41,9 +50,11 @@ pub use document::schema;
 pub use document::{Fleet, FleetRobot, MAX_ROBOTS};
 pub use generate::{fleet_generators, generate, generate_with};
 pub use motion::Pose;
+pub use pbs::PbsOptions;
 pub use prioritized::PrioritizedOptions;
 pub use run::{
-    Blocked, BlockedNames, FleetOptions, FleetPlanner, FleetResult, FleetStats, RobotTrajectory, fleet_planners,
+    Blocked, BlockedNames, FleetOptions, FleetPlanner, FleetReason, FleetResult, FleetStats, RobotTrajectory,
+    fleet_planners,
 };
 pub use trajectory::Trajectory;
 pub use verify::{Claim, Conflict, Fault, Verification, conflicts, straight, trajectories, verify};

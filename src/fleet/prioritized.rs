@@ -4,20 +4,27 @@
 //! kind, among the trajectories of those before it and the starts of those after it, which stand there until they have planned: so
 //! every robot may leave as late as it likes. If one finds no way, the order fails, though another one might not: then the run ends,
 //! or begins again with that robot first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the performance of multi-robot
-//! prioritized path planning").
+//! prioritized path planning"). Whether a robot finds a way depends on those before it, in their order, and on nothing else: an order
+//! that begins like one that has failed is not tried again.
 
 use super::Setup;
+use super::priority_tree::Ground;
 use super::roadmap::Roadmap;
-use super::run::{Blocked, FleetStats};
-use super::safe_intervals::{Expansion, Scene, Search};
+use super::run::{Blocked, FleetReason, FleetStats};
+use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
 use crate::error::Error;
 use crate::planner::PrmOptions;
 use crate::problem::Status;
 use crate::random::{Random, Stream};
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// The earliest departures graze the others: so many slacks are left between them, a hundred-millionth of the world's size.
-const MARGIN: f64 = 1e4;
+pub(super) const MARGIN: f64 = 1e4;
+
+/// How many draws of an order that has not failed are made.
+const DRAWS: u32 = 1000;
 
 /// How many other orders are tried if none is given.
 const DEFAULT_RESTARTS: u32 = 20;
@@ -29,7 +36,7 @@ crate::options! {
     samples: Option<usize>, in 0.0..=100_000.0, "Samples", else "400, and 20 more for each robot";
     /// Each vertex is connected to its k nearest neighbours.
     k: usize = 15, in 1.0..=100.0, "Neighbours";
-    /// How often another order is tried if one fails: the robot that finds no way plans first, or if it did, the order is drawn at random.
+    /// How many other orders are tried if one fails: the robot that finds no way plans first, or if that order has failed too, one is drawn.
     restarts: Option<u32>, in 0.0..=10_000.0, "Restarts", else "20, or 0 if an order is given";
     /// Number of iterations after which the planner gives up.
     max_iterations: u64 = 10_000_000, in 1.0..=1e12, "Most iterations";
@@ -38,16 +45,7 @@ crate::options! {
 /// The planner. An iteration is a sample or a vertex connected of a roadmap, or an expansion of the search of one robot.
 pub(super) struct Prioritized {
     roadmaps: Vec<Roadmap>,
-    order: Vec<usize>,
-    /// How many robots of the order have planned.
-    planned: usize,
-    /// Of every robot: its trajectory, or its stand at the start.
-    trajectories: Vec<Trajectory>,
-    search: Option<Search>,
-    blocked: Option<Blocked>,
-    random: Random,
-    restarts: u32,
-    most_restarts: u32,
+    orders: Orders,
     stats: FleetStats,
 }
 
@@ -59,24 +57,11 @@ impl Prioritized {
         seed: u64,
         is_given: bool,
     ) -> Result<Self, Error> {
-        let samples = options.samples.unwrap_or(400 + 20 * order.len());
-        let prm = PrmOptions { samples: Some(samples), k: Some(options.k), ..PrmOptions::default() };
-        let roadmap = |(kind, world)| {
-            let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
-            Roadmap::new(&setup.fleet, world, robots, &prm, seed)
-        };
-        Ok(Self {
-            roadmaps: setup.worlds.iter().enumerate().map(roadmap).collect::<Result<_, _>>()?,
-            order,
-            planned: 0,
-            trajectories: standing(setup),
-            search: None,
-            blocked: None,
-            random: Random::new(seed, Stream::Priorities),
-            restarts: 0,
-            most_restarts: options.restarts.unwrap_or(if is_given { 0 } else { DEFAULT_RESTARTS }),
-            stats: FleetStats::default(),
-        })
+        let samples = options.samples.unwrap_or_else(|| default_samples(setup));
+        let roadmaps = roadmaps(setup, samples, options.k, seed)?;
+        let most_restarts = options.restarts.unwrap_or(if is_given { 0 } else { DEFAULT_RESTARTS });
+        let orders = Orders::new(setup, order, seed, most_restarts);
+        Ok(Self { roadmaps, orders, stats: FleetStats::default() })
     }
 
     pub fn iterate(&mut self, setup: &Setup) -> Status {
@@ -84,21 +69,93 @@ impl Prioritized {
             roadmap.iterate();
             return Status::Running;
         }
+        let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &[] };
+        self.orders.iterate(&ground, &mut self.stats)
+    }
+
+    pub fn roadmaps(&self) -> &[Roadmap] {
+        &self.roadmaps
+    }
+
+    pub fn orders(&self) -> &Orders {
+        &self.orders
+    }
+
+    pub fn stats(&self) -> FleetStats {
+        roadmap_stats(&self.roadmaps, self.stats)
+    }
+}
+
+/// The number of samples of each roadmap if none is given.
+pub(super) fn default_samples(setup: &Setup) -> usize {
+    400 + 20 * setup.kinds.len()
+}
+
+/// The roadmap of every kind of robot, before its first sample.
+pub(super) fn roadmaps(setup: &Setup, samples: usize, k: usize, seed: u64) -> Result<Vec<Roadmap>, Error> {
+    let prm = PrmOptions { samples: Some(samples), k: Some(k), ..PrmOptions::default() };
+    let roadmap = |(kind, world)| {
+        let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
+        Roadmap::new(&setup.fleet, world, robots, &prm, seed)
+    };
+    setup.worlds.iter().enumerate().map(roadmap).collect()
+}
+
+/// The work on roadmaps, added to that of searches.
+pub(super) fn roadmap_stats(roadmaps: &[Roadmap], searches: FleetStats) -> FleetStats {
+    FleetStats {
+        vertices: roadmaps.iter().map(|roadmap| roadmap.vertex_count() as u64).sum(),
+        edges: roadmaps.iter().map(|roadmap| roadmap.edge_count() as u64).sum(),
+        motion_checks: roadmaps.iter().map(Roadmap::motion_checks).sum::<u64>() + searches.motion_checks,
+        ..searches
+    }
+}
+
+/// One order of priorities after another, on roadmaps that are complete.
+pub(super) struct Orders {
+    order: Vec<usize>,
+    /// How many robots of the order have planned.
+    planned: usize,
+    /// Of every robot: its trajectory, or its stand at the start.
+    trajectories: Vec<Rc<Trajectory>>,
+    search: Option<Search>,
+    blocked: Option<Blocked>,
+    /// The beginnings of orders whose last robot finds no way.
+    failed: BTreeSet<Vec<usize>>,
+    reason: Option<FleetReason>,
+    all: Vec<usize>,
+    random: Random,
+    restarts: u32,
+    most_restarts: u32,
+}
+
+impl Orders {
+    pub fn new(setup: &Setup, order: Vec<usize>, seed: u64, most_restarts: u32) -> Self {
+        Self {
+            all: (0..order.len()).collect(),
+            order,
+            planned: 0,
+            trajectories: standing(setup),
+            search: None,
+            blocked: None,
+            failed: BTreeSet::new(),
+            reason: None,
+            random: Random::new(seed, Stream::Priorities),
+            restarts: 0,
+            most_restarts,
+        }
+    }
+
+    /// One expansion of the search of one robot.
+    pub fn iterate(&mut self, ground: &Ground, stats: &mut FleetStats) -> Status {
         let robot = self.order[self.planned];
-        let scene = Scene {
-            robot,
-            speed: setup.fleet.robots()[robot].speed,
-            roadmap: &self.roadmaps[setup.kinds[robot]],
-            footprints: &setup.footprints,
-            trajectories: &self.trajectories,
-            slack: MARGIN * setup.slack,
-        };
-        let search = self.search.get_or_insert_with(|| Search::new(&scene));
-        match search.step(&scene, &mut self.stats.pair_checks) {
-            Expansion::Vertex => self.stats.expanded += 1,
+        let scene = ground.scene(robot, &self.trajectories, &self.all);
+        let search = self.search.get_or_insert_with(|| ground.search(&scene));
+        match search.step(&scene, &mut stats.pair_checks) {
+            Expansion::Vertex => stats.expanded += 1,
             Expansion::Part => {}
             Expansion::Found(trajectory) => {
-                self.trajectories[robot] = trajectory;
+                self.trajectories[robot] = Rc::new(trajectory);
                 self.planned += 1;
                 self.search = None;
                 if self.planned == self.order.len() {
@@ -107,32 +164,84 @@ impl Prioritized {
             }
             Expansion::Nothing(by) => {
                 self.search = None;
-                if self.restarts == self.most_restarts {
+                self.reason = self.fail(by.is_empty());
+                if self.reason.is_some() {
                     self.blocked = Some(Blocked { robot, by });
                     return Status::Exhausted;
                 }
-                self.restart(setup);
+                self.restarts += 1;
+                stats.restarts += 1;
+                self.planned = 0;
+                self.trajectories = standing(ground.setup);
             }
         }
         Status::Running
     }
 
-    /// Begins again with the robot first that has found no way, or with an order drawn at random if it was first.
-    fn restart(&mut self, setup: &Setup) {
-        if self.planned > 0 {
-            self.order[..=self.planned].rotate_right(1);
-        } else {
+    /// Notes that the order has failed, and takes another one; if there is none to take, the reason.
+    fn fail(&mut self, is_alone: bool) -> Option<FleetReason> {
+        let failed = self.order[..=self.planned].to_vec();
+        self.failed.insert(failed);
+        if is_alone {
+            return Some(FleetReason::NotConnected);
+        }
+        if self.restarts == self.most_restarts {
+            return Some(if self.have_all_failed(&mut Vec::new()) {
+                FleetReason::NoOrder
+            } else {
+                FleetReason::OrderLimit
+            });
+        }
+        let last = self.order.clone();
+        self.order[..=self.planned].rotate_right(1);
+        for _ in 0..DRAWS {
+            if !self.has_failed() {
+                return None;
+            }
             for i in (1..self.order.len()).rev() {
                 self.order.swap(i, self.random.below(i as u64 + 1) as usize);
             }
         }
-        self.restarts += 1;
-        self.planned = 0;
-        self.trajectories = standing(setup);
+        if self.have_all_failed(&mut Vec::new()) {
+            self.order = last;
+            return Some(FleetReason::NoOrder);
+        }
+        // Few orders are left: the first of them.
+        self.order.clear();
+        while self.order.len() < self.all.len() {
+            let next = self.all.iter().copied().find(|robot| {
+                let mut beginning = self.order.clone();
+                beginning.push(*robot);
+                !self.order.contains(robot) && !self.have_all_failed(&mut beginning)
+            });
+            self.order.push(next.expect("an order that has not failed"));
+        }
+        None
     }
 
-    pub fn roadmaps(&self) -> &[Roadmap] {
-        &self.roadmaps
+    /// Whether the order begins like one that has failed.
+    fn has_failed(&self) -> bool {
+        (1..=self.order.len()).any(|count| self.failed.contains(&self.order[..count]))
+    }
+
+    /// Whether every order that begins with these robots has failed.
+    fn have_all_failed(&self, beginning: &mut Vec<usize>) -> bool {
+        if self.failed.contains(&beginning[..]) {
+            return true;
+        }
+        let longer = self.failed.range(beginning.clone()..).next();
+        if !longer.is_some_and(|failed| failed.starts_with(beginning)) {
+            return false;
+        }
+        self.all.iter().all(|robot| {
+            if beginning.contains(robot) {
+                return true;
+            }
+            beginning.push(*robot);
+            let have_failed = self.have_all_failed(beginning);
+            beginning.pop();
+            have_failed
+        })
     }
 
     /// The robots in the order in which they plan.
@@ -146,25 +255,25 @@ impl Prioritized {
 
     /// The trajectory of a robot that has planned.
     pub fn trajectory(&self, robot: usize) -> Option<&Trajectory> {
-        self.order[..self.planned].contains(&robot).then(|| &self.trajectories[robot])
+        self.order[..self.planned].contains(&robot).then(|| &*self.trajectories[robot])
+    }
+
+    /// The trajectories of all robots, once solved.
+    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+        std::mem::take(&mut self.trajectories)
     }
 
     pub fn blocked(&self) -> Option<&Blocked> {
         self.blocked.as_ref()
     }
 
-    pub fn stats(&self) -> FleetStats {
-        FleetStats {
-            vertices: self.roadmaps.iter().map(|roadmap| roadmap.vertex_count() as u64).sum(),
-            edges: self.roadmaps.iter().map(|roadmap| roadmap.edge_count() as u64).sum(),
-            motion_checks: self.roadmaps.iter().map(Roadmap::motion_checks).sum(),
-            restarts: u64::from(self.restarts),
-            ..self.stats
-        }
+    pub fn reason(&self) -> Option<FleetReason> {
+        self.reason
     }
 }
 
 /// Every robot at its start.
-fn standing(setup: &Setup) -> Vec<Trajectory> {
-    setup.fleet.robots().iter().map(|member| Trajectory::standing(super::document::pose(&member.start))).collect()
+pub(super) fn standing(setup: &Setup) -> Vec<Rc<Trajectory>> {
+    let stand = |member: &super::FleetRobot| Rc::new(Trajectory::standing(super::document::pose(&member.start)));
+    setup.fleet.robots().iter().map(stand).collect()
 }

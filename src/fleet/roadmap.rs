@@ -1,11 +1,14 @@
 //! The roadmap of one kind of robot: a PRM in the world without other robots, whose first vertices are the starts and the goals of the
-//! robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free.
+//! robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free. A roadmap that is
+//! complete can grow by more samples, each connected to its neighbours at once.
 
 use super::document::Fleet;
 use super::motion::{Footprint, Pose};
 use crate::error::Error;
+use crate::graph::VertexId;
 use crate::planner::{Phase, Planner, PlannerKind, PrmOptions};
 use crate::problem::Problem;
+use crate::random::{Random, Stream};
 use crate::space::{MotionSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 use std::cmp::Reverse;
@@ -13,6 +16,8 @@ use std::collections::{BTreeSet, BinaryHeap};
 
 /// After this many clearance evaluations an iteration tries no further direct edge.
 const MOST_EVALUATIONS: u64 = 1 << 14;
+/// So many samples are drawn at most for one that is wanted: in the rest of the time there is little free space.
+const DRAWS: u64 = 50;
 
 /// A roadmap that grows.
 pub(super) struct Roadmap {
@@ -24,9 +29,11 @@ pub(super) struct Roadmap {
     pub footprint: Footprint,
     /// Of every vertex, its neighbours, each with the length of the way there; filled once the roadmap is built.
     neighbours: Vec<Vec<(u32, f64)>>,
-    /// The edges that are not those of the planner, and of how many robots they have been tried.
-    direct: Vec<[u32; 2]>,
+    /// Of how many robots the motion from the start straight to the goal has been tried.
     tried: u32,
+    random: Random,
+    /// The number of vertices to grow to, and how many more samples may be drawn for it.
+    wanted: (usize, u64),
 }
 
 impl Roadmap {
@@ -48,16 +55,9 @@ impl Roadmap {
         problem.records_events = false;
         let planner = options.begin(&problem, seed)?;
         let footprint = Footprint::of(world.scenario().robot());
-        Ok(Self {
-            problem,
-            planner,
-            iteration: 0,
-            robots,
-            footprint,
-            neighbours: Vec::new(),
-            direct: Vec::new(),
-            tried: 0,
-        })
+        let random = Random::new(seed, Stream::Growth);
+        let (iteration, neighbours, tried, wanted) = (0, Vec::new(), 0, (0, 0));
+        Ok(Self { problem, planner, iteration, robots, footprint, neighbours, tried, random, wanted })
     }
 
     /// Whether all samples are connected.
@@ -65,40 +65,70 @@ impl Roadmap {
         !self.neighbours.is_empty()
     }
 
-    /// One iteration of the planner: a sample, or a vertex that is connected to its neighbours; at last some direct
-    /// edges.
+    /// Begins to grow to so many vertices; until it has them, it is not built.
+    pub fn grow_to(&mut self, vertices: usize) {
+        let more = vertices.saturating_sub(self.vertex_count()) as u64;
+        self.wanted = (vertices, DRAWS * more);
+        self.neighbours = Vec::new();
+    }
+
+    /// One iteration: a sample, or a vertex that is connected to its neighbours; at last some direct edges.
     pub fn iterate(&mut self) {
+        if self.wanted.0 > 0 {
+            self.iteration += 1;
+            return self.draw();
+        }
         if self.tried == 0 {
             self.iteration += 1;
             self.planner.iterate(&self.problem, self.iteration);
         }
         if !matches!(self.planner.phase(), Phase::Sampling | Phase::Connecting) {
-            self.complete();
+            if self.add_direct_edges() {
+                self.complete();
+            }
         }
     }
 
-    /// Adds direct edges; once all have been tried, lists the neighbours of every vertex.
+    /// One more sample.
+    fn draw(&mut self) {
+        let (vertices, left) = self.wanted;
+        if self.vertex_count() >= vertices || left == 0 {
+            return self.complete();
+        }
+        self.wanted.1 = left - 1;
+        let state = self.problem.space().sample(&mut self.random);
+        if self.problem.validity().is_free(&state)
+            && let Some(roadmap) = self.planner.roadmap_mut()
+        {
+            roadmap.extend(&self.problem, self.iteration, state);
+        }
+    }
+
+    /// Adds some of the motions from each start straight to its goal; returns whether all have been tried.
+    fn add_direct_edges(&mut self) -> bool {
+        let is_end = |edge: &[u32; 2]| edge.iter().all(|vertex| (*vertex as usize) < self.end_count());
+        let known: BTreeSet<[u32; 2]> = self.edges().filter(is_end).collect();
+        let most = self.problem.validity().clearance_evaluations() + MOST_EVALUATIONS;
+        while (self.tried as usize) < self.robots.len() {
+            if self.problem.validity().clearance_evaluations() > most {
+                return false;
+            }
+            let [start, goal] = [2 * self.tried, 2 * self.tried + 1];
+            self.tried += 1;
+            let is_new = !known.contains(&[start, goal]) && !known.contains(&[goal, start]);
+            if is_new && let Some(roadmap) = self.planner.roadmap_mut() {
+                roadmap.join(&self.problem, self.iteration, VertexId(start), VertexId(goal));
+            }
+        }
+        true
+    }
+
+    /// Lists the neighbours of every vertex.
     fn complete(&mut self) {
         let graph = self.planner.graph();
         let edges: Vec<[u32; 2]> = graph.edges().iter().map(|edge| edge.map(|vertex| vertex.0)).collect();
-        let is_end = |edge: &&[u32; 2]| edge.iter().all(|vertex| (*vertex as usize) < 2 * self.robots.len());
-        let known: BTreeSet<[u32; 2]> = edges.iter().filter(is_end).copied().collect();
-        let validity = self.problem.validity();
-        let most = validity.clearance_evaluations() + MOST_EVALUATIONS;
-        for robot in self.tried..self.robots.len() as u32 {
-            if validity.clearance_evaluations() > most {
-                return;
-            }
-            self.tried = robot + 1;
-            let [start, goal] = [2 * robot, 2 * robot + 1];
-            let [a, b] = [start, goal].map(|vertex| graph.states()[vertex as usize]);
-            let is_known = known.contains(&[start, goal]) || known.contains(&[goal, start]);
-            if !is_known && validity.is_motion_free(&a, &b) {
-                self.direct.push([start, goal]);
-            }
-        }
         self.neighbours = vec![Vec::new(); graph.states().len()];
-        for [a, b] in edges.into_iter().chain(self.direct.iter().copied()) {
+        for [a, b] in edges {
             let way = self.footprint.travel(self.pose(a), self.pose(b));
             self.neighbours[a as usize].push((b, way));
             self.neighbours[b as usize].push((a, way));
@@ -115,6 +145,11 @@ impl Roadmap {
         [2 * at, 2 * at + 1]
     }
 
+    /// How many vertices are starts and goals.
+    pub fn end_count(&self) -> usize {
+        2 * self.robots.len()
+    }
+
     /// The pose of a vertex.
     pub fn pose(&self, vertex: u32) -> Pose {
         let [x, y, theta, _] = self.planner.graph().states()[vertex as usize];
@@ -128,13 +163,12 @@ impl Roadmap {
 
     /// The number of edges.
     pub fn edge_count(&self) -> usize {
-        self.planner.graph().edges().len() + self.direct.len()
+        self.planner.graph().edges().len()
     }
 
     /// The edges, in the order of their creation.
     pub fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        let grown = self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0));
-        grown.chain(self.direct.iter().copied())
+        self.planner.graph().edges().iter().map(|edge| edge.map(|vertex| vertex.0))
     }
 
     /// The neighbours of a vertex, each with the length of the way there; none before the roadmap is built.
@@ -142,9 +176,16 @@ impl Roadmap {
         &self.neighbours[vertex as usize]
     }
 
+    /// The mean length of the edges, in metres; infinite if there is none.
+    pub fn mean_way(&self) -> f64 {
+        let ways = self.neighbours.iter().flatten().map(|(_, way)| *way);
+        let (count, sum) = ways.fold((0u32, 0.0), |(count, sum), way| (count + 1, sum + way));
+        if count == 0 { f64::INFINITY } else { sum / f64::from(count) }
+    }
+
     /// The motions tested for collision.
     pub fn motion_checks(&self) -> u64 {
-        self.planner.growth().counters.motion_checks + self.robots.len() as u64
+        self.planner.growth().counters.motion_checks
     }
 
     /// The length of the way from every vertex to one, infinite if there is none. Dijkstra's algorithm, O(e log n).

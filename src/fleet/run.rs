@@ -4,7 +4,9 @@ use super::Setup;
 use super::composite::{self, Composite, CompositeOptions};
 use super::document::Fleet;
 use super::motion::Pose;
+use super::pbs::{Pbs, PbsOptions};
 use super::prioritized::{Prioritized, PrioritizedOptions};
+use super::roadmap::Roadmap;
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error, quoted};
 use crate::graph::Fingerprint;
@@ -17,12 +19,12 @@ use serde::{Deserialize, Serialize};
 /// The options of a planner of a fleet.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FleetOptions {
-    /// The planner, by id; `prioritized` if it is `None`.
+    /// The planner, by id; if it is `None`, `pbs`, or `prioritized` if there is an order.
     pub planner: Option<String>,
     /// The seed, 0 to 2^53 - 1.
     pub seed: u64,
-    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. If it is
-    /// `None`, that of the document, and others if it fails. For `prioritized` only.
+    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. For `prioritized` only, which begins
+    /// with that of the document if it is `None`, and tries others if it fails.
     pub order: Option<Vec<String>>,
     /// Options of the planner by name.
     pub parameters: Vec<(String, Value)>,
@@ -31,6 +33,12 @@ pub struct FleetOptions {
 /// The planners of fleets with their options.
 pub fn fleet_planners() -> Vec<Info> {
     vec![
+        Info {
+            id: "pbs",
+            title: "PBS",
+            summary: "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
+            options: PbsOptions::table(),
+        },
         Info {
             id: "prioritized",
             title: "Prioritized",
@@ -46,13 +54,29 @@ pub fn fleet_planners() -> Vec<Info> {
     ]
 }
 
-/// The robot that finds no way, and who is in its way.
+/// Why there is no plan. Nothing here says that there is none: another roadmap, or more iterations, may find one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum FleetReason {
+    /// The iterations are spent.
+    IterationLimit,
+    /// The roadmap of a robot is complete, and does not connect its start and its goal.
+    NotConnected,
+    /// On these roadmaps every order of priorities fails, and whatever else the planner tries.
+    NoOrder,
+    /// As many orders of priorities as were to be tried fail; there are others.
+    OrderLimit,
+    /// There is no memory for more vertices.
+    GraphFull,
+}
+
+/// The robot that found no way, and who is in its way.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Blocked {
     /// The robot, by its index.
     pub robot: usize,
-    /// The robots that are in its way wherever it could go on, by their indices; none if there is no way on its roadmap even without
-    /// them.
+    /// The robots that were in its way wherever it could go on, by their indices; none if its roadmap has no way even without them.
     pub by: Vec<usize>,
 }
 
@@ -73,7 +97,7 @@ pub struct FleetStats {
     pub motion_checks: u64,
     /// Motions of two robots that were compared.
     pub pair_checks: u64,
-    /// Orders of priorities tried after the first.
+    /// Orders of priorities tried after the first; of `pbs`, the branches of its tree as well.
     pub restarts: u64,
 }
 
@@ -91,14 +115,14 @@ pub struct RobotTrajectory {
     pub path: Vec<Vec<f64>>,
 }
 
-/// The robot that finds no way, in a document.
+/// The robot that found no way, in a document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetBlocked"))]
 pub struct BlockedNames {
     /// The name of the robot.
     pub robot: String,
-    /// The names of those that are in its way; none if there is no way on its roadmap even without them.
+    /// The names of those that were in its way; none if its roadmap has no way even without them.
     pub by: Vec<String>,
 }
 
@@ -115,6 +139,10 @@ pub struct FleetResult {
     pub seed: u64,
     /// The status at the end of the run.
     pub status: Status,
+    /// Why there is no plan; absent unless the status is `exhausted`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub reason: Option<FleetReason>,
     /// The robots in the order of their priorities; absent of other planners.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<Vec<String>>,
@@ -129,7 +157,7 @@ pub struct FleetResult {
     /// How long robots stand before they arrive, all together, in seconds; 0 unless solved.
     #[serde(deserialize_with = "json::not_negative")]
     pub waits: f64,
-    /// The robot that finds no way; absent if none is known.
+    /// The robot that found no way last; absent if none is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "FleetBlocked"))]
     pub blocked: Option<BlockedNames>,
@@ -169,6 +197,7 @@ pub struct FleetPlanner {
 }
 
 enum Algorithm {
+    Pbs(Box<Pbs>),
     Prioritized(Box<Prioritized>),
     Composite(Box<Composite>),
 }
@@ -182,7 +211,8 @@ impl FleetPlanner {
     /// robots, or of more than eight coordinates.
     pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
         check_seed(options.seed)?;
-        let id = options.planner.as_deref().unwrap_or("prioritized");
+        let by_default = if options.order.is_some() { "prioritized" } else { "pbs" };
+        let id = options.planner.as_deref().unwrap_or(by_default);
         let known = fleet_planners();
         let Some(Info { id, .. }) = known.iter().find(|info| info.id == id) else {
             let ids: Vec<&str> = known.iter().map(|info| info.id).collect();
@@ -190,12 +220,15 @@ impl FleetPlanner {
             return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
         };
         let setup = Setup::new(fleet);
-        let (algorithm, most) = if *id == "composite" {
+        if options.order.is_some() && *id != "prioritized" {
+            let sentence = "only prioritized planning has an order of priorities";
+            return Err(Error::new(Code::Unsupported, "/order", sentence));
+        }
+        let (algorithm, most) = if *id == "pbs" {
+            let read = PbsOptions::read(&options.parameters)?;
+            (Algorithm::Pbs(Box::new(Pbs::new(&setup, &read, options.seed)?)), read.max_iterations)
+        } else if *id == "composite" {
             let read = CompositeOptions::read(&options.parameters)?;
-            if options.order.is_some() {
-                let sentence = "only prioritized planning has an order of priorities";
-                return Err(Error::new(Code::Unsupported, "/order", sentence));
-            }
             let planner = Composite::new(&setup, &read, options.seed)?;
             (Algorithm::Composite(Box::new(planner)), u64::from(read.max_iterations))
         } else {
@@ -214,18 +247,21 @@ impl FleetPlanner {
                 break;
             }
             self.iterations += 1;
-            self.status = match &mut self.algorithm {
-                Algorithm::Prioritized(planner) => match planner.iterate(&self.setup) {
-                    Status::Running if self.iterations == self.most => Status::Exhausted,
-                    status => status,
-                },
-                Algorithm::Composite(planner) => planner.iterate(&self.setup, self.most as u32),
+            let status = match &mut self.algorithm {
+                Algorithm::Pbs(planner) => planner.iterate(&self.setup),
+                Algorithm::Prioritized(planner) => planner.iterate(&self.setup),
+                Algorithm::Composite(planner) => {
+                    self.status = planner.iterate(&self.setup, self.most as u32);
+                    continue;
+                }
             };
+            let is_over = status == Status::Running && self.iterations == self.most;
+            self.status = if is_over { Status::Exhausted } else { status };
         }
         self.status
     }
 
-    /// `Solved` once every robot has a trajectory; `Exhausted` if the order of priorities fails, or the iterations are spent.
+    /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`] gives.
     pub fn status(&self) -> Status {
         self.status
     }
@@ -240,34 +276,57 @@ impl FleetPlanner {
         &self.setup.fleet
     }
 
-    /// How many robots have a trajectory.
+    /// Why there is no plan; `None` unless the status is `Exhausted`.
+    pub fn reason(&self) -> Option<FleetReason> {
+        let known = match &self.algorithm {
+            Algorithm::Pbs(planner) => planner.reason(),
+            Algorithm::Prioritized(planner) => planner.orders().reason(),
+            Algorithm::Composite(planner) => planner.reason(),
+        };
+        (self.status == Status::Exhausted).then(|| known.unwrap_or(FleetReason::IterationLimit))
+    }
+
+    /// How many robots have a trajectory; of `pbs` none, or all.
     pub fn planned(&self) -> usize {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.planned(),
+            Algorithm::Pbs(planner) => planner.planned(),
+            Algorithm::Prioritized(planner) => planner.orders().planned(),
             Algorithm::Composite(planner) => planner.planned(),
         }
     }
 
-    /// The robots in the order in which they plan, by their indices.
+    /// The robots in the order in which they plan, by their indices; without priorities, that of the document.
     pub fn order(&self) -> Vec<usize> {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.order().to_vec(),
-            Algorithm::Composite(_) => (0..self.setup.footprints.len()).collect(),
+            Algorithm::Prioritized(planner) => planner.orders().order().to_vec(),
+            Algorithm::Pbs(_) | Algorithm::Composite(_) => (0..self.setup.footprints.len()).collect(),
         }
     }
 
     /// The trajectory of a robot, by its index; `None` before it has planned.
     pub fn trajectory(&self, robot: usize) -> Option<&Trajectory> {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.trajectory(robot),
+            Algorithm::Pbs(planner) => planner.trajectory(robot),
+            Algorithm::Prioritized(planner) => planner.orders().trajectory(robot),
             Algorithm::Composite(planner) => planner.trajectory(robot),
         }
     }
 
-    /// The robot that finds no way, once the order of priorities has failed.
-    pub fn blocked(&self) -> Option<&Blocked> {
+    /// The robot that found no way last, once there is no plan; `None` if none is known.
+    pub fn blocked(&self) -> Option<Blocked> {
+        let known = match &self.algorithm {
+            Algorithm::Pbs(planner) => planner.blocked(),
+            Algorithm::Prioritized(planner) => planner.orders().blocked().cloned(),
+            Algorithm::Composite(_) => None,
+        };
+        known.filter(|_| self.status == Status::Exhausted)
+    }
+
+    /// The roadmaps, one of every kind of robot; `None` of the composite.
+    fn roadmaps(&self) -> Option<&[Roadmap]> {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.blocked(),
+            Algorithm::Pbs(planner) => Some(planner.roadmaps()),
+            Algorithm::Prioritized(planner) => Some(planner.roadmaps()),
             Algorithm::Composite(_) => None,
         }
     }
@@ -275,28 +334,21 @@ impl FleetPlanner {
     /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its own
     /// index.
     pub fn roadmap_of(&self, robot: usize) -> usize {
-        match &self.algorithm {
-            Algorithm::Prioritized(_) => self.setup.kinds[robot],
-            Algorithm::Composite(_) => robot,
-        }
+        if self.roadmaps().is_some() { self.setup.kinds[robot] } else { robot }
     }
 
     /// How many roadmaps there are.
     pub fn roadmap_count(&self) -> usize {
-        match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.roadmaps().len(),
-            Algorithm::Composite(_) => self.setup.footprints.len(),
-        }
+        self.roadmaps().map_or(self.setup.footprints.len(), <[Roadmap]>::len)
     }
 
     /// How many vertices and edges a roadmap has.
     pub fn roadmap_size(&self, roadmap: usize) -> (usize, usize) {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => {
-                let roadmap = &planner.roadmaps()[roadmap];
-                (roadmap.vertex_count(), roadmap.edge_count())
-            }
             Algorithm::Composite(planner) => (planner.vertices().len(), planner.edges().count()),
+            Algorithm::Pbs(_) | Algorithm::Prioritized(_) => self
+                .roadmaps()
+                .map_or((0, 0), |roadmaps| (roadmaps[roadmap].vertex_count(), roadmaps[roadmap].edge_count())),
         }
     }
 
@@ -304,10 +356,10 @@ impl FleetPlanner {
     /// in the vertices of the trees.
     pub fn vertices_since(&self, roadmap: usize, row: usize) -> Vec<Pose> {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => {
-                let roadmap = &planner.roadmaps()[roadmap];
+            Algorithm::Pbs(_) | Algorithm::Prioritized(_) => self.roadmaps().map_or_else(Vec::new, |roadmaps| {
+                let roadmap = &roadmaps[roadmap];
                 (row..roadmap.vertex_count()).map(|vertex| roadmap.pose(vertex as u32)).collect()
-            }
+            }),
             Algorithm::Composite(planner) => {
                 let (first, dimension) = composite::members(&self.setup)[roadmap];
                 planner.vertices()[row..].iter().map(|joint| composite::part(joint, first, dimension)).collect()
@@ -318,7 +370,9 @@ impl FleetPlanner {
     /// The edges of a roadmap from row `row` on: two vertex numbers each.
     pub fn edges_since(&self, roadmap: usize, row: usize) -> Vec<[u32; 2]> {
         match &self.algorithm {
-            Algorithm::Prioritized(planner) => planner.roadmaps()[roadmap].edges().skip(row).collect(),
+            Algorithm::Pbs(_) | Algorithm::Prioritized(_) => {
+                self.roadmaps().map_or_else(Vec::new, |roadmaps| roadmaps[roadmap].edges().skip(row).collect())
+            }
             Algorithm::Composite(planner) => planner.edges().skip(row).collect(),
         }
     }
@@ -326,6 +380,7 @@ impl FleetPlanner {
     /// The work so far.
     pub fn stats(&self) -> FleetStats {
         let stats = match &self.algorithm {
+            Algorithm::Pbs(planner) => planner.stats(),
             Algorithm::Prioritized(planner) => planner.stats(),
             Algorithm::Composite(planner) => planner.stats(),
         };
@@ -381,12 +436,13 @@ impl FleetPlanner {
             RobotTrajectory { name: name(&robot), times: trajectory.times().to_vec(), path }
         };
         let blocked =
-            |blocked: &Blocked| BlockedNames { robot: name(&blocked.robot), by: blocked.by.iter().map(name).collect() };
+            |blocked: Blocked| BlockedNames { robot: name(&blocked.robot), by: blocked.by.iter().map(name).collect() };
         FleetResult {
             fleet: self.setup.fleet.name().to_owned(),
             planner: self.id.to_owned(),
             seed: self.seed,
             status: self.status,
+            reason: self.reason(),
             order: matches!(self.algorithm, Algorithm::Prioritized(_)).then(|| self.order().iter().map(name).collect()),
             robots: robots.map(in_document).collect(),
             makespan: self.makespan(),

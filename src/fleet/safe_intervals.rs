@@ -11,6 +11,7 @@ use super::roadmap::Roadmap;
 use super::trajectory::Trajectory;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
+use std::rc::Rc;
 
 /// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances cost more
 /// the closer they pass.
@@ -32,8 +33,10 @@ pub(super) struct Scene<'a> {
     pub roadmap: &'a Roadmap,
     /// Of every robot, this one included.
     pub footprints: &'a [Footprint],
-    /// Of every robot; that of this one does not count.
-    pub trajectories: &'a [Trajectory],
+    /// Of every robot.
+    pub trajectories: &'a [Rc<Trajectory>],
+    /// The robots to keep clear of; this one does not count.
+    pub among: &'a [usize],
     pub slack: f64,
 }
 
@@ -88,7 +91,7 @@ impl Scene<'_> {
     fn first_in_conflict(&self, motion: &Motion, proofs: &mut Proofs) -> Result<Option<(usize, Motion)>, Pause> {
         let own = &self.footprints[self.robot];
         let near = motion.around().grown(own.radius() + 2.0 * self.slack);
-        for other in (0..self.trajectories.len()).filter(|&other| other != self.robot) {
+        for other in self.among.iter().copied().filter(|&other| other != self.robot) {
             let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
             if !trajectory.around().grown(footprint.radius()).intersects(&near) {
                 continue;
@@ -107,8 +110,8 @@ impl Scene<'_> {
         let stand = Motion::standing([0.0, f64::INFINITY], at);
         let near = stand.around().grown(own.radius() + 2.0 * self.slack);
         let mut unsafe_intervals = Vec::new();
-        for (other, trajectory) in self.trajectories.iter().enumerate() {
-            let footprint = &self.footprints[other];
+        for &other in self.among {
+            let (footprint, trajectory) = (&self.footprints[other], &self.trajectories[other]);
             if other == self.robot || !trajectory.around().grown(footprint.radius()).intersects(&near) {
                 continue;
             }
@@ -193,11 +196,10 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// The search of the scene's robot.
-    pub fn new(scene: &Scene) -> Self {
+    /// The search of the scene's robot; `distances` has the length of the way from every vertex to its goal.
+    pub fn new(scene: &Scene, distances: &[f64]) -> Self {
         let [start, goal] = scene.roadmap.ends(scene.robot);
-        let distances = scene.roadmap.distances_to(goal);
-        let heuristic: Vec<f64> = distances.into_iter().map(|distance| distance / scene.speed).collect();
+        let heuristic: Vec<f64> = distances.iter().map(|distance| distance / scene.speed).collect();
         Self {
             start,
             goal,
@@ -341,13 +343,14 @@ impl Search {
         if self.heuristic[self.start as usize] == f64::INFINITY {
             return Ok(Vec::new());
         }
-        let is_reached = |vertex: u32| self.nodes.iter().any(|node| node.vertex == vertex);
+        let reached: BTreeSet<u32> = self.nodes.iter().map(|node| node.vertex).collect();
+        let is_reached = |vertex: u32| reached.contains(&vertex);
         let mut others: BTreeSet<usize> =
             self.refused.iter().filter(|(vertex, _)| !is_reached(*vertex)).map(|(_, other)| *other).collect();
         let goal = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(self.goal));
         if is_reached(self.goal) || others.is_empty() {
             let own = &scene.footprints[scene.robot];
-            for other in (0..scene.trajectories.len()).filter(|other| *other != scene.robot) {
+            for other in scene.among.iter().copied().filter(|other| *other != scene.robot) {
                 let (footprint, trajectory) = (&scene.footprints[other], &scene.trajectories[other]);
                 let is_apart = |pair: &Pair| self.proofs.is_apart(pair, false);
                 if trajectory.first_in_conflict([footprint, own], &goal, scene.slack, is_apart)?.is_some() {

@@ -130,6 +130,25 @@ impl<S: Space> Roadmap<S> {
         is_free
     }
 
+    /// Adds a vertex to a roadmap that is not lazy, and connects it to its neighbours by motions that are proven free. O(k) motions.
+    pub fn extend(&mut self, problem: &Problem<S>, iteration: u32, state: S::State) {
+        let (mut all, mut found) = (Vec::new(), Vec::new());
+        for &direction in Direction::all(problem.space()) {
+            self.neighbours(problem.space(), direction, &state, false, &mut found);
+            all.extend(found.iter().map(|neighbour| (direction, neighbour.vertex)));
+        }
+        let vertex = self.add_vertex(problem.space(), iteration, state);
+        for (direction, other) in all {
+            let [from, to] = direction.ends(vertex, other);
+            self.try_edge(problem, iteration, from, to);
+        }
+    }
+
+    /// Connects two vertices of a roadmap that is not lazy if the motion from the one to the other is proven free.
+    pub fn join(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) {
+        self.try_edge(problem, iteration, from, to);
+    }
+
     /// Adds the edge from the one vertex to the other if that motion is free, else the event that it is not.
     pub(super) fn add_tried(&mut self, iteration: u32, from: VertexId, to: VertexId, is_free: bool) {
         if is_free {

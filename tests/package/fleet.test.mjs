@@ -65,21 +65,28 @@ test("robots that would meet on the straight way are planned around each other, 
   assert.equal(fleet.verify(plan).valid, false);
 });
 
-test("a swap is solved by the composite and by no order of priorities", () => {
+test("a swap is solved by default and by the composite, and by no order of priorities; the reason is told", () => {
   const fleet = Fleet.generate("swap", { seed: 1 });
   const names = fleet.toJSON().robots.map(({ name }) => name);
   for (const order of [names, [...names].reverse()]) {
     const planner = fleet.planner({ order });
     assert.equal(planner.step(1e9), "exhausted");
     assert.deepEqual([...planner.blocked()], order.map((name) => names.indexOf(name)));
+    assert.equal(planner.result().reason, "order-limit");
   }
+  const all = fleet.planner({ algorithm: "prioritized" });
+  assert.equal(all.step(1e9), "exhausted");
+  assert.deepEqual([all.result().reason, all.result().stats.restarts], ["no-order", 1]);
+  const byDefault = fleet.planner();
+  assert.equal(byDefault.step(1e9), "solved");
+  assert.deepEqual([byDefault.result().planner, byDefault.result().reason, fleet.verify(byDefault.result()).valid], ["pbs", undefined, true]);
   const composite = fleet.planner({ algorithm: "composite", seed: 1 });
   assert.equal(composite.step(1e9), "solved");
   assert.equal(fleet.verify(composite.result()).valid, true);
 });
 
 test("planners and generators are listed with their options", () => {
-  assert.deepEqual(fleetPlanners().map(({ id }) => id), ["prioritized", "composite"]);
+  assert.deepEqual(fleetPlanners().map(({ id }) => id), ["pbs", "prioritized", "composite"]);
   for (const { id, options } of fleetGenerators()) {
     assert.ok(options.every(({ name }) => name !== "seed"));
     assert.ok(Fleet.generate(id, { radius: 0.25 }).robotCount > 0, id);

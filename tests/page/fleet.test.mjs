@@ -203,27 +203,39 @@ test("a robot is moved in the order by keys, by buttons and by dragging; each ti
   assert.ok(await page.isDisabled("#any-order"));
 }));
 
-test("no order of priorities solves the swap, and the page shows who is in the way; the composite solves it", () => onFleet(async (page) => {
-  const { status, blocked, planner } = await chooseFleet(page, "swap", "exhausted");
+test("a swap is planned for; put into an order it has no plan, and the page shows who is in the way; other planners are offered", () => onFleet(async (page) => {
   const fleet = fleetOf("swap");
-  const { result: failed } = planned(fleet);
-  assert.deepEqual([status, planner, blocked], ["exhausted", "prioritized", [failed.blocked?.robot, ...failed.blocked?.by ?? []].join()]);
-  const [robot, other] = blocked.split(",");
-  assert.match(await page.innerText("#story"), new RegExp(`robot ${robot} finds no way, because robot ${other} is in its way`));
-  assert.equal(await page.innerText(`#robot-${other} .when`), "in the way");
-  assert.equal(await page.getAttribute(`#robot-${robot}`, "data-state"), "blocked");
+  const { planner, fingerprint } = await chooseFleet(page, "swap");
+  assert.deepEqual([planner, fingerprint], ["pbs", planned(fleet).result.fingerprint]);
+  /** @param {string} robot */
+  const putFirst = async (robot) => {
+    await page.click(`#robot-${robot} .chip`);
+    return replanned(page, () => page.click("#first"), "exhausted");
+  };
+  const failed = await putFirst("2");
+  const { result } = planned(fleet, { order: ["2", "1"] });
+  assert.deepEqual([failed.planner, failed.order, failed.blocked], ["prioritized", "2,1", [result.blocked?.robot, ...result.blocked?.by ?? []].join()]);
+  assert.equal(result.reason, "order-limit");
+  assert.match(await page.innerText("#story"), /No plan was found in this order. At last robot 2 found no way, because robot 1 was in its way/);
+  assert.equal(await page.innerText("#robot-1 .when"), "in the way");
+  assert.equal(await page.getAttribute("#robot-2", "data-state"), "blocked");
   assert.ok(await pixelsOf(page, "floor", "top", "collision") > 100);
-  await page.click(`#robot-${other} .chip`);
-  const opposite = await replanned(page, () => page.click("#first"), "exhausted");
-  assert.deepEqual([opposite.order, opposite.blocked], [`${other},${robot}`, `${other},${robot}`], "the other order fails, too");
+  const opposite = await putFirst("1");
+  assert.deepEqual([opposite.order, opposite.blocked], ["1,2", "1,2"], "the other order fails, too");
+  const decided = await replanned(page, () => page.click("#try-default"));
+  assert.deepEqual([decided.planner, decided.fingerprint], ["pbs", fingerprint]);
+  assert.equal(await page.locator("#offer button").count(), 0);
+  await putFirst("2");
   const composed = await replanned(page, () => page.click("#try-composite"));
   assert.equal(composed.planner, "composite");
   assert.equal(composed.fingerprint, planned(fleet, { algorithm: "composite" }).result.fingerprint);
   await page.waitForSelector("#stage[data-verified=true]");
   assert.equal(await page.locator("#try-composite").count(), 0);
   assert.equal(await page.inputValue("#planner"), "composite");
+  await replanned(page, () => fill(page, "#planner", "prioritized"), "exhausted");
+  await replanned(page, () => fill(page, "#planner", "composite"));
   await page.click("#make > summary");
-  assert.equal((await replanned(page, () => fill(page, "#kind", "hall"))).planner, "prioritized", "twenty robots are too many for it");
+  assert.equal((await replanned(page, () => fill(page, "#kind", "hall"))).planner, "pbs", "twenty robots are too many for it");
   assert.match(await page.innerText("#no-composite"), /two or three robots/);
 }));
 
@@ -267,7 +279,7 @@ test("how all would drive straight at once is shown, with the pairs that touch a
 test("every generator and planner has its options as fields; what is refused is said beside its field, and the fleet stays", () => onFleet(async (page) => {
   await page.click("#make > summary");
   for (const { id, options } of fleetGenerators()) {
-    if (await page.inputValue("#kind") !== id) await replanned(page, () => fill(page, "#kind", id), id === "swap" ? "exhausted" : "solved");
+    if (await page.inputValue("#kind") !== id) await replanned(page, () => fill(page, "#kind", id));
     for (const { name, meaning } of options) assert.equal(await page.locator(`#fleet-${name}-meaning`).textContent().then((text) => text?.startsWith(meaning)), true, `${id} ${name}`);
   }
   for (const { name } of fleetPlanners()[0].parameters) assert.equal(await page.locator(`#plan-${name}`).count(), 1, name);
@@ -304,8 +316,8 @@ test("a link holds the fleet, the planner, the order and the time", async () => 
     assert.equal(await page.isHidden("#notice"), true);
   }, {}, fragment);
   await onFleet(async (page) => {
-    await chooseFleet(page, "swap", "exhausted");
-    await replanned(page, () => page.click("#try-composite"));
+    await chooseFleet(page, "swap");
+    await replanned(page, () => fill(page, "#planner", "composite"));
     await replanned(page, () => fill(page, "#plan-seed", "3"));
     fragment = await linkOf(page);
     before = await told(page);

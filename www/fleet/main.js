@@ -23,7 +23,7 @@ import { Floor } from "./floor.js";
 import { showPanel } from "./panel.js";
 import { RobotList } from "./robot-list.js";
 import { SCENES } from "./scenes.js";
-import { FleetSession } from "./session.js";
+import { DEFAULT, FleetSession, noOptions } from "./session.js";
 import { openState, stateOf, stateRule } from "./state.js";
 import { nameOf, sentenceOf } from "./words.js";
 
@@ -71,7 +71,7 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   showPanel(session, {
     choose: (entry) => {
       // A ready fleet is planned for as its text says.
-      Object.assign(session, { algorithm: "prioritized", given: { prioritized: {}, composite: {} } });
+      Object.assign(session, { algorithm: DEFAULT, given: noOptions() });
       load(entry);
     },
     load,
@@ -196,7 +196,8 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     const { run: { status, blocked: [robot, ...others], order }, canCompose, isOrdered } = session;
     const isFailed = status === "exhausted";
     const buttons = [];
-    if (isFailed && isOrdered && canCompose) buttons.push(button("try-composite", "Try the composite planner", () => void attempt(session.use("composite")).then(playOnce), { className: "primary" }));
+    if (isFailed && isOrdered && session.algorithm !== DEFAULT) buttons.push(button("try-default", "Let the planner decide who gives way", () => void attempt(session.reorder(null)).then(playOnce), { className: "primary" }));
+    if (isFailed && isOrdered && canCompose) buttons.push(button("try-composite", "Try the composite planner", () => void attempt(session.use("composite")).then(playOnce)));
     if (isFailed && isOrdered && others.length > 0 && order[0] !== robot) {
       buttons.push(button("plan-first", `Plan ${nameOf(session, robot)} first`, () => void attempt(session.reorder([robot, ...order.filter((i) => i !== robot)])).then(playOnce)));
     }

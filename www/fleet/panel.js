@@ -99,8 +99,7 @@ export function showPanel(session, actions) {
       if (key !== shown.kind || key === "" || !options || !sameOptions(options.given, /** @type {Generated} */ (source).options)) buildFleet();
       shown.kind = key;
     }
-    const [, composite] = planner.options;
-    composite.disabled = !canCompose;
+    for (const option of planner.options) option.disabled = option.value === "composite" && !canCompose;
     byId("no-composite", HTMLElement).hidden = canCompose;
     if (shown.planner !== algorithm || change === "fleet") buildPlan();
     shown.planner = algorithm;

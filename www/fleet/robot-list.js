@@ -52,7 +52,7 @@ export class RobotList {
     if (change === "selected" || change === "fleet") this.mark();
     list.style.setProperty("--now", String(session.end > 0 ? Math.min(1, session.time / session.end) : 0));
     for (const id of ["first", "up", "down"]) byId(id, HTMLButtonElement).disabled = session.selected === null || !session.isOrdered || this.order.length < 2;
-    byId("any-order", HTMLButtonElement).disabled = session.order === null || !session.isOrdered;
+    byId("any-order", HTMLButtonElement).disabled = session.order === null || session.algorithm !== "prioritized";
   }
 
   build() {
@@ -88,7 +88,7 @@ export class RobotList {
     const state = isFailed && blocked[0] === robot ? "blocked" : isFailed && blocked.includes(robot) ? "in-the-way" : shown[robot] ? "planned" : "open";
     element.dataset.state = state;
     write(words, laneSentence(session, robot));
-    write(when, state === "blocked" ? "no way" : state === "in-the-way" ? "in the way" : shown[robot] ? `${num(shown[robot].arrival, 1)} s` : "");
+    write(when, state === "blocked" ? "no plan" : state === "in-the-way" ? "in the way" : shown[robot] ? `${num(shown[robot].arrival, 1)} s` : "");
     const key = `${end} ${shown[robot]?.count} ${shown[robot]?.arrival} ${shown[robot]?.waits} ${isStraight}`;
     if (key === lane.drawn) return;
     lane.drawn = key;

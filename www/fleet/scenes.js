@@ -10,15 +10,15 @@
 export const SCENES = [
   {
     id: "ring", title: "Ring", kind: "ring", options: { count: 12 },
-    what: "Every robot goes to the other side of the ring. In the middle all would meet: the first in the order goes straight, the others turn aside or wait.",
+    what: "Every robot goes to the other side of the ring. In the middle all would meet: the first goes straight, the others turn aside or wait.",
   },
   {
     id: "swap", title: "Swap", kind: "swap", options: {},
-    what: "Two robots in a corridor change places; the bay lets one step aside. Planned one after the other, neither can go first: the other stands in its way. Planned for both at once, there is a plan.",
+    what: "Two robots in a corridor change places; the bay lets one step aside before the other passes. Put into an order, neither can go first: the other stands in its way.",
   },
   {
     id: "crossroads", title: "Crossroads", kind: "crossroads", options: {},
-    what: "Robots cross from four sides, and those late in the order wait. Plan robot 3 first, and all are there sooner; plan robot 8 first, and there is no plan: another one stands before it.",
+    what: "Robots cross from four sides, and some of them wait. Plan robot 3 first, and all are there sooner; plan robot 8 first, and there is no plan: another one stands before it.",
   },
   {
     id: "corridor", title: "Corridor", kind: "corridor", options: {},
@@ -26,7 +26,7 @@ export const SCENES = [
   },
   {
     id: "crowd", title: "A hundred discs", kind: "hall", options: { count: 100 },
-    what: "A hundred discs share one roadmap. Each is planned for around all those before it in the order.",
+    what: "A hundred discs share one roadmap. Each is planned for around all those before it.",
   },
   {
     id: "bodies", title: "Rectangles", kind: "ring", options: { count: 8, shape: "rectangle", pillar: 0.6 },

@@ -23,7 +23,7 @@ import { Trajectory, poseOf, straightOf } from "./trajectory.js";
  * @property {number} iterations
  * @property {number} planned
  * @property {number[]} order
- * @property {number[]} blocked   the robot that finds no way, then those in its way
+ * @property {number[]} blocked   the robot that found no way last, then those in its way
  * @property {Roadmap[]} roadmaps
  * @property {boolean} isBuilding  vertices or edges were added last
  * @property {(Trajectory | null)[]} trajectories
@@ -37,6 +37,12 @@ const MORE = 1.06;
 /** The composite plans for so many robots, with so many coordinates at most. */
 const TOGETHER = [2, 3];
 const COORDINATES = 8;
+
+/** The planner at first. @type {FleetPlannerId} */
+export const DEFAULT = "pbs";
+
+/** No options of any planner. @returns {Record<FleetPlannerId, Settings>} */
+export function noOptions() { return { pbs: {}, prioritized: {}, composite: {} }; }
 
 /** @param {number} robots @returns {Run} */
 function nothing(robots) {
@@ -62,10 +68,10 @@ export class FleetSession extends Observable {
     /** @type {Trajectory[]} */
     this.straight = [];
     /** @type {FleetPlannerId} */
-    this.algorithm = "prioritized";
+    this.algorithm = DEFAULT;
     /** The options of each planner that differ from the defaults. @type {Record<FleetPlannerId, Settings>} */
-    this.given = { prioritized: {}, composite: {} };
-    /** The order of priorities that was asked for, if any. @type {number[] | null} */
+    this.given = noOptions();
+    /** The order of priorities that was asked for, if any: `prioritized` plans in it. @type {number[] | null} */
     this.order = null;
     this.run = nothing(0);
     /** Plans begun and fleets asked for. */
@@ -96,8 +102,8 @@ export class FleetSession extends Observable {
     return length >= TOGETHER[0] && length <= TOGETHER[1] && this.robots.reduce((sum, { start }) => sum + start.length, 0) <= COORDINATES;
   }
 
-  /** Whether robots can be put into order. */
-  get isOrdered() { return this.algorithm === "prioritized"; }
+  /** Whether robots can be put into order: `prioritized` then plans for them. */
+  get isOrdered() { return this.algorithm !== "composite"; }
 
   /** @param {number} robot @param {number} [time] @returns {Pose} */
   poseAt(robot, time = this.time) { return this.shown[robot]?.at(time) ?? poseOf(this.robots[robot].start); }
@@ -125,15 +131,15 @@ export class FleetSession extends Observable {
       source, document, title, conflicts, order, straight: document.robots.map(straightOf), run: nothing(document.robots.length), current: 0, time: 0, isStraight: false,
       selected: null,
     });
-    if (!this.canCompose) this.algorithm = "prioritized";
+    if (!this.canCompose && this.algorithm === "composite") this.algorithm = DEFAULT;
     this.update("fleet");
   }
 
   /** Plans with the planner, its options and the order as they are. @param {boolean} [isQuick] @returns {Promise<boolean>} whether it came to its end @throws {Error} they are refused */
   async plan(isQuick = true) {
     const plans = ++this.plans;
-    const { algorithm, given, order, robots, isOrdered } = this;
-    const id = await this.worker.begin(algorithm, given[algorithm], order && isOrdered ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null);
+    const { algorithm, given, order, robots } = this;
+    const id = await this.worker.begin(algorithm, given[algorithm], order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null);
     if (plans !== this.plans) return false;
     this.current = id;
     const isStill = isQuick || this.app.reducedMotion;
@@ -176,9 +182,10 @@ export class FleetSession extends Observable {
     return this.plan(false);
   }
 
-  /** Plans in an order; null: in that of the document, and in others if it fails. @param {number[] | null} order @returns {Promise<boolean>} */
+  /** Plans in an order; null: by the planner at first, which decides who gives way. @param {number[] | null} order @returns {Promise<boolean>} */
   reorder(order) {
     this.order = order;
+    this.algorithm = order ? "prioritized" : DEFAULT;
     return this.plan();
   }
 

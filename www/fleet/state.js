@@ -6,7 +6,7 @@ import { flag, json, list, name, number, oneOf, record, settings, whole, withDef
 /** @import { FleetSession, Source } from "./session.js" */
 
 /** @type {FleetPlannerId[]} */
-const PLANNERS = ["prioritized", "composite"];
+const PLANNERS = ["pbs", "prioritized", "composite"];
 
 export const stateRule = withDefaults({
   // A document, or a generator and its options.

@@ -35,7 +35,7 @@ export function sentenceOf(session) {
 }
 
 /** @param {FleetSession} session */
-function runningSentence({ run, robots, isOrdered }) {
+function runningSentence({ run, robots, isOrdered, algorithm }) {
   const vertices = counted(run.roadmaps.reduce((most, roadmap) => Math.max(most, roadmap.vertices.length / 3), 0), "vertex", "vertices");
   const { length } = robots;
   if (!isOrdered) return `Two trees grow towards each other, for ${allOf(length)} robots at once: ${vertices}.`;
@@ -43,29 +43,34 @@ function runningSentence({ run, robots, isOrdered }) {
     if (run.roadmaps.length > 1) return `${run.roadmaps.length} roadmaps grow, one for each kind of robot.`;
     return length === 1 ? `A roadmap grows: ${vertices}.` : `A roadmap grows, which all ${length} robots share: ${vertices}.`;
   }
+  if (algorithm === "pbs") return length === 1 ? "The robot is planned for." : `${capital(allOf(length))} robots are planned for: where two would meet, one gives way.`;
   return `${run.planned} of ${counted(length, "robot")} planned, one after the other, each around those before it.`;
 }
 
 /** @param {FleetSession} session */
-function solvedSentence({ run: { result }, robots, isOrdered, order }) {
+function solvedSentence({ run: { result }, robots, isOrdered, order, algorithm }) {
   if (!result) return "";
   const { waits, stats: { restarts }, makespan } = result;
   const waiting = waits > 0.005 ? `Together they wait ${num(waits, 1)} s.` : "None has to wait.";
   const all = robots.length === 1 ? "The robot reaches its goal" : `${capital(allOf(robots.length))} robots reach their goals`;
   const found = `${all} in ${num(makespan, 1)} s${robots.length === 1 ? "." : `, and no two of them touch at any time. ${waiting}`}`;
   if (!isOrdered) return found.replace(waiting, `The composite planned for ${robots.length === 2 ? "both" : "all"} of them at once.`);
+  if (algorithm === "pbs") return restarts > 0 ? `${found} ${restarts === 1 ? "One other choice" : `${grouped(restarts)} other choices`} of who gives way came before.` : found;
   return restarts > 0 && !order ? `${found} ${restarts === 1 ? "Another order was" : `${restarts} other orders were`} tried before this one.` : found;
 }
 
-/** @param {FleetSession} session */
+/** Why there is no plan, as far as is known. @param {FleetSession} session */
 function failedSentence(session) {
-  const { run: { blocked: [robot, ...others], result }, isOrdered } = session;
-  const { iterations = 0, restarts = 0 } = result?.stats ?? {};
-  if (!isOrdered) return `The composite found no plan in ${counted(iterations, "iteration")}. Another seed may, or more iterations.`;
-  if (robot === undefined) return `Stopped without a plan after ${counted(iterations, "iteration")}.`;
-  const begin = restarts === 0 ? "No plan in this order:" : `No order of priorities gave a plan in ${restarts + 1} attempts. In the last one`;
-  if (others.length === 0) return `${begin} ${nameOf(session, robot)} finds no way even alone: on its roadmap the start is not connected to the goal. More samples may help.`;
-  return `${begin} ${nameOf(session, robot)} finds no way, because ${namesOf(session, others)} ${others.length === 1 ? "is" : "are"} in its way.`;
+  const { run: { blocked: [robot, ...others], result }, isOrdered, algorithm } = session;
+  const reason = result?.reason;
+  const { iterations = 0, restarts = 0, vertices = 0 } = result?.stats ?? {};
+  const gaveUp = reason === "graph-full" ? "there is no memory for more vertices" : `it gave up after ${counted(iterations, "iteration")}`;
+  if (!isOrdered) return `The composite found no plan: ${gaveUp}. Another seed may, or more iterations.`;
+  if (reason === "not-connected" && robot !== undefined) return `No plan was found: the roadmap does not connect the start of ${nameOf(session, robot)} to its goal (${counted(vertices, "vertex", "vertices")} in all). More samples may help.`;
+  const last = robot === undefined || others.length === 0 ? "" : ` At last ${nameOf(session, robot)} found no way, because ${namesOf(session, others)} ${others.length === 1 ? "was" : "were"} in its way.`;
+  if (reason === "no-order") return `On this roadmap no order of priorities gives a plan.${last}`;
+  if (reason === "order-limit") return `${algorithm === "prioritized" && restarts === 0 ? "No plan was found in this order." : `No plan was found in ${counted(restarts + 1, "order")} of priorities; there are others.`}${last}`;
+  return `No plan was found: ${gaveUp}.${last}`;
 }
 
 /** @param {FleetSession} session */
@@ -82,7 +87,7 @@ export function laneSentence(session, i) {
   const { shown, run: { blocked, status }, isStraight } = session;
   const way = shown[i];
   const name = nameOf(session, i);
-  if (!isStraight && status === "exhausted" && blocked[0] === i) return `${name}: finds no way`;
+  if (!isStraight && status === "exhausted" && blocked[0] === i) return `${name}: no plan was found`;
   const isInTheWay = !isStraight && blocked.includes(i) ? ", in the way" : "";
   if (!way) return `${name}: no plan yet${isInTheWay}`;
   const waits = way.waits > 0.005 ? `, waits ${num(way.waits, 1)} s` : "";

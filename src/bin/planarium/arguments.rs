@@ -353,7 +353,7 @@ pub struct Compare {
 
 #[derive(Args)]
 #[command(after_help = "\
-If the order of priorities fails, the result names the robot that finds no way, and who is in its way.
+Without a plan the result has the reason, and mostly the robot that found no way last, and who was in its way.
 Exit codes: 0 solved; 1 exhausted; 2 the input is wrong.
 
 Examples:
@@ -366,12 +366,12 @@ pub struct Fleet {
     /// The fleet, a JSON file; - reads it from standard input
     pub file: String,
 
-    /// The planner, by id; see `planarium list` [default: prioritized]
+    /// The planner, by id; see `planarium list` [default: pbs, or prioritized if there is an order]
     #[arg(long, value_name = "ID")]
     pub planner: Option<String>,
 
-    /// The order of priorities, the highest first: every robot once, by its name, or by its index from 0 [default: that of the
-    /// fleet]
+    /// The order of priorities, the highest first: every robot once, by its name, or by its index from 0; for prioritized, which
+    /// begins with that of the fleet by default
     #[arg(long, value_name = "A,B,..", value_delimiter = ',')]
     pub order: Option<Vec<String>>,
 

@@ -2,7 +2,7 @@
 
 use crate::output::{Kind, Outputs};
 use crate::{Answer, arguments, files};
-use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetResult};
+use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetReason, FleetResult};
 use planarium::problem::Status;
 use std::time::Instant;
 
@@ -27,18 +27,29 @@ pub fn fleet(arguments: &arguments::Fleet) -> Answer {
 }
 
 fn summary(result: &FleetResult) -> String {
-    let FleetResult { robots, makespan, sum_of_costs, waits, .. } = result;
-    match (&result.blocked, result.status) {
-        (_, Status::Solved) => {
-            let count = robots.len();
-            format!(
-                "solved: {count} robots, makespan {makespan:.3} s, sum of costs {sum_of_costs:.3} s, waits {waits:.3} s"
-            )
-        }
-        (Some(blocked), _) if blocked.by.is_empty() => format!("exhausted: robot {} has no way", blocked.robot),
-        (Some(blocked), _) => {
-            format!("exhausted: robot {} finds no way; in its way: {}", blocked.robot, blocked.by.join(", "))
-        }
-        _ => "exhausted: no plan found".to_owned(),
+    let FleetResult { robots, makespan, sum_of_costs, waits, stats, blocked, .. } = result;
+    if result.status == Status::Solved {
+        let count = robots.len();
+        return format!(
+            "solved: {count} robots, makespan {makespan:.3} s, sum of costs {sum_of_costs:.3} s, waits {waits:.3} s"
+        );
     }
+    let last = blocked.as_ref().filter(|blocked| !blocked.by.is_empty()).map_or_else(String::new, |blocked| {
+        format!("; at last robot {} found no way, and in its way were: {}", blocked.robot, blocked.by.join(", "))
+    });
+    let alone = blocked.as_ref().map_or("a robot", |blocked| &blocked.robot);
+    let why = match result.reason {
+        Some(FleetReason::NotConnected) => {
+            let vertices = stats.vertices;
+            format!("the roadmap does not connect the start of robot {alone} to its goal ({vertices} vertices in all)")
+        }
+        Some(FleetReason::NoOrder) => format!("every order of priorities fails on these roadmaps{last}"),
+        Some(FleetReason::OrderLimit) => {
+            let tried = stats.restarts + 1;
+            format!("gave up after {tried} order{} of priorities{last}", if tried == 1 { "" } else { "s" })
+        }
+        Some(FleetReason::GraphFull) => "gave up, for there is no memory for more vertices".to_owned(),
+        Some(FleetReason::IterationLimit) | None => format!("gave up after {} iterations{last}", stats.iterations),
+    };
+    format!("exhausted, no plan found: {why}")
 }

@@ -213,6 +213,7 @@ impl Work {
             let search = search.get_or_insert_with(|| ground.search(&scene));
             match search.step(&scene, &mut stats.pair_checks) {
                 Expansion::Vertex => stats.expanded += 1,
+                Expansion::Part => {}
                 Expansion::Found(trajectory) => {
                     self.branch.trajectories[robot] = Rc::new(trajectory);
                     self.must.retain(|one| *one != robot);

@@ -65,6 +65,7 @@ impl Refinement {
                 stats.expanded += 1;
                 return Refined::NotYet;
             }
+            Expansion::Part => return Refined::NotYet,
             Expansion::Found(trajectory) if trajectory.arrival() < self.arrival(robot) * (1.0 - EARLIER) => {
                 self.trajectories[robot] = Rc::new(trajectory);
                 self.is_earlier = true;

@@ -76,7 +76,7 @@ fn check_claims(certificate: &Certificate) -> Result<(), String> {
         // The larger ones of a cell that was met before are there as well.
         let larger = (0..cell.depth).rev().map(|depth| {
             let halvings = cell.depth - depth;
-            [depth, cell.column >> halvings, cell.row >> halvings]
+            (depth, cell.column >> halvings, cell.row >> halvings)
         });
         for cell in larger {
             if !divided.insert(cell) {

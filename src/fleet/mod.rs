@@ -20,7 +20,7 @@
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
 //! - `run.rs`: a planner that is stepped, and its result;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
-//! - `pbs.rs`: searches that take turns, those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and `moves.rs`: `joint.rs` and
+//! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and `moves.rs`: `joint.rs` and
 //!   `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
 //! - `verify.rs`: the independent verifier; `advancement.rs`: when two robots touch along their trajectories.
@@ -41,6 +41,7 @@ mod roadmap;
 mod run;
 mod safe_intervals;
 mod trajectory;
+mod turns;
 mod verify;
 mod walks;
 

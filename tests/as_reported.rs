@@ -65,8 +65,8 @@ fn slices_and_events_change_nothing() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_tree_grows_past_the_goal_to_so_many_vertices_and_keeps_its_first_path() {
     for (world, planner, settings, unreached) in [
-        (arm_and_wall(0.1), "rrt", "goal_bias=0.2", 0),
-        (disc_and_wall(0.3, 0.5), "rrt", "extend=until-obstacle", 0),
+        (arm_and_wall(0.1), "rrt", "direct=false goal_bias=0.2", 0),
+        (disc_and_wall(0.3, 0.5), "rrt", "direct=false extend=until-obstacle", 0),
         (car_and_wall(0.1), "rrt-control", "duration_steps=120", 0),
     ] {
         for seed in 0..seeds(10) {
@@ -224,7 +224,7 @@ fn naive_neighbours_are_chosen_without_wrapping_while_edges_wrap() {
     const K: usize = 5;
     let world = arm_of(2, false, 0.0);
     for (index, insertion) in [("exact", "batch"), ("forest", "batch"), ("exact", "one-by-one")] {
-        let settings = format!("samples=40 k={K} neighbour_index={index} insertion={insertion}");
+        let settings = format!("direct=false samples=40 k={K} neighbour_index={index} insertion={insertion}");
         let run = finish(begin_with(&world, "prm", 3, &format!("{settings} neighbour_metric=naive")));
         let vertices = rows(&*run);
         let nearest = |v: usize, among: usize| {
@@ -297,7 +297,7 @@ fn the_naive_heuristic_may_miss_the_shortest_path() {
     let mut longer = 0;
     for seed in 0..seeds(20) {
         let run = |heuristic: &str| {
-            let settings = format!("samples=300 k=8 heuristic={heuristic}");
+            let settings = format!("direct=false samples=300 k=8 heuristic={heuristic}");
             finish(begin_with(&world, "prm", seed, &settings))
         };
         let [metric, naive] = [run("metric"), run("naive")];

@@ -464,7 +464,7 @@ fn lengths_of_edges_are_those_of_the_path() {
     for (world, settings) in [
         (arm_and_wall(0.1), "samples=150 k=8 metric=sum"),
         (arm_and_wall(0.1), "samples=150 k=8 metric=euclidean"),
-        (arm_and_wall(0.1), "samples=150 k=8 metric=naive"),
+        (arm_and_wall(0.1), "direct=false samples=150 k=8 metric=naive"),
         (disc_and_wall(0.2, 0.3), "samples=250 k=8"),
     ] {
         let run = finish(begin_with(&world, "prm", 2, settings));

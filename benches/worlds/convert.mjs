@@ -162,7 +162,7 @@ export function ompl(folder, count) {
   const circles = {
     name: "circles",
     world: {
-      bounds: { min: [0, 0], max: [70, 70] },
+      bounds: { min: [-10, -10], max: [80, 80] },
       obstacles: discs.filter((disc) => disc.length === 4).map(([, x, y, radius]) => ({ type: "disc", center: [x, y], radius })),
     },
     robot: { type: "disc", radius: 0 },

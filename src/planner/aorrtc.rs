@@ -11,7 +11,7 @@
 
 use super::groups::Termination;
 use super::growth::{Growth, START};
-use super::info::{DIRECT, END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
+use super::info::{END, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
 use super::rrt_connect::{RrtConnect, RrtConnectOptions};
 use super::{Planner, Status};
 use crate::error::Error;
@@ -52,7 +52,6 @@ impl PlannerKind for AorrtcOptions {
         grows: Grows::Trees,
         presets: &[],
         pseudocode: &[
-            DIRECT,
             line(0, "the first path ← RRT-Connect", &[Mark::Growing]),
             NONE_FOUND,
             line(0, "repeat, c ← the length of the best path:", &[Mark::Improving]),

@@ -10,7 +10,7 @@
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
 use super::growth::{GOAL, Growth, START};
-use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
+use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use super::near::{Near, NearRule, Nearness, Reach};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
@@ -46,7 +46,6 @@ impl PlannerKind for BitStarOptions {
         grows: Grows::Tree,
         presets: &[],
         pseudocode: &[
-            DIRECT,
             line(0, "T ← {start}; Q ← {start}; repeat:", &[]),
             line(1, "if Q is empty: remove what cannot help,", &[Mark::Removed]),
             line(2, "draw a batch that may help, Q ← vertices", &[Mark::Sampling, Mark::Vertex]),

@@ -154,8 +154,8 @@ crate::options! {
     edge_check: EdgeCheck = EdgeCheck::Proven, "Collision checking";
     /// Number of evenly spaced checks on a sampled edge: fewer are faster and miss more.
     edge_samples: u32 = 20, in 1.0..=10_000.0, "Checks per edge";
-    /// Tries the straight motion from start to goal first; false shows how a planner grows where the goal is in sight.
-    direct: bool = true, "Straight motion first";
+    /// Tries the straight motion from start to goal first; false shows growth even where the goal is in sight.
+    direct: bool = true, "Direct motion first";
     /// How the final path is improved.
     improving: Improving;
     /// The metric.

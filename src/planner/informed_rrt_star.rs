@@ -7,7 +7,7 @@
 
 use super::Planner;
 use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};
-use super::rrt_star::{ARRIVE, PARENT, REFUSED, REWIRE, RrtStar, RrtStarOptions, STEER};
+use super::rrt_star::{ARRIVE, PARENT, REWIRE, RrtStar, RrtStarOptions, STEER};
 use crate::error::Error;
 use crate::problem::Problem;
 use crate::space::Space;
@@ -35,7 +35,6 @@ impl PlannerKind for InformedRrtStarOptions {
             line(1, "while start – q – goal is as long as the path:", &[]),
             line(2, "draw another q, 100 at most", &[Mark::Discarded]),
             STEER,
-            REFUSED,
             PARENT,
             REWIRE,
             ARRIVE,

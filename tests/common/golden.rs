@@ -24,7 +24,9 @@ pub fn check(file: &str, text: &str, least: usize, outcome: impl Fn(&Json) -> Js
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("PLANARIUM_BLESS").is_some() {
         cases.iter_mut().for_each(|case| case["outcome"] = outcome(case));
-        let text = serde_json::to_string_pretty(&cases).expect("JSON") + "\n";
+        // One case a line.
+        let lines: Vec<String> = cases.iter().map(Json::to_string).collect();
+        let text = format!("[\n{}\n]\n", lines.join(",\n"));
         return std::fs::write(format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR")), text).expect("written");
     }
     for case in &mut cases {

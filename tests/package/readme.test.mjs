@@ -26,7 +26,7 @@ function blocks(name, language) {
 const PRINTED = {
   "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/, /^solved [1-9]\d* edges\n$/],
   "docs/start.md": [/^solved [1-9]\d* waypoints\n$/],
-  "docs/fleet.md": [/^[1-9]\d* conflicts if all drive straight at once\n(?:\d robots have planned\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/],
+  "docs/fleet.md": [/^[1-9]\d* conflicts if all drive straight at once\n(?:\d+ iterations\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/],
   "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,

@@ -97,7 +97,7 @@ test("at first a fleet is planned for and plays by itself; with reduced motion i
     const { status, fingerprint, verified, robots, order, end } = await told(page);
     const { result } = planned(fleetOf("ring"));
     assert.deepEqual([status, fingerprint, verified, robots], ["solved", result.fingerprint, "true", "12"]);
-    assert.deepEqual(order, result.order?.join());
+    assert.deepEqual([result.order, order], [undefined, fleetOf("ring").toJSON().robots.map(({ name }) => name).join()]);
     assert.equal(end, result.makespan.toFixed(3));
     assert.match(await page.innerText("#story"), /All 12 robots reach their goals in 7\.4 s, and no two of them touch/);
     assert.equal(await page.innerText("#fact-waits"), `${result.waits.toFixed(1)} s`);
@@ -225,6 +225,10 @@ test("a swap is planned for; put into an order it has no plan, and the page show
   const decided = await replanned(page, () => page.click("#try-default"));
   assert.deepEqual([decided.planner, decided.fingerprint], ["pbs", fingerprint]);
   assert.equal(await page.locator("#offer button").count(), 0);
+  const exchanged = await chooseFleet(page, "exchange");
+  assert.deepEqual([exchanged.planner, exchanged.robots, exchanged.fingerprint], ["pbs", "8", planned(fleetOf("exchange")).result.fingerprint]);
+  await page.waitForSelector("#stage[data-verified=true]");
+  await chooseFleet(page, "swap");
   await putFirst("2");
   const composed = await replanned(page, () => page.click("#try-composite"));
   assert.equal(composed.planner, "composite");
@@ -377,5 +381,9 @@ test("axe finds nothing and all fits, unfolded, and where an order fails; forced
     await page.click("#robot-7 .chip");
     await seek(page, 5);
   },
-  "an order that fails": () => chooseFleet(page, "swap", "exhausted"),
+  "an order that fails": async () => {
+    await chooseFleet(page, "swap");
+    await page.click("#robot-2 .chip");
+    await replanned(page, () => page.click("#first"), "exhausted");
+  },
 })));

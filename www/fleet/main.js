@@ -196,7 +196,7 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     const { run: { status, blocked: [robot, ...others], order }, canCompose, isOrdered } = session;
     const isFailed = status === "exhausted";
     const buttons = [];
-    if (isFailed && isOrdered && session.algorithm !== DEFAULT) buttons.push(button("try-default", "Let the planner decide who gives way", () => void attempt(session.reorder(null)).then(playOnce), { className: "primary" }));
+    if (isFailed && isOrdered && session.algorithm !== DEFAULT) buttons.push(button("try-default", "Let the planner decide", () => void attempt(session.reorder(null)).then(playOnce), { className: "primary" }));
     if (isFailed && isOrdered && canCompose) buttons.push(button("try-composite", "Try the composite planner", () => void attempt(session.use("composite")).then(playOnce)));
     if (isFailed && isOrdered && others.length > 0 && order[0] !== robot) {
       buttons.push(button("plan-first", `Plan ${nameOf(session, robot)} first`, () => void attempt(session.reorder([robot, ...order.filter((i) => i !== robot)])).then(playOnce)));

@@ -17,6 +17,10 @@ export const SCENES = [
     what: "Two robots in a corridor change places; the bay lets one step aside before the other passes. Put into an order, neither can go first: the other stands in its way.",
   },
   {
+    id: "exchange", title: "Exchange", kind: "ring", options: { count: 8, exchange: true },
+    what: "Each robot goes to the place of the next. No goal is free before another robot leaves it, so no order of priorities works; all leave at once.",
+  },
+  {
     id: "crossroads", title: "Crossroads", kind: "crossroads", options: {},
     what: "Robots cross from four sides, and some of them wait. Plan robot 3 first, and all are there sooner; plan robot 8 first, and there is no plan: another one stands before it.",
   },

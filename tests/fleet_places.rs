@@ -95,7 +95,7 @@ fn four_robots_pass_in_a_corridor_with_one_bay() {
 fn a_roadmap_that_is_too_thin_grows_and_says_so_where_it_may_not() {
     // A comb: one way through, around every tooth.
     let tooth = |i: usize| {
-        let (x, low) = (1.0 + i as f64, if i % 2 == 0 { 0.0 } else { 0.9 });
+        let (x, low) = (1.0 + i as f64, if i.is_multiple_of(2) { 0.0 } else { 0.9 });
         json!({ "type": "polygon", "vertices": [[x, low], [x + 0.2, low], [x + 0.2, low + 5.1], [x, low + 5.1]] })
     };
     let teeth = json!((0..8).map(tooth).collect::<Vec<_>>());

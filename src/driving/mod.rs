@@ -58,7 +58,7 @@ impl Drive {
             let error = Error::new(Code::StartInCollision, "/q", sentence);
             let space: ProductSpace<SMALL> = world.default_space();
             let is_free = |q: &[f64; SMALL]| road.collision.is_free(&[q[0], q[1], q[2]]);
-            return Err(naming_nearest(error, &space, is_free, &space.state(&start)));
+            return Err(naming_nearest(error, &space, &is_free, &space.state(&start)));
         }
         let road = road.fitted(&start);
         let levels = Levels::new(&road.car);

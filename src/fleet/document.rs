@@ -212,7 +212,7 @@ impl Fleet {
                         let at = pose(&state[..q.len()]);
                         checker.is_free(state) && (0..self.robots().len()).all(|j| j == i || !touches(at, j))
                     };
-                    Err(naming_nearest(error, &space, is_free, &state(q)))
+                    Err(naming_nearest(error, &space, &is_free, &state(q)))
                 };
                 if let Some(why) = checker.collision(&state(q)) {
                     return refuse(why);

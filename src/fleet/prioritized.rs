@@ -14,7 +14,7 @@ use super::run::{Blocked, FleetReason, FleetStats};
 use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
 use crate::error::Error;
-use crate::planner::PrmOptions;
+use crate::planner::{EdgeOptions, PrmOptions};
 use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::collections::BTreeSet;
@@ -93,7 +93,9 @@ pub(super) fn default_samples(setup: &Setup) -> usize {
 
 /// The roadmap of every kind of robot, before its first sample.
 pub(super) fn roadmaps(setup: &Setup, samples: usize, k: usize, seed: u64) -> Result<Vec<Roadmap>, Error> {
-    let prm = PrmOptions { samples: Some(samples), k: Some(k), ..PrmOptions::default() };
+    // A roadmap tries the motions from each start straight to its goal itself.
+    let edges = EdgeOptions { direct: false, ..EdgeOptions::default() };
+    let prm = PrmOptions { samples: Some(samples), k: Some(k), edges, ..PrmOptions::default() };
     let roadmap = |(kind, world)| {
         let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
         Roadmap::new(&setup.fleet, world, robots, &prm, seed)

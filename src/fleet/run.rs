@@ -30,23 +30,26 @@ pub struct FleetOptions {
     pub parameters: Vec<(String, Value)>,
 }
 
+/// The ids of the planners of fleets.
+const IDS: [&str; 3] = ["pbs", "prioritized", "composite"];
+
 /// The planners of fleets with their options.
 pub fn fleet_planners() -> Vec<Info> {
     vec![
         Info {
-            id: "pbs",
+            id: IDS[0],
             title: "PBS",
             summary: "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
             options: PbsOptions::table(),
         },
         Info {
-            id: "prioritized",
+            id: IDS[1],
             title: "Prioritized",
             summary: "The robots plan one after the other by safe intervals, each around those before it.",
             options: PrioritizedOptions::table(),
         },
         Info {
-            id: "composite",
+            id: IDS[2],
             title: "Composite",
             summary: "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
             options: CompositeOptions::table(),
@@ -213,10 +216,8 @@ impl FleetPlanner {
         check_seed(options.seed)?;
         let by_default = if options.order.is_some() { "prioritized" } else { "pbs" };
         let id = options.planner.as_deref().unwrap_or(by_default);
-        let known = fleet_planners();
-        let Some(Info { id, .. }) = known.iter().find(|info| info.id == id) else {
-            let ids: Vec<&str> = known.iter().map(|info| info.id).collect();
-            let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), ids.join(", "));
+        let Some(id) = IDS.iter().find(|known| **known == id) else {
+            let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), IDS.join(", "));
             return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
         };
         let setup = Setup::new(fleet);

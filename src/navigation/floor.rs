@@ -148,7 +148,7 @@ impl Floor {
                 format!("at the goal {:?} the robot cannot turn on the spot without a collision", query.goal);
             let error = Error::new(Code::GoalInCollision, "/goal", sentence);
             let has_room = |q: &[f64; 2]| self.has_room(Point::new(q[0], q[1]), 0.0);
-            return Err(naming_nearest(error, &plane(&self.bounds), has_room, &query.goal));
+            return Err(naming_nearest(error, &plane(&self.bounds), &has_room, &query.goal));
         }
         Ok(())
     }
@@ -159,7 +159,7 @@ impl Floor {
         let error = Error::new(Code::StartInCollision, "/start", sentence);
         let Aabb { min, max } = self.bounds;
         let space = ProductSpace::of_placements([min.x, min.y], [max.x, max.y], 1.0, 1.0);
-        naming_nearest(error, &space, |&q| self.is_free(q), &space.state(&start))
+        naming_nearest(error, &space, &|&q| self.is_free(q), &space.state(&start))
     }
 
     /// Whether the arc of a control is proven free, both ends included: an arc that comes too close to an obstacle to be proven is not.

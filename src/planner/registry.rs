@@ -47,6 +47,21 @@ macro_rules! registry {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::INFO,)* }
             }
 
+            /// Its id, in kebab-case.
+            pub fn id(&self) -> &'static str {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::INFO.id,)* }
+            }
+
+            /// What it grows.
+            pub fn grows(&self) -> Grows {
+                match self { $(PlannerOptions::$Variant(_) => <$Options>::INFO.grows,)* }
+            }
+
+            /// Whether it has an option of this name.
+            pub fn has(&self, name: &str) -> bool {
+                match self { $(PlannerOptions::$Variant(_) => <$Options as Options>::has(name),)* }
+            }
+
             /// The types of robots that it plans for, as in documents.
             pub fn robots(&self) -> &'static [&'static str] {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::ROBOTS,)* }
@@ -104,7 +119,7 @@ impl PlannerOptions {
     fn is_direct(&self) -> bool {
         let grows_on = self.group::<Overgrowth>().is_some_and(|overgrowth| overgrowth.vertices.is_some());
         let is_wanted = self.group::<EdgeOptions>().is_some_and(|edges| edges.direct);
-        is_wanted && !grows_on && self.info().grows != Grows::Roadmap
+        is_wanted && !grows_on && self.grows() != Grows::Roadmap
     }
 
     /// The planner with the given id and its default options.
@@ -112,8 +127,8 @@ impl PlannerOptions {
     /// # Errors
     /// `unknown-planner`, pointer `/algorithm`, naming those that exist.
     pub fn of(id: &str) -> Result<Self, Error> {
-        planners().into_iter().find(|planner| planner.info().id == id).ok_or_else(|| {
-            let known = planners().map(|planner| planner.info().id).join(", ");
+        planners().into_iter().find(|planner| planner.id() == id).ok_or_else(|| {
+            let known = planners().map(|planner| planner.id()).join(", ");
             let sentence = format!("unknown planner {}; known planners are {known}", quoted(id));
             Error::new(Code::UnknownPlanner, "/algorithm", sentence)
         })
@@ -138,12 +153,12 @@ impl PlannerOptions {
     /// # Errors
     /// `unsupported`, pointer `/algorithm`, naming planners for it.
     pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
-        let (id, robots) = (self.info().id, self.robots());
+        let (id, robots) = (self.id(), self.robots());
         if robots.contains(&robot) {
             return Ok(());
         }
         let fitting: Vec<&str> =
-            planners().iter().filter(|other| other.robots().contains(&robot)).map(|other| other.info().id).collect();
+            planners().iter().filter(|other| other.robots().contains(&robot)).map(|other| other.id()).collect();
         let (own, fitting) = (robots.join(", "), fitting.join(", "));
         let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
         Err(Error::new(Code::Unsupported, "/algorithm", sentence))

@@ -113,7 +113,7 @@ impl<S: Space> Problem<S> {
         let Some(why) = collision else { return Ok(()) };
         let q = self.space.coordinates(state);
         let error = Error::new(code, format!("/{what}"), format!("the {what} {q:?} is in collision: {why}"));
-        let error = naming_nearest(error, &self.space, |q| self.validity.is_free(q), state);
+        let error = naming_nearest(error, &self.space, &|q| self.validity.is_free(q), state);
         self.validity.failure().map_or(Err(error), Err)
     }
 

@@ -36,7 +36,7 @@ type Direction = [f64; MAX_DIMENSION];
 /// [`Space::straight_distance`]. `None` if none is found. At most some thousand calls of `is_free`, usually some hundred.
 pub fn nearest_free<S: Space>(
     space: &S,
-    is_free: impl Fn(&S::State) -> bool,
+    is_free: &dyn Fn(&S::State) -> bool,
     from: &S::State,
     most: f64,
 ) -> Option<(S::State, f64)> {
@@ -52,7 +52,7 @@ pub fn nearest_free<S: Space>(
 pub(crate) fn naming_nearest<S: Space>(
     error: Error,
     space: &S,
-    is_free: impl Fn(&S::State) -> bool,
+    is_free: &dyn Fn(&S::State) -> bool,
     state: &S::State,
 ) -> Error {
     // Across the space, or from outside to its middle and across.
@@ -73,17 +73,17 @@ fn size<S: Space>(space: &S) -> f64 {
     2.0 * space.straight_distance(&state_at(space, 0.0), &state_at(space, 0.5))
 }
 
-struct Search<'a, S: Space, F> {
+struct Search<'a, S: Space> {
     space: &'a S,
-    is_free: F,
+    is_free: &'a dyn Fn(&S::State) -> bool,
     from: &'a S::State,
     /// The change of each coordinate by which a state moves by a unit of distance; 0 if it does not move.
     scale: Direction,
 }
 
-impl<'a, S: Space, F: Fn(&S::State) -> bool> Search<'a, S, F> {
+impl<'a, S: Space> Search<'a, S> {
     /// `None` in a space in which nothing moves.
-    fn new(space: &'a S, is_free: F, from: &'a S::State) -> Option<Self> {
+    fn new(space: &'a S, is_free: &'a dyn Fn(&S::State) -> bool, from: &'a S::State) -> Option<Self> {
         let mut search = Self { space, is_free, from, scale: [1.0; MAX_DIMENSION] };
         for i in 0..space.dimension() {
             let mut along = [0.0; MAX_DIMENSION];

@@ -188,7 +188,7 @@ pub(super) fn launch_problem(
 ) -> Result<Box<dyn Run>, Error> {
     let unsupported = |pointer: &str, sentence: &str| Err(Error::new(Code::Unsupported, pointer, sentence));
     if planner.group::<ByControls>().is_some() {
-        let sentence = format!("{} plans for cars, not for robots of one's own", planner.info().id);
+        let sentence = format!("{} plans for cars, not for robots of one's own", planner.id());
         return unsupported("/algorithm", &sentence);
     }
     if options.query.is_some() {

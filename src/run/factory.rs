@@ -127,7 +127,7 @@ impl<'a> Launch<'a> {
             return Err(Error::new(
                 Code::MissingField,
                 pointer,
-                format!("{} needs a goal_tolerance in the query", planner.info().id),
+                format!("{} needs a goal_tolerance in the query", planner.id()),
             ));
         }
         let edges = planner.group::<EdgeOptions>().copied();
@@ -334,7 +334,7 @@ pub(super) fn run_info(planner: &PlannerOptions, seed: u64) -> RunInfo {
     let edges = planner.group::<EdgeOptions>().copied();
     let driving = planner.group::<ByControls>();
     RunInfo {
-        planner: planner.info().id,
+        planner: planner.id(),
         seed,
         limits: planner.group::<Limits>().copied().unwrap_or_default(),
         is_finite: planner.needed().is_some(),

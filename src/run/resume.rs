@@ -104,15 +104,15 @@ pub fn resume_problem(
 
 /// The planner that built the roadmap.
 fn builder(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
-    let builds_roadmap = |planner: &PlannerOptions| planner.info().grows == Grows::Roadmap;
+    let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
     let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged(
             "/planner",
             format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
         ));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.info().id) {
-        let sentence = format!("the roadmap was built by {}, not {other}", planner.info().id);
+    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
+        let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
     check_seed(options.seed)?;
@@ -164,9 +164,8 @@ fn settings(
     let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
-    let known = planner.table();
     for (name, value) in &options.parameters {
-        let is_known = known.iter().any(|option| option.name == name);
+        let is_known = planner.has(name);
         match stored.iter().find(|(other, _)| is_known && other == name) {
             Some((_, stored)) if stored == value => {}
             Some((_, stored)) => {

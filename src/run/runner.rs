@@ -59,7 +59,7 @@ impl RunInfo {
     ) {
         let nearest = |state: &S::State| {
             let is_free = |q: &S::State| validity.is_free(q);
-            if is_free(state) { None } else { nearest_free(space, is_free, state, most).map(|(moved, _)| moved) }
+            if is_free(state) { None } else { nearest_free(space, &is_free, state, most).map(|(moved, _)| moved) }
         };
         if let Some(moved) = nearest(start) {
             *start = moved;

@@ -64,7 +64,7 @@ impl PlannerKind for RrtConnectOptions {
 }
 
 /// How many refusals in a row of steps that were given pass the turn to the other tree.
-const PATIENCE: u32 = 16;
+const PATIENCE: u32 = 100;
 
 /// The most motions of one greedy connection, by steps that adapt.
 const MOST_MOTIONS: u64 = 64;

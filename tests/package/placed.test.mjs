@@ -172,8 +172,10 @@ for (const options of DRIVING) {
   });
 }
 
-test("without a planner's name a car is planned by controls, everything else by two trees", () => {
-  assert.equal(finish(Scenario.parse(car).planner()).result().planner, "rrt-control");
+test("without a planner's name everything is planned by two trees, but by controls a car that curves do not lead everywhere", () => {
+  const left = { ...car, robot: { ...car.robot, steering: [0, 0.7] } };
+  assert.equal(Scenario.parse(left).planner().result().planner, "rrt-control");
+  assert.equal(Scenario.parse(car).planner().result().planner, "rrt-connect");
   for (const scene of [body, arm]) assert.equal(Scenario.parse(scene).planner().result().planner, "rrt-connect");
 });
 
@@ -191,7 +193,7 @@ test("without a word on steering a car follows the curves that its gears allow",
 
 test("Euler's steps are named, and lead where exact arcs do not", () => {
   const scenario = Scenario.parse(car);
-  const { path, motions = [], integration, status } = finish(scenario.planner({ integration: "euler", seed: 1 })).result();
+  const { path, motions = [], integration, status } = finish(scenario.planner({ algorithm: "rrt-control", integration: "euler", seed: 1 })).result();
   assert.deepEqual([status, integration], ["solved", "euler"]);
   let apart = 0;
   motions.forEach((motion, i) => {

@@ -68,12 +68,13 @@ impl<S: Space> Improvement<S> {
         Self { path, random, reduction, left: wanted, blending: None, attempts: 0, motion_checks: 0 }
     }
 
-    /// Whether all improvements wanted are done.
+    /// Whether all improvements wanted are done: a path without corners has none left.
     pub fn is_done(&self) -> bool {
-        self.reduction.as_ref().is_none_or(Reduction::is_done)
-            && self.left.shortcuts == 0
-            && self.left.partial_shortcuts == 0
-            && (self.left.blend == 0.0 || self.path.len() < 3 || self.blending.as_ref().is_some_and(Blending::is_done))
+        self.path.len() < 3
+            || self.reduction.as_ref().is_none_or(Reduction::is_done)
+                && self.left.shortcuts == 0
+                && self.left.partial_shortcuts == 0
+                && (self.left.blend == 0.0 || self.blending.as_ref().is_some_and(Blending::is_done))
     }
 
     /// Makes one attempt. O(path) and as many motion checks at most.

@@ -64,6 +64,8 @@ test("every parameter of every planner takes its default, its choices and its en
   for (const { id, parameters, robots } of planners()) {
     for (const { option: name, min, max, default: value, choices, robots: fitting } of parameters) {
       const scenario = Scenario.parse(scenes[fitting.filter((type) => robots.includes(type))[0]]);
+      // What is for the last quarter of the iterations needs their number.
+      const with_ = name.startsWith("late") ? { maxIterations: 1000 } : {};
       for (const setting of [value, ...(choices ?? [])]) {
         // These planners need motions in both directions, and these curves lead one way.
         if (["visibility-prm", "aorrtc"].includes(id) && setting === "dubins") continue;
@@ -72,9 +74,9 @@ test("every parameter of every planner takes its default, its choices and its en
       for (const [inside, outside] of [[min, -1], [max, 1]]) {
         if (inside === null || outside === null) continue;
         const beyond = inside + outside * Math.max(1, Math.abs(inside));
-        assert.throws(() => scenario.planner(asOptions({ algorithm: id, [name]: beyond })), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
+        assert.throws(() => scenario.planner(asOptions({ algorithm: id, ...with_, [name]: beyond })), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
         // The scene narrows a step, another parameter the shortest durations.
-        if (name !== "step" && name !== "shortestSteps") assert.equal(scenario.planner(asOptions({ algorithm: id, [name]: inside })).iterations, 0, `${id} ${name} = ${inside}`);
+        if (name !== "step" && name !== "shortestSteps") assert.equal(scenario.planner(asOptions({ algorithm: id, ...with_, [name]: inside })).iterations, 0, `${id} ${name} = ${inside}`);
       }
     }
   }
@@ -85,16 +87,17 @@ test("generators() lists every generator; each takes its options' defaults, choi
   assert.deepEqual(list.map(({ id }) => id), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
   for (const { id, title, summary, options } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
-    assert.ok(Scenario.generate(id, Object.fromEntries(options.filter(({ name }) => name !== "links" || id === "forest").map((option) => [option.name, option.default ?? undefined]))).title);
-    for (const { name, title, kind, unit, min, max, choices, meaning, default: value } of options) {
+    assert.ok(Scenario.generate(id, Object.fromEntries(options.filter(({ name }) => (name !== "links" || id === "forest") && name !== "draws").map((option) => [option.name, option.default ?? undefined]))).title);
+    for (const { name, title, kind, unit, min, max, choices, meaning, default: value, default_meaning: words } of options) {
       assert.ok(/^[a-z]+$/.test(name) && title.length > 0 && meaning.length > 0 && typeof unit === "string", name);
       if (kind === "choice") {
         assert.ok(choices && choices[0] === value && min === null && max === null, `${id} ${name}`);
-        for (const choice of choices ?? []) assert.ok(Scenario.generate(id, { [name]: choice }).name);
+        // Where there is a path whatever the seed, no draw is without one.
+        for (const choice of choices ?? []) if (choice !== "no-path") assert.ok(Scenario.generate(id, { [name]: choice }).name);
         continue;
       }
-      assert.ok(!choices && min !== null && max !== null && typeof value === "number" && min <= value && value <= max, `${id} ${name}`);
-      const with_ = name === "links" && id !== "forest" ? { robot: /** @type {const} */ ("arm") } : {};
+      assert.ok(!choices && min !== null && max !== null && (value === null ? words !== null : typeof value === "number" && min <= value && value <= max), `${id} ${name}`);
+      const with_ = name === "draws" ? { ensure: /** @type {const} */ ("path") } : name === "links" && id !== "forest" ? { robot: /** @type {const} */ ("arm") } : {};
       for (const beyond of [min - 1, max + 1]) {
         assert.throws(() => Scenario.generate(id, { ...with_, [name]: beyond }), { code: "out-of-range", pointer: `/${name}` }, `${id} ${name} = ${beyond}`);
       }
@@ -248,7 +251,7 @@ test("optimum returns the shortest path of a query, exact or a reference", () =>
   assert.ok(slack !== null && slack > 0 && slack < 1e-11);
   close(length ?? NaN, 2 * half + 0.2);
   assert.deepEqual([path[0], path.at(-1)], [[2, 2], [8, 2]]);
-  assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null });
+  assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null, length_measure: "metres" });
   // To the bit what the command line prints.
   const rings = Scenario.parse(readFileSync(new URL("../../www/scenes/rings.json", import.meta.url), "utf8"));
   assert.equal(rings.optimum().length, 13.543068005532522);

@@ -113,8 +113,8 @@ test("an object that is an array instead is told its fields", () => {
 });
 
 test("a start or a goal in collision is refused, and names what touches what", () => {
-  fails(() => Scenario.parse({ ...disc, queries: [{ name: "a", start: [0, 0], goal: [8, 2] }] }).planner(), "start-in-collision", "/queries/0/start", /: the disc leaves the bounds$/);
-  fails(() => Scenario.parse({ ...car, queries: [{ .../** @type {any} */ (car.queries)[0], start: [1.5, 0.5, 0] }] }).planner(), "start-in-collision", "/queries/0/start", /: the car touches obstacle 1$/);
+  fails(() => Scenario.parse({ ...disc, queries: [{ name: "a", start: [0, 0], goal: [8, 2] }] }).planner(), "start-in-collision", "/queries/0/start", /: the disc leaves the bounds; the nearest free configuration found is \[/);
+  fails(() => Scenario.parse({ ...car, queries: [{ .../** @type {any} */ (car.queries)[0], start: [1.5, 0.5, 0] }] }).planner(), "start-in-collision", "/queries/0/start", /: the car touches obstacle 1; the nearest/);
   fails(() => Scenario.parse(query({ start: [0.5, 0] })).planner(), "start-in-collision", undefined, /link 2 touches obstacle 0/);
   fails(() => Scenario.parse(query({ goal: [0.5, 0] })).planner(), "goal-in-collision", undefined, /link 2 touches obstacle 0/);
   fails(() => Scenario.parse({ ...arm, queries: [] }).planner(), "unknown-query");

@@ -48,7 +48,7 @@ test("robots that would meet on the straight way are planned around each other, 
   while (sliced.step(7) === "running");
   assert.equal(sliced.fingerprint, whole.fingerprint);
   assert.deepEqual(sliced.result(), whole.result());
-  assert.deepEqual(fleet.verify(whole.result()), { valid: true, conflicts: [], faults: [], looks: fleet.verify(whole.result()).looks });
+  assert.deepEqual(fleet.verify(whole.result()), { valid: true, conflicts: [], faults: [], claims: [], looks: fleet.verify(whole.result()).looks });
   const rows = whole.trajectory(1);
   assert.deepEqual([...rows.slice(0, 4)], [0, 9, 3.2, 0]);
   assert.deepEqual([...rows.slice(-3)], [1, 0.8, 0]);

@@ -122,7 +122,7 @@ for (const options of DRIVING) {
       assert.deepEqual([seconds, blocked], [duration, null], `motion ${i}`);
       same(poses.subarray(-3), path[i + 1], `(rollout of motion ${i})`);
       for (const pose of rows(poses, 3)) assert.ok(scenario.check(pose).free);
-      measured += 0.7 * Math.abs(v) * duration + 0.3 * Math.abs((v * Math.tan(phi)) / 0.2) * duration;
+      measured += Math.abs(v) * duration;
     }
     assert.ok(Math.abs(measured - length) < 1e-9 * length, `${measured} is not ${length}`);
     const again = finish(scenario.planner({ ...options, seed: 1 }), 7);
@@ -173,7 +173,7 @@ for (const options of DRIVING) {
 }
 
 test("without a planner's name everything is planned by two trees, but by controls a car that curves do not lead everywhere", () => {
-  const left = { ...car, robot: { ...car.robot, steering: [0, 0.7] } };
+  const left = { ...car, robot: { .../** @type {any} */ (car.robot), steering: [0, 0.7] } };
   assert.equal(Scenario.parse(left).planner().result().planner, "rrt-control");
   assert.equal(Scenario.parse(car).planner().result().planner, "rrt-connect");
   for (const scene of [body, arm]) assert.equal(Scenario.parse(scene).planner().result().planner, "rrt-connect");

@@ -5,7 +5,7 @@
 //! sample; they may differ between platforms in their last bits, as rows of trials never do.
 
 use serde::Serialize;
-use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::cmp::Ordering;
 use std::f64::consts::SQRT_2;
 
@@ -271,9 +271,23 @@ fn in_words(Names { a, b, measure }: Names, [n, smaller, larger]: [u64; 3], p: f
 }
 
 /// The two-sided p-value of the sign test: so many differences in one direction and in the other.
+///
+/// The sum of binomial coefficients up to the smaller of the two over 2^n, without a transcendental function, so that it is the same on
+/// every platform. O(n).
 fn sign_test(smaller: u64, larger: u64) -> f64 {
-    let fair = Binomial::new(0.5, smaller + larger).expect("a probability of one half");
-    (2.0 * fair.cdf(smaller.min(larger))).min(1.0)
+    let (n, few) = (smaller + larger, smaller.min(larger));
+    // Numbers are kept below 2^HALF, and halvings that are still to be done are counted.
+    const HALF: u64 = 512;
+    let (mut term, mut sum, mut halvings) = (1.0, 1.0, n);
+    for i in 0..few {
+        term *= (n - i) as f64 / (i + 1) as f64;
+        sum += term;
+        if sum > libm::ldexp(1.0, HALF as i32) && halvings >= HALF {
+            (term, sum) = (libm::ldexp(term, -(HALF as i32)), libm::ldexp(sum, -(HALF as i32)));
+            halvings -= HALF;
+        }
+    }
+    (2.0 * libm::ldexp(sum, -(halvings.min(10_000) as i32))).min(1.0)
 }
 
 /// The two-sided p-value of the signed-rank test; 1 without differences.

@@ -106,9 +106,9 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
 
 test("rawPath is the path as it was found", () => {
   const scenario = Scenario.parse(disc);
-  const plain = finish(scenario.planner({ seed: 2 }));
+  const plain = finish(scenario.planner({ algorithm: "rrt-connect", seed: 2 }));
   assert.deepEqual(plain.rawPath(), plain.path());
-  const planner = scenario.planner({ seed: 2, shortcut: 100 });
+  const planner = scenario.planner({ algorithm: "rrt-connect", seed: 2, shortcut: 100 });
   assert.equal(planner.rawPath().length, 0);
   while (planner.phase !== "improving") planner.step(1);
   assert.deepEqual([planner.rawPath(), planner.path().length], [plain.path(), 0]);

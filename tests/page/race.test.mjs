@@ -337,16 +337,16 @@ test("a rival has the presets of its planner; by hand it is the reader's own aga
 
 test("the first and the shortest are named in the table, above the stage and to those who listen", () => onPausedPage(async (page) => {
   await race(page, "rrt-connect");
-  await seek(page, 232);
-  assert.deepEqual((await table(page)).map(({ found }) => found), ["sampling", "232 (first)"]);
+  await seek(page, 492);
+  assert.deepEqual((await table(page)).map(({ found }) => found), ["connecting", "492 (first)"]);
   await textMatches(page, "#announcer", /^B found a path\.$/);
   await finish(page);
   // The shortest path is computed beside the run.
   await textMatches(page, "#standings", /gap[^]*gap/);
   const [a, b] = await table(page);
   assert.match(a.cost, /^8\.93 rad \(gap \d\.\d %, shortest\)$/);
-  assert.match(b.cost, /^9\.19 rad \(gap \d+\.\d %\)$/);
-  assert.equal(await page.innerText("#story"), "B found a path first, after 232 clearance evaluations; A has the shortest, 8.93 rad.");
+  assert.match(b.cost, /^10\.02 rad \(gap \d+ %\)$/);
+  assert.equal(await page.innerText("#story"), "B found a path first, after 492 clearance evaluations; A has the shortest, 8.93 rad.");
   await textMatches(page, "#announcer", /A has the shortest, 8\.93 rad\.$/);
   assert.match(await page.innerText("#standings"), /Standings at equal cost \(one seed\): over many seeds the winner may differ\./);
 }));
@@ -405,7 +405,7 @@ test("the path's curve begins where the path was found; the cursor is at the tim
       assert.equal(Number(vertices), row === run.rows[0] ? Number(vertices) : row[PAST.vertices], `vertices at ${at}`);
       if (row[PAST.cost] === Infinity) return assert.deepEqual([cost, gap], ["\u2013", "\u2013"]);
       assert.ok(Math.abs(Number(cost) - row[PAST.cost]) < 1e-4 * row[PAST.cost], `length at ${at}`);
-      assert.ok(Math.abs(Number(gap) - 100 * (row[PAST.cost] / (length ?? NaN) - 1)) < 0.01, `gap at ${at}`);
+      assert.ok(Math.abs(Number(gap) - 100 * (row[PAST.cost] / (length ?? NaN) - 1)) < 0.06, `gap at ${at}: ${gap} of ${row[PAST.cost]} and ${length}`);
     });
   }
 }));

@@ -70,7 +70,8 @@ export function watchCurves(page) {
     const optima = session.lanes.map(({ optimum }) => optimum);
     const [optimum] = optima;
     const isExact = optima.every((one) => one?.isExact !== false);
-    const gaps = thinned(runs, clock, head, true).map((rows, i) => ({ label: label(i), points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))) }));
+    const gapsOf = (/** @type {typeof lanes} */ all) => all.map((rows, i) => ({ label: label(i), points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))) }));
+    const gaps = gapsOf(thinned(runs, clock, head, true));
     cost.title.textContent = unit ? `Path length, ${unit}` : "Path cost";
     const across = { title: time, low: 0, high: Math.max(1, head) };
     vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
@@ -83,7 +84,7 @@ export function watchCurves(page) {
     const drawn = gaps.map(({ label, points }) => ({ label, points: points.map(([at, percent]) => /** @type {[number, number]} */ ([at, Math.max(LEAST, percent)])) }));
     if (!gap.element.hidden) gap.draw(drawn, { title: time, isLog: true, low: Math.max(1, head), high: Math.max(2, head) }, { title: "gap", isLog: true }, `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`);
     for (const chart of charts) chart.show(state.clock.now);
-    if (numbers.open) list([["vertices", grown], ["path length", costs], ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gaps])])], names, time);
+    if (numbers.open) list([["vertices", grown], ["path length", costs], ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gapsOf(lanes)])])], names, time);
   }
 
   /** The same as a table, at some times, with those of all first paths. @param {[string, Line[]][]} curves @param {string[]} names @param {string} time */

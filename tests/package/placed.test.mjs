@@ -183,7 +183,7 @@ test("without a word on steering a car follows the curves that its gears allow",
   const steered = (/** @type {[number, number]} */ speed) => {
     const document = structuredClone(car);
     if (document.robot.type === "car") document.robot.speed = speed;
-    return (/** @type {PlannerOptions} */ options = {}) => finish(Scenario.parse(document).planner({ algorithm: "rrt-connect", seed: 3, ...options }));
+    return (/** @type {PlannerOptions} */ options = {}) => finish(Scenario.parse(document).planner({ algorithm: "rrt-connect", seed: 3, maxIterations: 3000, ...options }));
   };
   assert.equal(steered([-0.5, 0.5])().fingerprint(), steered([-0.5, 0.5])({ steering: "reeds-shepp" }).fingerprint());
   assert.equal(steered([0, 0.5])().fingerprint(), steered([0, 0.5])({ steering: "dubins" }).fingerprint());

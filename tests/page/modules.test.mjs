@@ -156,7 +156,7 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   for (const algorithm of ["prm", "rrt-connect"]) {
     const other = runOf("firs", algorithm, { max_iterations: 3 });
     assert.equal(playbackOf(other.scenario, other.run), null);
-    assert.match(ending(other.run, null), algorithm === "prm" ? /after 3 iterations, before the roadmap was searched/ : /two trees never met/);
+    assert.match(ending(other.run, null), algorithm === "prm" ? /after 3 iterations without a path \(max_iterations\), before the roadmap was searched/ : /two trees never met/);
   }
 });
 

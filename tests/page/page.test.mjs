@@ -146,7 +146,7 @@ test("a new seed is shown, short enough to say aloud, and makes a new run; the l
 
 test("a refused value says why beside its field and leaves the run alone", () => onPausedPage(async (page) => {
   const { fingerprint } = await click(page, "#step-10");
-  for (const [name, value, reason, right] of [["k", "0", "below 1", "9"], ["samples", "2.5", "whole number", "260"], ["seed", "-1", "below 0", "0"], ["samples", "", "whole number", "260"]]) {
+  for (const [name, value, reason, right] of [["k", "0", "below 1", "9"], ["samples", "2.5", "whole number", "260"], ["seed", "-1", "below 0", "0"], ["edge_samples", "", "whole number", "20"]]) {
     await setParameter(page, name, value);
     assert.match(await page.innerText(`#parameter-${name}-reason`), new RegExp(reason));
     assert.equal(await page.getAttribute(`#parameter-${name}`, "aria-invalid"), "true");
@@ -173,7 +173,7 @@ test("every planner has its pseudo-code, a short panel, rarer parameters under h
     const groups = await page.locator("#more-parameters .group").evaluateAll((elements) => elements.map((element) => [element.querySelector("h3")?.textContent ?? "", element.querySelectorAll(".field").length]));
     assert.ok(first >= 2 && first <= 4, `${id}: ${first}`);
     assert.equal(first + groups.reduce((sum, [, count]) => sum + Number(count), 0), parameters.length + 1, `${id}: the seed and all of its table`);
-    assert.deepEqual(groups.at(-1), ["Limits", 1], "nothing is left over but the iterations");
+    assert.deepEqual(groups.at(-1), ["Limits", 3], "nothing is left over but the iterations, the work and how far ends may move");
     assert.ok(groups.length >= 4 && groups.every(([, count]) => Number(count) <= 6), JSON.stringify(groups));
     for (const { name } of parameters.filter(({ kind }) => kind === "boolean")) {
       assert.equal(await page.getAttribute(`#parameter-${name}`, "role"), "switch");

@@ -15,7 +15,7 @@ const SEEDS = ["world_seed", "seed"];
 
 /** The measures among the columns of rows, and times. @param {string[]} columns */
 export function measuresOf(columns) {
-  return [...columns.slice(columns.indexOf("status") + 1).filter((column) => column !== "valid" && column !== "fingerprint"), ...TIMES];
+  return [...columns.slice(columns.indexOf("status") + 1).filter((column) => !["valid", "reason", "fingerprint"].includes(column)), ...TIMES];
 }
 
 export class Rows {

@@ -2,6 +2,7 @@
  * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which follows a path or
  * is posed by hand. A frame draws for a bounded time.
  */
+import { withPageDefaults } from "../domain/page-defaults.js";
 import { errorInfo } from "../app/error-info.js";
 import { once } from "../app/once.js";
 import { pacer } from "../app/paced.js";
@@ -47,7 +48,7 @@ export class Session {
     this.app = app;
     this.library = library;
     this.team = new Team(planners, () => /** @type {PlannerWorker} */ (app.hire()));
-    this.catalogue = { phases: library.phases, planners: library.planners() };
+    this.catalogue = { phases: library.phases, planners: withPageDefaults(library.planners()) };
     /** Called with the state of each frame. @type {(state: State) => void} */
     this.onState = () => {};
     /** Called when the state last reported is out of date. */

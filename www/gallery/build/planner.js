@@ -1,4 +1,5 @@
 /** Entries of the planner's page: each planner is run to the iteration of the entry, or to its end. */
+import { planned } from "../../domain/page-defaults.js";
 import { Scenario } from "planarium";
 import { View, drawPath, drawRobot, motionCurves } from "planarium/draw";
 import { rowsOf } from "../../domain/coordinates.js";
@@ -68,7 +69,7 @@ function run(scenario, { algorithm, settings = {} }, query, iteration = Infinity
   const shown = { scenario, document, query: asked, placed, settings };
   const isRefused = [asked.start, asked.goal].some((end) => end && !scenario.check(end).free);
   if (isRefused) return { ...shown, planner: null, result: null };
-  const planner = withOptions({ ...settings, algorithm, query: asked.name }, (options) => scenario.planner(options));
+  const planner = withOptions({ ...planned(algorithm, settings), algorithm, query: asked.name }, (options) => scenario.planner(options));
   while (planner.status === "running" && planner.iterations < iteration) planner.step(Math.min(1000, iteration - planner.iterations));
   return { ...shown, planner, result: planner.result() };
 }

@@ -146,7 +146,7 @@ export const LESSONS = [
       "With three controls per extension, of which the one that ends closest to the sample is kept, it takes 354 iterations."),
     step({ settings: { blossom: 5 }, iteration: 1073 }, "And five controls per extension?",
       ["Fewer iterations", "More iterations"], 1,
-      "Five controls per extension do not help here: 1,073 iterations. But the path is a little shorter."),
+      "Five controls per extension do not help here: 1,073 iterations, and the path is a little longer."),
   ),
 ];
 

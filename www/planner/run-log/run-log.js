@@ -2,6 +2,7 @@
  * A run: the log of the worker's planner, and the iteration that is shown. The log only grows, and each iteration adds a row of counts
  * to the history. The graph at an earlier iteration is therefore the beginning of the log: going back needs no planning.
  */
+import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 import { firstIndex } from "../../domain/search.js";
 import { Frontier } from "./frontier.js";
@@ -38,7 +39,7 @@ export class RunLog {
     this.settings = settings;
     this.phases = phases;
     /** A planner like the worker's, before its first iteration. */
-    this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
+    this.planner = withOptions({ ...planned(algorithm, settings), algorithm }, (options) => scenario.planner(options));
     const { dimension } = this.planner;
     this.dimension = dimension;
     this.vertices = new Rows((n) => new Float64Array(n), dimension);

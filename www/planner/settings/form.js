@@ -16,7 +16,7 @@ const GROUPS = [
   ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius"]],
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],
   ["Neighbours", ["near", "radius", "radius_factor", "neighbour_index", "neighbour_metric"]],
-  ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance"]],
+  ["Edges", ["extend", "metric", "steering", "edge_check", "edge_samples", "tolerance", "direct"]],
   ["Search", ["search", "cost", "heuristic"]],
   ["Path shortening", ["reduce", "shortcut", "partial_shortcut", "path_shortcuts", "blend"]],
   ["Termination", ["improve_iterations", "stop_evaluations", "stop_cost", "stop_stale", "stop_converged", "stop_when"]],

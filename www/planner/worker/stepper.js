@@ -2,6 +2,7 @@
  * A planner in the worker: it is stepped in slices, and what has grown is sent as typed arrays that are transferred, not
  * copied.
  */
+import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 
 /** @import { Planner, ResultDocument, Scenario, ScenarioDocument, Settings, Stats, Status } from "../../domain/types.js" */
@@ -34,7 +35,7 @@ const BURST = { vertices: 400, edges: 240 };
 export class Stepper {
   /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
   constructor(scenario, algorithm, settings) {
-    this.planner = withOptions({ ...settings, algorithm }, (options) => scenario.planner(options));
+    this.planner = withOptions({ ...planned(algorithm, settings), algorithm }, (options) => scenario.planner(options));
     this.planner.record();
     this.ended = false;
     /** Rows that were sent. The page makes those before the first iteration itself. */

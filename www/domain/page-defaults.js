@@ -1,0 +1,24 @@
+/**
+ * What the planner's page and the gallery plan with where nothing is set: a run that is watched comes to an end soon, and a roadmap has a
+ * known number of samples.
+ */
+
+/** @import { PlannerInfo, Settings } from "./types.js" */
+
+/** @type {Record<string, Record<string, number>>} */
+const OWN = { prm: { samples: 2000 }, "prm-star": { samples: 2000 }, "lazy-prm": { samples: 2000 }, "fmt-star": { samples: 1000 }, "visibility-prm": { failures: 400 } };
+const ALL = { max_iterations: 100_000 };
+
+/** The settings of a plan, with the defaults of the page. @param {string} algorithm @param {Settings} settings @returns {Settings} */
+export function planned(algorithm, settings) {
+  return { ...ALL, ...OWN[algorithm], ...settings };
+}
+
+/** Planners whose parameters have the defaults of the page. @param {PlannerInfo[]} infos @returns {PlannerInfo[]} */
+export function withPageDefaults(infos) {
+  return infos.map((info) => {
+    const own = planned(info.id, {});
+    const parameters = info.parameters.map((given) => (own[given.name] === undefined ? given : { ...given, default: own[given.name], default_meaning: null }));
+    return { ...info, parameters };
+  });
+}

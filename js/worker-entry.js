@@ -8,7 +8,14 @@ import { PlanariumError, isOwn, reasonOf } from "./error.js";
 
 /** @import { PlannerOptions, ProblemDescription } from "./core.js" */
 /** @import { ProblemModule, WorkerGrowth } from "./worker.js" */
-/** @typedef {{ document: string, problem?: Required<ProblemModule>, options?: PlannerOptions, budget: number }} Given */
+/**
+ * A run that the pool wants.
+ * @typedef {object} Given
+ * @property {string} document  the text of a scenario; empty if there is a problem
+ * @property {Required<ProblemModule>} [problem]  where the functions of a problem come from
+ * @property {PlannerOptions} [options]  of the planner
+ * @property {number} budget  milliseconds in one slice
+ */
 
 /** Node, where it has no web workers. */
 const node = typeof postMessage === "function" ? null : globalThis.process.getBuiltinModule;

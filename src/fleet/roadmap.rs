@@ -82,10 +82,8 @@ impl Roadmap {
             self.iteration += 1;
             self.planner.iterate(&self.problem, self.iteration);
         }
-        if !matches!(self.planner.phase(), Phase::Sampling | Phase::Connecting) {
-            if self.add_direct_edges() {
-                self.complete();
-            }
+        if !matches!(self.planner.phase(), Phase::Sampling | Phase::Connecting) && self.add_direct_edges() {
+            self.complete();
         }
     }
 

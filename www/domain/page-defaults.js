@@ -9,9 +9,17 @@
 const OWN = { prm: { samples: 2000 }, "prm-star": { samples: 2000 }, "lazy-prm": { samples: 2000 }, "fmt-star": { samples: 1000 }, "visibility-prm": { failures: 400 } };
 const ALL = { max_iterations: 100_000 };
 
-/** The settings of a plan, with the defaults of the page. @param {string} algorithm @param {Settings} settings @returns {Settings} */
+/**
+ * The settings of a plan, with the defaults of the page: all that fit the limit of iterations, if that is set.
+ * @param {string} algorithm
+ * @param {Settings} settings
+ * @returns {Settings}
+ */
 export function planned(algorithm, settings) {
-  return { ...ALL, ...OWN[algorithm], ...settings };
+  const all = { ...ALL, ...OWN[algorithm], ...settings };
+  if (settings.samples !== undefined || Number(all.max_iterations) > 2 * Number(all.samples ?? 0) + 2) return all;
+  const { samples, ...others } = all;
+  return others;
 }
 
 /** Planners whose parameters have the defaults of the page. @param {PlannerInfo[]} infos @returns {PlannerInfo[]} */

@@ -146,7 +146,7 @@ test("a new seed is shown, short enough to say aloud, and makes a new run; the l
 
 test("a refused value says why beside its field and leaves the run alone", () => onPausedPage(async (page) => {
   const { fingerprint } = await click(page, "#step-10");
-  for (const [name, value, reason, right] of [["k", "0", "below 1", "9"], ["samples", "2.5", "whole number", "260"], ["seed", "-1", "below 0", "0"], ["edge_samples", "", "whole number", "20"]]) {
+  for (const [name, value, reason, right] of [["k", "0", "below 1", "9"], ["samples", "2.5", "whole number", "260"], ["seed", "-1", "below 0", "0"], ["seed", "", "whole number", "0"]]) {
     await setParameter(page, name, value);
     assert.match(await page.innerText(`#parameter-${name}-reason`), new RegExp(reason));
     assert.equal(await page.getAttribute(`#parameter-${name}`, "aria-invalid"), "true");

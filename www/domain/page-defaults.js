@@ -16,6 +16,7 @@ const ALL = { max_iterations: 100_000 };
  * @returns {Settings}
  */
 export function planned(algorithm, settings) {
+  /** @type {Settings} */
   const all = { ...ALL, ...OWN[algorithm], ...settings };
   if (settings.samples !== undefined || Number(all.max_iterations) > 2 * Number(all.samples ?? 0) + 2) return all;
   const { samples, ...others } = all;

@@ -89,7 +89,9 @@ export function ending(run, playback) {
   if (run.isLazy) return reason === "not-connected" ? `${why}: every way along candidate edges needs a motion that is not free.` : `${why}.`;
   if (run.pieces) {
     const { k } = run.settings;
-    return `${why}. ${typeof k === "number" ? `With k = ${k} it` : "It"} has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
+    // The components say the reason themselves, in a sentence of two lines.
+    const before = reason === "not-connected" ? "Not connected" : why;
+    return `${before}. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
   }
   if (!run.isTree) return `${why}.`;
   if (!approximate || !playback) return `${why}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;

@@ -283,7 +283,7 @@ fn certificates_of_degenerate_worlds_are_confirmed() {
         assert_eq!(verified, None, "{} {}", world.to_json_string(), certificate.to_json());
         seen[certificate.verdict as usize] += 1;
     }
-    assert!(seen[0] > 10 && seen[1] > 10, "{seen:?}");
+    assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
 }
 
 /// A random world of an arm of two links or of a disc; `None` if its start or goal is in collision.

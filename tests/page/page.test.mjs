@@ -99,7 +99,7 @@ test("the page's run is the package's run, bit for bit, and ends as it should", 
     const { result, iterations, edges } = ran(scenario, algorithm, settings);
     assert.deepEqual([shown.fingerprint, shown.iterations, shown.edges], [result.fingerprint, iterations, edges.length], id);
     assert.equal(shown.status, id === "locked" ? "exhausted" : "solved", id);
-    assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Path found/ : /^Not connected\. With k = 9 the roadmap has /);
+    assert.match(await page.innerText("#story"), shown.status === "solved" ? /^Path found/ : /^No path\. With k = 9 the roadmap has /);
     assert.equal(await page.isVisible("#notice"), false);
     assert.equal(await page.isVisible("#cspace"), scenario.robot !== "disc");
     const inked = (await growthHash(page, "workspace")).split(",").map((layer) => Number(layer.split(" ")[2]));

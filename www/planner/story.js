@@ -90,7 +90,7 @@ export function ending(run, playback) {
   if (run.pieces) {
     const { k } = run.settings;
     // The components say the reason themselves, in a sentence of two lines.
-    const before = reason === "not-connected" ? "Not connected" : why;
+    const before = reason === "not-connected" ? "No path" : why;
     return `${before}. ${typeof k === "number" ? `With k = ${k} the` : "The"} roadmap has ${grouped(run.pieces.count)} connected components; start and goal are in different ones, each in its colour.`;
   }
   if (!run.isTree) return `${why}.`;

@@ -96,9 +96,6 @@ struct Launch<'a> {
     planner: PlannerOptions,
     /// The options of its edges, if they are not controlled motions.
     edges: Option<EdgeOptions>,
-    tolerance: f64,
-    /// How far a start or a goal in collision may be moved.
-    free_ends: Option<f64>,
     /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
@@ -131,7 +128,6 @@ impl<'a> Launch<'a> {
             ));
         }
         let edges = planner.group::<EdgeOptions>().copied();
-        let limits = planner.group::<Limits>().copied().unwrap_or_default();
         let info = RunInfo {
             scenario: scenario.name().to_owned(),
             query: query.name.clone(),
@@ -158,8 +154,7 @@ impl<'a> Launch<'a> {
         let metric = edges.and_then(|edges| edges.measuring.metric);
         let info = RunInfo { measure: Some(LengthMeasure::of(scenario.robot(), metric)), ..info };
         let goals = goals(world, query, index, options.seed)?;
-        let (tolerance, free_ends, query) = (limits.tolerance, limits.free_ends, (index, query));
-        Ok(Self { world, options, planner, edges, tolerance, free_ends, metric, info, saved, query, goals })
+        Ok(Self { world, options, planner, edges, metric, info, saved, query: (index, query), goals })
     }
 
     /// The run over states of `N` numbers, with a roadmap of another world if one is kept.
@@ -174,10 +169,10 @@ impl<'a> Launch<'a> {
         let mut start = space.state(&query.start);
         let mut goals: Vec<_> = self.goals.iter().map(|q| space.state(q)).collect();
         let checker = {
-            let (world, space, tolerance) = (self.world.clone(), space.clone(), self.tolerance);
+            let (world, space, tolerance) = (self.world.clone(), space.clone(), self.info.limits.tolerance);
             move || world.checker(&space, tolerance)
         };
-        if let Some(most) = self.free_ends {
+        if let Some(most) = self.info.limits.free_ends {
             self.info.move_ends(&space, &*checker().validity(), &mut start, &mut goals, most);
         }
         let fitted = {
@@ -284,7 +279,7 @@ impl<'a> Launch<'a> {
             radius: connection.radius,
             edge_check: self.info.edge_check,
             edge_samples: self.edges.and_then(|edges| edges.samples()),
-            tolerance: self.tolerance,
+            tolerance: self.info.limits.tolerance,
             vertices: Vec::new(),
             edges: Vec::new(),
         }

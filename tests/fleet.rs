@@ -275,6 +275,30 @@ fn robots_that_cannot_pass_each_other_are_never_said_to() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_body_so_thin_that_its_placed_outline_crosses_itself_is_judged_by_where_it_is() {
+    // Four corners on a line, but for the last bits.
+    let thin = json!({ "type": "rigid_body",
+        "shape": { "type": "polygon", "vertices": [[1.4, -0.7], [0.9, -0.2], [0.5, 0.2], [-0.5, 1.2]] } });
+    let fleet = json!({
+        "format": "planarium-fleet-1", "name": "thin", "world": { "bounds": { "min": [0, 0], "max": [8, 4] }, "obstacles": [] },
+        "robots": [
+            { "name": "a", "robot": thin, "start": [1, 2, 0], "goal": [5, 2, 1.5] },
+            { "name": "b", "robot": thin, "start": [3, 2, 0.1], "goal": [2, 2, 0] },
+            { "name": "c", "robot": { "type": "disc", "radius": 0.1 }, "start": [0.5, 0.5], "goal": [7, 0.5] }
+        ]
+    });
+    let fleet = Fleet::parse(&fleet.to_string()).expect("a fleet");
+    for seed in 0..3 {
+        let result = planned(&fleet, "prioritized", seed).result();
+        assert_eq!(result.status, Status::Solved);
+        let verification = verify(&fleet, &result).expect("a plan of this fleet");
+        assert!(verification.is_valid(), "{verification:?}");
+        let trajectories = trajectories(&fleet, &result).expect("a plan of this fleet");
+        assert_eq!(seen(&fleet, &trajectories), None);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_plan_that_was_changed_is_found_out() {
     let fleet = generate("crossroads", &json!({ "count": 6 })).expect("crossroads");
     let result = planned(&fleet, "prioritized", 1).result();

@@ -8,14 +8,14 @@
 
 use super::advancement::found;
 use super::document::{Fleet, FleetRobot, pose};
-use super::motion::{Footprint, Pose, difference};
+use super::motion::{Footprint, Pose, difference, reach};
 use super::run::FleetResult;
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Point, Polygon, distance_point_segment, intersects_polygon_polygon};
 use crate::path::{self, ResultDocument, Verdict};
 use crate::problem::{Stats, Status};
-use crate::robot::{LARGEST, Part};
+use crate::robot::LARGEST;
 use crate::scenario::Robot;
 use serde::Serialize;
 
@@ -295,18 +295,16 @@ fn all_conflicts(fleet: &Fleet, trajectories: &[Trajectory]) -> (Vec<Conflict>, 
     found(&robots, trajectories, 0.1 * fleet.slack())
 }
 
-/// The distance between two robots, in metres; 0 or less if they touch.
+/// The distance between two robots, in metres; 0 or less if they touch. By their outlines as placed, edge by edge: a thin
+/// outline may cross itself by a rounding there.
 pub(super) fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
-    let part = |i: usize| robots[i].footprint(&places[i][..robots[i].dimension()]).swap_remove(0);
-    match (part(0), part(1)) {
-        (Part::Disc { center: a, radius: r }, Part::Disc { center: b, radius: s }) => (a - b).norm() - r - s,
-        (Part::Disc { center, radius }, Part::Polygon { vertices })
-        | (Part::Polygon { vertices }, Part::Disc { center, radius }) => {
-            let Ok(polygon) = Polygon::new(&vertices) else { return 0.0 };
-            if polygon.contains(center) { -radius } else { from_border(center, &polygon) - radius }
-        }
-        (Part::Polygon { vertices: a }, Part::Polygon { vertices: b }) => {
-            let (Ok(a), Ok(b)) = (Polygon::new(&a), Polygon::new(&b)) else { return 0.0 };
+    let shape = |i: usize| robots[i].placed_shape().map(|(shape, _)| shape.placed(places[i]));
+    let center = |i: usize| Point::new(places[i][0], places[i][1]);
+    match (shape(0), shape(1)) {
+        (None, None) => (center(0) - center(1)).norm() - reach(robots[0]) - reach(robots[1]),
+        (Some(body), None) => from_body(center(1), &body) - reach(robots[1]),
+        (None, Some(body)) => from_body(center(0), &body) - reach(robots[0]),
+        (Some(a), Some(b)) => {
             if intersects_polygon_polygon(&a, &b) {
                 return 0.0;
             }
@@ -315,8 +313,12 @@ pub(super) fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
             };
             least(&a, &b).min(least(&b, &a))
         }
-        _ => 0.0,
     }
+}
+
+/// The distance of a point from a body, 0 inside.
+fn from_body(point: Point, body: &Polygon) -> f64 {
+    if body.contains(point) { 0.0 } else { from_border(point, body) }
 }
 
 /// The distance of a point from the border of a polygon.

@@ -346,4 +346,5 @@ fn a_run_without_end_ends_before_the_memory_does() {
     let records = run.vertex_count() + run.edge_count() + run.event_count();
     let most = planarium::graph::MAX_RECORDS;
     assert!((most..most + 1000).contains(&records), "{records}");
+    assert_eq!(run.reason(), Some(run::Reason::GraphFull));
 }

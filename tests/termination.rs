@@ -265,12 +265,17 @@ fn a_run_with_a_path_ends_where_nothing_is_gained() {
     let run = finish(begin_with(&world, "rrt-star", 3, settings));
     assert_eq!(run.status(), Status::Solved);
     assert!(run.iterations() > 2000, "{}", run.iterations());
+    // It did not reach what it was asked for, and says why.
+    let result = run.result();
+    assert_eq!((run.reason(), result.reason), (Some(Reason::IterationLimit), Some(Reason::IterationLimit)));
+    assert_eq!(result.explanation.as_deref(), Some("stopped early: no gain in 2,000 iterations (max_iterations)"));
     let robot = r#"{"type": "disc", "radius": 0.1}"#;
     let open = named("open", "[0, 0], [10, 10]", "", robot, r#""start": [1, 5], "goal": [9, 5]"#);
     // The sampler finds no bridge in the open, and the goal is reached at once.
     let settings = "sampler=bridge goal_bias=0.5 vertices=50 max_iterations=300 extend=until-obstacle";
     let run = finish(begin_with(&open, "rrt", 3, settings));
     assert_eq!((run.status(), run.vertex_count() < 50), (Status::Solved, true));
+    assert_eq!(run.reason(), Some(Reason::IterationLimit));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

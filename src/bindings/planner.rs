@@ -146,7 +146,8 @@ stepped!(Planner);
 members! { Planner(self): wasm_bindgen(getter);
     /// The status of the run.
     status: Status = self.read(|run| run.status()).into();
-    /// Why the run has ended without a path; undefined if it has not.
+    /// Why the run has ended without a path, or with one before it had done what its options ask for (`improveIterations`, `vertices`);
+    /// else undefined.
     reason: Option<Reason> = self.read(|run| run.reason()).map(Reason::from);
     /// The reason in words, with the limit or the size of the roadmap: `gave up after 1,000 iterations without a path (max_iterations)`.
     explanation: Option<String> = self.read(|run| run.explanation());

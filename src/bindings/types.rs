@@ -96,7 +96,7 @@ impl From<problem::Status> for Status {
     }
 }
 
-/// Why a planner has ended without a path; `explanation` says it in words.
+/// Why a planner has ended without a path, or with one before it had done what its options ask for; `explanation` says it in words.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Reason {

@@ -53,7 +53,8 @@ pub struct ResultDocument {
     pub seed: u64,
     /// The status at the end of the run.
     pub status: Status,
-    /// Why the run has ended without a path; absent if it has not, and in results written before reasons were given.
+    /// Why the run has ended without a path, or with one before it had done what its options ask for; else absent, and in results written
+    /// before reasons were given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Reason"))]
     pub reason: Option<Reason>,

@@ -60,19 +60,24 @@ impl Reason {
     }
 
     /// The reason in words, with the number that it depends on: the limit; for [`Reason::NotConnected`] the vertices; for
-    /// [`Reason::NothingToExtend`] none.
-    pub fn sentence(self, number: u64) -> String {
+    /// [`Reason::NothingToExtend`] none. With a path, the reason why the run has ended before it had done all that was asked.
+    pub fn sentence(self, number: u64, has_path: bool) -> String {
         let n = grouped(number);
-        match self {
-            Self::IterationLimit => format!("gave up after {n} iterations without a path (max_iterations)"),
-            Self::WorkLimit => format!("gave up after {n} units of work without a path (max_work)"),
-            Self::EvaluationLimit => {
+        match (self, has_path) {
+            (Self::IterationLimit, false) => format!("gave up after {n} iterations without a path (max_iterations)"),
+            (Self::IterationLimit, true) => format!("stopped early: no gain in {n} iterations (max_iterations)"),
+            (Self::WorkLimit, false) => format!("gave up after {n} units of work without a path (max_work)"),
+            (Self::WorkLimit, true) => format!("stopped early: no gain in {n} units of work (max_work)"),
+            (Self::EvaluationLimit, _) => {
                 format!("gave up after {n} clearance evaluations without a path (stop_evaluations)")
             }
-            Self::VertexLimit => format!("gave up with a tree of {n} vertices without a path (vertices)"),
-            Self::GraphFull => format!("gave up: there is no room for more than {n} vertices, edges and events"),
-            Self::NotConnected => format!("start and goal are not connected in this roadmap of {n} vertices"),
-            Self::NothingToExtend => "gave up: no vertex of the tree may be extended again".to_owned(),
+            (Self::VertexLimit, _) => format!("gave up with a tree of {n} vertices without a path (vertices)"),
+            (Self::GraphFull, _) => {
+                let ended = if has_path { "stopped early" } else { "gave up" };
+                format!("{ended}: there is no room for more than {n} vertices, edges and events")
+            }
+            (Self::NotConnected, _) => format!("start and goal are not connected in this roadmap of {n} vertices"),
+            (Self::NothingToExtend, _) => "gave up: no vertex of the tree may be extended again".to_owned(),
         }
     }
 }

@@ -13,7 +13,7 @@
 //! | `max_iterations` are made or `max_work` is spent without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
 //! | the planner improves its path itself, or grows past the goal | `Running`, if it improves in the phase `Improving` |
 //! | then the conditions of [`Termination`](crate::planner::Termination) hold, or it has as many `vertices` as were asked for | as if it had just found the path |
-//! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path | the same |
+//! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path, or the graph is full | the same, with a reason |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
 //! | the collision checker of a robot of one's own has failed | `Failed` |
 //!
@@ -88,7 +88,8 @@ pub trait Run {
     /// The status of the run.
     fn status(&self) -> Status;
 
-    /// Why the run has ended without a path; `None` if it has not.
+    /// Why the run has ended without a path, or with one before it had done what its options ask for (`improve_iterations`, `vertices`);
+    /// else `None`.
     fn reason(&self) -> Option<Reason>;
 
     /// The reason in words, with the limit or the size of the roadmap: "gave up after 1,000 iterations without a path (max_iterations)".

@@ -89,7 +89,7 @@ pub(super) struct Runner<S: Space> {
     /// Iterations of the planner.
     iteration: u32,
     status: Status,
-    /// Why the run has ended without a path.
+    /// Why the run has ended without a path, or with one before all was done that was asked.
     reason: Option<Reason>,
     limiting: Limiting,
     weights: Weights,
@@ -168,20 +168,22 @@ impl<S: Space> Runner<S> {
 
     /// Ends the run if a limit is reached, or if a planner that goes on is to end.
     fn end_if_over(&mut self) {
-        let Some(reason) = self.over() else { return };
+        let evaluations = self.evaluations();
+        let is_complete = self.progress.as_ref().is_some_and(|progress| progress.is_over(self.iteration, evaluations));
+        let limit = if is_complete { None } else { self.limit() };
+        if !is_complete && limit.is_none() {
+            return;
+        }
         if self.has_path() {
+            self.reason = limit;
             self.accept();
         } else {
-            (self.status, self.reason) = (Status::Exhausted, Some(reason));
+            (self.status, self.reason) = (Status::Exhausted, limit.or(Some(Reason::EvaluationLimit)));
         }
     }
 
-    /// Whether the run is over, and why if there is no path.
-    fn over(&mut self) -> Option<Reason> {
-        let evaluations = self.evaluations();
-        if self.progress.as_ref().is_some_and(|progress| progress.is_over(self.iteration, evaluations)) {
-            return Some(Reason::EvaluationLimit);
-        }
+    /// The limit that ends the run, whether or not there is a path.
+    fn limit(&mut self) -> Option<Reason> {
         if self.iteration == u32::MAX {
             return Some(Reason::IterationLimit);
         }
@@ -334,7 +336,7 @@ impl<S: Space> Runner<S> {
         };
         let is_unsearched = self.planner.roadmap().is_some() && self.planner.growth().counters.visited == 0;
         let before = if is_unsearched { ", before the roadmap was searched" } else { "" };
-        reason.sentence(number) + before
+        reason.sentence(number, self.has_path()) + before
     }
 
     fn document(
@@ -414,11 +416,11 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn reason(&self) -> Option<Reason> {
-        self.reason
+        self.reason.filter(|_| self.status != Status::Running)
     }
 
     fn explanation(&self) -> Option<String> {
-        self.reason.map(|reason| self.explained(reason))
+        self.reason().map(|reason| self.explained(reason))
     }
 
     fn failure(&self) -> Option<Error> {
@@ -566,7 +568,7 @@ impl<S: Space> Run for Runner<S> {
     }
 
     fn result(&self) -> ResultDocument {
-        let document = self.document(&self.info.query, (self.status, self.reason), self.emitted());
+        let document = self.document(&self.info.query, (self.status, self.reason()), self.emitted());
         let moved_goal = self.moved_goal(document.path.last()).cloned();
         let moved_start = self.info.moved_start.clone();
         ResultDocument { approximate: self.approximate(), moved_start, moved_goal, ..document }

@@ -74,15 +74,16 @@ export function ending(run, playback) {
   const { robot } = run.scenario;
   const { length, blends, blended_length: blended, approximate } = run.result;
   if (run.status === "solved") {
+    const early = run.result.explanation ? ` ${capital(run.result.explanation)}.` : "";
     const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
     // A tree that grows past its first path finds shorter ones.
     if (run.goesOn && run.countOf(EVENT.solved) > 1) {
-      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.`;
+      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.${early}`;
     }
     const round = blends?.filter(([before]) => before > 0).length ?? 0;
     const rounded = blends && blended !== undefined ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, robot)}` : "";
-    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.`;
+    return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.${early}`;
   }
   const { reason, explanation = "no path was found" } = run.result;
   const why = capital(explanation);

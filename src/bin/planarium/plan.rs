@@ -109,7 +109,11 @@ fn summary(result: &ResultDocument) -> String {
         Status::Running => "running: the time is up, no path found yet".to_owned(),
         other => other.as_str().to_owned(),
     };
-    format!("{found}; {} iterations, {} vertices, {seconds:.3} s", stats.iterations, stats.vertices)
+    let early = match &result.explanation {
+        Some(explanation) if result.status == Status::Solved => format!("; {explanation}"),
+        _ => String::new(),
+    };
+    format!("{found}; {} iterations, {} vertices, {seconds:.3} s{early}", stats.iterations, stats.vertices)
 }
 
 /// Why a run has ended without a path.

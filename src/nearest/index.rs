@@ -31,13 +31,24 @@ impl Index {
         direction: Direction,
         state: &S::State,
     ) -> Option<Neighbour> {
+        self.nearest_counted(space, states, direction, state).map(|(nearest, _)| nearest)
+    }
+
+    /// The same, and how many vertices were visited.
+    pub fn nearest_counted<S: Space>(
+        &self,
+        space: &S,
+        states: &[S::State],
+        direction: Direction,
+        state: &S::State,
+    ) -> Option<(Neighbour, usize)> {
         // Empty if the norm is only a lower bound.
         if let Some(nearest) = self.scan.nearest_of_few(space, states, state) {
-            return Some(nearest);
+            return Some((nearest, self.len));
         }
         let mut found = Vec::with_capacity(2);
-        self.k_nearest_by(space, states, direction, state, 1, &mut found);
-        found.pop()
+        let visited = self.k_nearest_by(space, states, direction, state, 1, &mut found);
+        found.pop().map(|nearest| (nearest, visited))
     }
 
     /// The `k` vertices nearest to `state` by motions in the given direction (all, if there are fewer), nearest first, into `found`.

@@ -130,9 +130,10 @@ impl<S: Space> Aorrtc<S> {
     /// many, or else a root. O(log vertices).
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State, most: f64) -> Option<Parent> {
         self.trees.growth.counters.nearest_queries += 1;
-        let (index, states) = (&self.trees.indices[tree], self.trees.growth.graph.states());
         for k in NEIGHBOURS {
-            index.k_nearest(space, states, state, k, &mut self.found);
+            let states = self.trees.growth.graph.states();
+            let visited = self.trees.indices[tree].k_nearest(space, states, state, k, &mut self.found);
+            self.trees.growth.note_visited(space, visited);
             let fits = self.found.iter().filter_map(|&Neighbour { vertex, distance }| {
                 let from = self.costs[vertex.index()];
                 let parent = Parent { vertex, cost: from + distance };

@@ -1,6 +1,7 @@
 //! The part of every planner that is shown to viewers: its graph and its counters.
 
 use crate::graph::{Event, EventKind, Graph, VertexId};
+use crate::nearest::{Direction, Index, Neighbour};
 use crate::problem::{Problem, Stats};
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
@@ -28,13 +29,32 @@ pub struct Growth<S: Space> {
     pub counters: Stats,
     /// How many neighbours, edges of searches and entries of queues were looked at, as far as no counter has them.
     pub looked: u64,
+    /// How many vertices queries have visited, and other distances were computed, where these are lengths of curves.
+    pub visited: u64,
     pub(super) records_events: bool,
 }
 
 impl<S: Space> Growth<S> {
     /// An empty graph, whose events are recorded if the problem says so.
     pub fn new(problem: &Problem<S>) -> Self {
-        Self { graph: Graph::default(), counters: Stats::default(), looked: 0, records_events: problem.records_events }
+        Self { graph: Graph::default(), counters: Stats::default(), looked: 0, visited: 0, records_events: problem.records_events }
+    }
+
+    /// The vertex of a tree that is nearest to the state by motions in the given direction.
+    ///
+    /// # Panics
+    /// If the index is empty.
+    pub fn nearest(&mut self, space: &S, index: &Index, direction: Direction, state: &S::State) -> Neighbour {
+        self.counters.nearest_queries += 1;
+        let states = self.graph.states();
+        let (nearest, visited) = index.nearest_counted(space, states, direction, state).expect("a tree has a root");
+        self.note_visited(space, visited);
+        nearest
+    }
+
+    /// Notes how many vertices a query has visited.
+    pub fn note_visited(&mut self, space: &S, visited: usize) {
+        self.visited += if space.is_norm_exact() { 0 } else { visited as u64 };
     }
 
     /// The state of a vertex.
@@ -113,8 +133,12 @@ impl<S: Space> Growth<S> {
         let mut useless = None;
         for _ in 0..DRAWS {
             let target = draw(self)?;
-            self.looked += u64::from(bound < f64::INFINITY);
-            if bound == f64::INFINITY || problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
+            if bound == f64::INFINITY {
+                return Some(target);
+            }
+            self.looked += 1;
+            self.note_visited(problem.space(), 2);
+            if problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
                 return Some(target);
             }
             useless = Some(target);

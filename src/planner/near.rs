@@ -127,10 +127,11 @@ impl Reach {
     ) {
         growth.counters.nearest_queries += 1;
         let (space, states) = (problem.space(), growth.graph.states());
-        match self {
+        let visited = match self {
             Self::Within(radius) => index.within_by(space, states, direction, state, radius, found),
             Self::Nearest(k) => index.k_nearest_by(space, states, direction, state, k, found),
         };
+        growth.note_visited(space, visited);
         growth.looked += found.len() as u64;
     }
 }

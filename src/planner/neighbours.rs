@@ -107,7 +107,7 @@ impl Neighbours {
     }
 
     /// The `k` nearest to a state within the radius by motions in the given direction, nearest first, into `found`; all within the
-    /// radius if there are no more vertices than `k`.
+    /// radius if there are no more vertices than `k`. Returns how many vertices were visited.
     pub fn find<S: Space>(
         &self,
         space: &S,
@@ -116,12 +116,12 @@ impl Neighbours {
         state: &S::State,
         (k, radius): (usize, f64),
         found: &mut Vec<Neighbour>,
-    ) {
+    ) -> usize {
         match &self.naive {
             None => self.index.find(space, states, direction, state, (k, radius), found),
             Some(Naive { space: naive, states }) => {
                 let state = naive.state(space.coordinates(state));
-                self.index.find(naive, states, direction, &state, (k, radius), found);
+                self.index.find(naive, states, direction, &state, (k, radius), found)
             }
         }
     }
@@ -147,6 +147,7 @@ impl Chosen {
         }
     }
 
+    /// Returns how many vertices were visited.
     fn find<S: Space>(
         &self,
         space: &S,
@@ -155,18 +156,18 @@ impl Chosen {
         state: &S::State,
         (k, radius): (usize, f64),
         found: &mut Vec<Neighbour>,
-    ) {
+    ) -> usize {
         if k >= states.len() && radius < f64::INFINITY {
-            match self {
+            return match self {
                 Chosen::Exact(index) => index.within_by(space, states, direction, state, radius, found),
                 Chosen::Forest(forest) => forest.within(space, states, state, radius, found),
             };
-            return;
         }
-        match self {
+        let visited = match self {
             Chosen::Exact(index) => index.k_nearest_by(space, states, direction, state, k, found),
             Chosen::Forest(forest) => forest.k_nearest(space, states, state, k, found),
         };
         found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
+        visited
     }
 }

@@ -94,11 +94,12 @@ impl<S: Space> Roadmap<S> {
         found: &mut Vec<Neighbour>,
     ) {
         self.growth.counters.nearest_queries += 1;
-        self.find_neighbours(space, direction, state, spare, found);
+        let visited = self.find_neighbours(space, direction, state, spare, found);
+        self.growth.note_visited(space, visited);
         self.growth.looked += found.len() as u64;
     }
 
-    /// The same, not counted.
+    /// The same, not counted. Returns how many vertices were visited.
     pub(super) fn find_neighbours(
         &self,
         space: &S,
@@ -106,10 +107,10 @@ impl<S: Space> Roadmap<S> {
         state: &S::State,
         spare: bool,
         found: &mut Vec<Neighbour>,
-    ) {
+    ) -> usize {
         let Connection { k, radius } = self.connection;
         let k = k + usize::from(spare);
-        self.nearest.find(space, self.growth.graph.states(), direction, state, (k, radius), found);
+        self.nearest.find(space, self.growth.graph.states(), direction, state, (k, radius), found)
     }
 
     /// Whether no neighbour is missed.

@@ -11,7 +11,7 @@ use super::stride::Strides;
 use super::{Planner, Reason, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, Tree, VertexId};
-use crate::nearest::{Index, Nearest};
+use crate::nearest::{Direction, Index, Nearest};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -188,8 +188,7 @@ impl<S: Space> Rrt<S> {
     fn grow(&mut self, problem: &Problem<S>, iteration: u32) {
         let space = problem.space();
         let Some(target) = self.aim.next(problem, iteration, &mut self.growth) else { return };
-        self.growth.counters.nearest_queries += 1;
-        let near = self.nearest.nearest(space, self.growth.graph.states(), &target).expect("a tree has a root").vertex;
+        let near = self.growth.nearest(space, &self.nearest, Direction::In, &target).vertex;
         let origin = self.growth.state(near);
         let reached = match self.steer(problem, near, &origin, &target) {
             Ok(reached) => reached,

@@ -178,9 +178,7 @@ impl<S: Space> RrtConnect<S> {
 
     /// The vertex of a tree that is nearest to the state.
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State) -> VertexId {
-        self.growth.counters.nearest_queries += 1;
-        let (index, states) = (&self.indices[tree], self.growth.graph.states());
-        index.nearest_by(space, states, Self::direction(space, tree), state).expect("a tree has a root").vertex
+        self.growth.nearest(space, &self.indices[tree], Self::direction(space, tree), state).vertex
     }
 
     /// The state a step from a vertex of a tree towards a target, or the target if it is no farther, and whether it is.

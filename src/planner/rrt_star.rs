@@ -170,9 +170,7 @@ impl<S: Space> RrtStar<S> {
         let bound = if self.is_informed { self.best.bound() } else { f64::INFINITY };
         let draw = |growth: &mut Growth<S>| self.aim.next(problem, iteration, growth);
         let target = self.best.growth.draw_within(problem, iteration, bound, draw)?;
-        self.best.growth.counters.nearest_queries += 1;
-        let mut nearest =
-            self.index.nearest(space, self.best.growth.graph.states(), &target).expect("a tree has a root");
+        let mut nearest = self.best.growth.nearest(space, &self.index, Direction::In, &target);
         let origin = self.best.growth.state(nearest.vertex);
         let mut state = target;
         let step = self.strides.of(nearest.vertex);

@@ -4,6 +4,9 @@
 //! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
 //! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
 //! path as results report it, in metres driven; what is near is decided by the metric of the space.
+//!
+//! As in SST* of the same paper, radii shrink from one stage of iterations to the next, longer one; here as long as there is no path, and
+//! if they are not given: where the way is narrow, a radius as wide as the way prunes every vertex that leads through.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, GoalBias, Termination};
@@ -23,16 +26,21 @@ use crate::space::Space;
 const DEFAULT_SELECTION: f64 = 0.06;
 /// The default pruning radius, as a fraction of the space's extent.
 const DEFAULT_PRUNING: f64 = 0.03;
+/// How many iterations without a path the first stage has, and how many more each has than the one before it.
+const STAGE: f64 = 5000.0;
+const LONGER: f64 = 1.5;
+/// By what factor radii that are not given shrink from one stage to the next.
+const SHRINKING: f64 = 0.7;
 
 crate::options! {
     /// Options of SST.
     pub struct SstOptions for CAR;
     /// The cheapest vertex within this distance of a sample grows: large radii shorten paths, small ones explore.
     selection_radius: Option<f64>, in 0.0..=1e7, "Selection radius", unit "distance in the metric",
-        else "0.06 times the largest distance in the space";
+        else "0.06 times the largest distance in the space, falling while there is no path";
     /// Of the vertices within about this distance of each other, only the cheapest grows: large radii prune more.
     pruning_radius: Option<f64>, in 0.0..=1e7, "Pruning radius", unit "distance in the metric",
-        else "0.03 times the largest distance in the space";
+        else "0.03 times the largest distance in the space, falling while there is no path";
     /// Longest time a control is held: short motions follow bends, long ones cross open space quickly.
     duration_steps: Option<u32>, in 1.0..=MOST_STEPS, "Longest duration", unit "steps of integration",
         else "as many as the fastest straight motion of 0.3 times the largest distance takes";
@@ -80,6 +88,7 @@ impl PlannerKind for SstOptions {
             options: *self,
             selection_radius: self.selection_radius.unwrap_or(DEFAULT_SELECTION * space.extent()),
             pruning_radius: self.pruning_radius.unwrap_or(DEFAULT_PRUNING * space.extent()),
+            stage: Stage { end: STAGE, length: STAGE },
             durations: Durations::new(problem, self.duration_steps, Some(self.shortest_steps))?,
             aim: Aim::new(self.reaching, &self.driving.sampling, space, seed),
             controls: Random::new(seed, Stream::Controls),
@@ -104,8 +113,9 @@ struct Sst<S: Space> {
     options: SstOptions,
     /// The cheapest vertex within this distance of a sample is extended; the nearest vertex if there is none.
     selection_radius: f64,
-    /// No two witnesses are nearer to each other.
+    /// A new witness is no nearer to another.
     pruning_radius: f64,
+    stage: Stage,
     durations: Durations,
     aim: Aim<S>,
     /// Draws controls and durations.
@@ -127,7 +137,29 @@ struct Sst<S: Space> {
     found: Vec<Neighbour>,
 }
 
+/// Iterations without a path, with the same radii.
+struct Stage {
+    /// Its last iteration.
+    end: f64,
+    length: f64,
+}
+
 impl<S: Space> Sst<S> {
+    /// Begins the next stage if one has ended without a path.
+    fn shrink(&mut self, iteration: u32) {
+        if self.best.is_some() || f64::from(iteration) <= self.stage.end {
+            return;
+        }
+        self.stage.length *= LONGER;
+        self.stage.end += self.stage.length;
+        if self.options.selection_radius.is_none() {
+            self.selection_radius *= SHRINKING;
+        }
+        if self.options.pruning_radius.is_none() {
+            self.pruning_radius *= SHRINKING;
+        }
+    }
+
     /// The length of the path to a vertex.
     fn length(&self, vertex: VertexId) -> f64 {
         self.costs[vertex.index()]
@@ -251,6 +283,7 @@ impl<S: Space> Planner<S> for Sst<S> {
             self.arrive(iteration, ROOT, *problem.start());
             return Status::Solved;
         }
+        self.shrink(iteration);
         if let Some(target) = self.aim.next(problem, iteration, &mut self.tree.growth) {
             let origin = self.origin(problem, &target);
             self.try_drive(problem, iteration, origin);

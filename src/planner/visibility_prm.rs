@@ -25,11 +25,15 @@ const MOST_MOTIONS: usize = 256;
 /// The number of samples in a row without a new guard if none is given.
 const DEFAULT_FAILURES: u32 = 400;
 
+/// After this many samples for each failure in a row that is asked for, a roadmap that connects start and goal is complete, if the number
+/// is not given: where the space is cut up, there is a new guard every few samples for a long time.
+const ENOUGH: u32 = 10;
+
 crate::options! {
     /// Options of the visibility PRM.
     pub struct VisibilityPrmOptions for crate::options::ALL;
     /// Number of samples in a row without a new guard before sampling stops: more cover more of the free space.
-    failures: Option<u32>, in 1.0..=1e6, "Most failures", else "400, and twice as many while there is no path";
+    failures: Option<u32>, in 1.0..=1e6, "Most failures", else "400, and twice as many while there is no path; after ten times as many samples a path is enough";
     /// Where samples come from.
     sampling: Sampling;
     /// How the roadmap is searched.
@@ -78,6 +82,7 @@ impl PlannerKind for VisibilityPrmOptions {
             most_failures: self.failures.unwrap_or(DEFAULT_FAILURES),
             grows: self.failures.is_none(),
             failures: 0,
+            samples: 0,
             seen: Vec::new(),
         };
         let goals = roadmap.goals.clone();
@@ -118,6 +123,8 @@ struct Guarding<S: Space> {
     /// Whether there are twice as many where start and goal are not connected.
     grows: bool,
     failures: u32,
+    /// The number of free samples.
+    samples: u32,
     /// The last iteration that drew a sample visible from each component.
     seen: Vec<u32>,
 }
@@ -127,6 +134,13 @@ impl<S: Space> Guarding<S> {
         let state = roadmap.growth.state(vertex);
         roadmap.growth.add_event(EventKind::GuardAdded, iteration, Some(vertex), None, state);
         self.guards.push(vertex);
+    }
+
+    /// Whether start and a goal are connected after enough samples.
+    fn is_enough(&mut self, roadmap: &Roadmap<S>) -> bool {
+        let start = self.components.find(START.index());
+        self.samples >= self.most_failures.saturating_mul(ENOUGH)
+            && (roadmap.goals.start.0..roadmap.goals.end.0).any(|goal| self.components.find(goal as usize) == start)
     }
 
     /// Adds a component for the next vertex.
@@ -163,6 +177,7 @@ impl<S: Space> Build<S> for Guarding<S> {
             }
             sample.guards += 1;
         }
+        self.samples = self.samples.saturating_add(1);
         roadmap.growth.looked += self.guards.len() as u64;
         let Tested { state, visible, .. } = sample;
         match visible.as_slice() {
@@ -184,7 +199,7 @@ impl<S: Space> Build<S> for Guarding<S> {
             }
         }
         self.failures += 1;
-        self.failures >= self.most_failures
+        self.failures >= self.most_failures || (self.grows && self.is_enough(roadmap))
     }
 
     fn grow(&mut self, _: &mut Roadmap<S>, _: usize) -> bool {

@@ -20,16 +20,15 @@ const RECORD: u64 = 50;
 const EXPANSION: u64 = 300;
 /// A neighbour, an edge of a search or an entry of a queue that was looked at.
 const LOOK: u64 = 30;
+/// A vertex visited by a query where distances are lengths of curves; mostly a lower bound on its distance is enough.
+const VISIT: u64 = 100;
 /// A query of the nearest neighbours for each binary digit of the number of vertices and each coordinate.
 const QUERY: u64 = 20;
-/// How much more distances cost that are lengths of curves.
-const CURVED: u64 = 10;
 
 /// What the space adds to the work of queries and looks.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weights {
     query: u64,
-    look: u64,
     evaluation: u64,
 }
 
@@ -37,9 +36,8 @@ impl Weights {
     /// The weights of a problem.
     pub fn of<S: Space>(problem: &Problem<S>) -> Self {
         let space = problem.space();
-        let factor = if space.is_norm_exact() { 1 } else { CURVED };
         let evaluation = problem.validity().evaluation_nanoseconds();
-        Self { query: factor * QUERY * space.dimension() as u64, look: factor * LOOK, evaluation }
+        Self { query: QUERY * space.dimension() as u64, evaluation }
     }
 
     /// The work of a planner, whose collision checkers have made so many evaluations. O(1).
@@ -52,7 +50,8 @@ impl Weights {
             + self.evaluation * evaluations
             + RECORD * (vertices + edges) as u64
             + EXPANSION * visited
-            + self.look * growth.looked
+            + LOOK * growth.looked
+            + VISIT * growth.visited
             + self.query * nearest_queries * u64::from(usize::BITS - vertices.leading_zeros());
         nanoseconds / 1000
     }

@@ -41,8 +41,8 @@ pub(super) struct Ahead<S: Space> {
     pool: Option<ThreadPool>,
     /// Samples, and whether each is free.
     samples: VecDeque<((S::State, bool), Work)>,
-    /// By vertex and direction.
-    motions: VecDeque<(Tried, Work)>,
+    /// By vertex and direction, and how many vertices the query has visited.
+    motions: VecDeque<((Tried, usize), Work)>,
 }
 
 impl<S: Space> Default for Ahead<S> {
@@ -119,8 +119,9 @@ impl<S: Space> Ahead<S> {
         if self.motions.is_empty() {
             return false;
         }
-        for (tried, work) in self.motions.drain(..directions.len()) {
+        for ((tried, visited), work) in self.motions.drain(..directions.len()) {
             count(&mut roadmap.growth, work);
+            roadmap.growth.note_visited(problem.space(), visited);
             roadmap.growth.counters.nearest_queries += 1;
             roadmap.growth.counters.motion_checks += tried.len() as u64;
             roadmap.growth.looked += tried.len() as u64;
@@ -185,23 +186,23 @@ impl<S: Space> Threads<'_, S> {
         space: &S,
         block: &[(VertexId, Direction)],
         connect: &mut Connect,
-    ) -> Vec<(Tried, Work)> {
+    ) -> Vec<((Tried, usize), Work)> {
         let found = self.map(block, Vec::new, |found, &(vertex, direction)| {
-            let tried = candidates(roadmap, space, direction, vertex, found);
-            (vertex, direction, tried, found.clone())
+            let (tried, visited) = candidates(roadmap, space, direction, vertex, found);
+            (vertex, direction, tried, (visited, found.clone()))
         });
         for (vertex, direction, tried, _) in &found {
             connect.note(space, *direction, *vertex, tried.clone());
         }
         let connect = &*connect;
-        self.check(&found, |checker, &(vertex, direction, _, ref found)| {
+        self.check(&found, |checker, &(vertex, direction, _, (visited, ref found))| {
             let mut tried = Tried::with_capacity(found.len());
             for neighbour in found.iter().filter(|other| !connect.has_tried(space, direction, vertex, other)) {
                 let ends @ [from, to] = direction.ends(vertex, neighbour.vertex);
                 let [a, b] = [from, to].map(|end| roadmap.graph().state(end));
                 tried.push((ends, checker.is_motion_free(a, b)));
             }
-            tried
+            (tried, visited)
         })
     }
 }

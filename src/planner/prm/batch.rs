@@ -173,7 +173,8 @@ impl Connect {
     fn connect<S: Space>(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
         for &direction in Direction::all(problem.space()) {
             roadmap.growth.counters.nearest_queries += 1;
-            let tried = candidates(roadmap, problem.space(), direction, vertex, &mut self.neighbours);
+            let (tried, visited) = candidates(roadmap, problem.space(), direction, vertex, &mut self.neighbours);
+            roadmap.growth.note_visited(problem.space(), visited);
             self.note(problem.space(), direction, vertex, tried);
             for neighbour in &self.neighbours {
                 if !self.has_tried(problem.space(), direction, vertex, neighbour) {
@@ -224,20 +225,21 @@ pub(super) fn candidates<S: Space>(
     direction: Direction,
     vertex: VertexId,
     found: &mut Vec<Neighbour>,
-) -> Tried {
+) -> (Tried, usize) {
     let Connection { k, .. } = roadmap.connection;
     let state = roadmap.growth.state(vertex);
     // One more than k, since the vertex itself is among them.
-    roadmap.find_neighbours(space, direction, &state, true, found);
+    let visited = roadmap.find_neighbours(space, direction, &state, true, found);
     match found.iter().position(|neighbour| neighbour.vertex == vertex) {
         Some(own) => drop(found.remove(own)),
         None => found.truncate(k),
     }
-    match found.last() {
+    let tried = match found.last() {
         _ if !roadmap.is_exact() => Tried::These(found.iter().map(|neighbour| neighbour.vertex).collect()),
         Some(&last) if found.len() == k => Tried::UpTo(last),
         _ => Tried::WithinRadius,
-    }
+    };
+    (tried, visited)
 }
 
 /// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A

@@ -103,6 +103,21 @@ fn the_neighbours_of_prm_star_grow_with_the_logarithm() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn among_many_discs_guarding_ends_once_start_and_goal_are_connected() {
+    let world = planarium::scenario::generate::generate("discs", &serde_json::json!({ "robot": "car", "seed": 5001 }));
+    let world = world.expect("a scenario");
+    let run = finish(begin_with(&world, "visibility-prm", 1, ""));
+    assert_eq!(run.status(), Status::Solved);
+    assert_valid(&world, run.as_ref());
+    let coverage = run.result().coverage.expect("it estimates its coverage");
+    assert!(coverage < 1.0 - 1.0 / 400.0, "no 400 samples in a row were of no use: {coverage}");
+    // As many as are asked for are awaited.
+    let asked = format!("failures=400 max_iterations={}", 2 * run.iterations());
+    let asked = finish(begin_with(&world, "visibility-prm", 1, &asked));
+    assert_eq!(asked.reason(), Some(planarium::run::Reason::IterationLimit));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn guards_see_no_other_guard_and_links_see_two_components() {
     for seed in 0..seeds(20) {
         let world = arm_of(2, false, 0.02);

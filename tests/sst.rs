@@ -3,7 +3,7 @@
 
 use crate::common::driven::{Edge, car, distance, edges, is_in_region, vertices_of, with_goal};
 use crate::common::graphs::events;
-use crate::common::{assert_valid, begin_with, car_and_wall, car_shut_in, finish, seeds};
+use crate::common::{assert_valid, begin_with, car_and_wall, car_shut_in, finish, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity, CarDynamics, Integration};
 use planarium::graph::EventKind;
 use planarium::planner::{Blocked, ByControls, GoalBias, GoalTest, PlannerKind, RrtControlOptions};
@@ -16,6 +16,33 @@ use planarium::space::{MotionSpace, Space};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A car parks between two others in a wide street: where the radii are as wide as the gap, whatever leads in is pruned.
+#[wasm_bindgen_test(unsupported = test)]
+fn radii_that_are_not_given_shrink_until_there_is_a_path() {
+    let rectangle = |[left, bottom]: [f64; 2], [right, top]: [f64; 2]| {
+        serde_json::json!({ "type": "polygon", "vertices": [[left, bottom], [right, bottom], [right, top], [left, top]] })
+    };
+    let street = serde_json::json!({
+        "format": "planarium-scenario-1", "name": "street",
+        "world": { "bounds": { "min": [-20, -15], "max": [30, 15] }, "obstacles": [
+            rectangle([-20.0, -4.0], [30.0, -3.6]), rectangle([-20.0, 4.0], [30.0, 4.4]),
+            rectangle([-6.0, -3.4], [-1.2, -1.4]), rectangle([5.3, -3.4], [10.0, -1.4])
+        ] },
+        "robot": { "type": "car", "shape": rectangle([-0.93, -0.97], [3.76, 0.97]), "wheelbase": 2.8, "speed": [-2.5, 2.5],
+            "steering": [-0.75, 0.75] },
+        "queries": [{ "name": "park", "start": [-5, 1, 0], "goal": [0.6, -2.4, 0],
+            "goal_tolerance": { "translation": 0.25, "rotation": 0.1 } }]
+    });
+    let street = parse(&street.to_string());
+    let parked = finish(begin_with(&street, "sst", 3, ""));
+    assert_eq!(parked.status(), Status::Solved);
+    assert_valid(&street, &*parked);
+    let most = format!("max_iterations={}", parked.iterations());
+    let wide = finish(begin_with(&street, "sst", 3, &format!("selection_radius=2.45 pruning_radius=1.23 {most}")));
+    assert_eq!(wide.status(), Status::Exhausted);
+    assert!(10 * wide.vertex_count() < parked.vertex_count(), "{} vertices", wide.vertex_count());
+}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn sst_improves_for_its_iterations_and_never_costs_more() {

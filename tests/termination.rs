@@ -212,6 +212,18 @@ fn a_run_without_a_path_says_why() {
     assert!(!solved.result().to_json().contains("reason"));
 }
 
+/// Along curves a query measures the distances of many vertices, so its work grows with the tree.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_distances_along_curves_that_a_query_measures_are_work() {
+    let work = |world: &Scenario, iterations: u32| {
+        finish(begin_with(world, "rrt", 1, &format!("max_iterations={iterations}"))).stats().work
+    };
+    for (world, is_curved) in [(car_shut_in(0.1), true), (no_way(), false)] {
+        let [few, many] = [4000, 16_000].map(|iterations| work(&world, iterations));
+        assert_eq!(many > 6 * few, is_curved, "{few}, then {many}");
+    }
+}
+
 /// The work is a count: no slicing changes it, and it only grows.
 #[wasm_bindgen_test(unsupported = test)]
 fn every_planner_gives_up_by_work_in_small_steps() {

@@ -468,6 +468,35 @@ fn what_a_plan_says_of_itself_is_compared_with_its_rows() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_plan_with_times_too_late_to_be_told_apart_is_not_given() {
+    let wall = |[left, bottom]: [f64; 2], [right, top]: [f64; 2]| json!({ "type": "polygon", "vertices": [[left, bottom], [right, bottom], [right, top], [left, top]] });
+    let fleet = |slow: f64| {
+        let fleet = json!({
+        "format": "planarium-fleet-1", "name": "late",
+        "world": { "bounds": { "min": [0, 0], "max": [10, 2] },
+            "obstacles": [wall([3.0, 0.0], [7.0, 0.7]), wall([3.0, 1.3], [7.0, 2.0])] },
+        "robots": [
+            { "name": "slow", "robot": { "type": "disc", "radius": 0.25 }, "speed": 1e-6, "start": [slow, 1], "goal": [9, 1] },
+            { "name": "fast", "robot": { "type": "disc", "radius": 0.25 }, "speed": 1e3, "start": [9, 0.4], "goal": [1, 0.4] }
+        ]
+        });
+        Fleet::parse(&fleet.to_string()).expect("a fleet")
+    };
+    // The fast one drives through the corridor first.
+    let before = fleet(1.0);
+    let first = planned(&before, "prioritized", 1);
+    assert_eq!((first.status(), first.reason()), (Status::Solved, None));
+    assert!(verify(&before, &first.result()).expect("a plan of this fleet").is_valid());
+    // Or it waits for 40 days, a time known to within 5e-10 s and so 5e-7 m.
+    let inside = fleet(4.0);
+    let mut last = planner(&inside, "prioritized", 1, Some(&["slow", "fast"]));
+    assert_eq!((last.step(u64::MAX), last.reason()), (Status::Exhausted, Some(FleetReason::TooLate)));
+    assert_eq!((last.makespan(), last.blocked()), (0.0, None));
+    let result = last.result();
+    assert_eq!(planarium::fleet::FleetResult::parse(&result.to_json()).expect("a result"), result);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn another_order_can_succeed_where_one_fails() {
     // In a corridor for one, "a" cannot pass the start of "b", which can go on first.
     let mut document = two_discs();

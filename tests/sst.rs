@@ -20,9 +20,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 /// A car parks between two others in a wide street: where the radii are as wide as the gap, whatever leads in is pruned.
 #[wasm_bindgen_test(unsupported = test)]
 fn radii_that_are_not_given_shrink_until_there_is_a_path() {
-    let rectangle = |[left, bottom]: [f64; 2], [right, top]: [f64; 2]| {
-        serde_json::json!({ "type": "polygon", "vertices": [[left, bottom], [right, bottom], [right, top], [left, top]] })
-    };
+    let rectangle = |[left, bottom]: [f64; 2], [right, top]: [f64; 2]| serde_json::json!({ "type": "polygon", "vertices": [[left, bottom], [right, bottom], [right, top], [left, top]] });
     let street = serde_json::json!({
         "format": "planarium-scenario-1", "name": "street",
         "world": { "bounds": { "min": [-20, -15], "max": [30, 15] }, "obstacles": [

@@ -7,7 +7,7 @@ use super::motion::Pose;
 use super::pbs::{Pbs, PbsOptions};
 use super::prioritized::{Prioritized, PrioritizedOptions};
 use super::roadmap::Roadmap;
-use super::trajectory::Trajectory;
+use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, quoted};
 use crate::graph::Fingerprint;
 use crate::json;
@@ -72,6 +72,9 @@ pub enum FleetReason {
     OrderLimit,
     /// There is no memory for more vertices.
     GraphFull,
+    /// The plan found lasts so long that a robot moves farther than the slack of the fleet between a time and the next larger double: a fast
+    /// robot that waits for a very slow one. It is not given.
+    TooLate,
 }
 
 /// The robot that found no way, and who is in its way.
@@ -197,6 +200,8 @@ pub struct FleetPlanner {
     most: u64,
     iterations: u64,
     status: Status,
+    /// Whether there was a plan with times too late to be told apart.
+    is_refused: bool,
 }
 
 enum Algorithm {
@@ -238,7 +243,16 @@ impl FleetPlanner {
             let planner = Prioritized::new(&setup, &read, order, options.seed, options.order.is_some())?;
             (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
         };
-        Ok(Self { setup, id, seed: options.seed, algorithm, most, iterations: 0, status: Status::Running })
+        Ok(Self {
+            setup,
+            id,
+            seed: options.seed,
+            algorithm,
+            most,
+            iterations: 0,
+            status: Status::Running,
+            is_refused: false,
+        })
     }
 
     /// Makes at most `iterations` iterations, and none once the status is no longer `Running`.
@@ -259,7 +273,19 @@ impl FleetPlanner {
             let is_over = status == Status::Running && self.iterations == self.most;
             self.status = if is_over { Status::Exhausted } else { status };
         }
+        if self.status == Status::Solved && self.is_too_late() {
+            (self.status, self.is_refused) = (Status::Exhausted, true);
+        }
         self.status
+    }
+
+    /// Whether a robot arrives so late that its motions cannot be told by doubles.
+    fn is_too_late(&self) -> bool {
+        let Setup { fleet, slack, .. } = &self.setup;
+        fleet.robots().iter().enumerate().any(|(i, member)| {
+            let arrival = self.trajectory(i).map_or(0.0, Trajectory::arrival);
+            moved_until_next(arrival, member.speed) > *slack
+        })
     }
 
     /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`] gives.
@@ -284,6 +310,7 @@ impl FleetPlanner {
             Algorithm::Prioritized(planner) => planner.orders().reason(),
             Algorithm::Composite(planner) => planner.reason(),
         };
+        let known = if self.is_refused { Some(FleetReason::TooLate) } else { known };
         (self.status == Status::Exhausted).then(|| known.unwrap_or(FleetReason::IterationLimit))
     }
 
@@ -320,7 +347,7 @@ impl FleetPlanner {
             Algorithm::Prioritized(planner) => planner.orders().blocked().cloned(),
             Algorithm::Composite(_) => None,
         };
-        known.filter(|_| self.status == Status::Exhausted)
+        known.filter(|_| self.status == Status::Exhausted && !self.is_refused)
     }
 
     /// The roadmaps, one of every kind of robot; `None` of the composite.

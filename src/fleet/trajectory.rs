@@ -13,6 +13,11 @@ pub struct Trajectory {
     around: Aabb,
 }
 
+/// How far a robot moves between a time and the next larger double, in metres.
+pub(super) fn moved_until_next(time: f64, speed: f64) -> f64 {
+    (time.next_up() - time) * speed
+}
+
 impl Trajectory {
     /// The robot stands at a pose from time 0 on.
     pub(super) fn standing(at: Pose) -> Self {

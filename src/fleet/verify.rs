@@ -10,7 +10,7 @@ use super::advancement::found;
 use super::document::{Fleet, FleetRobot, pose};
 use super::motion::{Footprint, Pose, difference, reach};
 use super::run::FleetResult;
-use super::trajectory::Trajectory;
+use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Point, Polygon, distance_point_segment, intersects_polygon_polygon};
 use crate::path::{self, ResultDocument, Verdict};
@@ -171,7 +171,7 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
         }
         for (row, &time) in given.times.iter().enumerate() {
             // What the next time would be, at the robot's speed.
-            let step = (time.next_up() - time) * member.speed;
+            let step = moved_until_next(time, member.speed);
             if step.is_nan() || step > slack {
                 let [time, step, slack] = [time, step, slack].map(Number);
                 let sentence = format!(

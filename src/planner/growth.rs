@@ -37,7 +37,13 @@ pub struct Growth<S: Space> {
 impl<S: Space> Growth<S> {
     /// An empty graph, whose events are recorded if the problem says so.
     pub fn new(problem: &Problem<S>) -> Self {
-        Self { graph: Graph::default(), counters: Stats::default(), looked: 0, visited: 0, records_events: problem.records_events }
+        Self {
+            graph: Graph::default(),
+            counters: Stats::default(),
+            looked: 0,
+            visited: 0,
+            records_events: problem.records_events,
+        }
     }
 
     /// The vertex of a tree that is nearest to the state by motions in the given direction.

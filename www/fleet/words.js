@@ -64,6 +64,7 @@ function failedSentence(session) {
   const { run: { blocked: [robot, ...others], result }, isOrdered, algorithm } = session;
   const reason = result?.reason;
   const { iterations = 0, restarts = 0, vertices = 0 } = result?.stats ?? {};
+  if (reason === "too-late") return "The plan lasts so long that the times of its fast robots cannot be told apart. Speeds that differ less may help.";
   const gaveUp = reason === "graph-full" ? "there is no memory for more vertices" : `it gave up after ${counted(iterations, "iteration")}`;
   if (!isOrdered) return `The composite found no plan: ${gaveUp}. Another seed may, or more iterations.`;
   if (reason === "not-connected" && robot !== undefined) return `No plan was found: the roadmap does not connect the start of ${nameOf(session, robot)} to its goal (${counted(vertices, "vertex", "vertices")} in all). More samples may help.`;

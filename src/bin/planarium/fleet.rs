@@ -49,6 +49,7 @@ fn summary(result: &FleetResult) -> String {
             format!("gave up after {tried} order{} of priorities{last}", if tried == 1 { "" } else { "s" })
         }
         Some(FleetReason::GraphFull) => "gave up, for there is no memory for more vertices".to_owned(),
+        Some(FleetReason::TooLate) => "the plan lasts too long for the speed of its fastest robots".to_owned(),
         Some(FleetReason::IterationLimit) | None => format!("gave up after {} iterations{last}", stats.iterations),
     };
     format!("exhausted, no plan found: {why}")

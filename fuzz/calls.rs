@@ -98,7 +98,9 @@ fn call(u: &mut Unstructured, started: &mut Started) -> Result<Option<Started>> 
         8 => {
             let Some(roadmap) = run.roadmap() else { return Ok(None) };
             assert_eq!(RoadmapDocument::from_bytes(&roadmap.to_bytes()).as_ref(), Ok(&roadmap));
-            let again = Options { seed: 1, query: options.query.clone(), ..Options::default() };
+            // A start in collision is moved again.
+            let parameters = options.parameters.iter().filter(|(name, _)| name == "free_ends").cloned().collect();
+            let again = Options { seed: 1, query: options.query.clone(), parameters, ..Options::default() };
             let resumed = run::resume(&*world, &again, &roadmap);
             let resumed = resumed.unwrap_or_else(|error| panic!("its own roadmap: {error}"));
             return Ok(Some(Started { world: world.clone(), options: again, run: resumed, is_plain: false }));

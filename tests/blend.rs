@@ -17,7 +17,7 @@ use planarium::scenario::{Robot, Scenario};
 use planarium::space::{Metric, MotionSpace, ProductSpace, Space};
 use serde_json::json;
 use std::f64::consts::TAU;
-use std::rc::Rc;
+use std::sync::Arc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn forest(links: usize, seed: u64) -> Scenario {
@@ -163,7 +163,7 @@ fn validity_of(scenario: &Scenario) -> Box<dyn Validity<[f64; MAX_LINKS]>> {
         Robot::Arm(arm) => Box::new(ArmValidity::new(arm, space, world, 1e-4)),
         Robot::Disc(disc) => Box::new(DiscValidity::new(disc, world)),
         Robot::RigidBody(body) => {
-            Box::new(BodyValidity::new(MotionSpace::new(space), Rc::new(BodyCollision::new(&body.shape, world, 1e-4))))
+            Box::new(BodyValidity::new(MotionSpace::new(space), Arc::new(BodyCollision::new(&body.shape, world, 1e-4))))
         }
         _ => panic!("a car is steered"),
     }

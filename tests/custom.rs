@@ -15,8 +15,8 @@ use planarium::scenario::{Robot, Scenario};
 use planarium::space::MetricKind;
 use planarium::{Code, Error};
 use serde_json::{Value as Json, json};
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const THICKNESSES: [f64; 7] = [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
@@ -49,7 +49,8 @@ fn twin(scenario: &Scenario, kind: Kind) -> CustomProblem {
             (sides, MetricKind::Euclidean, None)
         }
     };
-    let inspector = Inspector::new(scenario);
+    // Its checker is of one thread.
+    let inspector = Mutex::new(Inspector::new(scenario));
     let radius = if let Robot::Disc(disc) = scenario.robot() { disc.radius() } else { 0.0 };
     let bounds = world.bounds;
     let clearance_of = move |q: &[f64]| -> Result<f64, Error> {
@@ -59,7 +60,8 @@ fn twin(scenario: &Scenario, kind: Kind) -> CustomProblem {
             }
             _ => f64::INFINITY,
         };
-        Ok(inspector.clearance(q)?.map_or(-1.0, |clearance| clearance.distance).min(depth - radius))
+        let clearance = inspector.lock().expect("no call has panicked").clearance(q)?;
+        Ok(clearance.map_or(-1.0, |clearance| clearance.distance).min(depth - radius))
     };
     let space = SpaceDescription { coordinates, metric: Some(metric) };
     let n = space.coordinates.len();
@@ -264,10 +266,10 @@ fn all_before_the_first_hit_is_proven_and_the_hit_is_at_the_wall() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_failure_ends_the_run_where_it_happens_and_stays() {
     let failing_after = |good: u64| {
-        let count = Rc::new(Cell::new(0));
+        let count = AtomicU64::new(0);
         let free = Free::by_reach(&[1.0; 4], move |rows, clearances| {
-            count.set(count.get() + clearances.len() as u64);
-            if count.get() > good {
+            let before = count.fetch_add(clearances.len() as u64, Ordering::Relaxed);
+            if before + clearances.len() as u64 > good {
                 return Err(Error::new(Code::File, "/sensor", "the sensor is gone"));
             }
             rows.chunks(4).zip(clearances).for_each(|(q, clearance)| *clearance = clearance_of_discs(q));
@@ -310,10 +312,10 @@ fn a_failure_ends_the_run_where_it_happens_and_stays() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_kept_roadmap_is_queried_again_and_a_failure_of_a_query_is_its_error() {
-    let is_broken = Rc::new(Cell::new(false));
-    let broken = Rc::clone(&is_broken);
+    let is_broken = Arc::new(AtomicBool::new(false));
+    let broken = Arc::clone(&is_broken);
     let free = Free::by_clearance(move |rows, clearances| {
-        if broken.get() {
+        if broken.load(Ordering::Relaxed) {
             clearances[0] = f64::NAN;
             return Ok(());
         }
@@ -330,7 +332,7 @@ fn a_kept_roadmap_is_queried_again_and_a_failure_of_a_query_is_its_error() {
     let asked = run.query(&[-1.5, 0.0], &[0.0, 1.5], true).expect("a query");
     assert_eq!((asked.status, asked.query.as_str()), (Status::Solved, "asked"));
     assert!(run.reopen(&(&disc_and_wall(0.1, 0.1)).into()).is_err_and(|error| error.code() == Code::Unsupported));
-    is_broken.set(true);
+    is_broken.store(true, Ordering::Relaxed);
     for _ in 0..2 {
         let error = run.query(&[-1.5, 0.0], &[0.0, 1.5], false).expect_err("not a number");
         assert_eq!(error.code(), Code::NotFinite, "{error}");
@@ -498,10 +500,9 @@ fn a_saved_roadmap_of_another_space_is_refused_where_it_differs() {
     }
     // What the function fails with is the error, whenever it fails.
     for good in [2, 10, 60] {
-        let count = Cell::new(0);
+        let count = AtomicUsize::new(0);
         let failing = Free::by_reach(&[1.0, 1.0, 0.0], move |rows, clearances| {
-            count.set(count.get() + clearances.len());
-            if count.get() > good {
+            if count.fetch_add(clearances.len(), Ordering::Relaxed) + clearances.len() > good {
                 return Err(Error::new(Code::File, "/sensor", "the sensor is gone"));
             }
             rows.chunks(3).zip(clearances).for_each(|(q, to)| *to = (q[0] * q[0] + q[1] * q[1]).sqrt() - 1.0);

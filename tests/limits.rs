@@ -15,7 +15,7 @@ use planarium::run::{self, Status};
 use planarium::scenario::{Obstacle, Scenario};
 use planarium::space::MotionSpace;
 use planarium::space::steering::{Pose, Steering};
-use std::rc::Rc;
+use std::sync::Arc;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -57,7 +57,7 @@ fn a_curve_that_leads_nowhere_is_its_placement() {
     let torus = placements::<4>(&body, Weights::default(), &world.bounds.expect("bounds"));
     for steering in [Steering::Dubins, Steering::ReedsShepp] {
         let space = MotionSpace::steered(torus.clone(), steering, 0.5);
-        let validity = BodyValidity::new(space, Rc::new(BodyCollision::new(&body, &world, 1e-4)));
+        let validity = BodyValidity::new(space, Arc::new(BodyCollision::new(&body, &world, 1e-4)));
         for (q, is_free) in [([1.0, 1.0, 0.5, 0.0], true), ([2.0, 2.0, 0.5, 0.0], false), ([1.4, 2.0, 0.5, 0.0], false)]
         {
             assert_eq!(validity.is_motion_free(&q, &q), is_free, "{q:?}");

@@ -13,8 +13,7 @@ use planarium::robot::placements;
 use planarium::run::{HISTORY_WIDTH, Phase, Status};
 use planarium::scenario::Scenario;
 use planarium::space::{MotionSpace, Space};
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A car parks between two others in a wide street: where the radii are as wide as the gap, whatever leads in is pruned.
@@ -174,8 +173,8 @@ fn the_cheapest_vertex_about_the_sample_grows() {
 /// A dynamics that records its calls.
 struct Noted {
     driving: CarDynamics<4>,
-    drives: Rc<RefCell<Vec<Asked>>>,
-    proofs: Rc<RefCell<Vec<(Asked, u32)>>>,
+    drives: Arc<Mutex<Vec<Asked>>>,
+    proofs: Arc<Mutex<Vec<(Asked, u32)>>>,
 }
 
 /// The start of a call, its control and its steps.
@@ -195,13 +194,13 @@ impl Dynamics<[f64; 4]> for Noted {
     }
 
     fn drive(&self, from: &[f64; 4], control: Control, steps: u32) -> [f64; 4] {
-        self.drives.borrow_mut().push((*from, control, steps));
+        self.drives.lock().expect("one thread").push((*from, control, steps));
         self.driving.drive(from, control, steps)
     }
 
     fn free_steps(&self, from: &[f64; 4], control: Control, steps: u32) -> u32 {
         let free = self.driving.free_steps(from, control, steps);
-        self.proofs.borrow_mut().push(((*from, control, steps), free));
+        self.proofs.lock().expect("one thread").push(((*from, control, steps), free));
         free
     }
 
@@ -225,13 +224,13 @@ fn of_a_blossom_the_control_that_comes_closest_is_kept() {
     let space = MotionSpace::new(placements(car.shape(), car.weights(), &bounds));
     let [start, goal] =
         [&world.queries()[0].start, world.queries()[0].configuration().unwrap()].map(|q| space.state(q));
-    let collision = Rc::new(BodyCollision::new(car.shape(), world.world(), 1e-4));
-    let driving = || CarDynamics::new(car, space.clone(), Rc::clone(&collision), Integration::Exact);
+    let collision = Arc::new(BodyCollision::new(car.shape(), world.world(), 1e-4));
+    let driving = || CarDynamics::new(car, space.clone(), Arc::clone(&collision), Integration::Exact);
     let oracle = driving();
     for blocked in [Blocked::Cut, Blocked::Refused] {
-        let (drives, proofs) = (Rc::default(), Rc::default());
-        let noted = Noted { driving: driving(), drives: Rc::clone(&drives), proofs: Rc::clone(&proofs) };
-        let validity = BodyValidity::new(space.clone(), Rc::clone(&collision));
+        let (drives, proofs) = (Arc::default(), Arc::default());
+        let noted = Noted { driving: driving(), drives: Arc::clone(&drives), proofs: Arc::clone(&proofs) };
+        let validity = BodyValidity::new(space.clone(), Arc::clone(&collision));
         let mut problem = Problem::new(space.clone(), Box::new(validity), start, goal).expect("both are free");
         problem.dynamics = Some(Box::new(noted));
         let options = RrtControlOptions {
@@ -248,8 +247,8 @@ fn of_a_blossom_the_control_that_comes_closest_is_kept() {
         let (mut kept, mut spared, mut cut) = (0, 0, 0);
         for iteration in 1..=150 {
             let before = rrt.graph().states().len();
-            drives.borrow_mut().clear();
-            proofs.borrow_mut().clear();
+            drives.lock().expect("one thread").clear();
+            proofs.lock().expect("one thread").clear();
             rrt.iterate(&problem, iteration);
             let free = |&(from, control, steps): &Asked| match oracle.free_steps(&from, control, steps) {
                 0 => None,
@@ -258,8 +257,8 @@ fn of_a_blossom_the_control_that_comes_closest_is_kept() {
             };
             // Where drives are cut, each is proven; else all are driven before the first is proven.
             let tried: Vec<Asked> = match blocked {
-                Blocked::Cut => proofs.borrow().iter().map(|(asked, _)| *asked).collect(),
-                Blocked::Refused => drives.borrow()[..8].to_vec(),
+                Blocked::Cut => proofs.lock().expect("one thread").iter().map(|(asked, _)| *asked).collect(),
+                Blocked::Refused => drives.lock().expect("one thread")[..8].to_vec(),
             };
             let best = tried.iter().filter_map(free).min_by(|a, b| a.0.total_cmp(&b.0));
             let found = rrt.graph().states().get(before).map(|end| {
@@ -268,8 +267,13 @@ fn of_a_blossom_the_control_that_comes_closest_is_kept() {
             });
             assert_eq!(found, best, "{blocked:?}");
             kept += u32::from(found.is_some());
-            cut += proofs.borrow().iter().filter(|((.., steps), free)| (1..*steps).contains(free)).count();
-            let proofs = proofs.borrow().len();
+            cut += proofs
+                .lock()
+                .expect("one thread")
+                .iter()
+                .filter(|((.., steps), free)| (1..*steps).contains(free))
+                .count();
+            let proofs = proofs.lock().expect("one thread").len();
             assert!(proofs == 8 || blocked == Blocked::Refused);
             spared += 8 - proofs;
         }

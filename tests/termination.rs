@@ -246,7 +246,7 @@ fn every_planner_gives_up_by_work_in_small_steps() {
 }
 
 /// Every planner with a world that it serves.
-fn every_planner<'a>(arm: &'a Scenario, car: &'a Scenario) -> Vec<(&'static str, &'a Scenario)> {
+pub fn every_planner<'a>(arm: &'a Scenario, car: &'a Scenario) -> Vec<(&'static str, &'a Scenario)> {
     let world = |planner: &PlannerOptions| if planner.robots().contains(&"arm") { arm } else { car };
     planners().iter().map(|planner| (planner.info().id, world(planner))).collect()
 }

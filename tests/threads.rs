@@ -1,6 +1,7 @@
 //! A run is the same with any number of threads: after every iteration, in any slices.
 
 use crate::common::{SAMPLERS, arm_of, begin_with, car_and_wall, disc_and_wall, finish};
+use crate::termination::every_planner;
 use planarium::path::Wanted;
 use planarium::planner::{Limits, PlannerKind, PrmOptions};
 use planarium::problem::{Contact, Problem, Stats, Touched, Validity};
@@ -11,6 +12,29 @@ use serde_json::json;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What moves to another thread natively: problems of one's own, prepared worlds, runs, and planners of fleets and of navigation.
+#[test]
+fn a_run_begun_in_one_thread_ends_in_another() {
+    fn is_send<T: Send>() {}
+    is_send::<planarium::run::CustomProblem>();
+    is_send::<planarium::world::PlanningWorld>();
+    is_send::<planarium::fleet::FleetPlanner>();
+    is_send::<planarium::certificate::Subdivision>();
+    let (disc, car) = (disc_and_wall(0.3, 0.5), car_and_wall(0.1));
+    for (planner, world) in every_planner(&disc, &car) {
+        let settings = "max_work=200000";
+        let one = finish(begin_with(world, planner, 3, settings));
+        let mut run = begin_with(world, planner, 3, settings);
+        run.step(20);
+        let other = std::thread::spawn(move || {
+            run.step(u64::MAX);
+            run
+        });
+        let other = other.join().expect("it ends");
+        assert_eq!((other.fingerprint(), other.stats()), (one.fingerprint(), one.stats()), "{planner}");
+    }
+}
 
 /// The counts after every iteration, from 0, of a run on one thread to its end; and the run.
 fn on_one_thread(mut run: Box<dyn Run>) -> (Vec<Stats>, Box<dyn Run>) {

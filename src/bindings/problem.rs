@@ -10,7 +10,7 @@ use crate::run::storage::RoadmapDocument;
 use crate::run::{self, CustomProblem, Free, Options, Run, SpaceDescription};
 use js_sys::Reflect;
 use serde_json::Value as Json;
-use std::rc::Rc;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -144,11 +144,12 @@ impl Problem {
     }
 
     /// The problem of one planner, which notes what its function throws.
+    #[expect(clippy::arc_with_non_send_sync, reason = "a function of JavaScript stays on its thread")]
     fn custom(&self, thrown: &Thrown) -> Result<CustomProblem, Error> {
         let batches = Batches { function: self.function.clone(), dimension: self.dimension(), thrown: thrown.clone() };
         let free = match self.test.clone() {
             Test::Clearance { reach } => {
-                let clearance: Evaluate = Rc::new(move |rows, results| batches.evaluate("clearance", rows, results));
+                let clearance: Evaluate = Arc::new(move |rows, results| batches.evaluate("clearance", rows, results));
                 Free::Clearance { clearance, reach }
             }
             Test::Samples { resolution } => {
@@ -159,7 +160,7 @@ impl Problem {
                     }
                     Ok(())
                 };
-                Free::Samples { margin: Rc::new(margin), resolution }
+                Free::Samples { margin: Arc::new(margin), resolution }
             }
         };
         CustomProblem::new(self.space.clone(), free, &self.start, &self.goals)

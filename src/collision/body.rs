@@ -7,8 +7,7 @@ use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::problem::{Contact, Touched};
 use crate::robot::LARGEST;
-use std::cell::RefCell;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The largest angle to begin from, in radians, that proofs cover.
 const LARGEST_ANGLE: f64 = 1e4;
@@ -29,7 +28,8 @@ pub struct BodyCollision {
     /// The largest coordinate of the world plus the reach of the body, in metres.
     pub(super) scale: f64,
     pub(super) scene: Scene,
-    prover: RefCell<Prover<MovingBody>>,
+    /// A body and its dynamics share it.
+    prover: Mutex<Prover<MovingBody>>,
     /// What sentences call it.
     pub(super) name: &'static str,
 }
@@ -45,9 +45,13 @@ impl BodyCollision {
         let bounds = world.bounds().copied().unwrap_or(everywhere);
         let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        let prover = RefCell::new(Prover::new(MovingBody::new(body, tolerance.eta)));
+        let prover = Mutex::new(Prover::new(MovingBody::new(body, tolerance.eta)));
         let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
         Self { body: body.clone(), obstacles, bounds, scale, scene, prover, name: "the body" }
+    }
+
+    fn prover(&self) -> MutexGuard<'_, Prover<MovingBody>> {
+        self.prover.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The same, which sentences call by this name.
@@ -79,7 +83,7 @@ impl BodyCollision {
         if q[2].abs() > LARGEST_ANGLE {
             return self.contacts(q).is_empty();
         }
-        let prover = &mut *self.prover.borrow_mut();
+        let prover = &mut *self.prover();
         prover.moving.rest(*q);
         prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
     }
@@ -117,9 +121,9 @@ impl BodyCollision {
     /// Whether a straight motion is proven free, also off by any part of `aside`, forward or back.
     pub(super) fn is_band_free(&self, motion: &BodyMotion, aside: [f64; 3]) -> bool {
         let [x, y, turn] = aside;
-        self.prover.borrow_mut().moving.grow((x * x + y * y).sqrt() + turn.abs() * self.body.reach());
+        self.prover().moving.grow((x * x + y * y).sqrt() + turn.abs() * self.body.reach());
         let is_free = self.is_motion_free(motion);
-        self.prover.borrow_mut().moving.grow(0.0);
+        self.prover().moving.grow(0.0);
         is_free
     }
 
@@ -157,19 +161,19 @@ impl BodyCollision {
     /// Whether the body may touch something in one of the boxes on the motion; `true` for motions that proofs do not cover.
     pub fn may_meet(&self, motion: &BodyMotion, boxes: &[Aabb]) -> bool {
         let Some((motion, _)) = self.decisive_part(motion) else { return true };
-        let prover = &mut *self.prover.borrow_mut();
+        let prover = &mut *self.prover();
         prover.moving.begin(&motion);
         prover.may_meet(boxes, ())
     }
 
     /// How many times the clearance of a part has been evaluated so far.
     pub fn clearance_evaluations(&self) -> u64 {
-        self.prover.borrow().evaluations
+        self.prover().evaluations
     }
 
     /// How many motions have been refused so far because the budget of their proof was spent.
     pub fn unproven_motions(&self) -> u64 {
-        self.prover.borrow().unproven
+        self.prover().unproven
     }
 
     /// The start of the first interval, in this order, that cannot be proven free.
@@ -180,7 +184,7 @@ impl BodyCollision {
             Order::FrontFirst { steps: Some(steps) } => Order::FrontFirst { steps: Some(steps * fraction) },
             order => order,
         };
-        let prover = &mut *self.prover.borrow_mut();
+        let prover = &mut *self.prover();
         prover.moving.begin(&motion);
         prover.first_unproven(&self.scene, (), order).map(|hit| hit * fraction)
     }

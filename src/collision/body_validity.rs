@@ -5,18 +5,18 @@ use crate::geometry::Aabb;
 use crate::problem::{Contact, Validity};
 use crate::space::steering::{Curve, wrap};
 use crate::space::{MotionSpace, Space};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The collision checker of a body in a space of placements (x, y, theta), in which motions are straight or the curves of
 /// a car.
 pub struct BodyValidity<const N: usize> {
     space: MotionSpace<N>,
-    collision: Rc<BodyCollision>,
+    collision: Arc<BodyCollision>,
 }
 
 impl<const N: usize> BodyValidity<N> {
     /// The body in that space. The collision may be shared with the dynamics of the body: all its work is counted here.
-    pub fn new(space: MotionSpace<N>, collision: Rc<BodyCollision>) -> Self {
+    pub fn new(space: MotionSpace<N>, collision: Arc<BodyCollision>) -> Self {
         Self { space, collision }
     }
 

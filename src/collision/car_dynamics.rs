@@ -10,7 +10,7 @@ use crate::robot::Car;
 use crate::space::steering::Turn;
 use crate::space::{MotionSpace, Space};
 use serde::Deserialize;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The integration of the motion of a car.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
@@ -28,13 +28,13 @@ pub enum Integration {
 pub struct CarDynamics<const N: usize> {
     car: Car,
     space: MotionSpace<N>,
-    collision: Rc<BodyCollision>,
+    collision: Arc<BodyCollision>,
     integration: Integration,
 }
 
 impl<const N: usize> CarDynamics<N> {
     /// The car in that space; `collision` is that of its shape.
-    pub fn new(car: &Car, space: MotionSpace<N>, collision: Rc<BodyCollision>, integration: Integration) -> Self {
+    pub fn new(car: &Car, space: MotionSpace<N>, collision: Arc<BodyCollision>, integration: Integration) -> Self {
         Self { car: car.clone(), space, collision, integration }
     }
 

@@ -14,8 +14,8 @@ use crate::planner::{DEFAULT_TOLERANCE, Planner, PlannerOptions, RrtConnectOptio
 use crate::problem::{Contact, Problem, Status, Validity};
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, MotionSpace, ProductSpace, Space};
 use crate::world::SMALL;
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The configurations of all robots, one after the other.
 type Joint = [f64; MAX_DIMENSION];
@@ -42,7 +42,7 @@ pub(super) struct Composite {
     seed: u64,
     improvement: Option<Improvement<MotionSpace<MAX_DIMENSION>>>,
     trajectories: Vec<Trajectory>,
-    pair_checks: Rc<Cell<u64>>,
+    pair_checks: Arc<AtomicU64>,
 }
 
 impl Composite {
@@ -60,7 +60,7 @@ impl Composite {
             return Err(unsupported(sentence));
         }
         let space = space(setup);
-        let pair_checks = Rc::new(Cell::new(0));
+        let pair_checks = Arc::new(AtomicU64::new(0));
         let mut members = Vec::with_capacity(robots.len());
         let mut first = 0;
         for (i, member) in robots.iter().enumerate() {
@@ -71,7 +71,7 @@ impl Composite {
             members.push(Member { validity, footprint: setup.footprints[i].clone(), first, dimension: dimensions[i] });
             first += dimensions[i];
         }
-        let validity = Apart { members, slack: setup.slack, pair_checks: Rc::clone(&pair_checks) };
+        let validity = Apart { members, slack: setup.slack, pair_checks: Arc::clone(&pair_checks) };
         let ends = |of: fn(&super::FleetRobot) -> &Vec<f64>| {
             space.state(&robots.iter().flat_map(of).copied().collect::<Vec<f64>>())
         };
@@ -142,8 +142,8 @@ impl Composite {
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
-        self.trajectories.drain(..).map(Rc::new).collect()
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
+        self.trajectories.drain(..).map(Arc::new).collect()
     }
 
     /// The vertices of both trees: the configurations of all robots, one after the other.
@@ -162,7 +162,7 @@ impl Composite {
             vertices: self.vertices().len() as u64,
             edges: self.planner.graph().edges().len() as u64,
             motion_checks: self.planner.growth().counters.motion_checks + improving,
-            pair_checks: self.pair_checks.get(),
+            pair_checks: self.pair_checks.load(Ordering::Relaxed),
             ..FleetStats::default()
         }
     }
@@ -224,7 +224,7 @@ impl Member {
 struct Apart {
     members: Vec<Member>,
     slack: f64,
-    pair_checks: Rc<Cell<u64>>,
+    pair_checks: Arc<AtomicU64>,
 }
 
 impl Apart {
@@ -233,7 +233,7 @@ impl Apart {
         let motions: Vec<Motion> = self.members.iter().map(|member| member.motion(a, b)).collect();
         let pairs = (0..motions.len()).flat_map(|i| (0..i).map(move |j| [j, i]));
         pairs.into_iter().find(|&[j, i]| {
-            self.pair_checks.set(self.pair_checks.get() + 1);
+            self.pair_checks.fetch_add(1, Ordering::Relaxed);
             let footprints = [&self.members[j].footprint, &self.members[i].footprint];
             !Pair { footprints, motions: [&motions[j], &motions[i]], slack: self.slack }.is_apart()
         })

@@ -12,11 +12,11 @@ use super::trajectory::Trajectory;
 use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::collections::{BTreeMap, VecDeque};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A joint configuration that was reached.
 struct Reached {
-    at: Rc<[u32]>,
+    at: Arc<[u32]>,
     /// The one that it was reached from; itself if it is the first.
     from: usize,
     /// For how many moves each robot has not been at its goal.
@@ -32,14 +32,14 @@ pub(super) struct Joint {
     starts: Vec<u32>,
     goals: Vec<u32>,
     reached: Vec<Reached>,
-    known: BTreeMap<Rc<[u32]>, usize>,
+    known: BTreeMap<Arc<[u32]>, usize>,
     /// The configurations to go on from, the next one last.
     open: Vec<usize>,
     /// The move that is being chosen, and from which configuration.
     chosen: Option<(usize, JointMove)>,
     random: Random,
     noise: f64,
-    solution: Vec<Rc<Trajectory>>,
+    solution: Vec<Arc<Trajectory>>,
 }
 
 impl Joint {
@@ -65,7 +65,7 @@ impl Joint {
 
     /// Reaches a configuration: it is the next to go on from.
     fn reach(&mut self, ground: &Ground, at: Vec<u32>, from: Option<usize>) {
-        let at: Rc<[u32]> = at.into();
+        let at: Arc<[u32]> = at.into();
         if let Some(&known) = self.known.get(&at) {
             return self.open.push(known);
         }
@@ -77,7 +77,7 @@ impl Joint {
         let far = |robot: usize| ground.distances[robot][self.starts[robot] as usize];
         let mut order: Vec<usize> = (0..at.len()).collect();
         order.sort_by(|&a, &b| urgency[b].cmp(&urgency[a]).then(far(b).total_cmp(&far(a))));
-        self.known.insert(Rc::clone(&at), number);
+        self.known.insert(Arc::clone(&at), number);
         self.open.push(number);
         let fixed = VecDeque::from([Vec::new()]);
         self.reached.push(Reached { at, from: from.unwrap_or(number), urgency, order, fixed });
@@ -118,19 +118,19 @@ impl Joint {
     }
 
     /// The joint configurations from the first one to another.
-    fn chain(&self, last: usize) -> Vec<Rc<[u32]>> {
-        let mut chain = vec![Rc::clone(&self.reached[last].at)];
+    fn chain(&self, last: usize) -> Vec<Arc<[u32]>> {
+        let mut chain = vec![Arc::clone(&self.reached[last].at)];
         let mut number = last;
         while self.reached[number].from != number {
             number = self.reached[number].from;
-            chain.push(Rc::clone(&self.reached[number].at));
+            chain.push(Arc::clone(&self.reached[number].at));
         }
         chain.reverse();
         chain
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         std::mem::take(&mut self.solution)
     }
 }

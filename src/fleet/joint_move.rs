@@ -11,7 +11,7 @@ use super::priority_tree::Ground;
 use super::run::FleetStats;
 use super::trajectory::Trajectory;
 use crate::random::Random;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// So many vertices are tried for each robot, on average, until a move is given up.
 const TRIES: usize = 60;
@@ -138,7 +138,7 @@ impl JointMove {
 }
 
 /// The trajectories along joint configurations: in every move the slowest robot decides how long it takes.
-pub(super) fn timed(ground: &Ground, chain: &[Rc<[u32]>]) -> Vec<Rc<Trajectory>> {
+pub(super) fn timed(ground: &Ground, chain: &[Arc<[u32]>]) -> Vec<Arc<Trajectory>> {
     let robots = 0..chain[0].len();
     let start = |robot: usize| Trajectory::standing(pose(ground, robot, chain[0][robot]));
     let mut trajectories: Vec<Trajectory> = robots.clone().map(start).collect();
@@ -161,7 +161,7 @@ pub(super) fn timed(ground: &Ground, chain: &[Rc<[u32]>]) -> Vec<Rc<Trajectory>>
         }
         time = end;
     }
-    trajectories.into_iter().map(Rc::new).collect()
+    trajectories.into_iter().map(Arc::new).collect()
 }
 
 /// The place of a robot at a vertex.

@@ -13,7 +13,7 @@ use super::trajectory::Trajectory;
 use super::walks::Walks;
 use crate::error::Error;
 use crate::problem::Status;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The samples of a roadmap at first, and as many more for each robot.
 const SAMPLES: [usize; 2] = [30, 5];
@@ -29,7 +29,7 @@ const MOST_DISTANCES: usize = 8_000_000;
 /// The searches. An iteration is one of a roadmap or of a search.
 pub(super) struct Moves {
     roadmaps: Vec<Roadmap>,
-    distances: Vec<Rc<[f64]>>,
+    distances: Vec<Arc<[f64]>>,
     is_connected: bool,
     k: usize,
     most_samples: usize,
@@ -39,7 +39,7 @@ pub(super) struct Moves {
     is_walking: bool,
     /// The iterations left of the search whose turn it is.
     left: u64,
-    solution: Vec<Rc<Trajectory>>,
+    solution: Vec<Arc<Trajectory>>,
 }
 
 impl Moves {
@@ -144,7 +144,7 @@ impl Moves {
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         std::mem::take(&mut self.solution)
     }
 }

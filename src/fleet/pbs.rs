@@ -20,7 +20,7 @@ use super::trajectory::Trajectory;
 use super::turns::{Search, Searches};
 use crate::error::Error;
 use crate::problem::Status;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// How many orders of priorities are tried after the first.
 const RESTARTS: u32 = 20;
@@ -59,7 +59,7 @@ enum Stage {
 /// The planner. An iteration is one of a roadmap or of a search.
 pub(super) struct Pbs {
     roadmaps: Vec<Roadmap>,
-    distances: Vec<Rc<[f64]>>,
+    distances: Vec<Arc<[f64]>>,
     stage: Stage,
     searches: Searches,
     round: u32,
@@ -68,7 +68,7 @@ pub(super) struct Pbs {
     refinements: Option<u32>,
     seed: u64,
     stats: FleetStats,
-    trajectories: Vec<Rc<Trajectory>>,
+    trajectories: Vec<Arc<Trajectory>>,
     /// The first robot whose start and goal its roadmap, when it was complete last, does not connect.
     unconnected: Option<usize>,
     blocked: Option<Blocked>,
@@ -150,7 +150,7 @@ impl Pbs {
             self.unconnected.get_or_insert(robot);
         }
         let is_kept = setup.kinds.len() * roadmap.vertex_count() <= MOST_DISTANCES;
-        self.distances.push(if is_kept { distances.into() } else { Rc::new([]) });
+        self.distances.push(if is_kept { distances.into() } else { Arc::new([]) });
     }
 
     /// Begins a round of searches; those by priorities begin again where roadmaps have grown.

@@ -18,7 +18,7 @@ use crate::planner::{EdgeOptions, PrmOptions};
 use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::collections::BTreeSet;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The earliest departures graze the others: so many slacks are left between them, a hundred-millionth of the world's size.
 pub(super) const MARGIN: f64 = 1e4;
@@ -119,7 +119,7 @@ pub(super) struct Orders {
     /// How many robots of the order have planned.
     planned: usize,
     /// Of every robot: its trajectory, or its stand at the start.
-    trajectories: Vec<Rc<Trajectory>>,
+    trajectories: Vec<Arc<Trajectory>>,
     search: Option<Search>,
     blocked: Option<Blocked>,
     /// The beginnings of orders whose last robot finds no way.
@@ -157,7 +157,7 @@ impl Orders {
             Expansion::Vertex => stats.expanded += 1,
             Expansion::Part => {}
             Expansion::Found(trajectory) => {
-                self.trajectories[robot] = Rc::new(trajectory);
+                self.trajectories[robot] = Arc::new(trajectory);
                 self.planned += 1;
                 self.search = None;
                 if self.planned == self.order.len() {
@@ -261,7 +261,7 @@ impl Orders {
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         std::mem::take(&mut self.trajectories)
     }
 
@@ -275,7 +275,7 @@ impl Orders {
 }
 
 /// Every robot at its start.
-pub(super) fn standing(setup: &Setup) -> Vec<Rc<Trajectory>> {
-    let stand = |member: &super::FleetRobot| Rc::new(Trajectory::standing(super::document::pose(&member.start)));
+pub(super) fn standing(setup: &Setup) -> Vec<Arc<Trajectory>> {
+    let stand = |member: &super::FleetRobot| Arc::new(Trajectory::standing(super::document::pose(&member.start)));
     setup.fleet.robots().iter().map(stand).collect()
 }

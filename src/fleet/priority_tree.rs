@@ -18,7 +18,7 @@ use super::trajectory::Trajectory;
 use crate::problem::Status;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What searches need, on roadmaps that are complete.
 #[derive(Clone, Copy)]
@@ -27,12 +27,12 @@ pub(super) struct Ground<'a> {
     pub roadmaps: &'a [Roadmap],
     /// Of every robot and every vertex of its roadmap, the length of the way to the robot's goal; empty where these are too
     /// many to keep.
-    pub distances: &'a [Rc<[f64]>],
+    pub distances: &'a [Arc<[f64]>],
 }
 
 impl Ground<'_> {
     /// The scene of a robot among some of the others.
-    pub fn scene<'a>(&'a self, robot: usize, trajectories: &'a [Rc<Trajectory>], among: &'a [usize]) -> Scene<'a> {
+    pub fn scene<'a>(&'a self, robot: usize, trajectories: &'a [Arc<Trajectory>], among: &'a [usize]) -> Scene<'a> {
         let Setup { fleet, kinds, footprints, slack, .. } = self.setup;
         let (speed, roadmap) = (fleet.robots()[robot].speed, &self.roadmaps[kinds[robot]]);
         Scene { robot, speed, roadmap, footprints, trajectories, among, slack: MARGIN * slack }
@@ -48,7 +48,7 @@ impl Ground<'_> {
     }
 
     /// When two trajectories conflict first, if they do.
-    pub fn first_conflict(&self, pair: [usize; 2], trajectories: &[Rc<Trajectory>], checks: &mut u64) -> Option<f64> {
+    pub fn first_conflict(&self, pair: [usize; 2], trajectories: &[Arc<Trajectory>], checks: &mut u64) -> Option<f64> {
         let [a, b] = pair.map(|robot| &*trajectories[robot]);
         let footprints: [&Footprint; 2] = pair.map(|robot| &self.setup.footprints[robot]);
         let reach = footprints[0].radius() + footprints[1].radius() + 2.0 * MARGIN * self.setup.slack;
@@ -71,8 +71,8 @@ impl Ground<'_> {
 #[derive(Clone)]
 struct Branch {
     /// Of every robot those that go before it, directly or not, in order.
-    above: Vec<Rc<[usize]>>,
-    trajectories: Vec<Rc<Trajectory>>,
+    above: Vec<Arc<[usize]>>,
+    trajectories: Vec<Arc<Trajectory>>,
     /// Of every pair of robots that conflict, when they do first.
     conflicts: BTreeMap<[usize; 2], f64>,
     cost: f64,
@@ -111,7 +111,7 @@ struct Work {
     left: Vec<usize>,
     must: Vec<usize>,
     /// The robot that plans, those above it, and its search.
-    planning: Option<(usize, Rc<[usize]>, Option<Search>)>,
+    planning: Option<(usize, Arc<[usize]>, Option<Search>)>,
 }
 
 /// The tree of branches. An iteration is an expansion of the search of one robot, or a comparison of one trajectory with all others.
@@ -123,7 +123,7 @@ pub(super) struct PriorityTree {
     parent: Option<Branch>,
     pairs: Vec<[usize; 2]>,
     made: Vec<Branch>,
-    solution: Vec<Rc<Trajectory>>,
+    solution: Vec<Arc<Trajectory>>,
     blocked: Option<Blocked>,
 }
 
@@ -131,7 +131,7 @@ impl PriorityTree {
     pub fn new(setup: &Setup) -> Self {
         let count = setup.kinds.len();
         let branch = Branch {
-            above: (0..count).map(|_| Rc::new([]) as Rc<[usize]>).collect(),
+            above: (0..count).map(|_| Arc::new([]) as Arc<[usize]>).collect(),
             trajectories: standing(setup),
             conflicts: BTreeMap::new(),
             cost: f64::INFINITY,
@@ -186,7 +186,7 @@ impl PriorityTree {
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         std::mem::take(&mut self.solution)
     }
 
@@ -215,7 +215,7 @@ impl Work {
                 Expansion::Vertex => stats.expanded += 1,
                 Expansion::Part => {}
                 Expansion::Found(trajectory) => {
-                    self.branch.trajectories[robot] = Rc::new(trajectory);
+                    self.branch.trajectories[robot] = Arc::new(trajectory);
                     self.must.retain(|one| *one != robot);
                 }
                 Expansion::Nothing(by) => return Done::Nothing(Blocked { robot, by }),
@@ -237,7 +237,7 @@ impl Work {
     /// Takes the next robot that has to plan again.
     fn next(&mut self) -> Done {
         while let Some(robot) = self.left.pop() {
-            let above = Rc::clone(&self.branch.above[robot]);
+            let above = Arc::clone(&self.branch.above[robot]);
             let is_hit = |other: &usize| self.branch.conflicts.contains_key(&[robot.min(*other), robot.max(*other)]);
             if self.must.contains(&robot) || above.iter().any(is_hit) {
                 if !self.must.contains(&robot) {

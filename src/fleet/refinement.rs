@@ -7,14 +7,14 @@ use super::priority_tree::Ground;
 use super::run::FleetStats;
 use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// An arrival counts as earlier if it is by more than this part of itself.
 const EARLIER: f64 = 1e-9;
 
 /// A plan, and which robot plans again. An iteration is an expansion of its search, or compares one trajectory with all others.
 pub(super) struct Refinement {
-    pub trajectories: Vec<Rc<Trajectory>>,
+    pub trajectories: Vec<Arc<Trajectory>>,
     all: Vec<usize>,
     /// How many trajectories have been compared with all before them.
     compared: usize,
@@ -35,7 +35,7 @@ pub(super) enum Refined {
 }
 
 impl Refinement {
-    pub fn new(trajectories: Vec<Rc<Trajectory>>, rounds: u32) -> Self {
+    pub fn new(trajectories: Vec<Arc<Trajectory>>, rounds: u32) -> Self {
         let all = (0..trajectories.len()).collect();
         Self { trajectories, all, compared: 0, left: Vec::new(), rounds, is_earlier: true, search: None }
     }
@@ -67,7 +67,7 @@ impl Refinement {
             }
             Expansion::Part => return Refined::NotYet,
             Expansion::Found(trajectory) if trajectory.arrival() < self.arrival(robot) * (1.0 - EARLIER) => {
-                self.trajectories[robot] = Rc::new(trajectory);
+                self.trajectories[robot] = Arc::new(trajectory);
                 self.is_earlier = true;
             }
             Expansion::Found(_) | Expansion::Nothing(_) => {}

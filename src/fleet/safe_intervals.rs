@@ -11,7 +11,7 @@ use super::roadmap::Roadmap;
 use super::trajectory::Trajectory;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances cost more
 /// the closer they pass.
@@ -34,7 +34,7 @@ pub(super) struct Scene<'a> {
     /// Of every robot, this one included.
     pub footprints: &'a [Footprint],
     /// Of every robot.
-    pub trajectories: &'a [Rc<Trajectory>],
+    pub trajectories: &'a [Arc<Trajectory>],
     /// The robots to keep clear of; this one does not count.
     pub among: &'a [usize],
     pub slack: f64,

@@ -8,7 +8,7 @@ use super::priority_tree::{Ground, PriorityTree};
 use super::run::{Blocked, FleetStats};
 use super::trajectory::Trajectory;
 use crate::problem::Status;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The iterations of a turn of a search of single robots, and as many more for each robot.
 const TURN: [u64; 2] = [5000, 1000];
@@ -79,7 +79,7 @@ impl Search {
         }
     }
 
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         match self {
             Search::Orders(orders) => orders.take_solution(),
             Search::Tree(tree) => tree.take_solution(),

@@ -12,7 +12,7 @@ use super::run::FleetStats;
 use super::trajectory::Trajectory;
 use crate::problem::Status;
 use crate::random::{Random, Stream};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Each half of a walk has so many moves at most, and so many times as many as edges lead from the farthest vertex to a goal.
 const MOVES: [f64; 2] = [20.0, 2.0];
@@ -24,20 +24,20 @@ const AFRESH: u64 = 4;
 pub(super) struct Walks {
     goals: Vec<u32>,
     /// The configurations that walks went through, each with that before it; the first is that of the starts.
-    tree: Vec<(Rc<[u32]>, usize)>,
+    tree: Vec<(Arc<[u32]>, usize)>,
     /// The last configuration of every walk.
     ends: Vec<usize>,
     /// The most moves of half a walk.
     moves: u32,
     walk: Option<Walk>,
     random: Random,
-    solution: Vec<Rc<Trajectory>>,
+    solution: Vec<Arc<Trajectory>>,
 }
 
 struct Walk {
     at: usize,
     /// The distances to the places that were drawn, or to the goals, of all robots once it has begun.
-    distances: Vec<Rc<[f64]>>,
+    distances: Vec<Arc<[f64]>>,
     /// First the robots that have been drawn a place, then the others; the other way round in the second half.
     order: Vec<usize>,
     /// How many have been drawn a place.
@@ -75,7 +75,7 @@ impl Walks {
             let roadmap = &ground.roadmaps[ground.setup.kinds[robot]];
             let distances = if self.random.below(2) == 0 {
                 walk.order.push(robot);
-                Rc::clone(&ground.distances[robot])
+                Arc::clone(&ground.distances[robot])
             } else {
                 let at = self.random.below(walk.drawn as u64 + 1) as usize;
                 walk.order.insert(at, robot);
@@ -105,7 +105,7 @@ impl Walks {
                     {
                         numbers.push(self.tree[number].1);
                     }
-                    let chain: Vec<_> = numbers.iter().rev().map(|&number| Rc::clone(&self.tree[number].0)).collect();
+                    let chain: Vec<_> = numbers.iter().rev().map(|&number| Arc::clone(&self.tree[number].0)).collect();
                     self.solution = timed(ground, &chain);
                     return Status::Solved;
                 }
@@ -133,7 +133,7 @@ impl Walks {
     }
 
     /// The trajectories of all robots, once solved.
-    pub fn take_solution(&mut self) -> Vec<Rc<Trajectory>> {
+    pub fn take_solution(&mut self) -> Vec<Arc<Trajectory>> {
         std::mem::take(&mut self.solution)
     }
 }

@@ -59,11 +59,11 @@ pub use visibility_prm::VisibilityPrmOptions;
 pub use crate::problem::{Phase, Reason, Status};
 
 use crate::graph::{Graph, VertexId};
-use crate::problem::Problem;
+use crate::problem::{MaybeSend, Problem};
 use crate::space::Space;
 
 /// A planner over a space: a value that is stepped.
-pub trait Planner<S: Space> {
+pub trait Planner<S: Space>: MaybeSend {
     /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
     /// number of motion checks. Called only while the status is `Running`.
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status;

@@ -57,7 +57,7 @@ const BELOW: f64 = 1.0 - 1e-12;
 /// A running search.
 pub(super) struct Query {
     adjacency: Adjacency,
-    walker: Box<dyn Walker>,
+    walker: Box<dyn Walker + Send>,
     rules: Searching,
     goals: Goals,
     /// The factor of estimates.
@@ -84,7 +84,7 @@ impl Query {
         rules: Searching,
     ) -> Self {
         let vertices = graph.states().len() + more.len();
-        let walker: Box<dyn Walker> = match rules.search {
+        let walker: Box<dyn Walker + Send> = match rules.search {
             Algorithm::AStar | Algorithm::Dijkstra => Box::new(BestFirst::new(vertices, start, goals.clone())),
             Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
             Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),

@@ -13,7 +13,7 @@ use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId, append};
 use crate::nearest::{Direction, Neighbour};
-use crate::problem::Problem;
+use crate::problem::{MaybeSend, Problem};
 use crate::space::Space;
 
 /// The neighbours that a vertex is connected to if the motion is free: its `k` nearest within `radius`.
@@ -235,7 +235,7 @@ impl<S: Space> Roadmap<S> {
 }
 
 /// How a roadmap grows: the difference between the planners that build one.
-pub(super) trait Build<S: Space> {
+pub(super) trait Build<S: Space>: MaybeSend {
     /// Does one iteration; returns whether the roadmap is complete.
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool;
 

@@ -36,10 +36,14 @@ use crate::error::{Code, Error, Number};
 use crate::space::{MAX_DIMENSION, Space, gap};
 use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Evaluates configurations, in rows of as many numbers as the space has coordinates, and writes a number for each.
-pub type Evaluate = Rc<dyn Fn(&[f64], &mut [f64]) -> Result<(), Error>>;
+#[cfg(not(target_arch = "wasm32"))]
+pub type Evaluate = Arc<dyn Fn(&[f64], &mut [f64]) -> Result<(), Error> + Send + Sync>;
+/// Evaluates configurations, in rows of as many numbers as the space has coordinates, and writes a number for each.
+#[cfg(target_arch = "wasm32")]
+pub type Evaluate = Arc<dyn Fn(&[f64], &mut [f64]) -> Result<(), Error>>;
 
 /// The most evaluations of one motion.
 const BUDGET: usize = 1 << 14;

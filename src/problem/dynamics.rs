@@ -1,5 +1,6 @@
 //! Controls, motions, and the dynamics of a system that is moved by them.
 
+use super::MaybeSend;
 use crate::json::not_negative;
 use crate::random::Random;
 use serde::{Deserialize, Serialize};
@@ -40,7 +41,7 @@ pub struct Motion {
 }
 
 /// A system that is moved by controls: the one trait between planning and driving. Durations are whole numbers of steps.
-pub trait Dynamics<S> {
+pub trait Dynamics<S>: MaybeSend {
     /// The step in which durations are counted, in seconds.
     fn step(&self) -> f64;
 

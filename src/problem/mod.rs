@@ -21,8 +21,34 @@ use crate::space::Space;
 #[cfg(feature = "parallel")]
 use std::num::NonZeroUsize;
 
+/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never leave
+/// their thread.
+#[cfg(not(target_arch = "wasm32"))]
+pub trait MaybeSend: Send {}
+#[cfg(not(target_arch = "wasm32"))]
+impl<T: Send + ?Sized> MaybeSend for T {}
+
+/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never leave
+/// their thread.
+#[cfg(target_arch = "wasm32")]
+pub trait MaybeSend {}
+#[cfg(target_arch = "wasm32")]
+impl<T: ?Sized> MaybeSend for T {}
+
+/// What threads may share: [`Sync`] natively, and in WebAssembly everything.
+#[cfg(not(target_arch = "wasm32"))]
+pub trait MaybeSync: Sync {}
+#[cfg(not(target_arch = "wasm32"))]
+impl<T: Sync + ?Sized> MaybeSync for T {}
+
+/// What threads may share: [`Sync`] natively, and in WebAssembly everything.
+#[cfg(target_arch = "wasm32")]
+pub trait MaybeSync {}
+#[cfg(target_arch = "wasm32")]
+impl<T: ?Sized> MaybeSync for T {}
+
 /// A lower bound on the distance between two states in the metric of the space.
-pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64>;
+pub type Estimate<S> = Box<dyn Fn(&S, &S) -> f64 + Send>;
 
 /// Makes a collision checker, each time another one of the same world, for other threads.
 #[cfg(feature = "parallel")]
@@ -31,7 +57,7 @@ pub type Checkers<S> = Box<dyn Fn() -> Box<dyn Validity<S>> + Send + Sync>;
 /// The states that are as good as the goal.
 pub struct GoalRegion<S> {
     /// Whether the region contains a state; it contains the goal.
-    pub contains: Box<dyn Fn(&S) -> bool>,
+    pub contains: Box<dyn Fn(&S) -> bool + Send>,
     /// The largest distance of any of them from the goal, in the metric of the space.
     pub reach: f64,
 }

@@ -1,11 +1,12 @@
 //! Collision checking as planners see it: the one trait between planning and collision.
 
+use super::MaybeSend;
 use crate::error::Error;
 use serde::{Deserialize, Serialize};
 
 /// Whether configurations and motions are free. Planners know obstacles through this trait alone. An implementation needs
 /// [`contacts`](Validity::contacts) and [`is_motion_free`](Validity::is_motion_free).
-pub trait Validity<S> {
+pub trait Validity<S>: MaybeSend {
     /// Every pair of a part of the robot and something that it touches; empty if the configuration is free.
     fn contacts(&self, state: &S) -> Vec<Contact>;
 

@@ -15,12 +15,12 @@ use crate::error::{Code, Error, within};
 use crate::options::{Choice, out_of_range};
 use crate::path::LengthMeasure;
 use crate::planner::{self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
-use crate::problem::{ClearanceValidity, Evaluate, Problem, Sampled, Samples, Validity};
+use crate::problem::{ClearanceValidity, Evaluate, MaybeSend, MaybeSync, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
 use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use crate::world::SMALL;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The default resolution of sampled motions, as a fraction of the largest distance in the space.
 const DEFAULT_RESOLUTION: f64 = 0.01;
@@ -49,19 +49,24 @@ pub enum Free {
 
 impl Free {
     /// By lower bounds on clearance in the metric of the space.
-    pub fn by_clearance(clearance: impl Fn(&[f64], &mut [f64]) -> Result<(), Error> + 'static) -> Self {
-        Self::Clearance { clearance: Rc::new(clearance), reach: None }
+    pub fn by_clearance(
+        clearance: impl Fn(&[f64], &mut [f64]) -> Result<(), Error> + MaybeSend + MaybeSync + 'static,
+    ) -> Self {
+        Self::Clearance { clearance: Arc::new(clearance), reach: None }
     }
 
     /// By lower bounds on clearance in the workspace.
-    pub fn by_reach(reach: &[f64], clearance: impl Fn(&[f64], &mut [f64]) -> Result<(), Error> + 'static) -> Self {
-        Self::Clearance { clearance: Rc::new(clearance), reach: Some(reach.to_vec()) }
+    pub fn by_reach(
+        reach: &[f64],
+        clearance: impl Fn(&[f64], &mut [f64]) -> Result<(), Error> + MaybeSend + MaybeSync + 'static,
+    ) -> Self {
+        Self::Clearance { clearance: Arc::new(clearance), reach: Some(reach.to_vec()) }
     }
 
     /// By samples, at the default resolution if it is `None`.
     pub fn by_samples(
         resolution: Option<f64>,
-        is_free: impl Fn(&[f64], &mut [bool]) -> Result<(), Error> + 'static,
+        is_free: impl Fn(&[f64], &mut [bool]) -> Result<(), Error> + MaybeSend + MaybeSync + 'static,
     ) -> Self {
         let margin = move |rows: &[f64], margins: &mut [f64]| {
             let mut free = vec![false; margins.len()];
@@ -70,7 +75,7 @@ impl Free {
             margins.iter_mut().zip(free).for_each(|(to, free)| *to = margin(free));
             Ok(())
         };
-        Self::Samples { margin: Rc::new(margin), resolution }
+        Self::Samples { margin: Arc::new(margin), resolution }
     }
 }
 
@@ -241,7 +246,7 @@ fn begin<const N: usize>(
             Free::Clearance { clearance, reach } => (clearance, reach.as_deref()),
             Free::Samples { margin, .. } => (margin, None),
         };
-        ClearanceValidity::new(space.clone(), Rc::clone(evaluate), reach, tolerance)
+        ClearanceValidity::new(space.clone(), Arc::clone(evaluate), reach, tolerance)
     };
     let checked = |points: ClearanceValidity<_>| -> Box<dyn Validity<_>> {
         let samples = match (&problem.free, edges.edge_check) {

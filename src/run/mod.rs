@@ -60,7 +60,7 @@ pub use crate::planner::{Limits, Phase, PlannerInfo, PlannerOptions, Preset, Rea
 
 use crate::error::Error;
 use crate::path::ResultDocument;
-use crate::problem::Stats;
+use crate::problem::{MaybeSend, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::world::PlanningWorld;
 
@@ -72,7 +72,7 @@ pub const EVENT_HEAD: usize = 4;
 pub const HISTORY_WIDTH: usize = 8;
 
 /// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation.
-pub trait Run {
+pub trait Run: MaybeSend {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 

@@ -75,7 +75,7 @@ impl RunInfo {
 }
 
 /// Begins a run in another world with a roadmap of this one.
-pub(super) type Reopen<S> = Box<dyn Fn(&PlanningWorld, &Roadmap<S>) -> Result<Box<dyn Run>, Error>>;
+pub(super) type Reopen<S> = Box<dyn Fn(&PlanningWorld, &Roadmap<S>) -> Result<Box<dyn Run>, Error> + Send>;
 
 /// The run of one planner on one problem.
 pub(super) struct Runner<S: Space> {

@@ -8,7 +8,7 @@ mod sequences;
 pub use obstacles::{BridgeTest, Gaussian, ObstacleBased};
 pub use sequences::{Sequence, halton, lattice, radical_inverse};
 
-use crate::problem::Problem;
+use crate::problem::{MaybeSend, Problem};
 use crate::random::Random;
 use crate::space::{MAX_DIMENSION, Space};
 
@@ -33,7 +33,7 @@ pub struct Sample<S> {
 }
 
 /// A source of samples. It owns its generator; each draw does a bounded number of checks.
-pub trait Sampler<S: Space> {
+pub trait Sampler<S: Space>: MaybeSend {
     /// The next sample. `checks` grows by the configurations that were checked.
     fn draw(&mut self, problem: &Problem<S>, checks: &mut u64) -> Sample<S::State>;
 

@@ -21,7 +21,7 @@ impl<F: Fn(usize, u64) -> f64> Sequence<F> {
     }
 }
 
-impl<S: Space, F: Fn(usize, u64) -> f64> Sampler<S> for Sequence<F> {
+impl<S: Space, F: Fn(usize, u64) -> f64 + Send> Sampler<S> for Sequence<F> {
     fn draw(&mut self, problem: &Problem<S>, _: &mut u64) -> Sample<S::State> {
         self.drawn += 1;
         let point: [f64; MAX_DIMENSION] = std::array::from_fn(|i| {

@@ -136,7 +136,7 @@ pub const MAX_DIMENSION: usize = 8;
 /// assert_eq!(status, Some(Status::Solved));
 /// # Ok::<(), planarium::Error>(())
 /// ```
-pub trait Space: Clone + Sync {
+pub trait Space: Clone + Send + Sync {
     /// A configuration in canonical form: equal configurations are equal values.
     type State: Copy + Send + Sync + std::fmt::Debug + PartialEq;
 

@@ -7,7 +7,7 @@ use crate::geometry::Aabb;
 use crate::problem::{Dynamics, Validity};
 use crate::scenario::Robot;
 use crate::space::MotionSpace;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Validity and, of a car, dynamics.
 type Checked<S> = (Box<dyn Validity<S>>, Option<Box<dyn Dynamics<S>>>);
@@ -65,7 +65,7 @@ impl<const N: usize> Checker<N> {
             Self::Arm(arm) => Box::new(move |a, b, boxes| arm.may_meet(a, b, boxes)),
             Self::Disc(disc) => Box::new(move |a, b, boxes| disc.may_meet(a, b, boxes)),
             Self::Body(body, space) => {
-                let body = BodyValidity::new(space, Rc::new(body));
+                let body = BodyValidity::new(space, Arc::new(body));
                 Box::new(move |a, b, boxes| body.may_meet(a, b, boxes))
             }
         }
@@ -85,7 +85,7 @@ impl<const N: usize> Checker<N> {
         match self {
             Self::Arm(arm) => Box::new(arm),
             Self::Disc(disc) => Box::new(disc),
-            Self::Body(body, space) => Box::new(BodyValidity::new(space, Rc::new(body))),
+            Self::Body(body, space) => Box::new(BodyValidity::new(space, Arc::new(body))),
         }
     }
 
@@ -93,8 +93,8 @@ impl<const N: usize> Checker<N> {
     pub(crate) fn with_dynamics(self, robot: &Robot, integration: Integration) -> Checked<[f64; N]> {
         match (self, robot) {
             (Self::Body(body, space), Robot::Car(car)) => {
-                let body = Rc::new(body);
-                let dynamics = CarDynamics::new(car, space.clone(), Rc::clone(&body), integration);
+                let body = Arc::new(body);
+                let dynamics = CarDynamics::new(car, space.clone(), Arc::clone(&body), integration);
                 (Box::new(BodyValidity::new(space, body)), Some(Box::new(dynamics)))
             }
             (other, _) => (other.validity(), None),

@@ -22,7 +22,7 @@ pub(super) struct Batch<S: Space> {
     /// As many samples are added again while start and goal are not connected; `None` if their number was given.
     growing: Option<Growing>,
     /// The vertices to connect.
-    left: Box<dyn ExactSizeIterator<Item = VertexId>>,
+    left: Box<dyn ExactSizeIterator<Item = VertexId> + Send>,
     connect: Connect,
     #[cfg(feature = "parallel")]
     ahead: Ahead<S>,
@@ -53,7 +53,10 @@ impl<S: Space> Batch<S> {
         Self::with(None, Box::new(vertices.into_iter()))
     }
 
-    fn with(samples: Option<(usize, Box<dyn Sampler<S>>)>, left: Box<dyn ExactSizeIterator<Item = VertexId>>) -> Self {
+    fn with(
+        samples: Option<(usize, Box<dyn Sampler<S>>)>,
+        left: Box<dyn ExactSizeIterator<Item = VertexId> + Send>,
+    ) -> Self {
         Self {
             samples,
             growing: None,

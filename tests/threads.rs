@@ -13,7 +13,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What moves to another thread natively: problems of one's own, prepared worlds, runs, and planners of fleets and of navigation.
+/// What is `Send` natively: custom problems, prepared worlds, planners of fleets, certificates, and runs of every planner.
 #[test]
 fn a_run_begun_in_one_thread_ends_in_another() {
     fn is_send<T: Send>() {}

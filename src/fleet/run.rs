@@ -72,8 +72,8 @@ pub enum FleetReason {
     OrderLimit,
     /// There is no memory for more vertices.
     GraphFull,
-    /// The plan found lasts so long that a robot moves farther than the slack of the fleet between a time and the next larger double: a fast
-    /// robot that waits for a very slow one. It is not given.
+    /// The plan found lasts so long that a robot moves farther than the slack of the fleet between a time and the next
+    /// larger double, as where a fast robot waits for a very slow one. It is refused.
     TooLate,
 }
 
@@ -200,7 +200,7 @@ pub struct FleetPlanner {
     most: u64,
     iterations: u64,
     status: Status,
-    /// Whether there was a plan with times too late to be told apart.
+    /// Whether a plan was found and refused, as its times are too late for doubles.
     is_refused: bool,
 }
 
@@ -279,7 +279,7 @@ impl FleetPlanner {
         self.status
     }
 
-    /// Whether a robot arrives so late that its motions cannot be told by doubles.
+    /// Whether a robot arrives so late that doubles cannot represent its motions to within the slack.
     fn is_too_late(&self) -> bool {
         let Setup { fleet, slack, .. } = &self.setup;
         fleet.robots().iter().enumerate().any(|(i, member)| {

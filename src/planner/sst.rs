@@ -5,8 +5,9 @@
 //! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
 //! path as results report it, in metres driven; what is near is decided by the metric of the space.
 //!
-//! As in SST* of the same paper, radii shrink from one stage of iterations to the next, longer one; here as long as there is no path, and
-//! if they are not given: where the way is narrow, a radius as wide as the way prunes every vertex that leads through.
+//! As in SST* of the same paper, the radii shrink from one stage of iterations to the next, longer one. Here they do so
+//! if they are not given, and only while there is no path: a radius as wide as a passage prunes every vertex that leads
+//! through it.
 
 use super::driven_tree::{Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, up_to_goal};
 use super::groups::{Aim, GoalBias, Termination};
@@ -113,7 +114,7 @@ struct Sst<S: Space> {
     options: SstOptions,
     /// The cheapest vertex within this distance of a sample is extended; the nearest vertex if there is none.
     selection_radius: f64,
-    /// A new witness is no nearer to another.
+    /// A new witness is farther than this from every other.
     pruning_radius: f64,
     stage: Stage,
     durations: Durations,

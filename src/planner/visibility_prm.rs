@@ -25,8 +25,8 @@ const MOST_MOTIONS: usize = 256;
 /// The number of samples in a row without a new guard if none is given.
 const DEFAULT_FAILURES: u32 = 400;
 
-/// After this many samples for each failure in a row that is asked for, a roadmap that connects start and goal is complete, if the number
-/// is not given: where the space is cut up, there is a new guard every few samples for a long time.
+/// If the number of failures in a row is not given, a roadmap that connects start and goal is complete after this many
+/// times as many samples: in a space of many small parts new guards turn up for a long time.
 const ENOUGH: u32 = 10;
 
 crate::options! {

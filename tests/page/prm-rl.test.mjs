@@ -231,6 +231,19 @@ test("a training ends with the policy of the package, is saved, opened, used and
   }, CALM, fragment);
 });
 
+test("settings are not called invalid while their training begins", () => onLearned(async (page) => {
+  const said = await page.locator("#story").evaluateHandle((element) => {
+    /** @type {string[]} */
+    const all = [];
+    new MutationObserver(() => all.push(element.textContent ?? "")).observe(element, { childList: true, characterData: true, subtree: true });
+    return all;
+  });
+  await page.click("#part-train");
+  await rest(page, "[data-training=ready]");
+  await page.waitForFunction((all) => all.at(-1)?.endsWith("Press Train."), said);
+  assert.deepEqual((await said.jsonValue()).filter((text) => text.includes("not valid")), []);
+}));
+
 test("a training is paused and goes on; its drives are chosen, and their rays drawn", () => onLearned(async (page) => {
   await prepareTraining(page);
   await fill(page, "#train-generations", "100000");

@@ -46,6 +46,7 @@ test("a page that says which button to press has it", async () => {
       for (const tab of ["", ...tabs]) {
         if (tab !== "") await page.click(tab);
         if (tab !== "") await page.waitForSelector(`${tab}[aria-pressed=true]`);
+        if (tab === "#part-train") await page.waitForSelector("#stage[data-training=ready]");
         for (const [, name] of (await page.locator("main").innerText()).matchAll(/\b[Pp]ress ([A-Z]\w+)(?=[.:,])/g)) {
           named.add(name);
           assert.ok(await page.getByRole("button", { name, exact: true }).filter({ visible: true }).count() > 0, `${path}${tab}: there is no button ${name}`);

@@ -4,7 +4,7 @@
  * For tests, beside what app.js says: `body` carries `data-part`; `#stage` carries `data-status` of the plan ("none", "running", "solved",
  * "exhausted", or "refused" while start or goal is in collision), `data-way`, `data-edges` of the path, `data-fingerprint` of the plan,
  * `data-reached` of `data-drives`, `data-time`, `data-start`, `data-goal`, `data-policy` ("shipped", "trained", "file"), `data-edge` (the step that is marked,
- * from 0); of the training `data-training` ("none", "ready", "running", "over", "refused"), `data-generation` and `data-trained`, its fingerprint; of the
+ * from 0); of the training `data-training` ("none", "beginning", "ready", "running", "over", "refused"), `data-generation` and `data-trained`, its fingerprint; of the
  * comparison `data-compared` ("none", "running", "paused", "over") and `data-executions`.
  */
 import { App } from "../app/app.js";
@@ -268,7 +268,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     enable("plan", !refusal && run.status !== "running" && session.way !== "policy");
     enable("drive", !refusal && run.status !== "running" && run.status !== "exhausted");
     const isTraining = training.status === "running";
-    enable("train", training.status !== "over" && training.status !== "refused");
+    enable("train", !["over", "refused", "beginning"].includes(training.status));
     byId("train", HTMLElement).textContent = isTraining ? "Pause" : training.generation > 0 ? "Go on" : "Train";
     enable("train-again", training.generation > 0);
     enable("use-trained", training.generation > 0);

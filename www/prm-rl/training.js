@@ -29,7 +29,7 @@ export class TrainingRun {
     this.tasks = [];
     /** The policy so far. @type {PolicyDocument | null} */
     this.policy = null;
-    /** "refused": the settings are not valid. @type {"none" | "ready" | "running" | "over" | "refused"} */
+    /** "beginning": the worker generates its tasks; "refused": the settings are not valid. @type {"none" | "beginning" | "ready" | "running" | "over" | "refused"} */
     this.status = "none";
     /** Trainings begun. */
     this.begun = 0;
@@ -41,8 +41,14 @@ export class TrainingRun {
   async begin() {
     const begun = ++this.begun;
     const { session, pool, given } = this;
-    this.status = "refused";
-    const { generations, demonstrations, floors, policy } = await pool.begin(session.robotDocument, given);
+    this.status = "beginning";
+    const { generations, demonstrations, floors, policy } = await pool.begin(session.robotDocument, given).catch((error) => {
+      if (begun === this.begun) {
+        this.status = "refused";
+        session.update("training");
+      }
+      throw error;
+    });
     if (begun !== this.begun) return;
     for (const task of this.tasks) task.free();
     Object.assign(this, { generations, demonstrations, policy, floors, tasks: floors.map((floor) => Navigation.parse(floor)), history: [], generation: 0, fingerprint: "", status: "ready", selected: 0 });

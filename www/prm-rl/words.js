@@ -44,6 +44,7 @@ export function leastOf({ run: { rollouts } }) {
 /** @param {NavigationSession} session */
 function trainingSentence({ training: { status, generation, generations, history } }) {
   if (status === "refused") return "These settings are not valid; see the message in the panel.";
+  if (status === "beginning") return "The short tasks are generated.";
   const last = history.at(-1);
   if (!last) return "Random changes of the policy are tried on short tasks; it moves along those that drive better. Press Train.";
   const solved = `${Math.round(100 * last.reached)}\u00a0% of the tasks solved`;

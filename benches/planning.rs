@@ -17,9 +17,10 @@
 //! number of seeds, `--only TEXT` selects those rows of `seeds` whose scenario, query or planner contains the text, and `--out DIR`
 //! writes one result in ten under the name of its scenario, for other verifiers.
 
+use planarium::Error;
 use planarium::path::{Verdict, verify};
 use planarium::planner::{ByControls, PlannerKind, RrtControlOptions, Termination};
-use planarium::run::{Options, Status, Value, planners, start};
+use planarium::run::{self, Request, Run, Status, Value, planners};
 use planarium::scenario::{Robot, Scenario, generate::generate};
 use serde_json::json;
 use std::path::PathBuf;
@@ -130,13 +131,13 @@ fn threads() {
     let mut means = vec![0.0; counts.len()];
     let forests = worlds("forest", 3, |seed| json!({ "links": 4, "seed": seed }));
     for (_, scenario) in &forests {
-        let options =
-            Options { planner: Some(id.clone()), query: None, seed: 0, parameters: parameters.clone(), events: true };
+        let request =
+            Request { planner: Some(id.clone()), query: None, seed: 0, parameters: parameters.clone(), events: true };
         let mut least = vec![f64::INFINITY; counts.len()];
         let mut result = None;
         for _ in 0..7 {
             for (&threads, least) in counts.iter().zip(&mut least) {
-                let mut run = start(scenario, &options).expect("start and goal are free");
+                let mut run = begin(scenario, &request).expect("start and goal are free");
                 run.set_threads(NonZeroUsize::new(threads).expect("at least one"));
                 let began = Instant::now();
                 run.step(u64::MAX);
@@ -178,8 +179,8 @@ fn steps(arguments: &Arguments) {
             let goes_on = planner.group::<Termination>().is_some();
             let parameters =
                 goes_on.then(|| ("improve_iterations".to_owned(), Value::Number(1e9))).into_iter().collect();
-            let options = Options { planner: Some(id.to_owned()), seed: 1, parameters, ..Options::default() };
-            let Ok(mut run) = start(scenario, &options) else { continue };
+            let request = Request { planner: Some(id.to_owned()), seed: 1, parameters, ..Request::default() };
+            let Ok(mut run) = begin(scenario, &request) else { continue };
             let (mut total, mut longest, mut heaviest, mut motions) = (0.0, 0.0f64, 0, 0);
             let mut before = run.stats();
             while run.status() == Status::Running && before.work < MOST_WORK {
@@ -298,9 +299,9 @@ fn row(
     for (file, scenario, query) in queries.filter(|(.., query)| only.is_none_or(|only| only == query.name)) {
         for seed in 0..seeds {
             let (planner, query) = (Some(id.clone()), Some(query.name.clone()));
-            let options = Options { planner, query, seed, parameters: parameters.clone(), ..Options::default() };
+            let request = Request { planner, query, seed, parameters: parameters.clone(), ..Request::default() };
             let began = Instant::now();
-            let mut run = start(scenario, &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let mut run = begin(scenario, &request).unwrap_or_else(|error| panic!("{name}: {error}"));
             run.step(most);
             let (seconds, stats) = (began.elapsed().as_secs_f64(), run.stats());
             let counts = [stats.iterations, stats.motion_checks, stats.vertices, stats.edges].map(|count| count as f64);
@@ -331,4 +332,9 @@ fn row(
     print!("| {what} | {name} | {} of {count} | {median:.4} | {low:.4} to {high:.4} | {few:.2} ", lengths.len());
     print!("| {slowest:.1} | {mean:.2} | {} | {} | {} ", at(iterations, 0.5), at(motions, 0.5), at(motions, 0.95));
     println!("| {} | {} | {:.2} |", at(vertices, 0.5), at(edges, 0.5), at(&lengths, 0.5));
+}
+
+/// A run as it is requested.
+fn begin(scenario: &Scenario, request: &Request) -> Result<Box<dyn Run>, Error> {
+    run::start(scenario, &request.for_robot(scenario.robot())?)
 }

@@ -13,7 +13,7 @@ use planarium::robot::Target;
 use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::{index, indexes};
 use planarium::run::storage::RoadmapDocument;
-use planarium::run::{self, Options, Run, Value, planners};
+use planarium::run::{self, Options, PlannerOptions, Request, Run, Value, planners};
 use planarium::scenario::{Obstacle, Robot, Scenario};
 use planarium::trajectories::{Trajectories, TrajectoryOptions};
 use planarium::{PlanningWorld, optimum};
@@ -45,13 +45,14 @@ fn play(u: &mut Unstructured) -> Result<()> {
             break;
         }
         if runs.is_empty() || u.ratio(1, 8)? {
-            let (call, options) = (u.int_in_range(0..=5)?, options(u, &world)?);
+            let (call, request) = (u.int_in_range(0..=5)?, request(u, &world)?);
             match call {
                 0 => look(u, &world)?,
                 1 => reach(u, &world)?,
                 2 => drive(u, &world)?,
                 3 => subdivide(u, &world)?,
                 _ => {
+                    let Ok(options) = request.for_robot(world.scenario().robot()) else { continue };
                     if let Ok(run) = run::start(&world, &options) {
                         runs.push(Started { world: world.clone(), options, run, is_plain: true });
                     }
@@ -83,8 +84,8 @@ fn call(u: &mut Unstructured, started: &mut Started) -> Result<Option<Started>> 
         4 => drop(run.record()),
         5 => {
             let row = u.choose(&[0, 1, 7, usize::MAX])?;
-            let _ = (run.vertices_since(*row), run.edges_since(*row), run.events_since(*row), run.history_since(*row));
-            let _ = (run.motions_since(*row), run.traces_since(*row), run.goals(), run.raw_path(), run.length());
+            let _ = (run.vertex_rows(*row), run.edge_rows(*row), run.event_rows(*row), run.history_since(*row));
+            let _ = (run.motion_rows(*row), run.trace_rows(*row), run.goals(), run.raw_path(), run.length());
         }
         6 => {
             let hits = run.first_hits(&numbers(u, 2 * run.dimension())?);
@@ -99,8 +100,11 @@ fn call(u: &mut Unstructured, started: &mut Started) -> Result<Option<Started>> 
             let Some(roadmap) = run.roadmap() else { return Ok(None) };
             assert_eq!(RoadmapDocument::from_bytes(&roadmap.to_bytes()).as_ref(), Ok(&roadmap));
             // A start in collision is moved again.
-            let parameters = options.parameters.iter().filter(|(name, _)| name == "free_ends").cloned().collect();
-            let again = Options { seed: 1, query: options.query.clone(), parameters, ..Options::default() };
+            let planner = options.planner.expect("one was chosen");
+            let moved = planner.changes().into_iter().filter(|change| change.name == "free_ends");
+            let moved: Vec<_> = moved.map(|change| (change.name.to_owned(), change.value)).collect();
+            let planner = PlannerOptions::read(planner.id(), &moved).expect("it was read before");
+            let again = Options { seed: 1, query: options.query.clone(), ..Options::new(planner) };
             let resumed = run::resume(&*world, &again, &roadmap);
             let resumed = resumed.unwrap_or_else(|error| panic!("its own roadmap: {error}"));
             return Ok(Some(Started { world: world.clone(), options: again, run: resumed, is_plain: false }));
@@ -116,9 +120,9 @@ fn call(u: &mut Unstructured, started: &mut Started) -> Result<Option<Started>> 
 
 /// What holds of every run.
 fn check(Started { world, options, run, is_plain }: Started) {
-    assert_eq!(run.vertices_since(0).len(), run.vertex_count() * run.dimension());
-    assert_eq!(run.edges_since(0).len(), run.edge_count() * 2);
-    assert!(run.edges_since(0).iter().all(|&vertex| (vertex as usize) < run.vertex_count()));
+    assert_eq!(run.vertex_rows(0).len(), run.vertex_count() * run.dimension());
+    assert_eq!(run.edge_rows(0).len(), run.edge_count() * 2);
+    assert!(run.edge_rows(0).iter().all(|&vertex| (vertex as usize) < run.vertex_count()));
     assert_valid(world.scenario(), &*run);
     if is_plain {
         let mut other = run::start(&world, &options).expect("it was started before");
@@ -229,12 +233,12 @@ fn moved(u: &mut Unstructured, scenario: &Scenario) -> Result<PlanningWorld> {
     Ok((&Scenario::parse(&tree.to_string()).unwrap_or_else(|_| scenario.clone())).into())
 }
 
-/// Options of a run.
-fn options(u: &mut Unstructured, world: &PlanningWorld) -> Result<Options> {
+/// A run, requested by names.
+fn request(u: &mut Unstructured, world: &PlanningWorld) -> Result<Request> {
     let planners = planners();
     let planner = u.choose(&planners)?;
     let queries = world.scenario().queries();
-    Ok(Options {
+    Ok(Request {
         planner: Some(planner.info().id.to_owned()),
         query: Some(u.choose(queries)?.name.clone()),
         seed: u.int_in_range(0..=255)?,

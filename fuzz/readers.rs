@@ -6,12 +6,12 @@ use planarium::certificate::{self, Certificate};
 use planarium::error::Code;
 use planarium::experiment::{Experiment, Trials};
 use planarium::fleet::{self, Fleet, FleetOptions, FleetPlanner, FleetResult};
-use planarium::navigation::{self, Executor, Navigation, Policy, Training};
+use planarium::navigation::{self, Executor, Navigation, Policy, RolloutOptions, Training};
 use planarium::options::Value;
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::problem::Status;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric};
-use planarium::run::{self, CustomProblem, Free, Options, Run};
+use planarium::run::{self, CustomProblem, Free, LazyPrmOptions, Options, PrmOptions, Run};
 use planarium::scenario::Scenario;
 use planarium::{Error, PlanningWorld};
 use serde_json::Value as Json;
@@ -100,8 +100,7 @@ fn own_roadmap(document: &RoadmapDocument) {
     for free in [clearance, samples] {
         let Ok(problem) = CustomProblem::new(space.clone(), free, q, &[q.to_vec()]) else { return };
         let _ = run::resume_problem(&problem, &Options::default(), document).map(|mut run| run.step(ITERATIONS));
-        let none = [("samples".to_owned(), Value::Number(0.0))];
-        let options = Options { planner: Some("prm".to_owned()), parameters: none.into(), ..Options::default() };
+        let options = Options::new(PrmOptions { samples: Some(0), ..PrmOptions::default() });
         let own = run::start_problem(&problem, &options).expect("it is free").roadmap().expect("a roadmap");
         let document = RoadmapDocument { fingerprint: own.fingerprint, ..document.clone() };
         let Ok(mut run) = run::resume_problem(&problem, &Options::default(), &document) else { continue };
@@ -133,9 +132,9 @@ pub fn navigation(bytes: &[u8]) {
     whole.step(u64::MAX);
     while sliced.step(1) == Status::Running {}
     assert_eq!(whole.fingerprint(), sliced.fingerprint(), "slices change nothing");
-    let parameters = vec![number("samples", 8.0), number("rollouts", 1.0), number("least_share", 0.0)];
-    let options = Options { parameters, ..Options::default() };
-    let run = || navigation::start(&task, &whole.policy(), &options);
+    let rollouts = RolloutOptions { rollouts: 1, least_share: 0.0, ..RolloutOptions::default() };
+    let options = Options::new(LazyPrmOptions { samples: Some(8), ..LazyPrmOptions::default() });
+    let run = || navigation::start(&task, &whole.policy(), &rollouts, &options);
     let (Ok(mut run), Ok(mut sliced)) = (run(), run()) else { return };
     run.step(ITERATIONS);
     (0..ITERATIONS).for_each(|_| {

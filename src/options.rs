@@ -171,10 +171,21 @@ pub trait Field: Sized + 'static {
     /// Reads the field; its present value if it is not given.
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self;
 
+    /// Visits the single values of the field in order: the name, the robots that it is for, and the value if there is one.
+    fn visit(self, name: &'static str, robots: &'static [&'static str], visitor: &mut Visitor);
+
     /// The group of this type: the field itself, or one that it contains.
     fn group<G: 'static>(&self) -> Option<&G> {
         (self as &dyn Any).downcast_ref()
     }
+}
+
+/// Is given the name of an option, the robots that it is for, and its value if it has one.
+pub type Visitor<'a> = dyn FnMut(&'static str, &'static [&'static str], Option<Value>) + 'a;
+
+/// Whether an option or a planner with these robots is for a robot of this type. Those of all robots are for robots of other types too.
+pub fn is_for(robots: &[&str], robot: &str) -> bool {
+    robots == ALL || robots.contains(&robot)
 }
 
 /// A struct of options, as [`options!`](crate::options!) declares it.
@@ -199,8 +210,23 @@ pub trait Options: Field + Default + Copy {
 
     /// Whether there is an option of this name.
     fn has(name: &str) -> bool {
-        let given = [(name.to_owned(), Value::Boolean(false))];
-        !Self::read(&given).is_err_and(|error| error.code() == Code::UnknownParameter)
+        let mut is_found = false;
+        Self::default().visit("", Self::ROBOTS, &mut |other, _, _| is_found |= other == name);
+        is_found
+    }
+
+    /// The options that differ from their defaults: their names, the robots that they are for, and their values.
+    fn changes(self) -> Vec<Change> {
+        let (mut standard, mut changes) = (Vec::new(), Vec::new());
+        Self::default().visit("", Self::ROBOTS, &mut |_, _, value| standard.push(value));
+        let mut standard = standard.into_iter();
+        self.visit("", Self::ROBOTS, &mut |name, robots, value| {
+            let before = standard.next().flatten();
+            if let Some(value) = value.filter(|value| before.as_ref() != Some(value)) {
+                changes.push(Change { name, robots, value });
+            }
+        });
+        changes
     }
 
     /// Refuses values out of range, of options that were not read.
@@ -220,6 +246,17 @@ pub trait Options: Field + Default + Copy {
         let options = self.take("", &ANY, &mut given);
         given.finish().map(|()| options)
     }
+}
+
+/// An option that differs from its default.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// Its name.
+    pub name: &'static str,
+    /// The types of robots that it is for.
+    pub robots: &'static [&'static str],
+    /// Its value.
+    pub value: Value,
 }
 
 /// The type of a single value.
@@ -299,6 +336,10 @@ impl<T: Single> Field for T {
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
         given.read(name, range, Some(self)).unwrap_or(self)
     }
+
+    fn visit(self, name: &'static str, robots: &'static [&'static str], visitor: &mut Visitor) {
+        visitor(name, robots, Some(self.to_value()));
+    }
 }
 
 impl<T: Single> Field for Option<T> {
@@ -308,6 +349,10 @@ impl<T: Single> Field for Option<T> {
 
     fn take(self, name: &'static str, range: &Range, given: &mut Given) -> Self {
         given.read(name, range, self)
+    }
+
+    fn visit(self, name: &'static str, robots: &'static [&'static str], visitor: &mut Visitor) {
+        visitor(name, robots, self.map(Single::to_value));
     }
 }
 
@@ -420,6 +465,13 @@ macro_rules! options {
                     let range = &$crate::options!(@or ($crate::options::ANY) $($range)?);
                     $crate::options::Field::take(self.$field, stringify!($field), range, given)
                 }, )* }
+            }
+
+            fn visit(self, _: &'static str, _: &'static [&'static str], visitor: &mut $crate::options::Visitor) {
+                $(
+                    let robots = $crate::options!(@or ($all) $($robots)?);
+                    $crate::options::Field::visit(self.$field, stringify!($field), robots, visitor);
+                )*
             }
 
             fn group<G: 'static>(&self) -> Option<&G> {

@@ -11,7 +11,7 @@ use crate::error::{Code, Error};
 use crate::options::{Info, Options as _, Value, refusal};
 use crate::problem::Status;
 use crate::random::{MAX_SEED, Random, Stream};
-use crate::run;
+use crate::run::{self, EdgeOptions, Limits, RrtConnectOptions};
 use crate::scenario::generate as seeded;
 use crate::scenario::{Robot, Scenario};
 use crate::world::PlanningWorld;
@@ -174,12 +174,10 @@ fn has_path(scenario: &Scenario, ensure: Ensure) -> Result<Option<bool>, Error> 
 /// Whether RRT-Connect, which serves every robot, finds a path.
 fn is_planned(world: &PlanningWorld) -> Result<bool, Error> {
     let most = if matches!(world.robot(), Robot::Car(_)) { CAR_ITERATIONS } else { ITERATIONS };
-    let options = run::Options {
-        planner: Some("rrt-connect".to_owned()),
-        parameters: vec![("max_iterations".to_owned(), Value::Number(f64::from(most)))],
-        events: false,
-        ..run::Options::default()
-    };
+    let limits = Limits { max_iterations: Some(most), ..Limits::default() };
+    let edges = EdgeOptions { limits, ..EdgeOptions::default() };
+    let planner = RrtConnectOptions { edges, ..RrtConnectOptions::default() };
+    let options = run::Options { events: false, ..run::Options::new(planner) };
     let mut run = run::start(world, &options)?;
     Ok(run.step(u64::MAX) == Status::Solved)
 }

@@ -4,6 +4,8 @@
 use crate::common::documents::{arm, judged, refuses, scenario};
 use crate::common::driven::car;
 use crate::common::graphs::{edges, rows, tried};
+use crate::common::requests;
+use crate::common::requests::start;
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish, no_way, options, seeds, worlds,
 };
@@ -11,7 +13,7 @@ use planarium::geometry::{Point, Segment};
 use planarium::planner::{EdgeCheck, planners};
 use planarium::problem::Motion;
 use planarium::run::storage::RoadmapDocument;
-use planarium::run::{self, Options, Status, start};
+use planarium::run::{Request, Status};
 use planarium::scenario::Robot;
 use planarium::scenario::generate::generate;
 use planarium::space::angular_distance;
@@ -52,7 +54,7 @@ fn slices_and_events_change_nothing() {
                 assert_eq!((run.fingerprint(), run.stats()), (whole.fingerprint(), whole.stats()), "{what}");
                 assert_eq!(run.result().to_json(), whole.result().to_json(), "{what}");
             }
-            let silent = Options { events: false, ..options(planner, 5, &settings) };
+            let silent = Request { events: false, ..options(planner, 5, &settings) };
             let silent = finish(start(&world, &silent).expect("a run"));
             assert_eq!((silent.stats(), silent.path()), (whole.stats(), whole.path()), "{what}");
             if whole.status() == Status::Solved && !settings.contains("edge_check") {
@@ -129,12 +131,16 @@ fn an_unchecked_roadmap_is_stored_as_such() {
     for form in [document.to_json().into_bytes(), document.to_bytes()] {
         assert_eq!(RoadmapDocument::read(&form).expect("it can be read"), document);
     }
-    let again = |settings: &str| run::resume(&world, &options("prm", 1, settings), &document);
+    let again = |settings: &str| requests::resume(&world, &options("prm", 1, settings), &document);
     let resumed = finish(again("edge_check=none").expect("it continues")).result();
     assert_eq!((resumed.edge_check.as_deref(), resumed.path), (Some("none"), run.path()));
     refuses(again("edge_check=proven"), "out-of-range", "/edge_check");
     let lie = RoadmapDocument { edge_check: EdgeCheck::Proven, ..document.clone() };
-    refuses(run::resume(&world, &options("prm", 1, ""), &lie).map(|_| ()), "invalid-roadmap", &first_blocked(&lie));
+    refuses(
+        requests::resume(&world, &options("prm", 1, ""), &lie).map(|_| ()),
+        "invalid-roadmap",
+        &first_blocked(&lie),
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -184,7 +190,7 @@ fn joints_on_straight_lines_miss_collisions_and_refuse_free_motions() {
     for form in [document.to_json().into_bytes(), document.to_bytes()] {
         assert_eq!(RoadmapDocument::read(&form).expect("it can be read"), document);
     }
-    let resumed = run::resume(&world, &options("prm", 1, "edge_check=joint-lines"), &document);
+    let resumed = requests::resume(&world, &options("prm", 1, "edge_check=joint-lines"), &document);
     assert_eq!(finish(resumed.expect("it continues")).path(), run.path());
 }
 
@@ -360,10 +366,10 @@ fn every_preset_runs() {
     for planner in planners() {
         let world = if planner.robots().contains(&"arm") { arm_of(3, false, 0.02) } else { car_and_wall(0.1) };
         for preset in planner.info().presets {
-            let options = Options {
+            let options = Request {
                 planner: Some(planner.info().id.to_owned()),
                 parameters: preset.parameters(),
-                ..Options::default()
+                ..Request::default()
             };
             let run = finish(start(&world, &options).unwrap_or_else(|error| panic!("{}: {error}", preset.id)));
             let is_hopeful = run.status() == Status::Solved || run.result().approximate.is_some();

@@ -2,6 +2,7 @@
 
 use crate::common::bodies::clearance;
 use crate::common::documents::{CAR, arm, disc, judged, refuses, scenario};
+use crate::common::requests::start;
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, cases, disc_and_wall, finish, options, parse, seeds,
     thick_arm_and_wall,
@@ -11,7 +12,7 @@ use planarium::path::{ResultDocument, verify};
 use planarium::problem::Validity;
 use planarium::random::{Random, Stream};
 use planarium::robot::{MAX_LINKS, Part, joint_space, placements, plane};
-use planarium::run::{Status, start};
+use planarium::run::Status;
 use planarium::scenario::generate::generate;
 use planarium::scenario::{Robot, Scenario};
 use planarium::space::{Metric, MotionSpace, ProductSpace, Space};

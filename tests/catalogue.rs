@@ -1,5 +1,6 @@
 //! The table of planners: short descriptions, and pseudo-code that every iteration of every planner highlights.
 
+use crate::common::requests::resume;
 use crate::common::{
     DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_pillar, disc_and_wall, finish,
     fitting, no_way, options, parse,
@@ -7,7 +8,7 @@ use crate::common::{
 use planarium::graph::EventKind;
 use planarium::options::Kind;
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
-use planarium::run::{EVENT_HEAD, Run, Status, resume};
+use planarium::run::{EVENT_HEAD, Run, Status};
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -40,7 +41,7 @@ fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     };
     add(run.vertex_count() > vertices, Mark::Vertex);
     add(run.edge_count() > edges, Mark::Edge);
-    for row in run.events_since(events).chunks(EVENT_HEAD + run.dimension()) {
+    for row in run.event_rows(events).chunks(EVENT_HEAD + run.dimension()) {
         let (kind, mark) = KINDS[row[0] as usize];
         assert_eq!(f64::from(kind as u8), row[0]);
         add(true, mark);

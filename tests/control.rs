@@ -2,12 +2,13 @@
 
 use crate::common::documents::{judged, refuses};
 use crate::common::driven::{car, distance, driven, edges, is_in_region, steps, vertices_of, with_goal};
+use crate::common::requests::start;
 use crate::common::{
     DRIVEN, arm_and_wall, assert_valid, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds,
 };
 use planarium::path::{Leg, Verdict, verify_legs};
 use planarium::problem::Motion;
-use planarium::run::{Status, start};
+use planarium::run::Status;
 use planarium::space::wrap;
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -3,14 +3,13 @@
 
 use crate::common::documents::judged;
 use crate::common::golden::check;
+use crate::common::requests;
+use crate::common::requests::{resume_problem, start_problem};
 use crate::common::{PLANNERS, SAMPLERS, arm_and_wall, arm_of, deep, disc_and_wall, finish, fitting, options};
 use planarium::problem::Stats;
 use planarium::run::inspect::Inspector;
 use planarium::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
-use planarium::run::{
-    self, CoordinateDescription, CustomProblem, Free, Options, Run, SpaceDescription, Status, resume_problem,
-    start_problem,
-};
+use planarium::run::{CoordinateDescription, CustomProblem, Free, Request, Run, SpaceDescription, Status};
 use planarium::scenario::{Robot, Scenario};
 use planarium::space::MetricKind;
 use planarium::{Code, Error};
@@ -228,11 +227,11 @@ fn planned(case: &Json) -> Json {
     let text = |name: &str| case[name].as_str().expect("a word");
     let kind = if text("free") == "clearance" { Kind::Clearance } else { Kind::Samples };
     let given = case["parameters"].as_object().expect("parameters");
-    let options = Options {
+    let options = Request {
         planner: Some(text("planner").to_owned()),
         seed: case["seed"].as_u64().expect("a seed"),
         parameters: given.iter().map(|(name, value)| (name.clone(), value.into())).collect(),
-        ..Options::default()
+        ..Request::default()
     };
     let run = finish(start_problem(&two_discs(kind), &options).expect("it starts"));
     json!({
@@ -295,8 +294,8 @@ fn a_failure_ends_the_run_where_it_happens_and_stays() {
             // Before that iteration it is the run that does not fail.
             let mut sound = begin(&two_discs(Kind::Clearance), planner, 3, &settings);
             sound.step(after - 1);
-            let before = sound.edges_since(0);
-            assert_eq!(run.edges_since(0)[..before.len()], before[..], "{planner} {settings} {good}");
+            let before = sound.edge_rows(0);
+            assert_eq!(run.edge_rows(0)[..before.len()], before[..], "{planner} {settings} {good}");
             // The same in other slices.
             let mut sliced = begin(&failing_after(good), planner, 3, &settings);
             while sliced.step(1) == Status::Running {}
@@ -471,14 +470,14 @@ fn a_saved_roadmap_of_another_space_is_refused_where_it_differs() {
     }
     // Neither kind of roadmap serves for the other, whatever it says of itself.
     let world = arm_and_wall(0.1);
-    let of_arm = finish(run::start(&world, &options("prm", 1, "samples=20")).expect("it starts")).roadmap();
+    let of_arm = finish(requests::start(&world, &options("prm", 1, "samples=20")).expect("it starts")).roadmap();
     assert_eq!(refused(&same, &of_arm.expect("a roadmap"), ""), (Code::OtherScenario, "/metric".to_owned()));
     for (fingerprint, code, pointer) in [
         (document.fingerprint, Code::OtherScenario, "/fingerprint"),
         (fingerprint(&world), Code::InvalidRoadmap, "/metric"),
     ] {
         let document = RoadmapDocument { fingerprint, ..document.clone() };
-        let error = run::resume(&world, &Options::default(), &document).map(|_| ()).expect_err("refused");
+        let error = requests::resume(&world, &Request::default(), &document).map(|_| ()).expect_err("refused");
         assert_eq!((error.code(), error.pointer()), (code, pointer));
     }
     let RoadmapMetric::Space(space) = &document.metric else { panic!("the metric is that of a space") };
@@ -571,7 +570,7 @@ fn what_makes_no_problem_is_refused_with_code_and_pointer() {
     }
     let sampled = finish(begin(&discs[0], "rrt-connect", 1, "edge_check=sampled edge_samples=4"));
     assert_eq!(sampled.result().edge_check.as_deref(), Some("sampled"));
-    let named = Options { query: Some("a".to_owned()), ..Options::default() };
+    let named = Request { query: Some("a".to_owned()), ..Request::default() };
     assert!(start_problem(&discs[0], &named).is_err_and(|error| error.pointer() == "/query"));
 }
 
@@ -596,7 +595,7 @@ fn a_start_or_a_goal_in_collision_is_refused_with_its_clearance() {
         (samples(), 0.5, vec![vec![-1.0]], Code::GoalInCollision, "/goals/0", "not free"),
     ] {
         let problem = CustomProblem::new(space.clone(), free, &[start], &goals).expect("a problem");
-        let error = start_problem(&problem, &Options::default()).map(|_| ()).expect_err("in collision");
+        let error = start_problem(&problem, &Request::default()).map(|_| ()).expect_err("in collision");
         assert_eq!((error.code(), error.pointer()), (code, pointer));
         assert!(error.message().contains(why), "{error}");
     }

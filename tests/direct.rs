@@ -2,11 +2,12 @@
 
 use crate::common::documents::{arm, polygon, rectangle, rectangular, scenario};
 use crate::common::graphs::{edges, rows};
+use crate::common::requests::{start, start_problem};
 use crate::common::{assert_valid, begin_with, finish, given, seeds};
 use planarium::graph::UnionFind;
 use planarium::random::{Random, Stream};
-use planarium::run::{CoordinateDescription, CustomProblem, Free, Options, Run, SpaceDescription, Status};
-use planarium::run::{planners, start, start_problem};
+use planarium::run::planners;
+use planarium::run::{CoordinateDescription, CustomProblem, Free, Request, Run, SpaceDescription, Status};
 use planarium::scenario::Scenario;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -54,7 +55,7 @@ fn every_planner_takes_the_straight_motion_to_a_goal_in_sight() {
                 let id = planner.info().id;
                 let is_driven = ["rrt-control", "sst"].contains(&id);
                 let is_refused = settings.contains("dubins") && planner.needs_symmetry();
-                if is_driven || is_refused || planner.check_robot(world.robot().kind()).is_err() {
+                if is_driven || is_refused || !planner.is_for(world.robot().kind()) {
                     continue;
                 }
                 let samples = if ["prm", "prm-star", "lazy-prm"].contains(&id) { "samples=200 " } else { "" };
@@ -109,7 +110,7 @@ fn of_several_goals_the_nearest_in_sight_is_reached_directly() {
     let problem = CustomProblem::new(space, free, &[-1.0, 0.0], &goals).expect("a problem");
     let run = |planner: &str, settings: &str| {
         let parameters = given(settings);
-        let options = Options { planner: Some(planner.to_owned()), parameters, ..Options::default() };
+        let options = Request { planner: Some(planner.to_owned()), parameters, ..Request::default() };
         finish(start_problem(&problem, &options).expect("a run"))
     };
     for planner in ["rrt", "rrt-connect", "fmt-star", "rrt-star", "bit-star", "aorrtc"] {
@@ -195,7 +196,7 @@ fn a_tree_that_is_stuck_does_not_starve_the_other() {
 #[wasm_bindgen_test(unsupported = test)]
 fn without_a_name_the_planner_shortens_its_path_and_a_car_follows_curves() {
     let run = |world: &Scenario, settings: &str| {
-        finish(start(world, &Options { parameters: given(settings), seed: 3, ..Options::default() }).expect("a run"))
+        finish(start(world, &Request { parameters: given(settings), seed: 3, ..Request::default() }).expect("a run"))
     };
     let world = field(30, 0.09, 1);
     let (shortened, raw) = (run(&world, ""), run(&world, "reduce=false shortcut=0"));

@@ -2,13 +2,13 @@
 //! results and the verifier say.
 
 use crate::common::documents::{disc, judged, named, rectangle, rectangular, refuses};
+use crate::common::requests;
+use crate::common::requests::start_problem;
 use crate::common::{arm_of, assert_valid, begin_with, car_and_wall, disc_and_wall, finish, options, parse, seeds};
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
-use planarium::run::{
-    self, CoordinateDescription, CustomProblem, Free, Options, SpaceDescription, Status, Value, start_problem,
-};
+use planarium::run::{CoordinateDescription, CustomProblem, Free, Request, SpaceDescription, Status, Value};
 use planarium::scenario::{Scenario, generate::generate};
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -26,7 +26,7 @@ fn with_ends(world: &Scenario, start: Option<&[f64]>, goal: Option<&[f64]>) -> S
 
 /// The nearest free configuration that the refusal of a run names.
 fn named_nearest(world: &Scenario, planner: &str, code: &str) -> Option<Vec<f64>> {
-    let error = run::start(world, &options(planner, 1, "")).err().expect("an end is in collision");
+    let error = requests::start(world, &options(planner, 1, "")).err().expect("an end is in collision");
     assert_eq!(error.code().as_str(), code, "{error}");
     let nearest = error.nearest();
     let is_told = error.message().contains("the nearest free configuration found is");
@@ -116,7 +116,10 @@ fn an_option_moves_ends_and_results_say_so() {
     for (world, planner, settings, moved) in moved_worlds() {
         let what = format!("{planner} in {}", world.name());
         if moved != [false; 2] {
-            assert!(run::start(&world, &options(planner, 1, settings)).is_err(), "{what}: refused without the option");
+            assert!(
+                requests::start(&world, &options(planner, 1, settings)).is_err(),
+                "{what}: refused without the option"
+            );
         }
         let run = finish(begin_with(&world, planner, 1, &format!("{settings} free_ends=1")));
         assert_eq!(run.status(), Status::Solved, "{what}");
@@ -155,7 +158,7 @@ fn no_end_is_moved_farther_than_allowed() {
     let robot = r#"{ "type": "disc", "radius": 0.2 }"#;
     let world = named("walled", "[0, 0], [4, 4]", &obstacles, robot, r#""start": [1.1, 1], "goal": [3.5, 0.5]"#);
     for (most, is_moved) in [(0.0, false), (0.29, false), (0.31, true), (0.300001, true)] {
-        let started = run::start(&world, &options("rrt-connect", 1, &format!("free_ends={most}")));
+        let started = requests::start(&world, &options("rrt-connect", 1, &format!("free_ends={most}")));
         if !is_moved {
             refuses(started.map(|_| ()), "start-in-collision", "/queries/0/start");
             continue;
@@ -190,11 +193,11 @@ fn ends_of_robots_of_ones_own_are_named_and_moved_too() {
     };
     let goals = [vec![1.5, 0.0], vec![0.0, 0.9]];
     let problem = CustomProblem::new(space, free(), &[-0.5, 0.0], &goals).expect("a problem");
-    let error = start_problem(&problem, &Options::default()).err().expect("the start is in collision");
+    let error = start_problem(&problem, &Request::default()).err().expect("the start is in collision");
     let nearest = error.nearest().expect("one is found");
     assert!((nearest[0] + 1.0).abs() < 2e-3 && nearest[1].abs() < 0.05, "{error}");
     let parameters = vec![("free_ends".to_owned(), Value::Number(1.0))];
-    let run = finish(start_problem(&problem, &Options { parameters, ..Options::default() }).expect("both are moved"));
+    let run = finish(start_problem(&problem, &Request { parameters, ..Request::default() }).expect("both are moved"));
     let result = run.result();
     assert_eq!((run.status(), result.moved_start.as_ref()), (Status::Solved, Some(&result.path[0])));
     let end = &result.path[result.path.len() - 1];

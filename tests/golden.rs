@@ -1,12 +1,13 @@
 //! Golden outcomes: the same bits on every platform and with every change, unless it is meant to change results.
 
 use crate::common::golden::{check, scene};
+use crate::common::requests::start;
 use crate::common::{finish, parse};
 use planarium::geometry::Point;
 use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
 use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::index;
-use planarium::run::{Options, Value, start};
+use planarium::run::{Request, Value};
 use planarium::scenario::{Robot, Scenario, generate::generate};
 use planarium::trajectories::Trajectories;
 use serde_json::{Value as Json, json};
@@ -27,12 +28,12 @@ fn parameters(given: &Json) -> Vec<(String, Value)> {
 
 /// Of a planner: status, fingerprint, length and the number of waypoints.
 fn planned(case: &Json) -> Json {
-    let options = Options {
+    let options = Request {
         planner: Some(case["planner"].as_str().expect("a planner").to_owned()),
         query: None,
         seed: case["seed"].as_u64().expect("a seed"),
         parameters: parameters(&case["parameters"]),
-        ..Options::default()
+        ..Request::default()
     };
     let run = finish(start(&scenario(case), &options).expect("it starts"));
     assert_eq!(run.stats().unproven_motions, 0, "no ordinary motion spends its budget: {case}");

@@ -3,6 +3,7 @@
 
 use crate::common::documents::{BODY, refuses};
 use crate::common::graphs::{rows, tried};
+use crate::common::requests;
 use crate::common::{arm_of, assert_valid, begin_with, disc_and_wall, finish, parse, seeds, worlds};
 use planarium::PlanningWorld;
 use planarium::graph::VertexId;
@@ -88,7 +89,7 @@ fn lazy_prm_finds_the_path_of_prm_and_proves_few_edges() {
     {
         for seed in 0..3 {
             let [eager, lazy] = ["prm", "lazy-prm"].map(|id| finish(begin_with(&world, id, seed, "samples=400 k=10")));
-            assert_eq!(lazy.vertices_since(0), eager.vertices_since(0));
+            assert_eq!(lazy.vertex_rows(0), eager.vertex_rows(0));
             assert_eq!((lazy.status(), lazy.length().to_bits()), (eager.status(), eager.length().to_bits()));
             let (few, all) = (lazy.stats(), eager.stats());
             assert_eq!(few.motion_checks + few.unchecked_edges, all.motion_checks, "the same candidates");
@@ -157,7 +158,7 @@ fn a_reopened_roadmap_finds_the_best_path_that_is_free_now() {
                 assert_eq!(rows(&*reopened), rows(&*run), "the vertices stay");
                 // Those that are in collision now are not saved.
                 let saved = reopened.roadmap().expect("a roadmap");
-                planarium::run::resume(&world, &Default::default(), &saved).expect("it is free, and fits");
+                requests::resume(&world, &Default::default(), &saved).expect("it is free, and fits");
                 left_out += reopened.vertex_count() - saved.vertex_count();
                 let expected = shortest(&world, &rows(&*run), &motions);
                 if expected < f64::INFINITY {
@@ -206,7 +207,7 @@ fn a_lazy_roadmap_can_be_saved_and_its_candidates_come_back() {
     let world = arm_of(2, false, 0.0);
     let lazy = finish(begin_with(&world, "lazy-prm", 3, "samples=200 k=8"));
     let saved = lazy.roadmap().expect("a roadmap");
-    let resumed = planarium::run::resume(&world, &Default::default(), &saved).expect("it fits");
+    let resumed = requests::resume(&world, &Default::default(), &saved).expect("it fits");
     let resumed = finish(resumed);
     assert_eq!((resumed.path(), resumed.status()), (lazy.path(), Status::Solved));
     // What was refused is not saved.

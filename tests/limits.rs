@@ -3,6 +3,7 @@
 
 use crate::common::bodies::*;
 use crate::common::documents::{self, arm, rectangular, refusal, refuses, scenario};
+use crate::common::requests;
 use crate::common::{assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
 use planarium::driving::{RolloutOptions, rollout};
@@ -110,18 +111,22 @@ fn cars_whose_curves_would_overflow_are_refused() {
         ("1", "[-5e-324, 1]", "[-1, 1]"),
         ("1", "[0, 1e-10]", "[-1, 1]"),
     ] {
-        refuses(run::start(&car(wheelbase, speed, steering, goal), &options("rrt", 1, "")), "unsupported", "/steering");
+        refuses(
+            requests::start(&car(wheelbase, speed, steering, goal), &options("rrt", 1, "")),
+            "unsupported",
+            "/steering",
+        );
     }
     // A reverse gear that is too slow is no matter where it is not used.
     let slow = car("1", "[-5e-324, 1]", "[-1, 1]", goal);
-    assert!(run::start(&slow, &options("rrt", 1, "steering=dubins")).is_ok());
+    assert!(requests::start(&slow, &options("rrt", 1, "steering=dubins")).is_ok());
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_are_traced_as_finely_as_they_bend() {
     for wheelbase in ["1e-8", "1e-3", "0.3"] {
         let run = finish(begin_with(&car(wheelbase, "[-1, 1]", "[-1, 1]", "[9, 9, -2]"), "rrt", 1, ""));
-        let traces = run.traces_since(0);
+        let traces = run.trace_rows(0);
         let rows: Vec<&[f64]> = traces.chunks(4).collect();
         assert!(rows.len() <= 170 * run.edge_count(), "{} rows for {} edges", rows.len(), run.edge_count());
         for pair in rows.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
@@ -143,16 +148,16 @@ fn a_stored_roadmap_contains_the_steering_of_the_car() {
         assert_eq!(RoadmapDocument::parse(&document.to_json()).expect("its own JSON"), document);
         // The same path, with and without the steering given again.
         for given in ["", &format!("steering={word}")] {
-            let resumed = finish(run::resume(&scenario, &options("prm", 1, given), &document).expect("it fits"));
+            let resumed = finish(requests::resume(&scenario, &options("prm", 1, given), &document).expect("it fits"));
             assert_eq!(resumed.path(), run.path());
             assert_eq!(resumed.roadmap().expect("a roadmap").edges, document.edges);
         }
         let other = if word == "dubins" { "reeds-shepp" } else { "dubins" };
-        let error = run::resume(&scenario, &options("prm", 1, &format!("steering={other}")), &document).err();
+        let error = requests::resume(&scenario, &options("prm", 1, &format!("steering={other}")), &document).err();
         assert_eq!(error.expect("refused").pointer(), "/steering");
         let metric = RoadmapMetric::Placement { translation: 0.7, rotation: 0.3 };
         let plain = RoadmapDocument { metric, ..document.clone() };
-        refuses(run::resume(&scenario, &options("prm", 1, ""), &plain), "invalid-roadmap", "/metric");
+        refuses(requests::resume(&scenario, &options("prm", 1, ""), &plain), "invalid-roadmap", "/metric");
         // Lengths of edges are those of the space.
         let rows: Vec<&[f64]> = document.rows().collect();
         let steering = if word == "dubins" { Steering::Dubins } else { Steering::ReedsShepp };
@@ -296,7 +301,7 @@ fn polygons_of_all_scales_are_refused_or_cut_up_exactly() {
         let square = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]];
         for text in [with_polygons(&corners, &square), with_polygons(&square, &corners)] {
             let Ok(scenario) = Scenario::parse(&text) else { continue };
-            let Ok(mut run) = run::start(&scenario, &options("rrt-connect", number, "")) else { continue };
+            let Ok(mut run) = requests::start(&scenario, &options("rrt-connect", number, "")) else { continue };
             run.step(3);
             planned += 1;
         }
@@ -341,7 +346,7 @@ fn a_run_without_end_ends_before_the_memory_does() {
     let block = documents::rectangle([0.01, 0.0], [9.99, 10.0]);
     let robot = r#"{ "type": "disc", "radius": 0.001 }"#;
     let scenario = scenario("[0, 0], [10, 10]", &block, robot, r#""start": [0.005, 5], "goal": [9.995, 5]"#);
-    let mut run = run::start(&scenario, &options("prm", 1, "max_iterations=4e9 samples=1e6")).expect("a run");
+    let mut run = requests::start(&scenario, &options("prm", 1, "max_iterations=4e9 samples=1e6")).expect("a run");
     assert_eq!(run.step(u64::MAX), Status::Exhausted);
     let records = run.vertex_count() + run.edge_count() + run.event_count();
     let most = planarium::graph::MAX_RECORDS;

@@ -3,13 +3,15 @@
 
 use crate::common::documents::refuses;
 use crate::common::{given, golden};
+use planarium::Error;
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, Executor, Navigation, Outcome, Policy, Training, assess, edge_rollouts, generate, navigate, start,
+    Comparison, Executor, Navigation, NavigationResult, Outcome, Policy, Training, assess, edge_rollouts, generate,
+    read_options,
 };
 use planarium::problem::Status;
 use planarium::robot::Part;
-use planarium::run::Options;
+use planarium::run::{Request, Run};
 use planarium::scenario::Obstacle;
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -36,8 +38,19 @@ fn shipped() -> Policy {
     Policy::parse(include_str!("../www/prm-rl/policy.json")).expect("our own policy is right")
 }
 
-fn options(settings: &str) -> Options {
-    Options { parameters: given(settings), seed: 1, ..Options::default() }
+/// As the page and the command line begin it.
+fn start(task: &Navigation, policy: &Policy, request: &Request) -> Result<Box<dyn Run>, Error> {
+    let (rollouts, options) = read_options(request)?;
+    planarium::navigation::start(task, policy, &rollouts, &options)
+}
+
+fn navigate(task: &Navigation, policy: &Policy, request: &Request, trials: u64) -> NavigationResult {
+    let (rollouts, options) = read_options(request).expect("options");
+    planarium::navigation::navigate(task, policy, &rollouts, &options, trials).expect("a result")
+}
+
+fn options(settings: &str) -> Request {
+    Request { parameters: given(settings), seed: 1, ..Request::default() }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -106,7 +119,7 @@ fn documents_are_refused_with_a_code_and_a_place() {
 fn what_does_not_fit_a_policy_is_refused() {
     let (task, policy) = (hall(), shipped());
     let with = |planner: &str, settings: &str| {
-        let options = Options { planner: Some(planner.to_owned()), ..options(settings) };
+        let options = Request { planner: Some(planner.to_owned()), ..options(settings) };
         start(&task, &policy, &options).map(|_| ())
     };
     refuses(with("rrt-control", ""), "unsupported", "/algorithm");
@@ -125,7 +138,7 @@ fn what_does_not_fit_a_policy_is_refused() {
     refuses(executor.drive([f64::NAN, 2.0, 0.0], &[[1.0, 2.0]], 0, 0), "not-finite", "/start");
     let stays = executor.drive(from, &[[1.0, 2.0]], 0, 0).expect("a path of one position");
     assert_eq!((stays.outcome, stays.trace), (Outcome::Reached, vec![from]));
-    refuses(edge_rollouts(&task, &policy, &options("rolouts=5"), &[]), "unknown-parameter", "/rolouts");
+    refuses(read_options(&options("rolouts=5")), "unknown-parameter", "/rolouts");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -294,7 +307,7 @@ fn the_shipped_policy_reaches_near_goals_on_fresh_floors() {
 fn every_edge_of_a_path_is_driven_reliably_in_both_directions() {
     let (task, policy) = (hall(), shipped());
     let options = options("samples=60 k=8 rollouts=10 least_share=0.9");
-    let result = navigate(&task, &policy, &options, 10).expect("a result");
+    let result = navigate(&task, &policy, &options, 10);
     assert_eq!((result.plan.status, result.plan.edge_check.as_deref()), (Status::Solved, Some("rollouts")));
     assert_eq!(result.rollouts.len() + 1, result.plan.path.len());
     assert!(
@@ -304,14 +317,17 @@ fn every_edge_of_a_path_is_driven_reliably_in_both_directions() {
     );
     assert!(result.reached.count >= 8 && result.driven_length.mean >= Some(7.0), "{result:?}");
     let path: Vec<[f64; 2]> = result.plan.path.iter().map(|q| [q[0], q[1]]).collect();
-    assert_eq!(edge_rollouts(&task, &policy, &options, &path).expect("rollouts"), result.rollouts);
+    assert_eq!(
+        edge_rollouts(&task, &policy, &read_options(&options).expect("options").0, 1, &path).expect("rollouts"),
+        result.rollouts
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_roadmap_is_the_same_in_any_slices_and_a_lazy_one_has_the_same_path() {
     let (task, policy) = (hall(), shipped());
     let run = |planner: &str, slice: u64| {
-        let options = Options { planner: Some(planner.to_owned()), ..options("samples=40 k=6 rollouts=5") };
+        let options = Request { planner: Some(planner.to_owned()), ..options("samples=40 k=6 rollouts=5") };
         let mut run = start(&task, &policy, &options).expect("a run");
         while run.step(slice) == Status::Running {}
         run
@@ -329,11 +345,10 @@ fn there_is_no_way_through_a_wall() {
     document["world"]["obstacles"] =
         json!([{ "type": "polygon", "vertices": [[5, 0], [5.000001, 0], [5.000001, 4], [5, 4]] }]);
     let task = Navigation::read(&document).expect("a task");
-    let result = navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0"), 5).expect("a result");
+    let result = navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0"), 5);
     // With a least share of 0 every edge counts as driven, yet no execution crosses the wall.
     assert_eq!((result.plan.status, result.reached.count), (Status::Solved, 0));
-    let result =
-        navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0.3"), 5).expect("a result");
+    let result = navigate(&task, &shipped(), &options("samples=60 k=8 rollouts=3 least_share=0.3"), 5);
     assert_eq!((result.plan.status, result.plan.path.len(), result.reached.n), (Status::Exhausted, 0, 0));
 }
 
@@ -385,8 +400,8 @@ fn outcomes_are_the_same_on_every_platform() {
             return json!({ "fingerprint": format!("{:016x}", training.fingerprint()) });
         };
         let settings = case["settings"].as_str().expect("settings");
-        let options = Options { planner: Some(planner.to_owned()), seed, ..options(settings) };
-        let result = navigate(&task, &shipped(), &options, 4).expect("a result");
+        let options = Request { planner: Some(planner.to_owned()), seed, ..options(settings) };
+        let result = navigate(&task, &shipped(), &options, 4);
         json!({ "status": result.plan.status, "fingerprint": format!("{:016x}", result.plan.fingerprint), "reached": result.reached.count,
             "length": result.driven_length.mean.map(f64::to_bits) })
     });

@@ -143,7 +143,7 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
         let scenario = scene(name);
         let inspector = Inspector::new(&scenario);
         let run = finish(begin_with(&scenario, "prm", 11, "samples=100"));
-        let vertices = run.vertices_since(0);
+        let vertices = run.vertex_rows(0);
         let free = inspector.samples(100, 11, true).expect("samples");
         // Start and goal are among the vertices.
         let dimension = inspector.dimension();

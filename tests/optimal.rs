@@ -22,7 +22,7 @@ const OPTIMAL: [(&str, &str, bool); 4] = [
 /// The parent of every vertex by the edges of a run: the last edge to a vertex counts.
 fn parents(run: &dyn Run) -> Vec<Option<usize>> {
     let mut parents = vec![None; run.vertex_count()];
-    for edge in run.edges_since(0).chunks(2) {
+    for edge in run.edge_rows(0).chunks(2) {
         parents[edge[1] as usize] = Some(edge[0] as usize);
     }
     parents
@@ -56,7 +56,7 @@ fn the_path_is_along_the_edges_and_never_gets_longer() {
             while run.status() == Status::Running {
                 run.step(50);
                 let parents = parents(&*run);
-                let vertices = run.vertices_since(0);
+                let vertices = run.vertex_rows(0);
                 let state = |vertex: usize| &vertices[vertex * run.dimension()..][..run.dimension()];
                 let row = run.history_since(run.history_count() - 1);
                 let cost = row[HISTORY_WIDTH - 1];

@@ -2,12 +2,13 @@
 
 use crate::common::documents::{arm, disc, refuses, scenario};
 use crate::common::graphs::{edges, rows};
+use crate::common::requests::start;
 use crate::common::{
     DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, body_and_wall, car_and_wall, deep,
     disc_and_wall, finish, fitting, no_way, options, seeds, thick_arm_and_wall, worlds,
 };
 use planarium::random::{Random, Stream};
-use planarium::run::{Options, PlannerOptions, Status, planners, start};
+use planarium::run::{PlannerOptions, Request, Status, planners};
 use std::collections::BTreeMap;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -43,11 +44,11 @@ fn without_events_the_graph_the_path_and_the_counts_are_the_same() {
             let settings = fitting(&world, settings);
             let options = options(planner, 5, &settings);
             let one = finish(start(&world, &options).expect("a run"));
-            let other = finish(start(&world, &Options { events: false, ..options }).expect("a run"));
+            let other = finish(start(&world, &Request { events: false, ..options }).expect("a run"));
             let what = format!("{planner} {settings} on {}", world.name());
             assert_eq!((one.event_count() > 0, other.event_count()), (true, 0), "{what}");
-            assert_eq!(other.vertices_since(0), one.vertices_since(0), "{what}");
-            assert_eq!(other.edges_since(0), one.edges_since(0), "{what}");
+            assert_eq!(other.vertex_rows(0), one.vertex_rows(0), "{what}");
+            assert_eq!(other.edge_rows(0), one.edge_rows(0), "{what}");
             assert_eq!((other.stats(), other.status()), (one.stats(), one.status()), "{what}");
             assert_eq!((other.path(), other.length()), (one.path(), one.length()), "{what}");
         }
@@ -104,7 +105,7 @@ fn no_path_of_any_planner_crosses_a_wall_however_thin() {
             car_and_wall(thickness),
         ];
         for (world, planner) in worlds.iter().flat_map(|world| planners().map(|planner| (world, planner))) {
-            if planner.check_robot(world.robot().kind()).is_err() {
+            if !planner.is_for(world.robot().kind()) {
                 continue;
             }
             let run = finish(begin_with(world, planner.info().id, seed, &short(&planner)));
@@ -240,7 +241,7 @@ fn wrong_options_are_refused_with_code_and_pointer() {
         refuses(start(&world, &options(planner, 0, settings)), code, pointer);
     }
     refuses(start(&world, &options("prm", 1 << 53, "")), "out-of-range", "/seed");
-    let elsewhere = Options { query: Some("nowhere".into()), ..Options::default() };
+    let elsewhere = Request { query: Some("nowhere".into()), ..Request::default() };
     refuses(start(&world, &elsewhere), "unknown-query", "/query");
 }
 

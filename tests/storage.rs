@@ -2,6 +2,7 @@
 //! another scenario, or are not free.
 
 use crate::common::documents::{arm, disc, refuses, scenario, with};
+use crate::common::requests;
 use crate::common::{
     arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, fitting, options, parse, seeds,
     thick_arm_and_wall, worlds,
@@ -10,7 +11,7 @@ use planarium::Error;
 use planarium::error::Code;
 use planarium::planner::EdgeCheck;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
-use planarium::run::{self, Options, Run, Status};
+use planarium::run::{Request, Run, Status};
 use planarium::scenario::Scenario;
 use quick_xml::events::Event;
 use std::collections::BTreeSet;
@@ -32,7 +33,7 @@ fn saved(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Roadm
 }
 
 fn resume(scenario: &Scenario, document: &RoadmapDocument) -> Result<Box<dyn Run>, Error> {
-    run::resume(scenario, &options(&document.planner, 0, ""), document)
+    requests::resume(scenario, &options(&document.planner, 0, ""), document)
 }
 
 /// The code of an error.
@@ -68,7 +69,7 @@ fn a_document_states_how_the_roadmap_was_built() {
     assert_eq!((document.metric, document.k, document.radius), (RoadmapMetric::Naive, 9, 1.5));
     assert_eq!((document.circles.as_slice(), document.edge_samples), (&[false, false][..], None));
     assert_eq!((document.fingerprint, document.tolerance), (fingerprint(&world), 1e-4));
-    assert_eq!((document.vertices.clone(), document.edges.concat()), (run.vertices_since(0), run.edges_since(0)));
+    assert_eq!((document.vertices.clone(), document.edges.concat()), (run.vertex_rows(0), run.edge_rows(0)));
     let star = saved(&world, "prm-star", 1, "samples=50 edge_check=sampled edge_samples=5");
     assert_eq!((star.metric, star.circles.as_slice()), (RoadmapMetric::Sum, &[true, true][..]));
     assert_eq!((star.k as usize, star.edge_samples), (planarium::planner::prm_star_k(52, 2), Some(5)));
@@ -132,7 +133,7 @@ fn another_query_of_the_same_world_is_connected_and_proven() {
             let query = &other.queries()[0];
             let ends = [&query.start[..], query.configuration().expect("a goal")];
             assert_eq!([run.path()[0].as_slice(), run.path().last().expect("a goal")], ends);
-            assert_eq!(run.vertices_since(0)[..4], ends.concat());
+            assert_eq!(run.vertex_rows(0)[..4], ends.concat());
             assert_valid(&other, &*run);
             let edges = run.roadmap().expect("a roadmap").edges;
             let distinct: BTreeSet<[u32; 2]> = edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
@@ -150,7 +151,7 @@ fn a_resumed_run_is_sliced_like_any_other_and_has_its_own_search() {
     let world = arm_of(3, true, 0.02);
     let document = saved(&world, "prm", 2, "samples=150 k=8");
     let settings = "search=dijkstra cost=hops shortcut=30 reduce=true max_iterations=5000 metric=sum k=8";
-    let begin = || run::resume(&world, &options("prm", 4, settings), &document).expect("all of it may be given");
+    let begin = || requests::resume(&world, &options("prm", 4, settings), &document).expect("all of it may be given");
     let whole = finish(begin());
     let mut sliced = begin();
     while sliced.step(1) == Status::Running {}
@@ -178,10 +179,10 @@ fn what_contradicts_the_document_is_refused() {
         ("prm", "speed=3", "unknown-parameter", "/speed"),
         ("prm", "shortcut=-1", "out-of-range", "/shortcut"),
     ] {
-        refuses(run::resume(&world, &options(planner, 0, settings), &document), code, pointer);
+        refuses(requests::resume(&world, &options(planner, 0, settings), &document), code, pointer);
     }
-    let unknown = Options { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
-    refuses(run::resume(&world, &unknown, &document), "unknown-query", "/query");
+    let unknown = Request { query: Some("nowhere".to_owned()), ..options("prm", 0, "") };
+    refuses(requests::resume(&world, &unknown, &document), "unknown-query", "/query");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -395,7 +396,7 @@ fn sampled_edges_are_sampled_again_and_stay_named() {
     let settings = "samples=150 k=8 edge_check=sampled edge_samples=4";
     let document = saved(&thin, "prm", 2, settings);
     // Values that are given again must be those of the document.
-    let run = run::resume(&thin, &options("prm", 0, "edge_check=sampled edge_samples=4 metric=sum"), &document);
+    let run = requests::resume(&thin, &options("prm", 0, "edge_check=sampled edge_samples=4 metric=sum"), &document);
     assert_eq!(finish(run.expect("its samples are free")).result().edge_check.as_deref(), Some("sampled"));
     // Passed off as proven it is refused: some edge jumps through the wall.
     let lie = RoadmapDocument { edge_check: EdgeCheck::Proven, edge_samples: None, ..document.clone() };

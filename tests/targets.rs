@@ -1,10 +1,11 @@
 //! Queries with a target of the end effector: a path may end at any configuration that reaches it, for every planner.
 
 use crate::common::documents::{self, arm, disc, judged};
+use crate::common::requests::{resume, start};
 use crate::common::{SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::geometry::Point;
 use planarium::run::inspect::Inspector;
-use planarium::run::{Run, Status, resume, start};
+use planarium::run::{Run, Status};
 use planarium::scenario::Scenario;
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -49,7 +50,7 @@ fn goals(plain: &Scenario, target: [f64; 2]) -> (Scenario, Vec<Vec<f64>>) {
     let world = reaching(plain, &format!(r#"{{"point": {target:?}}}"#));
     let run = begin_with(&world, "rrt", 1, "");
     let inspector = Inspector::new(&world);
-    let rows = run.vertices_since(0);
+    let rows = run.vertex_rows(0);
     let goals: Vec<Vec<f64>> = rows.chunks(run.dimension()).skip(1).map(<[f64]>::to_vec).collect();
     for goal in &goals {
         let tip = inspector.end_effector(goal).unwrap();

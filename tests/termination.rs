@@ -2,13 +2,14 @@
 //! history of a longer run.
 
 use crate::common::documents::named;
+use crate::common::requests;
 use crate::common::{
     assert_valid, begin_with, car_and_wall, car_shut_in, disc_and_wall, finish, no_way, options, parse,
 };
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::planner::Termination;
-use planarium::run::{self, HISTORY_WIDTH, PlannerOptions, Reason, Status, planners};
+use planarium::run::{HISTORY_WIDTH, PlannerOptions, Reason, Status, planners};
 use planarium::scenario::Scenario;
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -300,7 +301,7 @@ fn samples_that_a_limit_cannot_suffice_for_are_refused() {
         ("lazy-prm", "samples=200000 max_iterations=100000", 400_003),
         ("fmt-star", "samples=300 max_iterations=301", 302),
     ] {
-        let error = run::start(&world, &options(planner, 1, settings)).err().expect("refused");
+        let error = requests::start(&world, &options(planner, 1, settings)).err().expect("refused");
         assert_eq!((error.code(), error.pointer()), (Code::OutOfRange, "/max_iterations"), "{planner} {settings}");
         let given = settings.split('=').next_back().expect("a number");
         for number in [format!("at least {least} "), format!("not {given}: ")] {
@@ -308,7 +309,7 @@ fn samples_that_a_limit_cannot_suffice_for_are_refused() {
         }
     }
     // The default limit is no obstacle: it is counted from the last sample.
-    assert!(run::start(&world, &options("prm", 1, "samples=200000")).is_ok());
+    assert!(requests::start(&world, &options("prm", 1, "samples=200000")).is_ok());
 }
 
 /// Where no number of samples is given, the roadmap grows as long as work is left.

@@ -59,7 +59,7 @@ fn assert_same(mut run: Box<dyn Run>, turns: &[(usize, u64)], (stats, one): &(Ve
         }
     }
     assert_eq!(run.iterations(), one.iterations(), "{what}: {turns:?}");
-    assert_eq!(run.events_since(0), one.events_since(0), "{what}: {turns:?}");
+    assert_eq!(run.event_rows(0), one.event_rows(0), "{what}: {turns:?}");
     assert_eq!(run.result().to_json(), one.result().to_json(), "{what}: {turns:?}");
 }
 

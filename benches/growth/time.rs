@@ -5,7 +5,7 @@ use planarium::graph::VertexId;
 use planarium::nearest::{Index, LinearScan, Nearest};
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
-use planarium::run::{Options, Phase, Run, Status, Value, start};
+use planarium::run::{Options, Phase, PlannerOptions, Run, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
 use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use serde::{Deserialize, Serialize};
@@ -235,9 +235,10 @@ fn fastest<T>(mut work: impl FnMut() -> T) -> (f64, T) {
 /// A run at its beginning.
 fn begin(world: &Scenario, planner: &str, seed: u64, parameters: &[(&str, u64)]) -> Box<dyn Run> {
     let parameters = parameters.iter().chain(&[("max_iterations", 1_000_000_000)]);
-    let parameters = parameters.map(|&(name, value)| (name.to_owned(), Value::Number(value as f64))).collect();
-    let options = Options { planner: Some(planner.to_owned()), seed, parameters, ..Options::default() };
-    start(world, &options).expect("start and goal are free")
+    let parameters =
+        parameters.map(|&(name, value)| (name.to_owned(), Value::Number(value as f64))).collect::<Vec<_>>();
+    let planner = PlannerOptions::read(planner, &parameters).expect("options of the planner");
+    start(world, &Options { seed, ..Options::new(planner) }).expect("start and goal are free")
 }
 
 fn prm(world: &Scenario, samples: u64, k: u64) -> Box<dyn Run> {

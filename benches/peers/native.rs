@@ -5,7 +5,7 @@
 //! FILE is a scenario document; seeds are SEED, SEED + 1, ...; a run ends after LIMIT seconds, solved or not. Every run is
 //! fresh: its set-up begins with the parsed scenario, its search ends with the path.
 
-use planarium::run::{Options, Phase, Status, Value, start};
+use planarium::run::{Options, Phase, PlannerOptions, Status, Value, start};
 use planarium::scenario::Scenario;
 use std::io::{BufRead, Write};
 use std::time::Instant;
@@ -35,9 +35,9 @@ fn reply_to(job: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> 
     let (seed, runs, limit): (u64, u64, f64) = (next()?.parse()?, next()?.parse()?, next()?.parse()?);
     let parameters = words.map(parameter).collect::<Option<Vec<_>>>().ok_or("a parameter is name=value")?;
     let mut done = Vec::new();
+    let planner = PlannerOptions::read(&planner, &parameters)?;
     for seed in seed..seed + runs {
-        let options =
-            Options { planner: Some(planner.clone()), seed, parameters: parameters.clone(), ..Options::default() };
+        let options = Options { seed, ..Options::new(planner) };
         done.push(outcome(&scenario, &options, limit)?);
     }
     Ok(serde_json::json!({ "runs": done }))

@@ -6,7 +6,7 @@
 //! run at the same time do not count.
 
 use planarium::optimum::optimum;
-use planarium::run::{Options, Status, Value, start};
+use planarium::run::{Options, Request, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
 use planarium::{Error, PlanningWorld};
 use serde_json::{Value as Json, json};
@@ -49,13 +49,14 @@ fn reply_to(job: &Json, last: &mut Option<(Json, PlanningWorld)>) -> Result<Json
         return Ok(json!({ "length": shortest.length, "exact": shortest.exact }));
     }
     let parameters = job["parameters"].as_object().into_iter().flatten();
-    let options = Options {
+    let request = Request {
         planner: job["planner"].as_str().map(str::to_owned),
         query: query.map(str::to_owned),
         seed: job["seed"].as_u64().unwrap_or_default(),
         parameters: parameters.map(|(name, value)| (name.clone(), Value::from(value))).collect(),
         events: false,
     };
+    let options = request.for_robot(world.scenario().robot())?;
     Ok(outcome(world, &options, job["seconds"].as_f64().unwrap_or(5.0))?)
 }
 

@@ -4,7 +4,7 @@
 use crate::error::{Code, Error, Number, quoted};
 use crate::json::{in_javascript, parse, read, read_tree};
 use crate::options::{in_camel_case, refusal};
-use crate::run::Value;
+use crate::run::{Request, Value};
 use crate::scenario::Scenario;
 use js_sys::{Array, ArrayBuffer, Float64Array, JsString, RangeError, Uint8Array};
 use serde::de::DeserializeOwned;
@@ -291,6 +291,17 @@ impl Fields {
     pub fn required<T: DeserializeOwned>(&mut self, name: &str, meaning: &str) -> Result<T, Error> {
         let missing = || Error::new(Code::MissingField, format!("/{name}"), format!("{name} is missing: {meaning}"));
         self.take(name)?.ok_or_else(missing)
+    }
+
+    /// Planner, query, seed and events of a run, and the remaining fields as parameters.
+    pub fn request(mut self) -> Result<Request, Error> {
+        Ok(Request {
+            planner: self.take("algorithm")?,
+            query: self.take("query")?,
+            seed: self.take("seed")?.unwrap_or(0),
+            events: self.take("events")?.unwrap_or(true),
+            parameters: self.parameters(),
+        })
     }
 
     /// The remaining fields as parameters by name.

@@ -1,6 +1,6 @@
 //! Navigation for JavaScript: policies that are trained, roadmaps of what they drive reliably, and their executions.
 
-use super::arguments::{Fields, cursor, document_tree, fields, row, rows, size, text};
+use super::arguments::{cursor, document_tree, fields, row, rows, size, text};
 use super::clock::{Stepped, Timed, stepped};
 use super::digits;
 use super::planner;
@@ -14,7 +14,6 @@ use crate::error::{Code, Error};
 use crate::navigation::{self, Drive, Executor, Outcome, Policy};
 use crate::problem;
 use crate::robot::Part;
-use crate::run::Options;
 use serde::Serialize;
 use std::cell::RefCell;
 use tsify::{Ts, Tsify};
@@ -67,17 +66,6 @@ fn policy(input: &PolicyInput) -> Result<Policy, Error> {
     Policy::read(&document_tree(input, "a policy")?)
 }
 
-/// Planner, query, seed and events of a run, and the rest as parameters.
-fn run_options(mut fields: Fields) -> Result<Options, Error> {
-    Ok(Options {
-        planner: fields.take("algorithm")?,
-        query: fields.take("query")?,
-        seed: fields.take("seed")?.unwrap_or(0),
-        events: fields.take("events")?.unwrap_or(true),
-        parameters: fields.parameters(),
-    })
-}
-
 /// The positions of a path, two numbers each.
 fn positions(path: &Rows) -> Result<Vec<[f64; 2]>, Error> {
     Ok(rows(path, 2, "path")?.chunks_exact(2).map(|q| [q[0], q[1]]).collect())
@@ -121,8 +109,9 @@ impl Navigation {
         policy_document: &PolicyInput,
         options: Option<PolicyPlannerOptions>,
     ) -> Result<planner::Planner, Error> {
-        let options = run_options(fields(options)?)?;
-        Ok(planner::Planner::new(navigation::start(&self.0, &policy(policy_document)?, &options)?))
+        let (rollouts, options) = navigation::read_options(&fields(options)?.request()?)?;
+        let policy = policy(policy_document)?;
+        navigation::start(&self.0, &policy, &rollouts, &options).map(planner::Planner::new)
     }
 
     /// Starts a planner whose edges are straight and proven free for the disc in which the robot turns on the spot, by default `prm`: what a
@@ -132,9 +121,11 @@ impl Navigation {
     pub fn straight_planner(&self, options: Option<PolicyPlannerOptions>) -> Result<planner::Planner, Error> {
         let mut fields = fields(options)?;
         let margin = fields.take("margin")?.unwrap_or(0.0);
-        let mut options = run_options(fields)?;
-        options.planner.get_or_insert_with(|| "prm".to_owned());
-        Ok(planner::Planner::new(crate::run::start(&self.0.disc_scenario(margin)?, &options)?))
+        let mut request = fields.request()?;
+        request.planner.get_or_insert_with(|| "prm".to_owned());
+        let scenario = self.0.disc_scenario(margin)?;
+        let options = request.for_robot(scenario.robot())?;
+        crate::run::start(&scenario, &options).map(planner::Planner::new)
     }
 
     /// The rollouts along each step of a path of positions, as `planner` counts them with the same options.
@@ -146,8 +137,9 @@ impl Navigation {
         path: &Rows,
         options: Option<PolicyPlannerOptions>,
     ) -> Result<JsEdgeRollouts, Error> {
-        let options = run_options(fields(options)?)?;
-        let edges = navigation::edge_rollouts(&self.0, &policy(policy_document)?, &options, &positions(path)?)?;
+        let (rollouts, options) = navigation::read_options(&fields(options)?.request()?)?;
+        let (policy, path) = (policy(policy_document)?, positions(path)?);
+        let edges = navigation::edge_rollouts(&self.0, &policy, &rollouts, options.seed, &path)?;
         Ok(object(&edges).unchecked_into())
     }
 

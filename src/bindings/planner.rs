@@ -195,16 +195,16 @@ members! { Planner(self): wasm_bindgen;
 
 tables! { Planner(self, row)
     /// The vertices from vertex `row` (0 to `vertexCount`) on: configurations, in rows of `dimension` numbers. A copy.
-    verticesSince: Vec<f64> = self.read(|run| run.vertex_count()) => self.read(|run| run.vertices_since(row));
+    verticesSince: Vec<f64> = self.read(|run| run.vertex_count()) => self.read(|run| run.vertex_rows(row));
     /// The edges from edge `row` (0 to `edgeCount`) on, in rows of two vertex numbers: parent and child in trees; if a car drives
     /// forwards only (`steering` is `dubins`), in the direction of the drive. A copy.
-    edgesSince: Vec<u32> = self.read(|run| run.edge_count()) => self.read(|run| run.edges_since(row));
+    edgesSince: Vec<u32> = self.read(|run| run.edge_count()) => self.read(|run| run.edge_rows(row));
     /// The motions of a car along the edges from edge `row` (0 to `edgeCount`) on, in rows of edge, speed, steering angle, seconds; an
     /// edge of several motions has as many rows, in the order in which it is driven. Empty for other robots. A copy.
-    motionsSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.motions_since(row));
+    motionsSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.motion_rows(row));
     /// The shapes of the curved edges from edge `row` (0 to `edgeCount`) on, in rows of 1 + `dimension` numbers: the edge and a
     /// configuration on it, from its first vertex to its second, close enough to be connected by straight lines. A copy.
-    tracesSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.traces_since(row));
+    tracesSince: Vec<f64> = self.read(|run| run.edge_count()) => self.read(|run| run.trace_rows(row));
     /// The events from event `row` (0 to `eventCount`) on, in rows of `eventWidth` numbers: kind, iteration, vertex or -1, other
     /// vertex or -1, configuration. A copy. The kind is an index into `eventKinds`:
     ///
@@ -215,7 +215,7 @@ tables! { Planner(self, row)
     /// - 4, `discarded`: a free sample was discarded, as it connects to nothing, or to nothing new
     /// - 5, `guard`: the vertex became a guard of a visibility roadmap
     /// - 6, `removed`: the vertex and the edge that leads to it were removed from the tree (`sst`, `bit-star`, `aorrtc`); its number is not used again
-    eventsSince: Vec<f64> = self.read(|run| run.event_count()) => self.read(|run| run.events_since(row));
+    eventsSince: Vec<f64> = self.read(|run| run.event_count()) => self.read(|run| run.event_rows(row));
     /// The recorded rows from row `row` (0 to `historyCount`) on, in rows of `historyWidth` numbers; empty unless `record` was
     /// called. A copy. Row i is the state after iteration i + 1, as `historyColumns` names it: vertices, edges, events, phase (its
     /// index in `phases`), configuration checks, motion checks, clearance evaluations (as in `stats`), and the length of the best path

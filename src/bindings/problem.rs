@@ -7,7 +7,7 @@ use super::types::{JsConfiguration, JsNumber, PlannerOptions, ProblemInput, Resu
 use crate::error::{Code, Error};
 use crate::problem::Evaluate;
 use crate::run::storage::RoadmapDocument;
-use crate::run::{self, CustomProblem, Free, Options, Run, SpaceDescription};
+use crate::run::{self, CustomProblem, Free, Request, Run, SpaceDescription};
 use js_sys::Reflect;
 use serde_json::Value as Json;
 use std::sync::Arc;
@@ -98,7 +98,7 @@ impl Problem {
     /// and options of other robots; `start-in-collision`, `goal-in-collision`; `not-finite` if a function has written no number; and what a
     /// function throws
     pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, JsValue> {
-        self.begin(super::scenario::options(options), run::start_problem)
+        self.begin(options, |problem, request| run::start_problem(problem, &request.for_problem(problem)?))
     }
 
     /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this space: the function proves, or
@@ -109,8 +109,8 @@ impl Problem {
     /// options that contradict it; those of `planner`; and what a function throws
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, JsValue> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
-        self.begin(super::scenario::options(options), |problem, options| {
-            run::resume_problem(problem, options, &document)
+        self.begin(options, |problem, request| {
+            run::resume_problem(problem, &request.for_roadmap(&document)?, &document)
         })
     }
 
@@ -133,12 +133,13 @@ impl Problem {
     /// Starts a planner.
     fn begin(
         &self,
-        options: Result<Options, Error>,
-        begin: impl FnOnce(&CustomProblem, &Options) -> Result<Box<dyn Run>, Error>,
+        options: Option<impl AsRef<JsValue>>,
+        begin: impl FnOnce(&CustomProblem, &Request) -> Result<Box<dyn Run>, Error>,
     ) -> Result<planner::Planner, JsValue> {
         let thrown = Thrown::default();
-        let started = options
-            .and_then(|options| begin(&self.custom(&thrown)?, &options))
+        let started = fields(options)
+            .and_then(Fields::request)
+            .and_then(|request| begin(&self.custom(&thrown)?, &request))
             .map_err(|error| thrown.or(self.at_goal(error)))?;
         Ok(planner::Planner::of(started, thrown))
     }

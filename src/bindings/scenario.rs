@@ -16,9 +16,9 @@ use crate::ik::{self, Solver, SolverOptions, Target, arm_of};
 use crate::optimum::{self, Optimum};
 use crate::problem::{Control, Motion};
 use crate::robot::Part;
+use crate::run;
 use crate::run::inspect::{Clearance, Inspector};
 use crate::run::storage::RoadmapDocument;
-use crate::run::{self, Options};
 use crate::scenario;
 use crate::world::PlanningWorld;
 use crate::worlds;
@@ -47,18 +47,6 @@ impl Scenario {
     fn configuration(&self, q: &JsConfiguration, name: &str) -> Result<Vec<f64>, Error> {
         row(q, self.dimension(), name)
     }
-}
-
-/// The options of a run.
-pub(super) fn options(wanted: Option<impl AsRef<JsValue>>) -> Result<Options, Error> {
-    let mut fields = fields(wanted)?;
-    Ok(Options {
-        planner: fields.take("algorithm")?,
-        query: fields.take("query")?,
-        seed: fields.take("seed")?.unwrap_or(0),
-        events: fields.take("events")?.unwrap_or(true),
-        parameters: fields.parameters(),
-    })
 }
 
 /// A target from its point and orientation.
@@ -190,7 +178,8 @@ impl Scenario {
     /// `start-in-collision`, `goal-in-collision` (the message names what touches what); `unsupported` if the planner is not for the
     /// robot, or the car cannot follow the curves of `steering`; `missing-field` if a car driven by controls has no `goal_tolerance`
     pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, Error> {
-        run::start(&self.world, &self::options(options)?).map(planner::Planner::new)
+        let options = fields(options)?.request()?.for_robot(self.scenario().robot())?;
+        run::start(&self.world, &options).map(planner::Planner::new)
     }
 
     /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this world and robot: all of it is
@@ -200,7 +189,8 @@ impl Scenario {
     /// `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
-        run::resume(&self.world, &self::options(options)?, &document).map(planner::Planner::new)
+        let options = fields(options)?.request()?.for_roadmap(&document)?;
+        run::resume(&self.world, &options, &document).map(planner::Planner::new)
     }
 
     /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body whose query

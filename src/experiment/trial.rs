@@ -134,7 +134,7 @@ impl Trials {
         let query = experiment.worlds[trial.worlds].queries[trial.query].as_deref();
         let options = experiment.options(trial.planner, trial.setting, query, experiment.seeds.at(trial.seed));
         let located = |error| experiment.located(error, [trial.worlds, trial.query, trial.planner], trial.setting);
-        let run = run::start(&world, &options).map_err(located)?;
+        let run = options.and_then(|options| run::start(&world, &options)).map_err(located)?;
         Ok(TrialRun { experiment, trial, world, run, is_over: false })
     }
 }

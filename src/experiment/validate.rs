@@ -6,7 +6,7 @@ use super::{Budget, Experiment, FORMAT, MAX_LIST, MAX_TRIALS, Measure, Planner, 
 use crate::error::{Code, Error, quoted};
 use crate::graph::Fingerprint;
 use crate::json;
-use crate::run::{self, Options, Value};
+use crate::run::{self, Options, PlannerOptions, Value};
 use crate::scenario::Scenario;
 use crate::world::PlanningWorld;
 use crate::worlds::{self, Ensure};
@@ -110,8 +110,8 @@ impl Experiment {
                     for (p, planner) in self.planners.iter().enumerate() {
                         let settings = if seed == 0 { planner.grid.len() } else { 1 };
                         for setting in 0..settings {
-                            let options = self.options(p, setting, name.as_deref(), self.seeds.at(0));
-                            run::start(&prepared, &options)
+                            self.options(p, setting, name.as_deref(), self.seeds.at(0))
+                                .and_then(|options| run::start(&prepared, &options))
                                 .map_err(|error| self.located(error, [w, query, p], setting))?;
                         }
                     }
@@ -139,13 +139,23 @@ impl Experiment {
     }
 
     /// The options of a run.
-    pub(super) fn options(&self, planner: usize, setting: u64, query: Option<&str>, seed: u64) -> Options {
+    ///
+    /// # Errors
+    /// Those of [`PlannerOptions::read`], before the experiment is validated.
+    pub(super) fn options(
+        &self,
+        planner: usize,
+        setting: u64,
+        query: Option<&str>,
+        seed: u64,
+    ) -> Result<Options, Error> {
         let Planner { algorithm, grid, .. } = &self.planners[planner];
         let mut parameters = grid.options(setting);
         if let Budget::Iterations(most) = self.budget {
             parameters.push(("max_iterations".to_owned(), Value::Number(most as f64)));
         }
-        Options { planner: Some(algorithm.clone()), query: query.map(str::to_owned), seed, parameters, events: true }
+        let planner = PlannerOptions::read(algorithm, &parameters)?;
+        Ok(Options { query: query.map(str::to_owned), seed, ..Options::new(planner) })
     }
 
     /// The error of a start with a pointer into the document of the experiment.

@@ -16,7 +16,7 @@ use crate::geometry::Point;
 use crate::options::{Options as _, Value};
 use crate::problem::Status;
 use crate::random::{Random, Stream, check_seed};
-use crate::run::{self, Options, Run};
+use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
 use serde::Serialize;
 
 crate::options! {
@@ -119,24 +119,18 @@ impl Comparison {
         check_seed(seed)?;
         let queries = draw_queries(task, &options, seed)?;
         let task = task.with_queries(queries.clone())?;
-        let RolloutOptions { rollouts, least_share, longest_edge } = options.rollouts;
-        let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
-        let shared = [number("samples", options.samples as f64), number("k", options.k as f64)];
-        let of = |planner: &str, parameters: Vec<(String, Value)>| Options {
-            planner: Some(planner.to_owned()),
-            seed,
-            parameters,
-            events: false,
-            ..Options::default()
+        let ComparisonOptions { samples, k, rollouts, .. } = options;
+        let prm = PrmOptions {
+            samples: Some(samples),
+            k: Some(k),
+            radius: Some(rollouts.longest_edge),
+            ..PrmOptions::default()
         };
-        let own = [
-            number("rollouts", f64::from(rollouts)),
-            number("least_share", least_share),
-            number("longest_edge", longest_edge),
-        ];
+        let lazy_prm = LazyPrmOptions { samples: Some(samples), k, ..LazyPrmOptions::default() };
+        let of = |planner: PlannerOptions| Options { seed, events: false, ..Options::new(planner) };
         let grown = task.disc_scenario(options.margin)?;
-        let straight = run::start(&grown, &of("prm", [&shared[..], &[number("radius", longest_edge)]].concat()))?;
-        let learned = roadmap::start(&task, policy, &of("lazy-prm", [&shared[..], &own].concat()))?;
+        let straight = run::start(&grown, &of(prm.into()))?;
+        let learned = roadmap::start(&task, policy, &rollouts, &of(lazy_prm.into()))?;
         Ok(Self {
             options,
             seed,

@@ -6,13 +6,13 @@
 //! path. Every arc that is driven is proven free; that a policy reaches its goal is never proven: results say `rollouts`.
 //!
 //! ```
-//! use planarium::navigation::{Policy, generate, navigate};
-//! use planarium::run::{Options, Value};
+//! use planarium::navigation::{Policy, RolloutOptions, generate, navigate};
+//! use planarium::run::{LazyPrmOptions, Options};
 //!
 //! let task = generate("rooms", &serde_json::json!({ "columns": 2, "rows": 1, "seed": 3 }))?;
 //! let policy = Policy::parse(include_str!("../../www/prm-rl/policy.json"))?;
-//! let parameters = vec![("samples".to_owned(), Value::Number(400.0))];
-//! let result = navigate(&task, &policy, &Options { parameters, ..Options::default() }, 10)?;
+//! let options = Options::new(LazyPrmOptions { samples: Some(400), ..LazyPrmOptions::default() });
+//! let result = navigate(&task, &policy, &RolloutOptions::default(), &options, 10)?;
 //! assert!(result.reached.count > 5);
 //! assert_eq!(result.plan.edge_check.as_deref(), Some("rollouts"));
 //! assert_eq!(result.rollouts.len() + 1, result.plan.path.len());
@@ -46,7 +46,7 @@ pub use execution::Executor;
 pub use generate::{generate, generate_with, navigation_generators};
 pub use policy::{MAX_HIDDEN, POLICY_FORMAT, Policy};
 pub use result::{NavigationResult, navigate};
-pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, start};
+pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, read_options, start};
 pub use rollout::{Drive, Outcome};
 #[cfg(feature = "parallel")]
 pub use training::train;

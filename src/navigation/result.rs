@@ -3,7 +3,7 @@
 use super::document::Navigation;
 use super::execution::Executor;
 use super::policy::Policy;
-use super::roadmap::{EdgeRollouts, edge_rollouts, start};
+use super::roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, start};
 use super::rollout::Outcome;
 use crate::error::Error;
 use crate::experiment::statistics::{Mean, Share, mean, share};
@@ -43,8 +43,14 @@ impl NavigationResult {
 ///
 /// # Errors
 /// Those of [`start`].
-pub fn navigate(task: &Navigation, policy: &Policy, options: &Options, trials: u64) -> Result<NavigationResult, Error> {
-    let mut run = start(task, policy, options)?;
+pub fn navigate(
+    task: &Navigation,
+    policy: &Policy,
+    rollouts: &RolloutOptions,
+    options: &Options,
+    trials: u64,
+) -> Result<NavigationResult, Error> {
+    let mut run = start(task, policy, rollouts, options)?;
     run.step(u64::MAX);
     let plan = run.result();
     let path: Vec<[f64; 2]> = plan.path.iter().map(|q| [q[0], q[1]]).collect();
@@ -62,7 +68,7 @@ pub fn navigate(task: &Navigation, policy: &Policy, options: &Options, trials: u
     let lengths: Vec<f64> = reached().map(|drive| drive.1).collect();
     let times: Vec<f64> = reached().map(|drive| drive.2).collect();
     Ok(NavigationResult {
-        rollouts: edge_rollouts(task, policy, options, &path)?,
+        rollouts: edge_rollouts(task, policy, rollouts, options.seed, &path)?,
         plan,
         policy: policy.name().to_owned(),
         reached: is(Outcome::Reached),

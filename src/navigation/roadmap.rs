@@ -12,21 +12,18 @@ use super::policy::Policy;
 use super::rollout::{Controller, Outcome, Simulation, generator};
 use crate::collision::DiscValidity;
 use crate::error::{Code, Error};
-use crate::options::{Options as _, Value};
-use crate::planner::{EdgeOptions, PlannerOptions};
+use crate::options::Options as _;
+use crate::planner::{LazyPrmOptions, PlannerOptions};
 use crate::problem::{Contact, Problem, Validity};
 use crate::random::{Random, Stream, check_seed};
 use crate::robot::{DiscRobot, plane};
-use crate::run::{self, Options, Run};
+use crate::run::{self, Options, Request, Run};
 use crate::space::{MotionSpace, Space};
 use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// The size of states: coordinates past the second are 0.
 const SIZE: usize = crate::world::SMALL;
-
-/// The planner if none is named.
-const DEFAULT_PLANNER: &str = "lazy-prm";
 
 crate::options! {
     /// When a policy drives reliably enough from one vertex to another.
@@ -158,85 +155,79 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
     }
 }
 
-/// Options given by name, those of rollouts and the rest, which are the planner's.
-pub(super) fn split(given: &[(String, Value)]) -> Result<(RolloutOptions, Vec<(String, Value)>), Error> {
-    let (own, others): (Vec<_>, Vec<_>) = given.iter().cloned().partition(|(name, _)| RolloutOptions::has(name));
-    Ok((RolloutOptions::read(&own)?, others))
-}
-
-/// Begins a run that builds a roadmap of edges which the policy drives reliably, or grows a tree of them. Parameters are those of the
-/// planner, `lazy-prm` by default, and of [`RolloutOptions`]. The path is of positions, with the query's start and goal as its ends.
+/// The options of [`start`] by names: parameters are those of the planner, `lazy-prm` by default, and of [`RolloutOptions`].
 ///
 /// # Errors
-/// `unknown-planner`, `unknown-query`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls,
-/// for options about other edges, and for a policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot
-/// cannot turn on the spot at the start.
-pub fn start(task: &Navigation, policy: &Policy, options: &Options) -> Result<Box<dyn Run>, Error> {
+/// Those of [`PlannerOptions::read`].
+pub fn read_options(request: &Request) -> Result<(RolloutOptions, Options), Error> {
+    let parameters = request.parameters.iter().cloned();
+    let (own, others): (Vec<_>, Vec<_>) = parameters.partition(|(name, _)| RolloutOptions::has(name));
+    let rollouts = RolloutOptions::read(&own)?;
+    let planner = request.planner.as_deref().map_or(Ok(default_planner()), PlannerOptions::of)?;
+    Ok((rollouts, request.with(planner.updated(&others)?)))
+}
+
+/// The planner if none is named.
+fn default_planner() -> PlannerOptions {
+    LazyPrmOptions::default().into()
+}
+
+/// Begins a run that builds a roadmap of edges which the policy drives reliably, or grows a tree of them, by lazy PRM if no planner is
+/// named. The path is of positions, with the query's start and goal as its ends.
+///
+/// # Errors
+/// `unknown-query`, and the errors of parameter values; `unsupported` for planners by controls, for options about other edges, and for a
+/// policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the spot at the start.
+pub fn start(
+    task: &Navigation,
+    policy: &Policy,
+    rollouts: &RolloutOptions,
+    options: &Options,
+) -> Result<Box<dyn Run>, Error> {
     let (index, query) = task.find_query(options.query.as_deref())?;
-    start_between(task, policy, options, query).map_err(|error| match error.code() {
+    start_between(task, policy, rollouts, options, query).map_err(|error| match error.code() {
         Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),
         _ => error,
     })
 }
 
-/// The rollouts along each step of a path of positions, as a run with the same policy and options counts them, but all of them.
+/// The rollouts along each step of a path of positions, as a run with the same policy, options and seed counts them, but all of them.
 ///
 /// # Errors
-/// Those of [`start`] about the planner, the policy and options; `not-finite` with the pointer `/path/i`.
+/// Those of [`start`] about the policy, its options and the seed; `not-finite` with the pointer `/path/i`.
 pub fn edge_rollouts(
     task: &Navigation,
     policy: &Policy,
-    options: &Options,
+    rollouts: &RolloutOptions,
+    seed: u64,
     path: &[[f64; 2]],
 ) -> Result<Vec<EdgeRollouts>, Error> {
-    check_seed(options.seed)?;
-    let (own, others) = split(&options.parameters)?;
-    PlannerOptions::of(options.planner.as_deref().unwrap_or(DEFAULT_PLANNER))?.read(&others)?;
+    check_seed(seed)?;
+    rollouts.check()?;
     for (i, position) in path.iter().enumerate() {
         check_finite(position, &format!("/path/{i}"))?;
     }
-    let rollouts = Rollouts::new(task, policy, own, options.seed)?;
+    let rollouts = Rollouts::new(task, policy, *rollouts, seed)?;
     Ok(path.windows(2).map(|ends| rollouts.along(ends[0], ends[1])).collect())
 }
 
 fn start_between(
     task: &Navigation,
     policy: &Policy,
+    rollouts: &RolloutOptions,
     options: &Options,
     query: &NavigationQuery,
 ) -> Result<Box<dyn Run>, Error> {
     check_seed(options.seed)?;
-    let (rollouts, parameters) = split(&options.parameters)?;
-    let planner = PlannerOptions::of(options.planner.as_deref().unwrap_or(DEFAULT_PLANNER))?;
-    planner.check_robot("disc")?;
-    let planner = planner.read(&parameters)?;
-    let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
-    let standard = EdgeOptions::default();
-    for (name, is_standard) in [
-        ("edge_check", edges.edge_check == standard.edge_check),
-        ("edge_samples", edges.edge_samples == standard.edge_samples),
-        ("metric", edges.measuring == standard.measuring),
-        ("steering", edges.steering == standard.steering),
-    ] {
-        if !is_standard {
-            let sentence = format!(
-                "{name} is not for learned edges: they are checked by rollouts, in the Euclidean metric of the plane"
-            );
-            return Err(Error::new(Code::Unsupported, format!("/{name}"), sentence));
-        }
-    }
-    if edges.limits.free_ends.is_some() {
-        let sentence = "start and goal of a task are not moved: the start has a heading, at the goal the robot turns";
-        return Err(Error::new(Code::Unsupported, "/free_ends", sentence));
-    }
-    if edges.improving.blend > 0.0 {
-        return Err(Error::new(Code::Unsupported, "/blend", "corners are rounded only between proven motions"));
-    }
+    rollouts.check()?;
+    let planner = options.planner.unwrap_or_else(default_planner);
+    planner.check()?;
+    run::check_use(&planner, run::LEARNED)?;
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
     let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
     let validity = RolloutValidity {
         turning: DiscValidity::new(&disc, task.world()),
-        rollouts: Rollouts::new(task, policy, rollouts, options.seed)?,
+        rollouts: Rollouts::new(task, policy, *rollouts, options.seed)?,
     };
     let [start, goal] = [&query.start[..2], &query.goal[..]].map(|q| space.state(q));
     let mut problem = Problem::new(space.clone(), Box::new(validity), start, goal)?;

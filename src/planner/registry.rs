@@ -5,7 +5,7 @@ use super::groups::{EdgeOptions, Overgrowth, Termination};
 use super::info::{Grows, PlannerInfo, PlannerKind};
 use super::{Limits, Planner};
 use crate::error::{Code, Error, quoted};
-use crate::options::{Field, OptionInfo, Options, Value, out_of_range};
+use crate::options::{Change, Field, OptionInfo, Options, Value, is_for, out_of_range};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -35,6 +35,12 @@ macro_rules! registry {
         pub enum PlannerOptions {
             $(#[allow(missing_docs)] $Variant($Options),)*
         }
+
+        $(impl From<$Options> for PlannerOptions {
+            fn from(options: $Options) -> Self {
+                PlannerOptions::$Variant(options)
+            }
+        })*
 
         /// Every planner with its default options.
         pub fn planners() -> [PlannerOptions; [$(stringify!($Variant)),*].len()] {
@@ -77,12 +83,25 @@ macro_rules! registry {
                 match self { $(PlannerOptions::$Variant(_) => <$Options>::table(),)* }
             }
 
-            /// The same planner with options given by name; the rest take their defaults.
+            /// The options that differ from their defaults.
+            pub fn changes(&self) -> Vec<Change> {
+                match self { $(PlannerOptions::$Variant(options) => options.changes(),)* }
+            }
+
+            /// Refuses values out of range.
             ///
             /// # Errors
-            /// As [`Options::read`].
-            pub fn read(&self, given: &[(String, Value)]) -> Result<Self, Error> {
-                Ok(match self { $(PlannerOptions::$Variant(_) => PlannerOptions::$Variant(Options::read(given)?),)* })
+            /// `not-finite` or `out-of-range`, with the pointer `/name`.
+            pub fn check(&self) -> Result<(), Error> {
+                self.updated(&[]).map(|_| ())
+            }
+
+            /// These options with the values given by name; all must be in range.
+            ///
+            /// # Errors
+            /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
+            pub fn updated(self, given: &[(String, Value)]) -> Result<Self, Error> {
+                Ok(match self { $(PlannerOptions::$Variant(options) => PlannerOptions::$Variant(options.updated(given)?),)* })
             }
 
             /// The group of options of this type, if the planner has it.
@@ -134,6 +153,23 @@ impl PlannerOptions {
         })
     }
 
+    /// The planner with the given id and with options given by name; the rest have their defaults.
+    ///
+    /// # Errors
+    /// `unknown-planner`, pointer `/algorithm`, and those of [`PlannerOptions::updated`].
+    ///
+    /// # Example
+    /// ```
+    /// use planarium::run::{PlannerOptions, PrmOptions, Value};
+    ///
+    /// let read = PlannerOptions::read("prm", &[("samples".to_owned(), Value::Number(700.0))])?;
+    /// assert_eq!(read, PrmOptions { samples: Some(700), ..PrmOptions::default() }.into());
+    /// # Ok::<(), planarium::Error>(())
+    /// ```
+    pub fn read(id: &str, given: &[(String, Value)]) -> Result<Self, Error> {
+        Self::of(id)?.updated(given)
+    }
+
     /// Refuses a limit of iterations that cannot suffice for the samples that were asked for.
     fn check_limits(&self) -> Result<(), Error> {
         let given = self.group::<Limits>().and_then(|limits| limits.max_iterations);
@@ -148,19 +184,8 @@ impl PlannerOptions {
         }
     }
 
-    /// Refuses a robot that the planner is not for, by its type.
-    ///
-    /// # Errors
-    /// `unsupported`, pointer `/algorithm`, naming planners for it.
-    pub fn check_robot(&self, robot: &str) -> Result<(), Error> {
-        let (id, robots) = (self.id(), self.robots());
-        if robots.contains(&robot) {
-            return Ok(());
-        }
-        let fitting: Vec<&str> =
-            planners().iter().filter(|other| other.robots().contains(&robot)).map(|other| other.id()).collect();
-        let (own, fitting) = (robots.join(", "), fitting.join(", "));
-        let sentence = format!("{id} plans for robots of type {own}, not {robot}; planners for it are {fitting}");
-        Err(Error::new(Code::Unsupported, "/algorithm", sentence))
+    /// Whether it plans for robots of this type.
+    pub fn is_for(&self, robot: &str) -> bool {
+        is_for(self.robots(), robot)
     }
 }

@@ -6,15 +6,15 @@
 
 use super::description::{SIZES, SpaceDescription};
 use super::factory::run_info;
+use super::options::{OWN, at_resolution, check_use};
 use super::questions::configuration;
 use super::resume::checked_states;
 use super::runner::{RunInfo, Runner};
 use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
-use crate::options::{Choice, out_of_range};
 use crate::path::LengthMeasure;
-use crate::planner::{self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
+use crate::planner::{self, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
 use crate::problem::{ClearanceValidity, Evaluate, MaybeSend, MaybeSync, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
@@ -179,9 +179,10 @@ impl CustomProblem {
 /// # Ok::<(), planarium::Error>(())
 /// ```
 pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<dyn Run>, Error> {
-    let planner = PlannerOptions::of(options.planner_for_own())?;
+    let planner = options.planner_for(None);
     check_seed(options.seed)?;
-    launch_problem(problem, options, options.read(planner)?, None)
+    planner.check()?;
+    launch_problem(problem, options, planner, None)
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap of the same space.
@@ -192,34 +193,18 @@ pub(super) fn launch_problem(
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let unsupported = |pointer: &str, sentence: &str| Err(Error::new(Code::Unsupported, pointer, sentence));
-    if planner.group::<ByControls>().is_some() {
-        let sentence = format!("{} plans for cars, not for robots of one's own", planner.id());
-        return unsupported("/algorithm", &sentence);
-    }
+    check_use(&planner, OWN)?;
     if options.query.is_some() {
         return unsupported("/query", "a problem of one's own has no queries by name");
     }
     let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
-    if edges.measuring.metric.is_some() {
-        return Err(out_of_range("metric", "the metric is that of the problem's space"));
-    }
-    if let Some(steering) = edges.steering {
-        let sentence = format!("only a car is steered: \"{}\" is not for this robot", steering.word());
-        return Err(out_of_range("steering", sentence));
-    }
-    if edges.edge_check == EdgeCheck::JointLines {
-        return Err(out_of_range("edge_check", "\"joint-lines\" is for arms among polygons and discs"));
-    }
-    let is_given = |name: &str| options.parameters.iter().any(|(given, _)| given == name);
     let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..run_info(&planner, options.seed) };
     if problem.is_sampled() {
-        if is_given("edge_check") || is_given("edge_samples") {
-            return unsupported("/edge_check", "edges are sampled at the resolution of the problem");
+        let standard = EdgeOptions::default();
+        if (edges.edge_check, edges.edge_samples) != (standard.edge_check, standard.edge_samples) {
+            return Err(at_resolution());
         }
         info.edge_check = EdgeCheck::Sampled;
-    }
-    if info.wanted.blend > 0.0 {
-        return unsupported("/blend", "corners are rounded only for the robots of scenarios");
     }
     // A roadmap that is continued is searched for one path.
     info.termination = info.termination.filter(|_| saved.is_none());

@@ -1,13 +1,13 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
+use super::options::check_use;
 use super::reopen::{Changes, Kept};
 use super::resume;
 use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
-use crate::options::Choice;
 use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
     self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions,
@@ -42,9 +42,10 @@ pub(super) fn follows_curves(car: &Car) -> bool {
 /// options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
 pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
-    let planner = PlannerOptions::of(options.planner_for(world.scenario()))?;
+    let planner = options.planner_for(Some(world.robot()));
     check_seed(options.seed)?;
-    launch(&world, options, options.read(planner)?, None)
+    planner.check()?;
+    launch(&world, options, planner, None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
@@ -116,7 +117,7 @@ impl<'a> Launch<'a> {
     ) -> Result<Self, Error> {
         let scenario = world.scenario();
         let (index, query) = scenario.find_query(options.query.as_deref())?;
-        planner.check_robot(scenario.robot().kind())?;
+        check_use(&planner, scenario.robot().kind())?;
         // A path of controlled motions ends near its goal, never exactly there.
         let driving = planner.group::<ByControls>();
         if driving.is_some() && query.goal_tolerance.is_none() {
@@ -133,24 +134,6 @@ impl<'a> Launch<'a> {
             query: query.name.clone(),
             ..run_info(&planner, options.seed)
         };
-        if !matches!(scenario.robot(), Robot::Car(_))
-            && let Some(steering) = edges.and_then(|edges| edges.steering)
-        {
-            let word = steering.word();
-            let sentence = format!("only a car is steered: \"{word}\" is not for this robot");
-            return Err(Error::new(Code::OutOfRange, "/steering", sentence));
-        }
-        if info.edge_check == EdgeCheck::JointLines && !matches!(scenario.robot(), Robot::Arm(_)) {
-            let kind = scenario.robot().kind();
-            let sentence = format!("only an arm has joints: \"joint-lines\" is not for the robot {kind}");
-            return Err(Error::new(Code::OutOfRange, "/edge_check", sentence));
-        }
-        if info.wanted.blend > 0.0
-            && (info.edge_check != EdgeCheck::Proven || matches!(scenario.robot(), Robot::Car(_)))
-        {
-            let sentence = "corners are rounded only between straight, proven motions: not those of a car, nor with another edge_check";
-            return Err(Error::new(Code::Unsupported, "/blend", sentence));
-        }
         let metric = edges.and_then(|edges| edges.measuring.metric);
         let info = RunInfo { measure: Some(LengthMeasure::of(scenario.robot(), metric)), ..info };
         let goals = goals(world, query, index, options.seed)?;

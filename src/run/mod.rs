@@ -52,11 +52,19 @@ pub use custom::{CustomProblem, Free, start_problem};
 pub use description::{CoordinateDescription, CoordinateKind, SpaceDescription};
 pub(crate) use factory::start_learned;
 pub use factory::{start, start_on};
-pub use options::Options;
+pub(crate) use options::{LEARNED, check_use};
+pub use options::{Options, Request, default_planner};
 pub use resume::{resume, resume_problem};
 
 pub use crate::options::Value;
-pub use crate::planner::{Limits, Phase, PlannerInfo, PlannerOptions, Preset, Reason, Status, planners};
+pub use crate::planner::{
+    AorrtcOptions, BitStarOptions, EdgeOptions, FmtStarOptions, Improving, InformedRrtStarOptions, LazyPrmOptions,
+    LazyPrmStarOptions, Limits, Phase, PlannerInfo, PlannerOptions, Preset, PrmOptions, PrmStarOptions, Reason,
+    RrtConnectOptions, RrtControlOptions, RrtOptions, RrtStarOptions, SstOptions, Status, VisibilityPrmOptions,
+    planners,
+};
+
+pub use crate::graph::{Event, EventKind, VertexId};
 
 use crate::error::Error;
 use crate::path::ResultDocument;
@@ -71,8 +79,17 @@ pub const EVENT_HEAD: usize = 4;
 /// checks, motion checks, clearance evaluations, and the length of the best path so far.
 pub const HISTORY_WIDTH: usize = 8;
 
-/// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation.
-pub trait Run: MaybeSend {
+mod sealed {
+    /// Only this crate has runs, so that [`Run`](super::Run) may get further methods.
+    pub trait Sealed {}
+}
+
+/// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation. Further methods may be added,
+/// so no other crate can implement it: [`start_on`] makes a run of any planner.
+///
+/// What is new since a row comes as an iterator ([`vertices_since`](#method.vertices_since), `edges_since`, `events_since`), or copied
+/// into a table of numbers ([`Run::vertex_rows`] and its siblings).
+pub trait Run: MaybeSend + sealed::Sealed {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
@@ -135,22 +152,31 @@ pub trait Run: MaybeSend {
     /// How many events are recorded.
     fn event_count(&self) -> usize;
 
+    /// The configuration of a vertex. Panics if there is no such vertex.
+    fn vertex(&self, row: usize) -> &[f64];
+
+    /// The two vertices of an edge. Panics if there is no such edge.
+    fn edge(&self, row: usize) -> [u32; 2];
+
+    /// An event. Panics if there is no such event.
+    fn event(&self, row: usize) -> Event<&[f64]>;
+
     /// The vertices from row `row` on: `dimension` numbers each.
-    fn vertices_since(&self, row: usize) -> Vec<f64>;
+    fn vertex_rows(&self, row: usize) -> Vec<f64>;
 
     /// The edges from row `row` on: two vertex numbers each.
-    fn edges_since(&self, row: usize) -> Vec<u32>;
+    fn edge_rows(&self, row: usize) -> Vec<u32>;
 
     /// The controlled motions along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
     /// (metres per second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
-    fn motions_since(&self, row: usize) -> Vec<f64>;
+    fn motion_rows(&self, row: usize) -> Vec<f64>;
 
     /// The shapes of the curved edges from row `row` on: the number of the edge and a configuration on it each,
     /// from its first vertex to its second, close enough to be connected by straight lines.
-    fn traces_since(&self, row: usize) -> Vec<f64>;
+    fn trace_rows(&self, row: usize) -> Vec<f64>;
 
     /// The events from row `row` on: kind, iteration, vertex or -1, other vertex or -1, and a configuration each.
-    fn events_since(&self, row: usize) -> Vec<f64>;
+    fn event_rows(&self, row: usize) -> Vec<f64>;
 
     /// The goal configurations: that of the query, or for a query with a target those that were found to
     /// reach it, in that order. If the planner begins with them as vertices, they are those from 1 on.
@@ -207,4 +233,39 @@ pub trait Run: MaybeSend {
     /// `unsupported` if the planner builds no roadmap, or is not done yet; `other-scenario` if robot or bounds differ; `unknown-query`;
     /// `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error>;
+}
+
+/// What is new since a row.
+///
+/// # Example
+/// ```
+/// use planarium::run::{Options, RrtOptions, Status, start};
+/// use planarium::worlds::generate;
+///
+/// let scenario = generate("passage", &serde_json::json!({}))?;
+/// let mut run = start(&scenario, &Options::new(RrtOptions::default()))?;
+/// let mut drawn = 0;
+/// while run.step(100) == Status::Running {
+///     for q in run.vertices_since(drawn) {
+///         assert_eq!(q.len(), 2);
+///     }
+///     drawn = run.vertex_count();
+/// }
+/// # Ok::<(), planarium::Error>(())
+/// ```
+impl dyn Run + '_ {
+    /// The configurations of the vertices from row `row` on; none if there are not so many.
+    pub fn vertices_since(&self, row: usize) -> impl ExactSizeIterator<Item = &[f64]> {
+        (row.min(self.vertex_count())..self.vertex_count()).map(|row| self.vertex(row))
+    }
+
+    /// The edges from row `row` on, each by its two vertices.
+    pub fn edges_since(&self, row: usize) -> impl ExactSizeIterator<Item = [u32; 2]> {
+        (row.min(self.edge_count())..self.edge_count()).map(|row| self.edge(row))
+    }
+
+    /// The events from row `row` on.
+    pub fn events_since(&self, row: usize) -> impl ExactSizeIterator<Item = Event<&[f64]>> {
+        (row.min(self.event_count())..self.event_count()).map(|row| self.event(row))
+    }
 }

@@ -56,13 +56,15 @@ pub fn resume(
     }
     let robot = scenario.robot();
     // A car's roadmap is one of curves.
-    let steering = if let Robot::Car(car) = robot { Some(steering(car, document)?) } else { None };
+    if let Robot::Car(car) = robot {
+        check_curves(car, document)?;
+    }
     let only = (!matches!(robot, Robot::Arm(_) | Robot::Car(_))).then(|| only_metric(robot));
     if let Some(metric) = only.filter(|metric| document.metric != *metric) {
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    let planner = settings(builder(options, document)?, options, document, steering)?;
+    let planner = continued(options, document)?;
     launch(&world, options, planner, Some(document))
 }
 
@@ -98,12 +100,12 @@ pub fn resume_problem(
             .map(|is_sampled| if is_sampled { "whether a configuration is free" } else { "a bound on clearance" });
         return other("/edge_check", format!("the roadmap was built with {there}, and the problem tells {here}"));
     }
-    let planner = settings(builder(options, document)?, options, document, None)?;
+    let planner = continued(options, document)?;
     launch_problem(problem, options, planner, Some(document))
 }
 
 /// The planner that built the roadmap.
-fn builder(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
+fn builder(named: Option<&str>, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
     let builds_roadmap = |planner: &PlannerOptions| planner.grows() == Grows::Roadmap;
     let Some(planner) = PlannerOptions::of(&document.planner).ok().filter(builds_roadmap) else {
         return Err(damaged(
@@ -111,35 +113,43 @@ fn builder(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptio
             format!("{} is not a planner that builds a roadmap", quoted(&document.planner)),
         ));
     };
-    if let Some(other) = options.planner.as_ref().filter(|other| *other != planner.id()) {
+    if let Some(other) = named.filter(|other| *other != planner.id()) {
         let sentence = format!("the roadmap was built by {}, not {other}", planner.id());
         return Err(Error::new(Code::OutOfRange, "/algorithm", sentence));
     }
-    check_seed(options.seed)?;
     Ok(planner)
 }
 
-/// How the car was steered when the roadmap was built.
-fn steering(car: &Car, document: &RoadmapDocument) -> Result<Steering, Error> {
-    let radius = car.turning_radius().map(|(radius, _)| radius);
-    document.metric.curves().filter(|&(_, known)| radius == Some(known)).map(|(steering, _)| steering).ok_or_else(
-        || {
-            let known = radius.map_or("none".to_owned(), |radius| {
-                let known = [Steering::Dubins, Steering::ReedsShepp].map(|word| RoadmapMetric::of_curves(word, radius));
-                known.map(|metric| metric.to_string()).join(" or ")
-            });
-            damaged("/metric", format!("the metric of this car is {known}, not {}", document.metric))
-        },
-    )
+/// The planner of a run on the roadmap. What differs from its default in the options has been chosen.
+fn continued(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
+    check_seed(options.seed)?;
+    let Some(planner) = options.planner else { return settings(None, &[], document) };
+    planner.check()?;
+    let changes = planner.changes().into_iter().map(|change| (change.name.to_owned(), change.value));
+    settings(Some(planner.id()), &changes.collect::<Vec<_>>(), document)
 }
 
-/// The options of the run: the values stored in the document, and the given options that may still be chosen.
-fn settings(
-    planner: PlannerOptions,
-    options: &Options,
+/// Refuses a roadmap that was not built with curves of this car.
+fn check_curves(car: &Car, document: &RoadmapDocument) -> Result<(), Error> {
+    let radius = car.turning_radius().map(|(radius, _)| radius);
+    if document.metric.curves().is_some_and(|(_, known)| radius == Some(known)) {
+        return Ok(());
+    }
+    let known = radius.map_or("none".to_owned(), |radius| {
+        let known = [Steering::Dubins, Steering::ReedsShepp].map(|word| RoadmapMetric::of_curves(word, radius));
+        known.map(|metric| metric.to_string()).join(" or ")
+    });
+    Err(damaged("/metric", format!("the metric of this car is {known}, not {}", document.metric)))
+}
+
+/// The planner of a run on the roadmap, whose id may be given: with the options that the document holds, and of those given by name those
+/// that may still be chosen.
+pub(super) fn settings(
+    named: Option<&str>,
+    given: &[(String, Value)],
     document: &RoadmapDocument,
-    steering: Option<Steering>,
 ) -> Result<PlannerOptions, Error> {
+    let planner = builder(named, document)?;
     let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
     let text = |name: &str, value: &str| (name.to_owned(), Value::Text(value.to_owned()));
     // An option chooses among the metrics of joints; that of placements is the scenario's.
@@ -158,13 +168,13 @@ fn settings(
         all.push(text("edge_check", document.edge_check.word()));
     }
     all.extend(metric.map(|metric| text("metric", metric.word())));
-    all.extend(steering.map(|steering| text("steering", steering.word())));
+    all.extend(document.metric.curves().map(|(steering, _)| text("steering", steering.word())));
     all.extend(document.edge_samples.map(|samples| number("edge_samples", f64::from(samples))));
-    planner.read(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
+    planner.updated(&all).map_err(|error| damaged(error.pointer(), error.message()))?;
     let stored = [&all[..], &[number("k", f64::from(document.k)), number("radius", document.radius)]].concat();
     // Options about the use of a roadmap, not about its construction.
     let is_free = |name: &str| Searching::has(name) || Improving::has(name) || Limits::has(name);
-    for (name, value) in &options.parameters {
+    for (name, value) in given {
         let is_known = planner.has(name);
         match stored.iter().find(|(other, _)| is_known && other == name) {
             Some((_, stored)) if stored == value => {}
@@ -178,7 +188,7 @@ fn settings(
             None => all.push((name.clone(), value.clone())),
         }
     }
-    planner.read(&all)
+    planner.updated(&all)
 }
 
 /// The states of the vertices; checks every vertex and proves every edge by `validity`.

@@ -3,7 +3,7 @@
 use super::emitted::{self, EmittedPath};
 use super::termination::{Limiting, Progress};
 use super::work::Weights;
-use super::{EVENT_HEAD, HISTORY_WIDTH, Run, questions};
+use super::{EVENT_HEAD, Event, HISTORY_WIDTH, Run, questions, sealed};
 use crate::error::{Code, Error};
 use crate::graph::MAX_RECORDS;
 use crate::options::Choice;
@@ -376,6 +376,8 @@ impl<S: Space> Runner<S> {
     }
 }
 
+impl<S: Space> sealed::Sealed for Runner<S> {}
+
 impl<S: Space> Run for Runner<S> {
     fn step(&mut self, iterations: u64) -> Status {
         let mut left = iterations;
@@ -477,17 +479,30 @@ impl<S: Space> Run for Runner<S> {
         self.planner.graph().events().len()
     }
 
-    fn vertices_since(&self, row: usize) -> Vec<f64> {
+    fn vertex(&self, row: usize) -> &[f64] {
+        self.problem.space().coordinates(&self.planner.graph().states()[row])
+    }
+
+    fn edge(&self, row: usize) -> [u32; 2] {
+        self.planner.graph().edges()[row].map(|vertex| vertex.0)
+    }
+
+    fn event(&self, row: usize) -> Event<&[f64]> {
+        let Event { kind, iteration, vertex, other, ref state } = self.planner.graph().events()[row];
+        Event { kind, iteration, vertex, other, state: self.problem.space().coordinates(state) }
+    }
+
+    fn vertex_rows(&self, row: usize) -> Vec<f64> {
         let states = self.planner.graph().states().get(row..).unwrap_or_default();
         states.iter().flat_map(|state| self.problem.space().coordinates(state)).copied().collect()
     }
 
-    fn edges_since(&self, row: usize) -> Vec<u32> {
+    fn edge_rows(&self, row: usize) -> Vec<u32> {
         let edges = self.planner.graph().edges().get(row..).unwrap_or_default();
         edges.iter().flatten().map(|vertex| vertex.0).collect()
     }
 
-    fn motions_since(&self, row: usize) -> Vec<f64> {
+    fn motion_rows(&self, row: usize) -> Vec<f64> {
         let (graph, mut rows) = (self.planner.graph(), Vec::new());
         for edge in row..graph.edges().len() {
             for Motion { control, duration } in emitted::motions(&self.problem, graph, edge) {
@@ -497,7 +512,7 @@ impl<S: Space> Run for Runner<S> {
         rows
     }
 
-    fn traces_since(&self, row: usize) -> Vec<f64> {
+    fn trace_rows(&self, row: usize) -> Vec<f64> {
         let (graph, mut rows) = (self.planner.graph(), Vec::new());
         for edge in row..graph.edges().len() {
             for state in emitted::trace(&self.problem, graph, edge) {
@@ -508,7 +523,7 @@ impl<S: Space> Run for Runner<S> {
         rows
     }
 
-    fn events_since(&self, row: usize) -> Vec<f64> {
+    fn event_rows(&self, row: usize) -> Vec<f64> {
         let events = self.planner.graph().events().get(row..).unwrap_or_default();
         let mut rows = Vec::with_capacity(events.len() * (EVENT_HEAD + self.dimension()));
         for event in events {
@@ -580,7 +595,7 @@ impl<S: Space> Run for Runner<S> {
         // Where obstacles have moved, one may be upon a vertex that no path has wanted since.
         let is_free = |(i, state)| !roadmap.is_unchecked(i) || self.problem.validity().is_free(state);
         let kept: Vec<bool> = roadmap.graph().states().iter().enumerate().map(is_free).collect();
-        Some(document.filled(self.vertices_since(0), &self.edges_since(0), &kept))
+        Some(document.filled(self.vertex_rows(0), &self.edge_rows(0), &kept))
     }
 
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error> {

@@ -24,12 +24,12 @@ pub fn car(world: &Scenario) -> &Car {
 
 /// The vertices of a tree.
 pub fn vertices_of(run: &dyn Run) -> Vec<[f64; 3]> {
-    run.vertices_since(0).as_chunks().0.to_vec()
+    run.vertex_rows(0).as_chunks().0.to_vec()
 }
 
 /// Its edges.
 pub fn edges(run: &dyn Run) -> Vec<Edge> {
-    let (ends, motions) = (run.edges_since(0), run.motions_since(0));
+    let (ends, motions) = (run.edge_rows(0), run.motion_rows(0));
     assert_eq!((ends.len() / 2, motions.len() / 4), (run.edge_count(), run.edge_count()), "one motion per edge");
     let edge = |(i, (ends, motion)): (usize, (&[u32; 2], &[f64; 4]))| {
         assert_eq!(motion[0], i as f64);

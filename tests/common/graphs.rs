@@ -5,17 +5,17 @@ use planarium::run::{EVENT_HEAD, Run};
 
 /// The vertices, one row each.
 pub fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
-    run.vertices_since(0).chunks(run.dimension()).map(<[f64]>::to_vec).collect()
+    run.vertex_rows(0).chunks(run.dimension()).map(<[f64]>::to_vec).collect()
 }
 
 /// The edges by the numbers of their vertices.
 pub fn edges(run: &dyn Run) -> Vec<[usize; 2]> {
-    run.edges_since(0).chunks(2).map(|edge| [edge[0] as usize, edge[1] as usize]).collect()
+    run.edge_rows(0).chunks(2).map(|edge| [edge[0] as usize, edge[1] as usize]).collect()
 }
 
 /// The events of a kind, one row each.
 pub fn events(run: &dyn Run, kind: EventKind) -> Vec<Vec<f64>> {
-    let rows = run.events_since(0);
+    let rows = run.event_rows(0);
     let is_meant = |event: &&[f64]| event[0] == f64::from(kind as u8);
     rows.chunks(EVENT_HEAD + run.dimension()).filter(is_meant).map(<[f64]>::to_vec).collect()
 }

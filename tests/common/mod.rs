@@ -5,9 +5,10 @@ pub mod documents;
 pub mod driven;
 pub mod golden;
 pub mod graphs;
+pub mod requests;
 
 use documents::{arm, disc, judged, limited_arm, named, polygon, rectangle, rectangular};
-use planarium::run::{self, Options, Run, Value};
+use planarium::run::{Request, Run, Value};
 use planarium::scenario::Scenario;
 
 /// Whether properties are tested at full depth: natively, with `PLANARIUM_DEEP=1`.
@@ -130,12 +131,12 @@ pub fn parse(text: &str) -> Scenario {
 
 /// Starts a run of the scenario's first query, with settings as a line of `name=value`.
 pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Box<dyn Run> {
-    run::start(scenario, &options(planner, seed, settings)).unwrap_or_else(|error| panic!("{error}"))
+    requests::start(scenario, &options(planner, seed, settings)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Options with settings as a line of `name=value`.
-pub fn options(planner: &str, seed: u64, settings: &str) -> Options {
-    Options { planner: Some(planner.to_owned()), seed, parameters: given(settings), ..Options::default() }
+pub fn options(planner: &str, seed: u64, settings: &str) -> Request {
+    Request { planner: Some(planner.to_owned()), seed, parameters: given(settings), ..Request::default() }
 }
 
 /// Settings given as a line of `name=value`.

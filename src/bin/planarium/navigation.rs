@@ -8,7 +8,7 @@ use planarium::error::Code;
 use planarium::json;
 use planarium::navigation::{self, Comparison, Method, Navigation, Policy};
 use planarium::problem::Status;
-use planarium::run::Options;
+use planarium::run::Request;
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
@@ -71,15 +71,15 @@ pub fn navigate(arguments: &arguments::Navigate) -> Answer {
     let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
     let out = outputs.add(arguments.out.as_deref(), Kind::NAVIGATION_PLAN)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
-    let options = Options {
+    let (rollouts, options) = navigation::read_options(&Request {
         planner: arguments.planner.clone(),
         query: arguments.query.clone(),
         seed: arguments.given.seed,
         parameters: arguments.given.set.clone(),
-        ..Options::default()
-    };
+        ..Request::default()
+    })?;
     let begun = Instant::now();
-    let result = navigation::navigate(&task, &policy, &options, arguments.trials)?;
+    let result = navigation::navigate(&task, &policy, &rollouts, &options, arguments.trials)?;
     out.write(&result.to_json())?;
     let (edges, seconds) = (result.rollouts.len(), begun.elapsed().as_secs_f64());
     let reached = format!("{} of {} executions reached the goal", result.reached.count, result.reached.n);

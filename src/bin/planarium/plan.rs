@@ -9,7 +9,7 @@ use planarium::PlanningWorld;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
-use planarium::run::{self, Limits, Options, Phase, Run, Status, Value};
+use planarium::run::{self, Limits, Phase, Request, Run, Status, Value};
 use std::io::{IsTerminal, stderr};
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -33,7 +33,7 @@ pub fn plan(arguments: &Plan) -> Answer {
     let out = outputs.add(arguments.out.as_deref(), Kind::PLAN)?;
     let scenario = files::scenario(&arguments.file, saved.map(|name| ("roadmap", name)))?;
     let most = arguments.max_iterations.map(|most| Value::Number(most as f64));
-    let options = Options {
+    let request = Request {
         planner: arguments.planner.clone(),
         query: arguments.query.clone(),
         seed: arguments.given.seed,
@@ -42,11 +42,14 @@ pub fn plan(arguments: &Plan) -> Answer {
         events: true,
     };
     let mut run = match saved {
-        Some(name) => run::resume(&scenario, &options, &RoadmapDocument::read(&files::read_bytes(name)?)?)?,
-        None => run::start(&scenario, &options)?,
+        Some(name) => {
+            let document = RoadmapDocument::read(&files::read_bytes(name)?)?;
+            run::resume(&scenario, &request.for_roadmap(&document)?, &document)?
+        }
+        None => run::start(&scenario, &request.for_robot(scenario.robot())?)?,
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
-        let sentence = format!("{} builds no roadmap that could be saved", options.planner_for(&scenario));
+        let sentence = format!("{} builds no roadmap that could be saved", run.result().planner);
         return Err(Error::new(Code::Unsupported, "", sentence));
     }
     run.set_threads(arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN));

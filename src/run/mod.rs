@@ -242,7 +242,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
 /// use planarium::run::{Options, RrtOptions, Status, start};
 /// use planarium::worlds::generate;
 ///
-/// let scenario = generate("passage", &serde_json::json!({}))?;
+/// let scenario = generate("maze", &serde_json::json!({}))?;
 /// let mut run = start(&scenario, &Options::new(RrtOptions::default()))?;
 /// let mut drawn = 0;
 /// while run.step(100) == Status::Running {

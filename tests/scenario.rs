@@ -1,12 +1,13 @@
 //! What a scenario document may contain, what is refused, with which code and pointer, and how it is written again.
 
-use crate::common::documents::{ARM, BODY, CAR, DISC, pointers, reaching, refusal, with};
+use crate::common::documents::{ARM, BODY, CAR, DISC, pointers, reaching, refusal, refuses, with};
+use crate::common::parse;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
 use crate::schema::check as check_schema;
-use planarium::geometry::Point;
-use planarium::robot::{Target, Weights};
+use planarium::geometry::{Aabb, Point};
+use planarium::robot::{DiscRobot, Target, Weights};
 use planarium::scenario::{
-    FORMAT, Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Robot, Scenario,
+    FORMAT, Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, polygon,
 };
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -417,4 +418,43 @@ fn a_query_may_have_a_target_of_the_end_effector() {
     for document in [DISC, BODY, CAR] {
         check_refusals(document, true, &[(r#""start""#, target, "unknown-field", at, why)]);
     }
+}
+
+/// A scenario of values is the scenario of its document, and obeys the same rules.
+#[wasm_bindgen_test(unsupported = test)]
+fn scenarios_are_made_of_values() {
+    for text in [ARM, DISC, BODY, CAR] {
+        let read = parse(text);
+        let queries = read.queries().to_vec();
+        let made =
+            Scenario::new(read.name(), read.world().clone(), read.robot().clone(), queries).expect("it was read");
+        let untitled = Scenario::new(made.name(), made.world().clone(), made.robot().clone(), made.queries().to_vec());
+        assert_eq!(made.to_json_string(), untitled.expect("the same again").to_json_string());
+        assert_eq!((made.world(), made.robot(), made.queries()), (read.world(), read.robot(), read.queries()));
+    }
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]].map(Point::from);
+    let bounds = Aabb::of(Point::new(0.0, 0.0), Point::new(4.0, 4.0));
+    let wall = Obstacle::from(polygon(&corners).expect("a triangle"));
+    let disc = DiscRobot::new(0.1).expect("a robot");
+    let with = |bounds: Option<Aabb>, obstacles: &[Obstacle], start: [f64; 2]| {
+        let world = World::new(bounds, obstacles.to_vec());
+        Scenario::new("made", world, disc.clone(), [Query::new("over", start, [3.0, 3.0])]).map(|_| ())
+    };
+    assert_eq!(with(Some(bounds), std::slice::from_ref(&wall), [2.0, 1.0]), Ok(()));
+    refuses(with(None, &[], [2.0, 1.0]), "missing-field", "/world/bounds");
+    refuses(
+        with(Some(bounds), &[wall.clone(), Obstacle::disc(corners[0], -1.0)], [2.0, 1.0]),
+        "out-of-range",
+        "/world/obstacles/1/radius",
+    );
+    refuses(
+        with(Some(bounds), &[Obstacle::disc(corners[0], f64::NAN)], [2.0, 1.0]),
+        "not-finite",
+        "/world/obstacles/0/radius",
+    );
+    refuses(with(Some(bounds), &[], [2.0, f64::INFINITY]), "not-finite", "/queries/0/start/1");
+    refuses(with(Some(bounds), &[], [2.0, 1e7]), "out-of-range", "/queries/0/start/1");
+    refuses(polygon(&corners[..2]), "degenerate-polygon", "/vertices");
+    let short = Scenario::new("made", World::new(Some(bounds), []), disc.clone(), [Query::new("q", [1.0], [1.0, 1.0])]);
+    refuses(short, "wrong-dimension", "/queries/0/start");
 }

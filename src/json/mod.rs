@@ -14,6 +14,7 @@ pub(crate) use tree::{in_javascript, read_tree};
 pub(crate) use typed::by_type;
 pub use typed::{not_negative, read, some_not_negative};
 pub use write::to_string;
+pub(crate) use write::{first_null, to_tree};
 
 /// The longest text that is read, in bytes.
 pub const MAX_TEXT: usize = 64 << 20;

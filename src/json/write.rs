@@ -1,6 +1,8 @@
 //! Values as JSON text in one normal form.
 
+use super::push_field;
 use serde::Serialize;
+use serde_json::Value;
 use serde_json::ser::{Formatter, Serializer};
 use std::io::{self, Write};
 
@@ -16,6 +18,31 @@ pub fn to_string<T: Serialize + ?Sized>(value: &T) -> String {
     let mut text = Vec::new();
     value.serialize(&mut Serializer::with_formatter(&mut text, Normal)).expect("the value has a form in JSON");
     String::from_utf8(text).expect("JSON is UTF-8")
+}
+
+/// The value as a tree; NaN and infinities are null.
+///
+/// # Panics
+/// As [`to_string`].
+pub(crate) fn to_tree<T: Serialize + ?Sized>(value: &T) -> Value {
+    serde_json::to_value(value).expect("the value has a form in JSON")
+}
+
+/// The pointer of the first null in a tree.
+pub(crate) fn first_null(tree: &Value) -> Option<String> {
+    let below = |name: &str, part: &Value| {
+        first_null(part).map(|rest| {
+            let mut pointer = String::new();
+            push_field(&mut pointer, name);
+            pointer + &rest
+        })
+    };
+    match tree {
+        Value::Null => Some(String::new()),
+        Value::Array(parts) => parts.iter().enumerate().find_map(|(i, part)| below(&i.to_string(), part)),
+        Value::Object(parts) => parts.iter().find_map(|(name, part)| below(name, part)),
+        Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
+    }
 }
 
 /// Compact, whole numbers without a fraction.

@@ -19,6 +19,7 @@ pub use schema::schema;
 pub(crate) use schema::schema_of;
 pub(crate) use types::Parts;
 pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
+pub use validate::polygon;
 
 /// The `format` of a scenario.
 pub const FORMAT: &str = "planarium-scenario-1";

@@ -1,7 +1,7 @@
 //! A checked scenario and its parts.
 
 use crate::error::{Code, Error, quoted};
-use crate::geometry::{Aabb, Disc, Placed, Polygon, Segment, distance_point_segment};
+use crate::geometry::{Aabb, Disc, Placed, Point, Polygon, Segment, distance_point_segment};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
@@ -92,6 +92,13 @@ pub struct World {
     pub obstacles: Arc<[Obstacle]>,
 }
 
+impl World {
+    /// The obstacles within bounds; only an arm needs none.
+    pub fn new(bounds: Option<Aabb>, obstacles: impl IntoIterator<Item = Obstacle>) -> Self {
+        Self { bounds, obstacles: obstacles.into_iter().collect() }
+    }
+}
+
 /// A closed, filled obstacle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -102,7 +109,18 @@ pub enum Obstacle {
     Polygon(Polygon),
 }
 
+impl From<Polygon> for Obstacle {
+    fn from(polygon: Polygon) -> Self {
+        Self::Polygon(polygon)
+    }
+}
+
 impl Obstacle {
+    /// A disc: centre and radius in metres.
+    pub fn disc(center: Point, radius: f64) -> Self {
+        Self::Disc(Disc { center, radius })
+    }
+
     /// The smallest box around the obstacle.
     pub fn aabb(&self) -> Aabb {
         match self {
@@ -154,6 +172,19 @@ pub enum Robot {
     /// A car.
     Car(Car),
 }
+
+/// Each type of robot is a [`Robot`].
+macro_rules! robots {
+    ($($Variant:ident($Type:ty)),*) => { $(
+        impl From<$Type> for Robot {
+            fn from(robot: $Type) -> Self {
+                Self::$Variant(robot)
+            }
+        }
+    )* };
+}
+
+robots!(Arm(Arm), Disc(DiscRobot), RigidBody(RigidBody), Car(Car));
 
 impl Robot {
     /// The number of coordinates of a configuration.
@@ -223,6 +254,12 @@ pub enum Goal {
 }
 
 impl Query {
+    /// A query from one configuration to another.
+    pub fn new(name: impl Into<String>, start: impl Into<Vec<f64>>, goal: impl Into<Vec<f64>>) -> Self {
+        let goal = Goal::Configuration(goal.into());
+        Self { name: name.into(), start: start.into(), goal, goal_tolerance: None }
+    }
+
     /// The configurations that the query names: the start, and the goal unless it is a target.
     pub fn ends(&self) -> impl Iterator<Item = &[f64]> {
         std::iter::once(&self.start[..]).chain(self.configuration())

@@ -30,6 +30,51 @@ impl Scenario {
         Self::read(&json::parse(text)?)
     }
 
+    /// A scenario of values: the same rules hold as for documents, and the same normal form is made of them.
+    ///
+    /// # Errors
+    /// Those of [`Scenario::parse`], except about the text and its fields, with the pointer that the value has in the document;
+    /// `not-finite`.
+    ///
+    /// # Complexity
+    /// As for a document of the size of the scenario.
+    ///
+    /// # Example
+    /// An arm of two links, 0.8 m long, beside a disc:
+    ///
+    /// ```
+    /// use planarium::geometry::{Aabb, Point};
+    /// use planarium::robot::Arm;
+    /// use planarium::run::{self, PrmOptions, Status};
+    /// use planarium::scenario::{Obstacle, Query, Scenario, World};
+    ///
+    /// let arm = Arm::new(Point::new(1.0, 1.0), vec![0.5, 0.3], 0.02, None)?;
+    /// let bounds = Aabb::of(Point::new(0.0, 0.0), Point::new(2.0, 2.0));
+    /// let world = World::new(Some(bounds), [Obstacle::disc(Point::new(1.5, 1.4), 0.1)]);
+    /// let query = Query::new("over", [0.0, 0.0], [1.6, 0.5]);
+    /// let scenario = Scenario::new("bench", world, arm, [query])?;
+    ///
+    /// let prm = PrmOptions { samples: Some(300), ..PrmOptions::default() };
+    /// let mut run = run::start(&scenario, &prm.into())?;
+    /// assert_eq!(run.step(100_000), Status::Solved);
+    /// assert!(run.length() >= 2.1);
+    /// # Ok::<(), planarium::Error>(())
+    /// ```
+    pub fn new(
+        name: impl Into<String>,
+        world: World,
+        robot: impl Into<Robot>,
+        queries: impl IntoIterator<Item = Query>,
+    ) -> Result<Self, Error> {
+        let (name, robot, queries) = (name.into(), robot.into(), queries.into_iter().collect());
+        let tree = json::to_tree(&Parts { name, title: None, world, robot, queries });
+        // Optional fields are left out, so that nothing but a number which JSON does not have is null.
+        match json::first_null(&tree) {
+            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite")),
+            None => Self::read(&tree),
+        }
+    }
+
     /// Reads a scenario from a tree of JSON values.
     ///
     /// # Errors
@@ -101,15 +146,26 @@ pub(crate) fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut u
         let sentence = format!("with this one, the polygons have more than {MAX_VERTICES} vertices");
         Error::new(Code::TooLarge, "/vertices", sentence)
     })?;
-    Polygon::new(&points).map_err(|fault| {
+    self::polygon(&points)
+}
+
+/// A simple polygon with these corners, in metres, in either direction, closed or open.
+///
+/// # Errors
+/// `degenerate-polygon`, pointer `/vertices`.
+///
+/// # Complexity
+/// O(n log n) for polygons whose edges are short, O(n²) at most.
+pub fn polygon(corners: &[Point]) -> Result<Polygon, Error> {
+    Polygon::new(corners).map_err(|fault| {
         let sentence = match fault {
             PolygonFault::Magnitude(i) => {
                 format!("vertex {i} has a coordinate that is neither 0 nor at least {MIN_MAGNITUDE:e} in magnitude")
             }
             PolygonFault::TooFewVertices => {
-                format!("a polygon has at least three distinct vertices; too few of these {} differ", points.len())
+                format!("a polygon has at least three distinct vertices; too few of these {} differ", corners.len())
             }
-            PolygonFault::ZeroArea => format!("the {} vertices lie on one line", points.len()),
+            PolygonFault::ZeroArea => format!("the {} vertices lie on one line", corners.len()),
             PolygonFault::SelfCrossing(i, j) => {
                 format!("the edges from vertex {i} and from vertex {j} touch or cross: the polygon is not simple")
             }

@@ -5,29 +5,37 @@
 //! radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every platform.
 //!
 //! # Where to start
-//! - [`scenario::Scenario::parse`] reads a document, [`scenario::generate`] makes one from a seed;
+//! - [`scenario::Scenario::new`] makes a scenario of values, [`scenario::Scenario::parse`] reads a document, [`worlds::generate`] makes
+//!   one from a seed;
 //! - [`PlanningWorld`] prepares a scenario once: space, collision world and broad phase;
-//! - [`run::start`] starts a planner and returns a [`run::Run`]; [`run::planners`] lists the planners and their options;
-//! - [`run::start_problem`] starts one for a robot of one's own, told by a space and a function of what is free; [`space::Space`] and
+//! - [`run::start`] starts a planner with typed [`run::Options`] and returns a [`run::Run`]; [`run::planners`] lists the planners and their
+//!   options, and [`run::Request`] reads options by name;
+//! - [`run::start_problem`] starts one for a robot of your own: a space, and a function that decides what is free; [`space::Space`] and
 //!   [`problem::Validity`] are the traits below it;
+//! - [`run::start_with`] runs a planner of your own ([`planner::Planner`]) for the robots of scenarios, [`run::start_on`] in any space;
 //! - [`run::storage`] saves a roadmap, [`run::resume`] continues with it, [`run::inspect`] answers a viewer's questions,
 //!   [`run::neighbours`] indexes configurations;
 //! - [`path::verify()`] checks a finished path by an independent method;
+//! - [`fleet::FleetPlanner`] plans for several robots at once, and [`fleet::verify`] checks its plans;
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
-//! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it drives reliably;
+//! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it drives
+//!   reliably;
 //! - [`driving::Drive`] drives a car by keys, [`trajectories::Trajectories`] adds trajectories that do not cross.
 //!
+//! Natively, worlds, problems and runs are [`Send`]: a run that begins in one thread may end in another.
+//!
 //! # Modules, from the ground up
-//! `error`, `json`, `options`, `random`, [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
-//! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, `shortening`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
-//! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
-//! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
-//! scenario or a shape. The core reads no clock, prints nothing, and has no global state: a test enforces this. It calls no code of its
-//! caller but the function that tells what is free. Modules hidden from this page are public for the tests and benches only; they may
-//! change at any time.
+//! [`error`], `json`, [`options`], [`random`], [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
+//! `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`], [`sampling`], `shortening`, [`path`]; [`planner`];
+//! [`run`]; and beside each other on it [`certificate`], [`driving`], [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and
+//! [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only modules below it: a planner sees
+//! a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock,
+//! prints nothing, and has no global state: a test enforces this. It calls no code of its caller but the function that tells what is
+//! free, and planners of your own. Modules hidden from this page are public for the tests, the benches and the command line only; they
+//! may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]
@@ -55,25 +63,17 @@ pub mod trajectories;
 
 #[doc(hidden)]
 pub mod collision;
-#[doc(hidden)]
 pub mod error;
-#[doc(hidden)]
 pub mod graph;
 #[doc(hidden)]
 pub mod json;
-#[doc(hidden)]
 pub mod nearest;
-#[doc(hidden)]
 pub mod options;
-#[doc(hidden)]
 pub mod planner;
-#[doc(hidden)]
 pub mod random;
-#[doc(hidden)]
 pub mod sampling;
 #[doc(hidden)]
 pub mod shortening;
-#[doc(hidden)]
 pub mod world;
 pub mod worlds;
 

@@ -5,16 +5,14 @@
 //! ([`Sampled`]), and the result document says so.
 
 use super::description::{SIZES, SpaceDescription};
-use super::factory::run_info;
+use super::launch::{Launch, RunInfo};
 use super::options::{OWN, at_resolution, check_use};
 use super::questions::configuration;
-use super::resume::checked_states;
-use super::runner::{RunInfo, Runner};
 use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
 use crate::path::LengthMeasure;
-use crate::planner::{self, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
+use crate::planner::{EdgeCheck, EdgeOptions, PlannerOptions};
 use crate::problem::{ClearanceValidity, Evaluate, MaybeSend, MaybeSync, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
@@ -198,7 +196,7 @@ pub(super) fn launch_problem(
         return unsupported("/query", "a problem of one's own has no queries by name");
     }
     let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
-    let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..run_info(&planner, options.seed) };
+    let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..RunInfo::of(&planner, options.seed) };
     if problem.is_sampled() {
         let standard = EdgeOptions::default();
         if (edges.edge_check, edges.edge_samples) != (standard.edge_check, standard.edge_samples) {
@@ -206,8 +204,6 @@ pub(super) fn launch_problem(
         }
         info.edge_check = EdgeCheck::Sampled;
     }
-    // A roadmap that is continued is searched for one path.
-    info.termination = info.termination.filter(|_| saved.is_none());
     match problem.dimension() {
         ..=SMALL => begin::<SMALL>(problem, options, planner, edges, info, saved),
         _ => begin::<MAX_DIMENSION>(problem, options, planner, edges, info, saved),
@@ -267,34 +263,25 @@ fn begin<const N: usize>(
     let measure = space.clone();
     stated.end_effector = Some(Box::new(move |a, b| measure.distance(a, b)));
     stated.records_events = options.events;
-    let planner = match saved {
-        None => planner.begin(&stated, info.seed)?,
-        Some(document) => {
-            // What was proven with any tolerance is proven with the finest.
-            let finest = checked(points(0.0));
-            let states = checked_states(&space, &*finest, document);
-            // What is not evaluated is not free either: the failure is the reason.
-            let states = finest.failure().map_or(states, Err)?;
-            let connection = Connection { k: document.k as usize, radius: document.radius };
-            let searching = planner.group::<Searching>();
-            let rules = searching.copied().unwrap_or_default();
-            planner::resume(&stated, connection, rules, &states, &document.edges, searching.is_none())
-        }
-    };
     let described = problem.space.in_full();
-    let roadmap = planner.roadmap().map(|roadmap| RoadmapDocument {
+    let roadmap = RoadmapDocument {
         scenario: String::new(),
         fingerprint: fingerprint_of_space(&described),
         circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
         planner: info.planner.to_owned(),
         metric: RoadmapMetric::Space(described),
-        k: roadmap.connection.k as u32,
-        radius: roadmap.connection.radius,
+        k: 0,
+        radius: f64::INFINITY,
         edge_check: info.edge_check,
         edge_samples: edges.samples().filter(|_| !problem.is_sampled()),
         tolerance,
         vertices: Vec::new(),
         edges: Vec::new(),
-    });
-    Ok(Box::new(Runner::new(stated, planner, info, roadmap, None)))
+    };
+    let launch = Launch { roadmap: Some(roadmap), ..Launch::new(stated, info) };
+    match saved {
+        None => launch.run(|problem, seed| planner.begin(problem, seed)),
+        // What was proven with any tolerance is proven with the finest.
+        Some(document) => launch.resume(document, &*checked(points(0.0)), &planner),
+    }
 }

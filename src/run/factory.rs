@@ -1,18 +1,14 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
+use super::launch::{Begin, Launch, Reopen, RunInfo};
 use super::options::check_use;
 use super::reopen::{Changes, Kept};
-use super::resume;
-use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
 use crate::path::{LengthMeasure, Wanted};
-use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions,
-    Searching, Termination,
-};
+use crate::planner::{EdgeCheck, EdgeOptions, Limits, Planner, PlannerOptions, Termination};
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
@@ -61,7 +57,7 @@ pub fn start_on<S: Space + 'static>(
 ) -> Box<dyn Run> {
     let wanted = improvement;
     let info = RunInfo { planner: "custom", seed, limits, wanted, termination, ..RunInfo::default() };
-    Box::new(Runner::new(problem, planner, info, None, None))
+    Launch::new(problem, info).with(planner)
 }
 
 /// Begins a run of a planner on a problem whose motions are rolled out: neither proven nor sampled. `names` are those of the world and of
@@ -74,9 +70,9 @@ pub(crate) fn start_learned<S: Space + 'static>(
 ) -> Result<Box<dyn Run>, Error> {
     let (scenario, query) = (scenario.to_owned(), query.to_owned());
     let measure = Some(LengthMeasure::Metres);
-    let info = RunInfo { scenario, query, measure, is_learned: true, ..run_info(&planner, seed) };
-    let planner = planner.begin(&problem, seed)?;
-    Ok(Box::new(Runner::new(problem, planner, info, None, None)))
+    let info = RunInfo { scenario, query, measure, is_learned: true, ..RunInfo::of(&planner, seed) };
+    let begun = planner.begin(&problem, seed)?;
+    Ok(Launch::new(problem, info).with(begun))
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap.
@@ -86,62 +82,88 @@ pub(super) fn launch(
     planner: PlannerOptions,
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
-    let launch = Launch::new(world, options, planner, saved)?;
-    if world.robot().dimension() <= SMALL { launch.run::<SMALL>(None) } else { launch.run::<MAX_DIMENSION>(None) }
+    let setup = Setup::of(world, options, &planner)?;
+    let again = Again { options: options.clone(), planner };
+    if world.robot().dimension() <= SMALL {
+        setup.run::<SMALL>(Source::Named(again, saved, None))
+    } else {
+        setup.run::<MAX_DIMENSION>(Source::Named(again, saved, None))
+    }
 }
 
-/// Everything that a run is made from.
-struct Launch<'a> {
-    world: &'a PlanningWorld,
-    options: &'a Options,
+/// What a run is begun with again, in a world whose obstacles have moved.
+#[derive(Clone)]
+pub(super) struct Again {
+    options: Options,
     planner: PlannerOptions,
+}
+
+/// The planner of a run over states of `N` numbers.
+pub(super) enum Source<'a, const N: usize> {
+    /// One of this crate, from nothing, with a saved roadmap, or with the roadmap of a run in another world.
+    Named(Again, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
+    /// One of the caller.
+    Own(Box<Begin<'a, MotionSpace<N>>>),
+}
+
+/// A collision checker over states of `N` numbers.
+type Checker<const N: usize> = Box<dyn Validity<[f64; N]>>;
+
+/// A scenario's robot, one of its queries, and what is wanted of the run.
+pub(super) struct Setup<'a> {
+    world: &'a PlanningWorld,
     /// The options of its edges, if they are not controlled motions.
     edges: Option<EdgeOptions>,
     /// The metric that was requested.
     metric: Option<MetricKind>,
     info: RunInfo,
-    /// The roadmap to continue with.
-    saved: Option<&'a RoadmapDocument>,
+    pub events: bool,
+    /// Whether every motion must be possible in both directions.
+    pub needs_symmetry: bool,
     /// The query, and its index in the scenario.
     query: (usize, &'a Query),
     /// The goals, any of which may be reached: at least one; several only for arms.
     goals: Vec<Vec<f64>>,
 }
 
-impl<'a> Launch<'a> {
-    fn new(
+impl<'a> Setup<'a> {
+    /// For a planner of this crate.
+    fn of(world: &'a PlanningWorld, options: &'a Options, planner: &PlannerOptions) -> Result<Self, Error> {
+        world.scenario().find_query(options.query.as_deref())?;
+        check_use(planner, world.robot().kind())?;
+        let edges = planner.group::<EdgeOptions>().copied();
+        let setup = Self::new(world, RunInfo::of(planner, options.seed), edges, options.query.as_deref())?;
+        Ok(Self { events: options.events, needs_symmetry: planner.needs_symmetry(), ..setup })
+    }
+
+    /// For any planner.
+    pub fn new(
         world: &'a PlanningWorld,
-        options: &'a Options,
-        planner: PlannerOptions,
-        saved: Option<&'a RoadmapDocument>,
+        info: RunInfo,
+        edges: Option<EdgeOptions>,
+        query: Option<&str>,
     ) -> Result<Self, Error> {
         let scenario = world.scenario();
-        let (index, query) = scenario.find_query(options.query.as_deref())?;
-        check_use(&planner, scenario.robot().kind())?;
+        let (index, query) = scenario.find_query(query)?;
         // A path of controlled motions ends near its goal, never exactly there.
-        let driving = planner.group::<ByControls>();
-        if driving.is_some() && query.goal_tolerance.is_none() {
-            let pointer = format!("/queries/{index}/goal_tolerance");
-            return Err(Error::new(
-                Code::MissingField,
-                pointer,
-                format!("{} needs a goal_tolerance in the query", planner.id()),
-            ));
+        if info.is_driven && query.goal_tolerance.is_none() {
+            let sentence = format!("{} needs a goal_tolerance in the query", info.planner);
+            return Err(Error::new(Code::MissingField, format!("/queries/{index}/goal_tolerance"), sentence));
         }
-        let edges = planner.group::<EdgeOptions>().copied();
+        let metric = edges.and_then(|edges| edges.measuring.metric);
+        let goals = goals(world, query, index, info.seed)?;
         let info = RunInfo {
             scenario: scenario.name().to_owned(),
             query: query.name.clone(),
-            ..run_info(&planner, options.seed)
+            measure: Some(LengthMeasure::of(scenario.robot(), metric)),
+            ..info
         };
-        let metric = edges.and_then(|edges| edges.measuring.metric);
-        let info = RunInfo { measure: Some(LengthMeasure::of(scenario.robot(), metric)), ..info };
-        let goals = goals(world, query, index, options.seed)?;
-        Ok(Self { world, options, planner, edges, metric, info, saved, query: (index, query), goals })
+        let query = (index, query);
+        Ok(Self { world, edges, metric, info, events: true, needs_symmetry: false, query, goals })
     }
 
-    /// The run over states of `N` numbers, with a roadmap of another world if one is kept.
-    fn run<const N: usize>(mut self, kept: Option<Kept<MotionSpace<N>>>) -> Result<Box<dyn Run>, Error> {
+    /// The run over states of `N` numbers.
+    pub fn run<const N: usize>(mut self, source: Source<'_, N>) -> Result<Box<dyn Run>, Error> {
         let robot = self.world.robot();
         let product: ProductSpace<N> = self.world.space(self.metric)?;
         let space = match robot {
@@ -166,84 +188,79 @@ impl<'a> Launch<'a> {
         let first = fitted();
         let tolerance = first.tolerance();
         let (validity, dynamics) = first.with_dynamics(robot, integration);
-
-        let checked = {
-            let (world, space) = (self.world.clone(), space.clone());
-            let (check, samples) = (self.info.edge_check, self.edges.and_then(|edges| edges.samples()));
-            move |proven: Box<dyn Validity<_>>| -> Box<dyn Validity<_>> {
-                match (check, world.robot()) {
-                    (EdgeCheck::Sampled | EdgeCheck::None, _) => {
-                        Box::new(Sampled::new(space.clone(), proven, Samples::Count(samples.unwrap_or(0))))
-                    }
-                    (EdgeCheck::JointLines, Robot::Arm(arm)) => {
-                        Box::new(JointLines::new(arm, space.product().clone(), world.collision().clone(), proven))
-                    }
-                    (EdgeCheck::Proven | EdgeCheck::JointLines, _) => proven,
-                }
-            }
-        };
-        let measure = space.clone();
-        let end_effector: Estimate<_> = match robot {
-            Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
-            _ => Box::new(move |a, b| measure.distance(a, b)),
-        };
+        let checked = self.edge_checker(&space);
         let in_query = |error: Error| match error.code() {
             Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),
             _ => error,
         };
         let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0]).map_err(in_query)?;
         problem.add_goals(&goals[1..]);
-        problem.end_effector = Some(end_effector);
+        problem.end_effector = Some(self.estimate(&space));
         problem.goal_region = query
             .goal_tolerance
             .zip(robot.placed_shape())
             .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
         problem.dynamics = dynamics;
-        problem.records_events = self.options.events;
-
-        let seed = self.info.seed;
-        // A roadmap that is continued is searched for one path.
-        let termination = self.info.termination.filter(|_| kept.is_none() && self.saved.is_none());
-        let planner = match (kept, self.saved) {
-            (Some(Kept { roadmap, changes: Changes { added, removed }, tolerance: before }), _) => {
-                let may_meet = checker().may_meet();
-                // A proof counts with a smaller slack, a refusal with the same tolerance.
-                let is_rougher = tolerance.eta > before.eta;
-                let is_other = (before.tau, before.bounds_tau) != (tolerance.tau, tolerance.bounds_tau);
-                planner::reopen(&problem, roadmap, &|a, b| is_rougher || may_meet(a, b, &added), &|a, b| {
-                    is_other || may_meet(a, b, &removed)
-                })
-            }
-            (None, Some(document)) => {
-                let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
-                let connection = Connection { k: document.k as usize, radius: document.radius };
-                let searching = self.planner.group::<Searching>();
-                let rules = searching.copied().unwrap_or_default();
-                // A planner without a choice of searches is a lazy one.
-                planner::resume(&problem, connection, rules, &states, &document.edges, searching.is_none())
-            }
-            (None, None) => self.planner.begin(&problem, seed)?,
-        };
-        let connection = planner.roadmap().map(|roadmap| roadmap.connection);
-        let roadmap = connection.map(|connection| self.empty_document(&space, connection));
+        problem.records_events = self.events;
         #[cfg(feature = "parallel")]
         {
+            let checked = checked.clone();
             problem.checkers = Some(Box::new(move || checked(fitted().validity())));
         }
-        let reopen: Reopen<_> = {
-            let (before, options, planner) = (self.world.clone(), self.options.clone(), self.planner);
-            Box::new(move |world, roadmap| {
-                let changes = Changes::between(before.scenario(), world.scenario())?;
-                Launch::new(world, &options, planner, None)?.run(Some(Kept { roadmap, changes, tolerance }))
-            })
+        let roadmap = Some(self.empty_document(&space));
+        let before = self.world.clone();
+        let launch = Launch { problem, info: self.info, roadmap, reopen: None };
+        let (Again { options, planner }, saved, kept) = match source {
+            Source::Own(begin) => return launch.run(begin),
+            Source::Named(again, saved, kept) => (again, saved, kept),
         };
-        let is_finite = self.info.is_finite || self.saved.is_some();
-        let info = RunInfo { termination, is_finite, ..self.info };
-        Ok(Box::new(Runner::new(problem, planner, info, roadmap, Some(reopen))))
+        let reopen: Reopen<_> = Box::new(move |world, roadmap| {
+            let changes = Changes::between(before.scenario(), world.scenario())?;
+            let again = Again { options: options.clone(), planner };
+            let kept = Kept { roadmap, changes, tolerance };
+            Setup::of(world, &options, &planner)?.run(Source::Named(again, None, Some(kept)))
+        });
+        let mut launch = Launch { reopen: Some(reopen), ..launch };
+        match (kept, saved) {
+            (Some(kept), _) => {
+                // It is searched for one path.
+                launch.info.termination = None;
+                launch.run(|problem, _| Ok(kept.reopened(problem, tolerance, &*checker().may_meet())))
+            }
+            (None, Some(document)) => launch.resume(document, &*checked(checker().finest().validity()), &planner),
+            (None, None) => launch.run(|problem, seed| planner.begin(problem, seed)),
+        }
     }
 
-    /// The document of this run's roadmap, without vertices and edges.
-    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>, connection: Connection) -> RoadmapDocument {
+    /// Makes the checker of edges from that which proves motions.
+    fn edge_checker<const N: usize>(
+        &self,
+        space: &MotionSpace<N>,
+    ) -> impl Fn(Checker<N>) -> Checker<N> + Clone + use<N> {
+        let (world, space) = (self.world.clone(), space.clone());
+        let (check, samples) = (self.info.edge_check, self.edges.and_then(|edges| edges.samples()));
+        move |proven| match (check, world.robot()) {
+            (EdgeCheck::Sampled | EdgeCheck::None, _) => {
+                Box::new(Sampled::new(space.clone(), proven, Samples::Count(samples.unwrap_or(0))))
+            }
+            (EdgeCheck::JointLines, Robot::Arm(arm)) => {
+                Box::new(JointLines::new(arm, space.product().clone(), world.collision().clone(), proven))
+            }
+            (EdgeCheck::Proven | EdgeCheck::JointLines, _) => proven,
+        }
+    }
+
+    /// A lower bound on distances, by where the end effector of an arm is.
+    fn estimate<const N: usize>(&self, space: &MotionSpace<N>) -> Estimate<[f64; N]> {
+        let space = space.clone();
+        match self.world.robot() {
+            Robot::Arm(arm) => from_end_effector(arm, matches!(self.metric, None | Some(MetricKind::Sum))),
+            _ => Box::new(move |a, b| space.distance(a, b)),
+        }
+    }
+
+    /// The document of this run's roadmap, without vertices, edges, and how they were chosen.
+    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>) -> RoadmapDocument {
         let scenario: &Scenario = self.world.scenario();
         let robot = scenario.robot();
         let metric = match (self.metric, space.steering()) {
@@ -258,8 +275,8 @@ impl<'a> Launch<'a> {
             circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
             planner: self.info.planner.to_owned(),
             metric,
-            k: connection.k as u32,
-            radius: connection.radius,
+            k: 0,
+            radius: f64::INFINITY,
             edge_check: self.info.edge_check,
             edge_samples: self.edges.and_then(|edges| edges.samples()),
             tolerance: self.info.limits.tolerance,
@@ -297,37 +314,13 @@ impl<'a> Launch<'a> {
             let [used, slowest] = [used, SLOWEST].map(Number);
             return Err(unsupported(&format!("curves need a speed of at least {slowest} m/s, not {used}")));
         }
-        if steering == Steering::Dubins && self.planner.needs_symmetry() {
+        if steering == Steering::Dubins && self.needs_symmetry {
             let id = self.info.planner;
             return Err(unsupported(&format!(
                 "{id} requires a symmetric space, which dubins curves are not; use steering = reeds-shepp"
             )));
         }
         Ok(MotionSpace::steered(product, steering, radius))
-    }
-}
-
-/// What a run copies from the options of its planner.
-pub(super) fn run_info(planner: &PlannerOptions, seed: u64) -> RunInfo {
-    let edges = planner.group::<EdgeOptions>().copied();
-    let driving = planner.group::<ByControls>();
-    RunInfo {
-        planner: planner.id(),
-        seed,
-        limits: planner.group::<Limits>().copied().unwrap_or_default(),
-        is_finite: planner.needed().is_some(),
-        vertices: planner.group::<Overgrowth>().and_then(|growth| growth.vertices),
-        wanted: edges.map_or_else(Wanted::default, |EdgeOptions { improving, .. }| Wanted {
-            reduce: improving.reduce,
-            shortcuts: improving.shortcut,
-            partial_shortcuts: improving.partial_shortcut,
-            blend: improving.blend,
-        }),
-        termination: planner.group::<Termination>().copied(),
-        edge_check: edges.map_or(EdgeCheck::Proven, |edges| edges.edge_check),
-        is_driven: driving.is_some(),
-        is_euler: driving.is_some_and(|by| by.integration == IntegrationKind::Euler),
-        ..RunInfo::default()
     }
 }
 

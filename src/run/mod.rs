@@ -38,8 +38,10 @@ mod emitted;
 mod factory;
 mod goals;
 pub mod inspect;
+mod launch;
 pub mod neighbours;
 mod options;
+mod own_planner;
 mod questions;
 mod reopen;
 mod resume;
@@ -54,6 +56,7 @@ pub(crate) use factory::start_learned;
 pub use factory::{start, start_on};
 pub(crate) use options::{LEARNED, check_use};
 pub use options::{Options, Request, default_planner};
+pub use own_planner::{OwnPlanner, start_with};
 pub use resume::{resume, resume_problem};
 
 pub use crate::options::Value;

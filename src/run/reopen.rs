@@ -3,7 +3,8 @@
 use crate::collision::Tolerance;
 use crate::error::{Code, Error};
 use crate::geometry::Aabb;
-use crate::planner::Roadmap;
+use crate::planner::{self, Planner, Roadmap};
+use crate::problem::Problem;
 use crate::scenario::{Obstacle, Scenario};
 use crate::space::Space;
 
@@ -13,6 +14,26 @@ pub(super) struct Kept<'a, S: Space> {
     pub changes: Changes,
     /// The tolerance of its proofs.
     pub tolerance: Tolerance,
+}
+
+impl<S: Space + 'static> Kept<'_, S> {
+    /// The planner of a run on the roadmap, whose own proofs have this tolerance. `may_meet` tells whether the robot may touch something in
+    /// one of some boxes on a motion.
+    pub fn reopened(
+        &self,
+        problem: &Problem<S>,
+        tolerance: Tolerance,
+        may_meet: &dyn Fn(&S::State, &S::State, &[Aabb]) -> bool,
+    ) -> Box<dyn Planner<S>> {
+        let Changes { added, removed } = &self.changes;
+        let before = self.tolerance;
+        // A proof counts with a smaller slack, a refusal with the same tolerance.
+        let is_rougher = tolerance.eta > before.eta;
+        let is_other = (before.tau, before.bounds_tau) != (tolerance.tau, tolerance.bounds_tau);
+        planner::reopen(problem, self.roadmap, &|a, b| is_rougher || may_meet(a, b, added), &|a, b| {
+            is_other || may_meet(a, b, removed)
+        })
+    }
 }
 
 /// The boxes around obstacles that only one of two worlds has.

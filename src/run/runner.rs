@@ -1,81 +1,22 @@
 //! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
+use super::launch::{Reopen, RunInfo};
 use super::termination::{Limiting, Progress};
 use super::work::Weights;
 use super::{EVENT_HEAD, Event, HISTORY_WIDTH, Run, questions, sealed};
 use crate::error::{Code, Error};
 use crate::graph::MAX_RECORDS;
 use crate::options::Choice;
-use crate::path::{self, Approximate, Blending, Improvement, LengthMeasure, ResultDocument, Wanted};
-use crate::planner::{EdgeCheck, Limits, Phase, Planner, Reason, Roadmap, Status, Termination};
-use crate::problem::{Motion, Problem, Stats, Validity, nearest_free};
+use crate::path::{self, Approximate, Blending, Improvement, ResultDocument};
+use crate::planner::{EdgeCheck, Limits, Phase, Planner, Reason, Status};
+use crate::problem::{Motion, Problem, Stats};
 use crate::run::storage::RoadmapDocument;
 use crate::space::Space;
 use crate::world::PlanningWorld;
 
 /// The name of further queries in result documents.
 const ASKED: &str = "asked";
-
-/// The names and numbers that a run copies into its result.
-#[derive(Debug, Clone, Default)]
-pub(super) struct RunInfo {
-    pub scenario: String,
-    pub query: String,
-    pub planner: &'static str,
-    pub seed: u64,
-    pub limits: Limits,
-    /// Whether the planner ends by itself, with a number of samples that was given.
-    pub is_finite: bool,
-    /// The vertices that a tree is to have.
-    pub vertices: Option<u32>,
-    pub wanted: Wanted,
-    /// When a planner that goes on to shorter paths is to end; `None` for others.
-    pub termination: Option<Termination>,
-    pub edge_check: EdgeCheck,
-    /// What lengths measure; `None` if that is not known.
-    pub measure: Option<LengthMeasure>,
-    /// The start, if it was moved out of a collision, and the goals that were.
-    pub moved_start: Option<Vec<f64>>,
-    pub moved_goals: Vec<Vec<f64>>,
-    /// Whether motions are rolled out under a learned policy.
-    pub is_learned: bool,
-    /// Whether motions are those of controls.
-    pub is_driven: bool,
-    /// Whether motions are integrated by Euler steps.
-    pub is_euler: bool,
-}
-
-impl RunInfo {
-    /// Moves a start and goals in collision to the nearest free states that are found, at most so far, and notes which were. Those without
-    /// one stay as they are, to be refused.
-    pub fn move_ends<S: Space>(
-        &mut self,
-        space: &S,
-        validity: &dyn Validity<S::State>,
-        start: &mut S::State,
-        goals: &mut [S::State],
-        most: f64,
-    ) {
-        let nearest = |state: &S::State| {
-            let is_free = |q: &S::State| validity.is_free(q);
-            if is_free(state) { None } else { nearest_free(space, &is_free, state, most).map(|(moved, _)| moved) }
-        };
-        if let Some(moved) = nearest(start) {
-            *start = moved;
-            self.moved_start = Some(space.coordinates(start).to_vec());
-        }
-        for goal in goals {
-            if let Some(moved) = nearest(goal) {
-                *goal = moved;
-                self.moved_goals.push(space.coordinates(goal).to_vec());
-            }
-        }
-    }
-}
-
-/// Begins a run in another world with a roadmap of this one.
-pub(super) type Reopen<S> = Box<dyn Fn(&PlanningWorld, &Roadmap<S>) -> Result<Box<dyn Run>, Error> + Send>;
 
 /// The run of one planner on one problem.
 pub(super) struct Runner<S: Space> {

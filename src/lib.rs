@@ -86,4 +86,5 @@ pub use world::PlanningWorld;
 #[doc = include_str!("../docs/start.md")]
 #[doc = include_str!("../docs/planners.md")]
 #[doc = include_str!("../docs/proof.md")]
+#[doc = include_str!("../docs/in-rust.md")]
 pub struct Examples;

@@ -14,12 +14,12 @@ const REWRITES = { "README.md": "index.md", "CHANGELOG.md": "changelog.md", "SEC
 const GROUPS = [
   ["Begin", ["README.md", "docs/start.md", "docs/teaching.md"]],
   ["How it works", ["docs/proof.md", "docs/experiments.md", "docs/benchmarks.md"]],
-  ["Reference", ["docs/scenarios.md", "docs/fleet.md", "docs/prm-rl.md", "docs/javascript.md", "docs/command-line.md", "docs/toolchains.md"]],
+  ["Reference", ["docs/scenarios.md", "docs/fleet.md", "docs/prm-rl.md", "docs/javascript.md", "docs/in-rust.md", "docs/command-line.md", "docs/toolchains.md"]],
   ["Project", ["docs/architecture.md", "docs/adding-a-planner.md", ...markdownIn("docs/decisions"), "SECURITY.md", "CHANGELOG.md"]],
 ];
 
 /** What the site calls a page, where that is not its heading. @type {Record<string, string>} */
-const TITLES = { "README.md": "What it is", "docs/javascript.md": "JavaScript", "docs/teaching.md": "Teaching", "docs/planners.md": "Overview" };
+const TITLES = { "README.md": "What it is", "docs/javascript.md": "JavaScript", "docs/in-rust.md": "Rust", "docs/teaching.md": "Teaching", "docs/planners.md": "Overview" };
 
 /** Families of planners, in the order of the sidebar. */
 const FAMILIES = [
@@ -147,7 +147,7 @@ export default defineConfig({
     search: { provider: "local", options: { detailedView: true } },
     nav: [
       { text: "Start", link: "/start" }, { text: "Planners", link: "/planners" }, { text: "Proof", link: "/proof" },
-      { text: "Reference", items: [{ text: "Scenarios", link: "/scenarios" }, { text: "Several robots", link: "/fleet" }, { text: "Learned edges", link: "/prm-rl" }, { text: "JavaScript", link: "/javascript" }, { text: "npm: every function", link: "/api/" }, { text: "Command line", link: "/command-line" }] },
+      { text: "Reference", items: [{ text: "Scenarios", link: "/scenarios" }, { text: "Several robots", link: "/fleet" }, { text: "Learned edges", link: "/prm-rl" }, { text: "JavaScript", link: "/javascript" }, { text: "npm: every function", link: "/api/" }, { text: "Rust", link: "/in-rust" }, { text: "Command line", link: "/command-line" }] },
     ],
     sidebar: sidebar(),
     docFooter: { prev: "Before", next: "Next" },

@@ -17,9 +17,6 @@ use planarium::{Error, PlanningWorld};
 use serde_json::Value as Json;
 use std::sync::{Arc, LazyLock};
 
-#[path = "../src/bin/planarium/npy.rs"]
-mod npy_file;
-
 /// The iterations of a run.
 const ITERATIONS: u64 = 40;
 /// The iterations of a planner of a fleet, a multiple of 7.
@@ -208,13 +205,6 @@ fn assert_plan(fleet: &Fleet, whole: &FleetResult, sliced: &FleetResult) {
         let verification = fleet::verify(fleet, whole).expect("a plan of this fleet");
         assert!(verification.is_valid(), "{verification:?}: {}", whole.to_json());
     }
-}
-
-/// A NumPy array: its rows are whole, and no longer than the file.
-pub fn npy(bytes: &[u8]) {
-    let Ok(table) = npy_file::read(bytes) else { return };
-    assert!(table.numbers.len() <= bytes.len());
-    assert!(table.width == 0 || table.numbers.len().is_multiple_of(table.width));
 }
 
 /// A scenario for each robot.

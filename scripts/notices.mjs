@@ -3,8 +3,7 @@ import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Problem, ask, root } from "./run.mjs";
 
-/** @typedef {{ id: string, name: string, version: string, license: string | null, authors: string[], repository: string | null, manifest_path: string, targets: { kind: string[] }[] }} Package */
-/** @typedef {{ id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }} Node */
+/** @typedef {{ name: string, version: string, license: string | null, authors: string[], repository: string | null, manifest_path: string }} Package */
 
 /**
  * Writes one file with the licence text of every crate that is linked into the module.
@@ -51,22 +50,15 @@ function joined(opening, all) {
 
 /** @returns {Package[]} the crates in the module by name, without those that only run at compile time */
 function linkedCrates() {
-  const answer = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"]);
-  if (answer === undefined) throw new Problem("`cargo metadata` failed.");
-  /** @type {{ packages: Package[], resolve: { root: string, nodes: Node[] } }} */
-  const { packages, resolve } = JSON.parse(answer);
-  const packageOf = new Map(packages.map((one) => [one.id, one]));
-  const nodeOf = new Map(resolve.nodes.map((one) => [one.id, one]));
-  const reached = new Set([resolve.root]);
-  for (const id of reached) {
-    for (const { pkg, dep_kinds } of nodeOf.get(id)?.deps ?? []) {
-      const isLinked = dep_kinds.some(({ kind }) => kind === null);
-      const isMacro = packageOf.get(pkg)?.targets.some(({ kind }) => kind.includes("proc-macro"));
-      if (isLinked && !isMacro) reached.add(pkg);
-    }
-  }
-  reached.delete(resolve.root);
-  return [...reached].flatMap((id) => packageOf.get(id) ?? []).sort((a, b) => (a.name < b.name ? -1 : 1));
+  // `cargo metadata` resolves the whole workspace at once, and would add what the command line needs.
+  const target = "wasm32-unknown-unknown";
+  const tree = ask("cargo", ["tree", "--locked", "-p", "planarium", "--target", target, "--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
+  const metadata = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
+  if (tree === undefined || metadata === undefined) throw new Problem("`cargo tree` or `cargo metadata` failed.");
+  const linked = new Set(tree.split("\n").map((line) => line.split(" ", 2).join(" ")));
+  /** @type {{ packages: Package[] }} */
+  const { packages } = JSON.parse(metadata);
+  return packages.filter(({ name, version }) => name !== "planarium" && linked.has(`${name} v${version}`)).sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
 /**

@@ -22,6 +22,9 @@ import { buildSite } from "./site.mjs";
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
+/** The library and the command line. */
+const CRATES = ["-p", "planarium", "-p", "planarium-cli"];
+
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
 
@@ -37,12 +40,12 @@ let printed = "";
 /** @type {Suite[]} */
 const suites = [
   { groups: ["check", "quick"], name: "Rust format", run: () => command("cargo", ["fmt", "--all", "--check"]) },
-  { groups: ["check"], name: "clippy, native", run: () => command("cargo", ["clippy", "--locked", "--workspace", "--features", "cli,schema", "--all-targets", ...NO_WARNINGS]) },
+  { groups: ["check"], name: "clippy, native", run: () => command("cargo", ["clippy", "--locked", "--workspace", "--features", "parallel,schema", "--all-targets", ...NO_WARNINGS]) },
   { groups: ["check"], name: "clippy, wasm32", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]) },
   { groups: ["check"], name: "Rust documentation", run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }) },
   ...["js", "scripts", "www"].map((project) => ({ groups: ["check"], name: `JavaScript types, ${project}`, run: () => types(project) })),
   { groups: ["check"], name: "spelling", run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]) },
-  { groups: ["rust", "quick"], name: "Rust, native", run: () => harness("cargo", ["test", "--locked", "--features", "cli,schema"]) },
+  { groups: ["rust", "quick"], name: "Rust, native", run: () => harness("cargo", ["test", "--locked", ...CRATES, "--all-features"]) },
   { groups: ["wasm"], name: "Rust, in Node", run: () => wasm() },
   { groups: ["wasm"], name: "Rust, in Chrome", run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }) },
   { groups: ["wasm"], name: "wasm-pack test --node", run: () => harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()) },

@@ -1,4 +1,4 @@
-//! Every test of the crate in one program, which is linked once natively and once for WebAssembly, in Node and in Chrome, where
+//! Every test of the library in one program, which is linked once natively and once for WebAssembly, in Node and in Chrome, where
 //! each law holds alike. `PLANARIUM_DEEP=1` tests more seeds natively; `PLANARIUM_BLESS=1` writes committed files anew.
 
 mod common;
@@ -12,8 +12,6 @@ mod body_proof;
 mod budget;
 mod catalogue;
 mod certificate;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
-mod cli;
 mod control;
 mod custom;
 mod direct;
@@ -21,11 +19,9 @@ mod directed;
 mod driving;
 mod ends;
 mod experiment;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
-mod files;
 mod fleet;
 mod fleet_places;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
+#[cfg(not(target_arch = "wasm32"))]
 mod fuzz;
 mod generate;
 mod geometry;
@@ -56,15 +52,11 @@ mod sst;
 mod statistics;
 mod steering;
 mod storage;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
-mod sweep;
 mod targets;
 mod termination;
 #[cfg(all(not(target_arch = "wasm32"), feature = "parallel"))]
 mod threads;
 mod trajectories;
-#[cfg(all(not(target_arch = "wasm32"), feature = "cli"))]
-mod truth;
 mod verify;
 mod verify_body;
 mod viewers;

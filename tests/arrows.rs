@@ -1,4 +1,5 @@
-//! The layers of the crate: the table and the drawing in `docs/architecture.md` are what the code does.
+//! The layers of the library: the table and the drawing in `docs/architecture.md` are what the code does. The modules of the command
+//! line use each other in one direction.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -8,9 +9,8 @@ use std::path::{Path, PathBuf};
 const NEVER: &str = "Instant:: SystemTime println! eprintln! print!( dbg! static thread_local! wasm_bindgen js_sys web_sys \
     mul_add .powi( .hypot( HashMap HashSet .sin() .cos() .tan() .atan2( .exp() .ln() .powf(";
 
-fn source() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
-}
+const LIBRARY: &str = "src";
+const COMMAND_LINE: &str = "cli/src";
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> =
@@ -25,18 +25,19 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every file of the library with its module; not those of the command line.
-fn modules() -> Vec<(String, PathBuf)> {
+/// Every file of a crate with its module, but the one at the top.
+fn modules(source: &str) -> Vec<(String, PathBuf)> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(source);
     let mut found = Vec::new();
-    files(&source(), &mut found);
+    files(&source, &mut found);
     let module = |path: &PathBuf| {
-        let first = path.strip_prefix(source()).expect("below src").components().next().expect("a name");
+        let first = path.strip_prefix(&source).expect("below src").components().next().expect("a name");
         first.as_os_str().to_str().expect("a readable name").trim_end_matches(".rs").to_owned()
     };
     found
         .into_iter()
         .map(|path| (module(&path), path))
-        .filter(|(module, _)| module != "lib" && module != "bin")
+        .filter(|(module, _)| module != "lib" && module != "main")
         .collect()
 }
 
@@ -55,9 +56,9 @@ fn architecture() -> String {
 }
 
 /// What the code uses.
-fn arrows_of_code() -> Arrows {
+fn arrows_of_code(source: &str) -> Arrows {
     let mut arrows = Arrows::new();
-    for (module, path) in modules() {
+    for (module, path) in modules(source) {
         let used = arrows.entry(module.clone()).or_default();
         for after in code(&path).split("crate::").skip(1) {
             let named: String = after.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
@@ -110,7 +111,7 @@ fn reached(arrows: &Arrows, from: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_table_of_modules_is_what_the_code_uses() {
-    let (code, table) = (arrows_of_code(), rows_of_table());
+    let (code, table) = (arrows_of_code(LIBRARY), rows_of_table());
     for (module, used) in &code {
         let row = table.iter().find(|(name, _)| name == module);
         let (_, listed) = row.unwrap_or_else(|| panic!("{module} has no row in docs/architecture.md"));
@@ -147,12 +148,20 @@ fn the_drawing_has_an_arrow_wherever_there_is_no_longer_way() {
 
 #[test]
 fn the_core_reads_no_clock_prints_nothing_and_uses_no_arithmetic_that_differs_between_platforms() {
-    for (module, path) in modules().into_iter().filter(|(module, _)| module != "bindings") {
+    for (module, path) in modules(LIBRARY).into_iter().filter(|(module, _)| module != "bindings") {
         let code = code(&path);
         for word in NEVER.split_whitespace() {
             // A lifetime is not a global.
             let code = code.replace("'static", "");
             assert!(!code.contains(word), "{} of {module} contains {word}", path.display());
         }
+    }
+}
+
+#[test]
+fn no_module_of_the_command_line_uses_itself_by_way_of_others() {
+    let arrows = arrows_of_code(COMMAND_LINE);
+    for module in arrows.keys() {
+        assert!(!reached(&arrows, module).contains(module), "{module} uses itself: {arrows:?}");
     }
 }

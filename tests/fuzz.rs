@@ -27,7 +27,6 @@ fn readers_survive_the_corpus() {
     replay("experiment", readers::experiment);
     replay("roadmap", readers::roadmap);
     replay("judged", readers::judged);
-    replay("npy", readers::npy);
     replay("fleet", readers::fleet);
     replay("navigation", readers::navigation);
 }

@@ -1,7 +1,6 @@
 #![no_main]
 
-#[path = "../readers.rs"]
-#[allow(dead_code)]
-mod readers;
+#[path = "../npy.rs"]
+mod npy;
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| readers::npy(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| npy::npy(bytes));

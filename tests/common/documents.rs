@@ -1,4 +1,4 @@
-//! Valid documents, and invalid changes to them.
+//! Valid documents, invalid changes to them, and what the environment says of tests.
 
 use planarium::Error;
 use planarium::path::{ResultDocument, Verdict, verify};
@@ -57,6 +57,11 @@ pub fn with(document: &str, piece: &str, replacement: &str) -> String {
     document.replacen(piece, replacement, 1)
 }
 
+/// Parses a valid scenario.
+pub fn parse(text: &str) -> Scenario {
+    Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
 /// Checks code and pointer of a refusal; returns its message.
 #[track_caller]
 pub fn refuses<T>(result: Result<T, Error>, code: &str, pointer: &str) -> String {
@@ -111,7 +116,7 @@ pub fn scenario(bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scen
 
 /// The same with another name.
 pub fn named(name: &str, bounds: &str, obstacles: &str, robot: &str, query: &str) -> Scenario {
-    super::parse(&text(name, bounds, obstacles, robot, query))
+    parse(&text(name, bounds, obstacles, robot, query))
 }
 
 /// Its document.
@@ -154,6 +159,11 @@ pub fn limited_arm(links: &[f64], radius: f64, limits: &[[f64; 2]]) -> String {
 pub fn rectangular(kind: &str, x: f64, y: f64, fields: &str) -> String {
     let comma = if fields.is_empty() { "" } else { ", " };
     format!(r#"{{"type": "{kind}", "shape": {}{comma}{fields}}}"#, rectangle([-x, -y], [x, y]))
+}
+
+/// Whether properties are tested at full depth: natively, with `PLANARIUM_DEEP=1`.
+pub fn deep() -> bool {
+    cfg!(not(target_arch = "wasm32")) && std::env::var_os("PLANARIUM_DEEP").is_some_and(|value| value == "1")
 }
 
 /// A variable that a test needs; prints a line, past the capture of the test harness, if it is not set.

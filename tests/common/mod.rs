@@ -8,13 +8,9 @@ pub mod graphs;
 pub mod requests;
 
 use documents::{arm, disc, judged, limited_arm, named, polygon, rectangle, rectangular};
+pub use documents::{deep, parse};
 use planarium::run::{Request, Run, Value};
 use planarium::scenario::Scenario;
-
-/// Whether properties are tested at full depth: natively, with `PLANARIUM_DEEP=1`.
-pub fn deep() -> bool {
-    cfg!(not(target_arch = "wasm32")) && std::env::var_os("PLANARIUM_DEEP").is_some_and(|value| value == "1")
-}
 
 /// How many seeds a property is tested on: all in a deep run, a quarter natively and at most ten in WebAssembly, but at least ten.
 pub fn seeds(all: u64) -> u64 {
@@ -123,11 +119,6 @@ pub const DRIVEN: &[(&str, &str)] = &[
     ("sst", "improve_iterations=400 selection_radius=0.3 pruning_radius=0.15"),
     ("sst", "shortest_steps=50 blocked=refused sampler=goal-biased"),
 ];
-
-/// Parses a valid scenario.
-pub fn parse(text: &str) -> Scenario {
-    Scenario::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 /// Starts a run of the scenario's first query, with settings as a line of `name=value`.
 pub fn begin_with(scenario: &Scenario, planner: &str, seed: u64, settings: &str) -> Box<dyn Run> {

@@ -66,8 +66,8 @@ test("every JavaScript example runs in the installed package", () => {
 
 test("every shell example runs, and its paths are valid", () => {
   // To install is to build and to copy: the program that the native tests use is copied instead.
-  const installation = "cargo install --path . --features cli --quiet\n";
-  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "--features", "cli,schema", "--test", "all"], { cwd: root, stdio: "inherit" });
+  const installation = "cargo install --path cli --quiet\n";
+  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "-p", "planarium", "-p", "planarium-cli", "--all-features", "--test", "all"], { cwd: root, stdio: "inherit" });
   const programs = emptyFolder();
   copyFileSync(join(targetFolder(), "debug", "planarium"), join(programs, "planarium"));
   const env = { ...process.env, PATH: `${programs}:${process.env.PATH}` };

@@ -4,9 +4,9 @@
 //! what it belongs to; only the first shard begins with the names of columns. So the files of all shards, one after another, are the
 //! file of one run. Times differ between runs and have a file of their own.
 
-use crate::arguments::Shard;
-use crate::files::failed;
-use crate::output::{check_writable, replace, would_overwrite};
+use super::shard::Shard;
+use crate::files::{failed, would_overwrite};
+use crate::output::{check_writable, replace};
 use clap::ValueEnum;
 use csv::{ReaderBuilder, Terminator, WriterBuilder};
 use planarium::Error;

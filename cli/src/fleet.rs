@@ -1,13 +1,52 @@
 //! `planarium fleet`: plans for all robots of a fleet, with the time that took.
 
-use crate::output::{Kind, Outputs};
-use crate::{Answer, arguments, files};
+use crate::arguments::{Answer, Given};
+use crate::files;
+use crate::kind::Kind;
+use crate::output::Outputs;
+use clap::Args;
 use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetReason, FleetResult};
 use planarium::problem::Status;
 use std::time::Instant;
 
+#[derive(Args)]
+#[command(after_help = "\
+Without a plan the result has the reason, and mostly the robot that found no way last, and who was in its way.
+Exit codes: 0 solved; 1 exhausted; 2 the input is wrong.
+
+Examples:
+  planarium generate hall --set count=20 --seed 1 --out hall.json
+  planarium fleet hall.json --out plan.json
+  planarium verify hall.json plan.json
+  planarium generate swap | planarium fleet - --order 2,1
+  planarium generate swap | planarium fleet - --planner composite --seed 3")]
+pub struct Arguments {
+    /// The fleet, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The planner, by id; see `planarium list` [default: pbs, or prioritized if there is an order]
+    #[arg(long, value_name = "ID")]
+    planner: Option<String>,
+
+    /// The order of priorities, the highest first: every robot once, by its name, or by its index from 0; for prioritized, which
+    /// begins with that of the fleet by default
+    #[arg(long, value_name = "A,B,..", value_delimiter = ',')]
+    order: Option<Vec<String>>,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
 /// Plans and prints the result; true if it is solved.
-pub fn fleet(arguments: &arguments::Fleet) -> Answer {
+pub fn fleet(arguments: &Arguments) -> Answer {
     let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::FLEET_PLAN)?;
     let fleet = Fleet::parse(&files::read(&arguments.file)?)?;
     let options = FleetOptions {

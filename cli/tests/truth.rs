@@ -1,9 +1,8 @@
 //! The shared scenarios against what is known about them: which queries have a path, which start or end in collision.
 //! They are not part of this repository; the environment variable `PLANARIUM_SCENARIOS` names their folder.
 
-use crate::cli::{Finished, planarium_with};
-use crate::common::documents::{judged, shared};
-use crate::common::{deep, parse};
+use crate::documents::{deep, judged, parse, shared};
+use crate::program::{Finished, planarium_with};
 use planarium::path::ResultDocument;
 use serde_json::{Value, json};
 

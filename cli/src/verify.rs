@@ -1,7 +1,8 @@
 //! `planarium verify`: the independent verifiers.
 
-use crate::arguments::Verify;
-use crate::{Answer, files};
+use crate::arguments::Answer;
+use crate::files;
+use clap::Args;
 use planarium::certificate::{self, Certificate};
 use planarium::fleet::{self, Fleet, FleetResult};
 use planarium::json;
@@ -9,9 +10,27 @@ use planarium::path::{self, ResultDocument, Verdict};
 use planarium::scenario::Scenario;
 use serde_json::json;
 
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"valid\": true, \"waypoints\", \"looks\", \"clearance\"} or {\"valid\": false, \"why\"}; of a certificate without counts.
+Clearance is the smallest distance to an obstacle found, in metres; null without obstacles.
+Of a plan of a fleet it prints {\"valid\", \"conflicts\", \"faults\", \"looks\"}.
+Exit codes: 0 valid; 1 not valid; 2 the input is wrong.
+
+Examples:
+  planarium verify arm.json result.json
+  planarium plan arm.json | planarium verify arm.json -")]
+pub struct Arguments {
+    /// The scenario or the fleet, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The result document, or the certificate; - reads it from standard input
+    result: String,
+}
+
 /// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format. That of the
 /// first document tells whether it is a fleet.
-pub fn verify(arguments: &Verify) -> Answer {
+pub fn verify(arguments: &Arguments) -> Answer {
     let document = files::document(&arguments.file, Some(("result", &arguments.result)))?;
     let text = files::read(&arguments.result)?;
     if document["format"] == fleet::FORMAT {

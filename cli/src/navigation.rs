@@ -1,7 +1,11 @@
 //! `planarium train`, `navigate` and `compare`: a policy trained, paths along edges that it drives reliably, and how these do beside others.
 
-use crate::output::{Kind, Outputs};
-use crate::{Answer, arguments, files, plan};
+use crate::arguments::{Answer, Given, threads};
+use crate::files;
+use crate::kind::Kind;
+use crate::output::Outputs;
+use crate::plan;
+use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
@@ -18,8 +22,35 @@ const GOALS_WITHIN: f64 = 5.0;
 /// The number of goals.
 const TRIALS: u64 = 1000;
 
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` describes the options. The same seed gives the same policy, with any number of threads.
+
+Examples:
+  planarium train --seed 1 --out policy.json
+  planarium train rooms.json --set generations=100 --set hidden=24 --seed 2 --out policy.json")]
+pub struct Train {
+    /// A navigation task, whose robot is trained; - reads it from standard input [default: a disc of radius 0.25 m]
+    file: Option<String>,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// The threads to use; the result is the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
+    threads: Option<NonZeroUsize>,
+
+    /// Write the policy to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
 /// Trains a policy and prints it.
-pub fn train(arguments: &arguments::Train) -> Answer {
+pub fn train(arguments: &Train) -> Answer {
     let out =
         Outputs::beside(arguments.file.as_deref(), arguments.force).add(arguments.out.as_deref(), Kind::POLICY)?;
     let task = match &arguments.file {
@@ -66,8 +97,50 @@ fn inputs(task: &str, policy: &str) -> Result<(Navigation, Policy), Error> {
     Ok((Navigation::parse(&files::read(task)?)?, Policy::parse(&files::read(policy)?)?))
 }
 
+#[derive(Args)]
+#[command(after_help = "\
+Options are those of the planner, and rollouts, least_share and longest_edge.
+Nothing is proven: the result has for each edge how many rollouts reached its end.
+Exit codes: 0 solved; 1 no path; 2 the input is wrong.
+
+Examples:
+  planarium generate rooms --seed 1 --out rooms.json
+  planarium navigate rooms.json --policy policy.json --set samples=800 --set k=20
+  planarium navigate rooms.json --policy policy.json --planner lazy-prm --set samples=800 --set k=20 --trials 100")]
+pub struct Navigate {
+    /// The navigation task, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The policy, a JSON file; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    policy: String,
+
+    /// The query, by name [default: the first of the task]
+    #[arg(long, value_name = "NAME")]
+    query: Option<String>,
+
+    /// The planner, by id; see `planarium list` [default: lazy-prm]
+    #[arg(long, value_name = "ID")]
+    planner: Option<String>,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// How many times the path is executed with noise
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(..=100_000))]
+    trials: u64,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
 /// Plans, executes and prints the result; true if there is a path.
-pub fn navigate(arguments: &arguments::Navigate) -> Answer {
+pub fn navigate(arguments: &Navigate) -> Answer {
     let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
     let out = outputs.add(arguments.out.as_deref(), Kind::NAVIGATION_PLAN)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
@@ -91,8 +164,35 @@ pub fn navigate(arguments: &arguments::Navigate) -> Answer {
     Ok(result.plan.status == Status::Solved)
 }
 
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` describes the options. Intervals have a confidence of 95 %.
+
+Examples:
+  planarium compare rooms.json --policy policy.json --seed 1
+  planarium compare rooms.json --policy policy.json --set queries=50 --set trials=10 --set margin=0.15")]
+pub struct Compare {
+    /// The navigation task, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The policy, a JSON file; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    policy: String,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// Write the summary to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
 /// Compares three ways to drive and prints how each did.
-pub fn compare(arguments: &arguments::Compare) -> Answer {
+pub fn compare(arguments: &Compare) -> Answer {
     let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
     let out = outputs.add(arguments.out.as_deref(), Kind::COMPARISON)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;

@@ -1,7 +1,10 @@
 //! `planarium trajectories`: many trajectories that do not cross, with the time that each took.
 
-use crate::output::{Kind, Output, Outputs};
-use crate::{Answer, arguments, files};
+use crate::arguments::{Answer, Given};
+use crate::files;
+use crate::kind::Kind;
+use crate::output::{Output, Outputs};
+use clap::Args;
 use planarium::problem::Status;
 use planarium::trajectories::{Trajectories, TrajectoriesResult};
 use planarium::{Error, json};
@@ -15,6 +18,28 @@ const WINDOW: usize = 20;
 /// The names of the columns of the table.
 const COLUMNS: &str = "x,y,theta,v,w,duration,tries,microseconds,average_of_20\n";
 
+#[derive(Args)]
+#[command(after_help = "\
+`planarium list` describes the options. The CSV has a row for every accepted trajectory: x, y, theta, v, w,
+duration, how many were tried for it, the microseconds that took, and their moving average over 20.
+Exit codes: 0 the requested number is accepted; 1 not; 2 the input is wrong.
+
+Examples:
+  planarium trajectories
+  planarium trajectories --set model=spiral --set count=500 --seed 3 --csv trajectories.csv")]
+pub struct Arguments {
+    #[command(flatten)]
+    given: Given,
+
+    /// Write a row for every accepted trajectory to this file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
 /// The printed document.
 #[derive(Serialize)]
 struct Timed {
@@ -24,7 +49,7 @@ struct Timed {
 }
 
 /// Tries trajectories until all are accepted or the iterations are spent, and prints counts and seconds.
-pub fn trajectories(arguments: &arguments::Trajectories) -> Answer {
+pub fn trajectories(arguments: &Arguments) -> Answer {
     let mut outputs = Outputs::beside([], arguments.force);
     let table = arguments.csv.as_deref().map(|name| outputs.add(Some(name), Kind::table(COLUMNS))).transpose()?;
     let mut trajectories = Trajectories::new(&arguments.given.set, arguments.given.seed)?;

@@ -1,25 +1,69 @@
 //! `planarium sweep`: the trials of an experiment on several threads, in files that can be continued.
 
 mod ompl_log;
-pub mod rows;
+mod rows;
+mod shard;
 
-use crate::arguments::Sweep;
-use crate::output::{Kind, Outputs};
-use crate::plan::{REDRAW, next_slice, progress_target};
-use crate::{Answer, files};
+use crate::arguments::{Answer, threads};
+use crate::files;
+use crate::kind::Kind;
+use crate::output::Outputs;
+use crate::progress::{REDRAW, next_slice, progress_target};
+use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::experiment::{Experiment, Summary, Trials};
 use planarium::json;
 use planarium::run::Phase;
-use rows::{Row, Rows, Writer};
+use rows::{Format, Row, Rows, Writer};
 use serde_json::Value;
+use shard::Shard;
 use std::collections::{BTreeMap, HashMap};
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::thread::{self, available_parallelism};
 use std::time::Instant;
+
+#[derive(Args)]
+#[command(after_help = "\
+Every trial has a row, in the order of trials; the times of runs.csv are in runs.times.csv. Rows are the same with any number of
+threads, and the files of shards 1/N to N/N, one after another, are the file of one run. A sweep that was stopped, by whatever
+means, goes on after its last complete row when it is started again. Prints the statistics of all rows as JSON.
+Exit codes: 0 all trials have rows, solved or not; 2 the input is wrong, or the file has rows of another experiment.
+
+Examples:
+  planarium sweep experiment.json --out runs.csv
+  planarium sweep experiment.json --out part2.csv --shard 2/8 --threads 4
+  planarium sweep experiment.json --out runs.csv --ompl-log runs.log")]
+pub struct Arguments {
+    /// The experiment, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The file of rows; it is continued if it exists
+    #[arg(long, value_name = "FILE")]
+    out: String,
+
+    /// The format of rows
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Csv)]
+    format: Format,
+
+    /// Run only part I of N equal parts, from 1
+    #[arg(long, value_name = "I/N", value_parser = Shard::parse)]
+    shard: Option<Shard>,
+
+    /// The threads to use; the rows are the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
+    threads: Option<NonZeroUsize>,
+
+    /// Write all rows to this file as a log of OMPL's benchmarks
+    #[arg(long, value_name = "FILE")]
+    ompl_log: Option<String>,
+
+    /// Replace files that contain something else; rows of this experiment are continued all the same
+    #[arg(long)]
+    force: bool,
+}
 
 /// How many trials, for each thread, may be ahead of the next row that is written.
 const AHEAD: u64 = 256;
@@ -28,7 +72,7 @@ const AHEAD: u64 = 256;
 type Finished = Result<(Vec<u8>, [f64; 2]), Error>;
 
 /// Runs the trials that have no row yet, and prints the statistics of all rows.
-pub fn sweep(arguments: &Sweep) -> Answer {
+pub fn sweep(arguments: &Arguments) -> Answer {
     let (document, inputs) = document(&arguments.file)?;
     let experiment = Arc::new(Experiment::read(&document)?);
     let rows = Rows::new(&experiment, &arguments.out, arguments.format, arguments.shard.unwrap_or_default());

@@ -1,7 +1,8 @@
 //! `planarium list`: planners, methods, indexes, generators and their options, and the error codes.
 
-use crate::arguments::List;
-use crate::{Answer, files};
+use crate::arguments::Answer;
+use crate::files;
+use clap::Args;
 use planarium::catalogue::catalogue;
 use serde_json::Value;
 use std::fmt::Write;
@@ -25,8 +26,19 @@ const LISTS: [(&str, &str); 4] = [
     ("TRAJECTORIES", "trajectories"),
 ];
 
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  planarium list
+  planarium list --json")]
+pub struct Arguments {
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
 /// Prints tables, or JSON.
-pub fn list(arguments: &List) -> Answer {
+pub fn list(arguments: &Arguments) -> Answer {
     let catalogue = catalogue();
     let text = if arguments.json { format!("{catalogue:#}") } else { as_tables(&catalogue) };
     files::print(&text).map(|()| true)

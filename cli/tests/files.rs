@@ -1,6 +1,6 @@
 //! What the command line does to files: nothing is lost that no earlier run wrote, whatever an output is named.
 
-use crate::cli::{Finished, file, path, planarium_with, text_of};
+use crate::program::{file, path, planarium, text_of};
 use serde_json::{Value, json};
 use std::process::Command;
 
@@ -18,10 +18,6 @@ fn folder(name: &str) -> String {
     let _ = std::fs::remove_dir_all(path(name));
     std::fs::create_dir(path(name)).expect("the folder for test files can be written");
     name.to_owned()
-}
-
-fn planarium(line: &str) -> Finished {
-    planarium_with(line, "")
 }
 
 /// The command is refused with this code, names the file, and has left it as it was.
@@ -57,7 +53,7 @@ fn names_in(folder: &str) -> Vec<String> {
 #[test]
 fn every_command_leaves_what_it_did_not_write() {
     let at = folder("kept");
-    file("kept/policy.json", include_str!("../www/prm-rl/policy.json"));
+    file("kept/policy.json", include_str!("../../www/prm-rl/policy.json"));
     let made = [
         ("generate rooms", "task.json"),
         ("generate ring --set count=2", "ring.json"),

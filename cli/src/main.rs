@@ -1,4 +1,5 @@
-//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories.
+//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories,
+//! schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -10,6 +11,8 @@ mod certify;
 mod files;
 mod fleet;
 mod generate;
+mod identity;
+mod kind;
 mod list;
 mod navigation;
 mod nearest;
@@ -17,19 +20,74 @@ mod npy;
 mod optimum;
 mod output;
 mod plan;
+mod progress;
 mod reach;
+mod schema;
 mod sweep;
 mod trajectories;
 mod verify;
 
-use arguments::{Arguments, Command};
-use clap::Parser;
+use arguments::Answer;
+use clap::{Parser, Subcommand};
 use planarium::Error;
 use planarium::error::Code;
 use std::process::ExitCode;
 
-/// The result of a command without an error: true is exit code 0, false is 1.
-type Answer = Result<bool, Error>;
+/// Motion planning that a person can watch: stepping planners with proven edges, the same bits natively and in WebAssembly
+#[derive(Parser)]
+#[command(
+    name = "planarium",
+    version,
+    max_term_width = 110,
+    arg_required_else_help = true,
+    after_help = "\
+JSON goes to standard output, messages to standard error.
+Exit codes: 0 solved or valid; 1 not solved or not valid; 2 the input is wrong, and standard output
+contains {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` explains the codes.
+
+Examples:
+  planarium generate forest --set links=3 --seed 4 --out forest.json
+  planarium plan forest.json --planner prm --set samples=700 --set k=30 --out result.json
+  planarium verify forest.json result.json"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Plan a path for one query of a scenario and print the result document
+    Plan(plan::Arguments),
+    /// Prove that no path keeps more than a clearance, or that one does, and print the certificate
+    Certify(certify::Arguments),
+    /// Plan for all robots of a fleet, without conflict, and print the result document
+    Fleet(fleet::Arguments),
+    /// Train a policy that drives by what it senses, and print it
+    Train(navigation::Train),
+    /// Plan with edges that a policy drives reliably (PRM-RL), execute the path with noise, and print the result document
+    Navigate(navigation::Navigate),
+    /// Compare a policy alone, straight edges, and PRM-RL, on one floor with the same queries
+    Compare(navigation::Compare),
+    /// Find joint angles that bring the tip of an arm to a target and print the result document
+    Reach(reach::Arguments),
+    /// Verify a result or a certificate against its scenario, by other code than that which made it
+    Verify(verify::Arguments),
+    /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints or a body that does not turn
+    Optimum(optimum::Arguments),
+    /// Run the trials of an experiment, a row each, and print their statistics
+    Sweep(sweep::Arguments),
+    /// Find the configurations nearest to a target, in a list or among random ones
+    Nearest(nearest::Arguments),
+    /// List the planners and the indexes with their parameters, the generators with their options, and the error codes
+    List(list::Arguments),
+    /// Generate a scenario, a fleet or a navigation task by seed and print it
+    Generate(generate::Arguments),
+    /// Add random trajectories of particles one by one, none of which crosses another, and print counts
+    Trajectories(trajectories::Arguments),
+    /// Print the JSON Schema of scenarios, of experiments, of fleets, or of navigation tasks
+    Schema(schema::Arguments),
+}
 
 fn main() -> ExitCode {
     let answer = match Arguments::try_parse() {
@@ -70,16 +128,7 @@ fn run(command: &Command) -> Answer {
         Command::List(arguments) => list::list(arguments),
         Command::Generate(arguments) => generate::generate(arguments),
         Command::Trajectories(arguments) => trajectories::trajectories(arguments),
-        #[cfg(feature = "schema")]
-        Command::Schema(arguments) => {
-            let schema = match arguments.document {
-                arguments::Document::Scenario => planarium::scenario::schema(),
-                arguments::Document::Experiment => planarium::experiment::schema(),
-                arguments::Document::Fleet => planarium::fleet::schema(),
-                arguments::Document::Navigation => planarium::navigation::schema(),
-            };
-            files::print(&format!("{schema:#}")).map(|()| true)
-        }
+        Command::Schema(arguments) => schema::schema(arguments),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reading files and standard input, and writing to standard output; [`output`](crate::output) writes files.
 
-use crate::output;
+use crate::identity::is_standard_output;
 use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
@@ -55,9 +55,9 @@ pub fn read(name: &str) -> Result<String, Error> {
 
 /// The bytes of the file; of standard input for `-`. A file that standard output goes into is refused.
 pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
-    if output::is_standard_output(name) {
+    if is_standard_output(name) {
         IS_INPUT.store(true, Ordering::Relaxed);
-        return Err(output::would_overwrite(name, &"it is an input of this command, and standard output goes into it"));
+        return Err(would_overwrite(name, &"it is an input of this command, and standard output goes into it"));
     }
     let mut bytes = Vec::new();
     let result =
@@ -95,4 +95,9 @@ pub fn say(message: &str) {
 pub fn failed(what: &str, name: &str, why: &dyn Display) -> Error {
     let quoted = if name == "-" { "standard input".to_owned() } else { format!("{name:?}") };
     Error::new(Code::File, "", format!("cannot {what} {quoted}: {why}"))
+}
+
+/// The error for a file that is not written.
+pub fn would_overwrite(name: &str, why: &dyn Display) -> Error {
+    Error::new(Code::WouldOverwrite, "", format!("{name:?} is not written: {why}; it is left as it is"))
 }

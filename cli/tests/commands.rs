@@ -1,102 +1,10 @@
 //! The command line: the program itself, its output, its exit codes.
 
-use crate::common::documents::{disc, text as document};
+use crate::documents::{disc, text as document};
+use crate::program::{ROOM, file, path, planarium, planarium_with, spawn, text_of};
 use serde_json::{Value, json};
 use std::io::Write;
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
-use std::sync::Once;
-
-/// A disc between walls, one with a gap: a query around it, one behind the closed wall, and one whose goal is in that wall.
-const ROOM: &str = r#"{
-    "format": "planarium-scenario-1", "name": "room",
-    "world": { "bounds": {"min": [0, 0], "max": [4, 2]}, "obstacles": [
-        {"type": "polygon", "vertices": [[1, 0], [1.1, 0], [1.1, 1.5], [1, 1.5]]},
-        {"type": "polygon", "vertices": [[3, 0], [3.1, 0], [3.1, 2], [3, 2]]} ] },
-    "robot": {"type": "disc", "radius": 0.1},
-    "queries": [ {"name": "around", "start": [0.5, 0.5], "goal": [2, 0.5]}, {"name": "cut-off", "start": [0.5, 0.5], "goal": [3.5, 1]},
-                 {"name": "in-wall", "start": [0.5, 0.5], "goal": [3.05, 1]} ] }"#;
-
-/// An arm of two links with limits.
-const ARM: &str = r#"{ "format": "planarium-scenario-1", "name": "arm", "world": { "obstacles": [] },
-    "robot": { "type": "arm", "base": [0, 0], "links": [1, 0.8], "joint_limits": [[-3, 3], [-2, 2]] }, "queries": [] }"#;
-
-/// The exit code and the output of a finished program.
-pub struct Finished {
-    pub code: i32,
-    pub stdout: String,
-    pub stderr: String,
-}
-
-impl Finished {
-    #[track_caller]
-    pub fn json(&self) -> Value {
-        serde_json::from_str(&self.stdout)
-            .unwrap_or_else(|error| panic!("{error}: {:?} {:?}", self.stdout, self.stderr))
-    }
-
-    /// The result of a run that ended like this, with a summary on standard error.
-    #[track_caller]
-    fn ended(&self, code: i32, status: &str) -> Value {
-        let result = self.json();
-        assert_eq!((self.code, &result["status"]), (code, &json!(status)), "{}", self.stderr);
-        assert!(self.stderr.starts_with(&format!("{status}: ")), "{}", self.stderr);
-        result
-    }
-
-    /// Checks the error on standard output, with exit code 2 and a message on standard error.
-    #[track_caller]
-    pub fn refuses(&self, code: &str, pointer: &str) {
-        let error = &self.json()["error"];
-        assert_eq!((self.code, &error["code"], &error["pointer"]), (2, &json!(code), &json!(pointer)), "{error}");
-        let message = error["message"].as_str().expect("a message");
-        assert!(self.stderr.starts_with("error: ") && self.stderr.contains(message), "{:?}", self.stderr);
-        assert!(message.len() > 8, "{error}");
-    }
-}
-
-/// A file of the folder in which the program runs.
-pub fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
-}
-
-/// Writes a file there; returns its name.
-pub fn file(name: &str, contents: impl AsRef<[u8]>) -> &str {
-    std::fs::write(path(name), contents).expect("the folder for test files can be written");
-    name
-}
-
-pub fn text_of(name: &str) -> String {
-    std::fs::read_to_string(path(name)).expect("it is written")
-}
-
-/// Starts the program with the words of a line, in a folder with room.json, arm.json and firs.json.
-pub fn spawn(line: &str) -> Child {
-    static WRITTEN: Once = Once::new();
-    WRITTEN.call_once(|| {
-        let firs = include_str!("../www/scenes/firs.json");
-        for (name, text) in [("room.json", ROOM), ("arm.json", ARM), ("firs.json", firs)] {
-            file(name, text);
-        }
-    });
-    let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
-    command.args(line.split_whitespace()).current_dir(env!("CARGO_TARGET_TMPDIR"));
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
-
-pub fn planarium_with(line: &str, input: &str) -> Finished {
-    let mut child = spawn(line);
-    // A program that refuses its arguments reads nothing: then the pipe is closed, and that is fine.
-    let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
-    let output = child.wait_with_output().expect("the program ends");
-    let text = |bytes| String::from_utf8(bytes).expect("text");
-    let code = output.status.code().expect("no signal");
-    Finished { code, stdout: text(output.stdout), stderr: text(output.stderr) }
-}
-
-fn planarium(line: &str) -> Finished {
-    planarium_with(line, "")
-}
+use std::process::Command;
 
 #[test]
 fn plan_prints_the_result_document() {
@@ -557,7 +465,6 @@ fn a_result_that_is_lost_is_an_error() {
     assert_eq!(run(">/dev/null").0, 0, "it is discarded on purpose");
 }
 
-#[cfg(feature = "schema")]
 #[test]
 fn the_schemas_are_printed() {
     for (line, expected) in [
@@ -567,79 +474,5 @@ fn the_schemas_are_printed() {
     ] {
         let schema = planarium(line);
         assert_eq!((schema.code, schema.json()), (0, expected));
-    }
-}
-
-/// An array file of NumPy.
-fn npy(kind: &str, fortran: &str, shape: &str, data: &[u8]) -> Vec<u8> {
-    let mut header = format!("{{'descr': '{kind}', 'fortran_order': {fortran}, 'shape': ({shape}), }}");
-    while (10 + header.len() + 1) % 64 != 0 {
-        header.push(' ');
-    }
-    header.push('\n');
-    let length = (header.len() as u16).to_le_bytes();
-    [b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes(), data].concat()
-}
-
-#[test]
-fn nearest_prints_indices_and_distances_nearest_first() {
-    const LIST: [[f64; 2]; 5] = [[3.0, 0.0], [-3.0, 0.5], [0.0, 0.0], [-3.0, 0.0], [3.0, 0.0]];
-    let columns: Vec<f64> = (0..2).flat_map(|axis| LIST.map(|row| row[axis])).collect();
-    let little = |numbers: &[f64]| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
-    let big: Vec<u8> = LIST.concat().iter().flat_map(|&x| (x as f32).to_be_bytes()).collect();
-    file("nearest.json", json!(LIST).to_string());
-    file("c.npy", npy("<f8", "False", "5, 2", &little(&LIST.concat())));
-    file("f.npy", npy("<f8", "True", "5, 2", &little(&columns)));
-    file("big.npy", npy(">f4", "False", "5, 2", &big));
-    for name in ["nearest.json", "c.npy", "f.npy", "big.npy"] {
-        for index in ["linear", "kd-tree", "forest"] {
-            let line = format!("nearest firs.json --configurations {name} --target -3,0 --k 4 --index {index}");
-            let finished = planarium(&line);
-            let found = finished.json();
-            assert_eq!((finished.code, &found["indices"]), (0, &json!([3, 0, 4, 1])), "{found}");
-            assert!(!finished.stderr.is_empty(), "a summary for people");
-            let gap = 2.0 * std::f64::consts::PI - 6.0;
-            assert_eq!(found["distances"], json!([0, gap, gap, 0.5]));
-            assert_eq!((&found["configurations"], &found["visited"]), (&json!(5), &json!(5)));
-            assert_eq!(found.get("recall"), (index == "forest").then_some(&json!(1)));
-            assert!(["query_seconds", "build_seconds"].iter().all(|&key| found[key].as_f64() > Some(0.0)), "{found}");
-        }
-    }
-    let indices =
-        |rest: &str| planarium(&format!("nearest firs.json --configurations {rest}")).json()["indices"].take();
-    let naive = indices("nearest.json --target -0.1,0 --k 5 --metric naive");
-    assert_eq!(naive, json!([3, 1, 0, 4, 2]), "-0.1 is read as 6.18");
-    assert_eq!(indices("nearest.json --target -3,0 --within 0.3"), json!([3, 0, 4]));
-}
-
-#[test]
-fn nearest_draws_by_seed_and_the_tree_visits_few() {
-    let [scan, tree] = ["linear", "kd-tree"].map(|index| {
-        let drawn = "nearest firs.json --samples 20000 --seed 7 --free --target 3.14,0 --k 10 --index";
-        planarium(&format!("{drawn} {index}")).json()
-    });
-    assert_eq!((&scan["indices"], &scan["distances"]), (&tree["indices"], &tree["distances"]));
-    assert_eq!(scan["visited"], 20000);
-    assert!(tree["visited"].as_u64().expect("a count") < 1000, "{}", tree["visited"]);
-}
-
-#[test]
-fn lists_of_configurations_are_checked() {
-    let array = |kind: &str, shape: &str, bytes: usize| npy(kind, "False", shape, &vec![0; bytes]);
-    for (name, contents, code, pointer) in [
-        ("word.npy", array("<U4", "5, 2", 160), "file", ""),
-        ("short.npy", array("<f8", "5, 2", 79), "file", ""),
-        ("flat.npy", array("<f8", "10,", 80), "file", ""),
-        ("huge.npy", array("<f8", "4611686018427387904, 8", 80), "file", ""),
-        ("wide.npy", array("<f8", "5, 3", 120), "wrong-dimension", "/rows"),
-        ("n1.json", b"[[0, 0], [1]]".to_vec(), "wrong-dimension", "/rows/1"),
-        ("n2.json", b"[[0, 0], 1]".to_vec(), "wrong-type", "/rows/1"),
-        ("n3.json", b"[[0, 0], [1, \"a\"]]".to_vec(), "wrong-type", "/rows/1/1"),
-        ("n4.json", b"{}".to_vec(), "wrong-type", "/rows"),
-        ("n5.json", b"[[0, 0], [1, 1e7]]".to_vec(), "out-of-range", "/rows/1/1"),
-        ("n6.json", b"[[0, 0".to_vec(), "invalid-json", "/0"),
-    ] {
-        file(name, contents);
-        planarium(&format!("nearest firs.json --configurations {name} --target 0,0")).refuses(code, pointer);
     }
 }

@@ -1,32 +1,99 @@
 //! `planarium plan`: drives a run in short slices, with a clock.
 
-use crate::arguments::{Plan, RoadmapFormat};
-use crate::output::{Kind, Output, Outputs};
-use crate::{Answer, files};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use crate::arguments::{Answer, Given, threads};
+use crate::files;
+use crate::kind::Kind;
+use crate::output::{Output, Outputs};
+use crate::progress::{REDRAW, next_slice, progress_target};
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::PlanningWorld;
 use planarium::error::Code;
 use planarium::path::ResultDocument;
 use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Limits, Phase, Request, Run, Status, Value};
-use std::io::{IsTerminal, stderr};
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
-/// The target duration of a slice of iterations: short compared with the time limit.
-const SLICE: Duration = Duration::from_micros(500);
+#[derive(Args)]
+#[command(after_help = "\
+Exit codes: 0 solved; 1 exhausted, or still running when the time was up; 2 the input is wrong.
 
-/// The most iterations of a slice: few compared with the phases of a planner, enough to make the cost of the clock negligible.
-const MOST: u64 = 16;
+Examples:
+  planarium plan arm.json
+  planarium plan arm.json --query report --planner prm --set samples=700 --set k=30 --seed 7
+  planarium generate clutter --seed 3 | planarium plan - --set shortcut=200 --max-seconds 2
+  planarium plan arm.json --planner prm --save-roadmap arm.roadmap
+  planarium plan arm.json --roadmap arm.roadmap --query another")]
+pub struct Arguments {
+    /// The scenario, a JSON file; - reads it from standard input
+    file: String,
 
-/// The time between two updates of the progress bar.
-pub const REDRAW: Duration = Duration::from_millis(100);
+    /// The query, by name [default: the first of the scenario]
+    #[arg(long, value_name = "NAME")]
+    query: Option<String>,
+
+    /// The planner, by id; see `planarium list` [default: rrt-connect, for a car rrt-control; with a roadmap the one that built it]
+    #[arg(long, value_name = "ID")]
+    planner: Option<String>,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// The most iterations; the same as --set max_iterations=N
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    max_iterations: Option<u64>,
+
+    /// Stop after this many seconds with status "running"; the result contains the iterations made
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = seconds)]
+    max_seconds: Option<f64>,
+
+    /// The threads to use; the result is the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
+    threads: Option<NonZeroUsize>,
+
+    /// Continue with a roadmap saved for the same world and robot, which is proven again, instead of building one; - reads it
+    /// from standard input
+    #[arg(long, value_name = "FILE")]
+    roadmap: Option<String>,
+
+    /// Save the roadmap when the run ends (of planners that build one: their names contain "prm")
+    #[arg(long, value_name = "FILE")]
+    save_roadmap: Option<String>,
+
+    /// The format of the saved roadmap [default: json for FILE.json, graphml for FILE.graphml, else binary]; graphml is for other
+    /// programs
+    #[arg(long, value_name = "FORMAT", requires = "save_roadmap")]
+    roadmap_format: Option<RoadmapFormat>,
+
+    /// Write the result to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum RoadmapFormat {
+    Json,
+    Binary,
+    Graphml,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds.is_finite() && seconds >= 0.0 => Ok(seconds),
+        _ => Err("seconds are a number, 0 or more".to_owned()),
+    }
+}
 
 /// Plans and prints the result; true if it is solved.
-pub fn plan(arguments: &Plan) -> Answer {
+pub fn plan(arguments: &Arguments) -> Answer {
     let saved = arguments.roadmap.as_deref();
     let mut outputs = Outputs::beside([Some(&*arguments.file), saved].into_iter().flatten(), arguments.force);
     let roadmap = arguments.save_roadmap.as_deref().map(|name| outputs.add(Some(name), Kind::ROADMAP)).transpose()?;
@@ -95,13 +162,6 @@ fn drive(run: &mut dyn Run, max_seconds: Option<f64>) -> ResultDocument {
     result
 }
 
-/// The iterations of the next slice, after this many took this long.
-pub fn next_slice(iterations: u64, took: Duration) -> u64 {
-    let longer = if took * 2 <= SLICE { iterations * 2 } else { iterations };
-    let fitting = if took > SLICE { iterations / 2 } else { longer };
-    fitting.clamp(1, MOST)
-}
-
 fn summary(result: &ResultDocument) -> String {
     let stats = &result.stats;
     let seconds = stats.build_seconds + stats.search_seconds;
@@ -122,11 +182,6 @@ fn summary(result: &ResultDocument) -> String {
 /// Why a run has ended without a path.
 pub fn exhausted(result: &ResultDocument) -> String {
     format!("exhausted: {}", result.explanation.as_deref().unwrap_or("no path found"))
-}
-
-/// Standard error, if that is a terminal.
-pub fn progress_target() -> ProgressDrawTarget {
-    if stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() }
 }
 
 /// Shows the work of the limit that is spent, or its iterations if only these are limited.

@@ -1,7 +1,7 @@
 //! `planarium sweep`: the same rows by any number of threads, in shards, after it was killed, and in both formats.
 
-use crate::cli::{file, path, planarium_with, spawn, text_of};
-use crate::common::documents::needed;
+use crate::documents::needed;
+use crate::program::{Finished, file, path, planarium, spawn, text_of};
 use serde_json::{Value, json};
 use std::process::Command;
 use std::thread::sleep;
@@ -21,8 +21,8 @@ fn document() -> Value {
     })
 }
 
-fn sweep(line: &str) -> crate::cli::Finished {
-    let finished = planarium_with(&format!("sweep {line}"), "");
+fn sweep(line: &str) -> Finished {
+    let finished = planarium(&format!("sweep {line}"));
     assert!(!finished.stderr.contains('\u{1b}'), "no progress bar without a terminal: {:?}", finished.stderr);
     finished
 }
@@ -103,7 +103,7 @@ fn dask_joins_the_rows_of_one_run() {
     }
     let run = || {
         let done = Command::new(&python)
-            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/cluster/dask_sweep.py"))
+            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/cluster/dask_sweep.py"))
             .args(["dask.json", "dask.csv", "--parts", "4", "--planarium", env!("CARGO_BIN_EXE_planarium")])
             .current_dir(path(""))
             .output()
@@ -274,7 +274,7 @@ fn the_log_for_ompl_has_a_line_for_each_trial() {
 /// They name the files of their scenarios.
 #[test]
 fn the_documents_of_the_page_are_accepted() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/www/experiments/documents");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../www/experiments/documents");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("it is there") {
         let name = entry.expect("a file").path();
@@ -289,7 +289,7 @@ fn the_documents_of_the_page_are_accepted() {
 /// The blocks of one kind in the text about experiments.
 fn blocks(kind: &str) -> Vec<String> {
     let text =
-        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/experiments.md")).expect("it is there");
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/experiments.md")).expect("it is there");
     let start = format!("```{kind}\n");
     text.split(&start).skip(1).map(|block| block.split("```").next().unwrap_or_default().to_owned()).collect()
 }

@@ -1,8 +1,10 @@
 //! `planarium optimum`: the shortest path of a query, and how much longer that of a result is.
 
-use crate::arguments;
-use crate::output::{Kind, Outputs};
-use crate::{Answer, files};
+use crate::arguments::Answer;
+use crate::files;
+use crate::kind::Kind;
+use crate::output::Outputs;
+use clap::Args;
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
 use planarium::path::{self, LengthMeasure, ResultDocument, Verdict};
@@ -10,6 +12,41 @@ use planarium::run::{Status, Value};
 use planarium::scenario::Scenario;
 use planarium::{Error, json};
 use serde::Serialize;
+
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"length\", \"path\", \"method\", \"exact\", \"resolution\", ...}. Of a disc or a point, the length is the infimum of all free
+paths, and null if there is none. Of an arm of two joints, and of a rigid body whose query keeps its angle, it is the length of a proven path on
+a grid, made shorter by shortcuts. With a result document it prints as well by how much its path is longer: \"gap\", in percent.
+Exit codes: 0 there is a path; 1 none was found; 2 the input is wrong.
+
+Examples:
+  planarium optimum discs.json --query across
+  planarium plan discs.json --planner rrt-star | planarium optimum discs.json --result -")]
+pub struct Arguments {
+    /// The scenario, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The query, by name [default: that of the result, else the first of the scenario]
+    #[arg(long, value_name = "NAME")]
+    query: Option<String>,
+
+    /// The metric of an arm: sum, euclidean or naive [default: sum]
+    #[arg(long, value_name = "NAME")]
+    metric: Option<String>,
+
+    /// A result document to compare; - reads it from standard input
+    #[arg(long, value_name = "FILE")]
+    result: Option<String>,
+
+    /// Write the document to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    force: bool,
+}
 
 /// The printed document.
 #[derive(Serialize)]
@@ -22,7 +59,7 @@ struct Compared {
 }
 
 /// Prints the shortest path; true if there is one.
-pub fn optimum(arguments: &arguments::Optimum) -> Answer {
+pub fn optimum(arguments: &Arguments) -> Answer {
     let inputs = [Some(&*arguments.file), arguments.result.as_deref()];
     let mut outputs = Outputs::beside(inputs.into_iter().flatten(), arguments.force);
     let out = outputs.add(arguments.out.as_deref(), Kind::OPTIMUM)?;

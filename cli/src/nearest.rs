@@ -1,7 +1,9 @@
 //! `planarium nearest`: the configurations nearest to a target, with the time of a query.
 
-use crate::arguments::Nearest;
-use crate::{Answer, files, npy};
+use crate::arguments::{Answer, Given};
+use crate::files;
+use crate::npy;
+use clap::Args;
 use planarium::error::Code;
 use planarium::run::Value;
 use planarium::run::inspect::Inspector;
@@ -14,6 +16,55 @@ use std::time::{Duration, Instant};
 /// A query is repeated for this duration or this often, whichever comes first: a single one is too short for the clock.
 const MEASURED: Duration = Duration::from_millis(50);
 const REPEATS: usize = 1001;
+
+#[derive(Args)]
+#[command(after_help = "\
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; for a
+forest also \"recall\", the fraction of the true nearest that it found. query_seconds is the median of many repetitions.
+
+Examples:
+  planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10
+  planarium nearest arm.json --configurations list.npy --target 3.14,0 --k 5 --index linear --metric naive
+  planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4")]
+pub struct Arguments {
+    /// The scenario, a JSON file; - reads it from standard input
+    file: String,
+
+    /// The configurations: JSON, an array of arrays of numbers, or a NumPy array file; - reads them from standard input
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["samples", "seed", "free"])]
+    configurations: Option<String>,
+
+    /// The number of configurations drawn uniformly [default: 1000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    samples: Option<u64>,
+
+    #[command(flatten)]
+    given: Given,
+
+    /// Draw only configurations that are free
+    #[arg(long)]
+    free: bool,
+
+    /// The configuration whose neighbours are searched for
+    #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',')]
+    target: Vec<f64>,
+
+    /// The number of neighbours [default: 1]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with = "within")]
+    k: Option<usize>,
+
+    /// All neighbours within this distance, instead of a number of them
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
+    within: Option<f64>,
+
+    /// The index: linear, kd-tree or forest
+    #[arg(long, value_name = "ID", default_value = "kd-tree")]
+    index: String,
+
+    /// The metric of an arm: sum, euclidean or naive [default: sum]
+    #[arg(long, value_name = "NAME")]
+    metric: Option<String>,
+}
 
 /// The printed document.
 #[derive(Serialize)]
@@ -36,7 +87,7 @@ struct Found<'a> {
 }
 
 /// Finds and prints the neighbours; always true.
-pub fn nearest(arguments: &Nearest) -> Answer {
+pub fn nearest(arguments: &Arguments) -> Answer {
     let list = arguments.configurations.as_deref().map(|name| ("configurations", name));
     let world = PlanningWorld::new(files::scenario(&arguments.file, list)?);
     let rows = rows(arguments, &Inspector::new(&world))?;
@@ -109,7 +160,7 @@ fn median_seconds(work: impl Fn() -> Result<(), Error>) -> Result<f64, Error> {
 }
 
 /// The configurations: those of the list, or random ones.
-fn rows(arguments: &Nearest, inspector: &Inspector) -> Result<Vec<f64>, Error> {
+fn rows(arguments: &Arguments, inspector: &Inspector) -> Result<Vec<f64>, Error> {
     let Some(name) = &arguments.configurations else {
         return inspector.samples(arguments.samples.unwrap_or(1000), arguments.given.seed, arguments.free);
     };

@@ -1,0 +1,51 @@
+//! What commands have in common: how they answer, and the arguments that several take.
+
+use clap::Args;
+use planarium::Error;
+use planarium::random::{MAX_SEED, random_seed};
+use planarium::run::Value;
+use std::num::NonZeroUsize;
+
+/// The result of a command without an error: true is exit code 0, false is 1.
+pub type Answer = Result<bool, Error>;
+
+/// The arguments of every command that draws random numbers and has options.
+#[derive(Args)]
+pub struct Given {
+    /// The seed: together with the scenario and all options it decides every bit of the result; "random" draws one, which is printed
+    /// with the result
+    #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
+    pub seed: u64,
+
+    /// Set an option; may be repeated; see `planarium list`
+    #[arg(long, value_name = "KEY=VALUE", value_parser = setting)]
+    pub set: Vec<(String, Value)>,
+}
+
+impl Given {
+    /// The options, with one that has an argument of its own.
+    pub fn parameters(&self, name: &str, value: Option<Value>) -> Vec<(String, Value)> {
+        self.set.iter().cloned().chain(value.map(|value| (name.to_owned(), value))).collect()
+    }
+}
+
+fn setting(text: &str) -> Result<(String, Value), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), Value::from_text(value))),
+        _ => Err("a setting reads KEY=VALUE".to_owned()),
+    }
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    if text == "random" {
+        return random_seed().map_err(|error| error.to_string());
+    }
+    let seed = text.parse().ok().filter(|seed| *seed <= MAX_SEED);
+    seed.ok_or_else(|| "a seed is an integer from 0 to 2^53 - 1, or \"random\"".to_owned())
+}
+
+/// The value of `--threads`.
+pub fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= 1024);
+    threads.ok_or_else(|| "threads are a whole number from 1 to 1024".to_owned())
+}

@@ -58,6 +58,8 @@ pub mod collision;
 #[doc(hidden)]
 pub mod error;
 #[doc(hidden)]
+pub mod generators;
+#[doc(hidden)]
 pub mod graph;
 #[doc(hidden)]
 pub mod json;

@@ -250,6 +250,15 @@ impl<'de> Deserializer<'de> for Tree<'de> {
         })
     }
 
+    fn deserialize_tuple_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        count: usize,
+        visitor: V,
+    ) -> Result<V::Value, Box<Fault>> {
+        self.deserialize_tuple(count, visitor)
+    }
+
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
         visitor.visit_some(self)
     }
@@ -286,7 +295,7 @@ impl<'de> Deserializer<'de> for Tree<'de> {
     }
 
     serde::forward_to_deserialize_any! {
-        i8 i16 i32 i64 i128 u8 u16 u128 f32 char bytes byte_buf unit unit_struct tuple_struct identifier ignored_any
+        i8 i16 i32 i64 i128 u8 u16 u128 f32 char bytes byte_buf unit unit_struct identifier ignored_any
     }
 }
 

@@ -48,7 +48,7 @@ pub use prm::{
 };
 pub use query::{Algorithm, Cost, Heuristic};
 pub use registry::{PlannerOptions, planners};
-pub use roadmap::{Connection, QueryResult, Roadmap};
+pub use roadmap::{QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};

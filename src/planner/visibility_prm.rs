@@ -8,10 +8,11 @@
 use super::groups::{EdgeOptions, Sampling, Searching};
 use super::growth::START;
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
+use super::roadmap::{Build, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
 use super::{Phase, Planner};
 use crate::error::Error;
 use crate::graph::{EventKind, UnionFind, VertexId};
+use crate::nearest::Neighbourhood;
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -72,7 +73,7 @@ impl PlannerKind for VisibilityPrmOptions {
     /// If the space is not symmetric.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         assert!(problem.space().is_symmetric(), "visibility PRM requires a symmetric space");
-        let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
+        let connection = Neighbourhood::Nearest(MOST_GUARDS);
         let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {
             sampler: self.sampling.sampler(problem.space(), seed),

@@ -12,9 +12,10 @@ use super::runner::{RunInfo, Runner};
 use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
+use crate::nearest::Neighbourhood;
 use crate::options::{Choice, out_of_range};
 use crate::path::LengthMeasure;
-use crate::planner::{self, ByControls, Connection, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
+use crate::planner::{self, ByControls, EdgeCheck, EdgeOptions, PlannerOptions, Searching};
 use crate::problem::{ClearanceValidity, Evaluate, MaybeSend, MaybeSync, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::scenario::LARGEST;
@@ -290,7 +291,7 @@ fn begin<const N: usize>(
             let states = checked_states(&space, &*finest, document);
             // What is not evaluated is not free either: the failure is the reason.
             let states = finest.failure().map_or(states, Err)?;
-            let connection = Connection { k: document.k as usize, radius: document.radius };
+            let connection = Neighbourhood::of(document.k as usize, document.radius);
             let searching = planner.group::<Searching>();
             let rules = searching.copied().unwrap_or_default();
             planner::resume(&stated, connection, rules, &states, &document.edges, searching.is_none())
@@ -303,8 +304,8 @@ fn begin<const N: usize>(
         circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
         planner: info.planner.to_owned(),
         metric: RoadmapMetric::Space(described),
-        k: roadmap.connection.k as u32,
-        radius: roadmap.connection.radius,
+        k: roadmap.connection.k() as u32,
+        radius: roadmap.connection.radius(),
         edge_check: info.edge_check,
         edge_samples: edges.samples().filter(|_| !problem.is_sampled()),
         tolerance,

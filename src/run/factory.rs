@@ -7,11 +7,12 @@ use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
+use crate::nearest::Neighbourhood;
 use crate::options::Choice;
 use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
-    self, ByControls, Connection, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions,
-    Searching, Termination,
+    self, ByControls, EdgeCheck, EdgeOptions, IntegrationKind, Limits, Overgrowth, Planner, PlannerOptions, Searching,
+    Termination,
 };
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
@@ -233,7 +234,7 @@ impl<'a> Launch<'a> {
             }
             (None, Some(document)) => {
                 let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
-                let connection = Connection { k: document.k as usize, radius: document.radius };
+                let connection = Neighbourhood::of(document.k as usize, document.radius);
                 let searching = self.planner.group::<Searching>();
                 let rules = searching.copied().unwrap_or_default();
                 // A planner without a choice of searches is a lazy one.
@@ -260,7 +261,7 @@ impl<'a> Launch<'a> {
     }
 
     /// The document of this run's roadmap, without vertices and edges.
-    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>, connection: Connection) -> RoadmapDocument {
+    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>, connection: Neighbourhood) -> RoadmapDocument {
         let scenario: &Scenario = self.world.scenario();
         let robot = scenario.robot();
         let metric = match (self.metric, space.steering()) {
@@ -275,8 +276,8 @@ impl<'a> Launch<'a> {
             circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
             planner: self.info.planner.to_owned(),
             metric,
-            k: connection.k as u32,
-            radius: connection.radius,
+            k: connection.k() as u32,
+            radius: connection.radius(),
             edge_check: self.info.edge_check,
             edge_samples: self.edges.and_then(|edges| edges.samples()),
             tolerance: self.info.limits.tolerance,

@@ -111,7 +111,7 @@ impl<S: Space> Ahead<S> {
         if self.motions.is_empty()
             && let Some(threads) = self.threads(problem, left.len())
         {
-            let count = MOTIONS * threads.pool.current_num_threads() / roadmap.connection.k.max(1);
+            let count = MOTIONS * threads.pool.current_num_threads() / roadmap.connection.k().max(1);
             let vertices = left.take(count.max(FEWEST));
             let block: Vec<_> = vertices.flat_map(|v| directions.iter().map(move |&d| (v, d))).collect();
             self.motions = threads.connect(roadmap, problem.space(), &block, connect).into();

@@ -5,10 +5,10 @@ use super::MOST_MOTIONS;
 use super::ahead::Ahead;
 use crate::graph::VertexId;
 use crate::graph::search::{Edge, EdgeState};
-use crate::nearest::{Direction, Neighbour};
+use crate::nearest::{Direction, Neighbour, Neighbourhood};
 use crate::planner::groups::Searching;
 use crate::planner::lazy::LazyPlanner;
-use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
+use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -120,11 +120,11 @@ impl Growing {
     /// would try too many motions.
     pub fn more<S: Space>(self, roadmap: &mut Roadmap<S>, dimension: usize) -> Option<usize> {
         let vertices = 2 * roadmap.len();
-        let k = self.0.map_or(roadmap.connection.k, |k| k(vertices, dimension));
+        let k = self.0.map_or(roadmap.connection.k(), |k| k(vertices, dimension));
         if vertices as u64 * k as u64 > MOST_MOTIONS {
             return None;
         }
-        roadmap.connection.k = k;
+        roadmap.connection = roadmap.connection.with_k(k);
         Some(vertices)
     }
 }
@@ -229,7 +229,7 @@ pub(super) fn candidates<S: Space>(
     vertex: VertexId,
     found: &mut Vec<Neighbour>,
 ) -> (Tried, usize) {
-    let Connection { k, .. } = roadmap.connection;
+    let k = roadmap.connection.k();
     let state = roadmap.growth.state(vertex);
     // One more than k, since the vertex itself is among them.
     let visited = roadmap.find_neighbours(space, direction, &state, true, found);
@@ -254,7 +254,7 @@ pub(super) fn candidates<S: Space>(
 /// If an edge names a vertex that does not exist.
 pub fn resume<S: Space + 'static>(
     problem: &Problem<S>,
-    connection: Connection,
+    connection: Neighbourhood,
     rules: Searching,
     states: &[S::State],
     edges: &[[u32; 2]],

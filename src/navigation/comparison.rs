@@ -247,7 +247,7 @@ impl Comparison {
 
 /// Queries between configurations that are far apart.
 fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
-    let floor = Floor::new(task);
+    let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
     let no_room = || Error::new(Code::OutOfRange, "/robot/shape", "the floor has no room for the robot");
     let mut random = Random::new(seed, Stream::Tasks);
     let mut queries = Vec::with_capacity(options.queries);

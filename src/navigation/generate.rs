@@ -1,8 +1,9 @@
 //! Navigation tasks generated from a seed: the same options give the same document on every platform.
 
-use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, Sensor, TIME_STEP};
+use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, TIME_STEP};
 use super::episode;
 use super::floor::Floor;
+use super::sensor::Sensor;
 use crate::error::Error;
 use crate::generators::{Entry, Generator, Generators, SEEDS, given};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
@@ -162,7 +163,7 @@ impl DriveOptions {
         let bounds = Some(Aabb { min: Point::origin(), max: Point::new(width, height) });
         let world = World { bounds, obstacles: obstacles.into() };
         let task = Navigation::new(name, Some(title), world, self.robot()?, GOAL_TOLERANCE, Vec::new())?;
-        let floor = Floor::new(&task);
+        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
         let Some(start) = episode::configuration(&floor, random) else {
             return Err(out_of_range("radius", "there is no room for a robot of this radius".to_owned()));
         };

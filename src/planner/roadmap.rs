@@ -3,12 +3,11 @@
 //!
 //! The edges of a lazy roadmap are candidates until a path wants them: see `lazy.rs`.
 
-use super::groups::Searching;
+use super::candidates::{Candidates, estimate};
 use super::growth::{GOAL, Growth, START};
 use super::info::{Mark, PseudocodeLine, line};
-use super::lazy::{Candidates, estimate};
 use super::neighbours::Neighbours;
-use super::query::Query;
+use super::query::{Query, Searching, state};
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId, append};
@@ -341,12 +340,6 @@ pub struct QueryResult<S> {
     pub path: Vec<S>,
     /// How many vertices the search expanded.
     pub visited: u64,
-}
-
-/// The state of a vertex of the graph, or of those numbered after them.
-pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], vertex: VertexId) -> &'a S::State {
-    let count = graph.states().len();
-    if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }
 
 // Lines of pseudo-code that roadmap planners share.

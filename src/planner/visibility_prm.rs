@@ -5,9 +5,10 @@
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. Visibility
 //! has to be mutual: the space must be symmetric.
 
-use super::groups::{EdgeOptions, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling};
 use super::growth::START;
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
+use super::query::Searching;
 use super::roadmap::{Build, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
 use super::{Phase, Planner};
 use crate::error::Error;

@@ -7,9 +7,8 @@
 use super::description::{SIZES, SpaceDescription};
 use super::factory::run_info;
 use super::questions::configuration;
-use super::resume::checked_states;
 use super::runner::{RunInfo, Runner};
-use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
+use super::storage::{RoadmapDocument, RoadmapMetric, checked_states, fingerprint_of_space};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
 use crate::nearest::Neighbourhood;

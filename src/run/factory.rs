@@ -1,8 +1,8 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
+use super::options::{SLOWEST, TURNING_RADII};
 use super::reopen::{Changes, Kept};
-use super::resume;
 use super::runner::{Reopen, RunInfo, Runner};
 use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
@@ -17,24 +17,11 @@ use crate::planner::{
 use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
-use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
+use crate::run::storage::{RoadmapDocument, RoadmapMetric, checked_states, fingerprint};
 use crate::scenario::{GoalTolerance, Query, Robot, Scenario};
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
-
-/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
-/// overflow.
-const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
-/// The least allowed top speed of a steered car, in metres per second, for the same reason.
-const SLOWEST: f64 = 1e-9;
-
-/// Whether curves lead a car everywhere: it steers to both sides, and fast enough.
-pub(super) fn follows_curves(car: &Car) -> bool {
-    let [backward, forward] = car.speed();
-    let used = if backward < 0.0 { forward.min(-backward) } else { forward };
-    used >= SLOWEST && car.turning_radius().is_some_and(|(radius, _)| TURNING_RADII.contains(&radius))
-}
 
 /// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
 ///
@@ -233,7 +220,7 @@ impl<'a> Launch<'a> {
                 })
             }
             (None, Some(document)) => {
-                let states = resume::checked_states(&space, &*checked(checker().finest().validity()), document)?;
+                let states = checked_states(&space, &*checked(checker().finest().validity()), document)?;
                 let connection = Neighbourhood::of(document.k as usize, document.radius);
                 let searching = self.planner.group::<Searching>();
                 let rules = searching.copied().unwrap_or_default();

@@ -1,9 +1,9 @@
 //! The options of a run.
 
 use super::Value;
-use super::factory::follows_curves;
 use crate::error::Error;
 use crate::planner::{Improving, PlannerKind, PlannerOptions, RrtConnectOptions, RrtControlOptions};
+use crate::robot::Car;
 use crate::scenario::{Robot, Scenario};
 
 /// How many shortcuts are tried on the path of a planner that was not named.
@@ -64,4 +64,17 @@ impl Options {
         }
         planner.read(&parameters)
     }
+}
+
+/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
+/// overflow.
+pub(super) const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+/// The least allowed top speed of a steered car, in metres per second, for the same reason.
+pub(super) const SLOWEST: f64 = 1e-9;
+
+/// Whether curves lead a car everywhere: it steers to both sides, and fast enough.
+fn follows_curves(car: &Car) -> bool {
+    let [backward, forward] = car.speed();
+    let used = if backward < 0.0 { forward.min(-backward) } else { forward };
+    used >= SLOWEST && car.turning_radius().is_some_and(|(radius, _)| TURNING_RADII.contains(&radius))
 }

@@ -5,7 +5,7 @@
 //! Motions are tried in one direction or both, as on one thread. Samplers that check for collisions draw on one thread, and the last
 //! few samples and vertices are left to it.
 
-use super::batch::{Connect, candidates};
+use super::connect::{Connect, candidates};
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Direction;
 use crate::planner::growth::Growth;

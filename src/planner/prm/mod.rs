@@ -10,6 +10,7 @@
 #[cfg(feature = "parallel")]
 mod ahead;
 mod batch;
+mod connect;
 mod lazy;
 mod lazy_star;
 mod one_by_one;
@@ -21,9 +22,10 @@ pub use lazy_star::LazyPrmStarOptions;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
-use super::groups::{EdgeOptions, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling};
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
 use super::neighbours::{Neighbouring, Neighbours};
+use super::query::Searching;
 use super::roadmap::{BEGIN, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
 use crate::nearest::Neighbourhood;

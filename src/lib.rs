@@ -21,7 +21,7 @@
 //! - [`driving::Drive`] drives a car by keys, [`trajectories::Trajectories`] adds trajectories that do not cross.
 //!
 //! # Modules, from the ground up
-//! `error`, `json`, `options`, `random`, [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
+//! `error`, `json`, `options`, `random`, `fingerprint`, [`statistics`], [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
 //! `collision` (with the proof of a motion), `world`; `graph`, `nearest`, `sampling`, `shortening`, [`path`]; `planner`; [`run`], [`experiment`], [`optimum`]; and beside
 //! them [`certificate`], [`ik`], [`driving`] and [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only
 //! modules below it: a planner sees a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a
@@ -40,6 +40,8 @@ pub mod catalogue;
 pub mod certificate;
 pub mod driving;
 pub mod experiment;
+#[doc(hidden)]
+pub mod fingerprint;
 pub mod fleet;
 pub mod geometry;
 pub mod ik;
@@ -51,6 +53,7 @@ pub mod robot;
 pub mod run;
 pub mod scenario;
 pub mod space;
+pub mod statistics;
 pub mod trajectories;
 
 #[doc(hidden)]

@@ -3,9 +3,10 @@
 use crate::common::bodies;
 use crate::common::documents::refuses;
 use crate::common::{begin_with, finish};
+use planarium::fingerprint::Fingerprint;
 use planarium::fleet::{self, fleet_generators};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_polygon_polygon, intersects_segment_polygon};
-use planarium::graph::{Fingerprint, UnionFind};
+use planarium::graph::UnionFind;
 use planarium::navigation::{self, navigation_generators};
 use planarium::options::{Info, Kind};
 use planarium::robot::Part;

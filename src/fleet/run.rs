@@ -10,7 +10,7 @@ use super::result::{Blocked, BlockedNames, FleetReason, FleetResult, FleetStats,
 use super::roadmap::Roadmap;
 use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, quoted};
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::options::{Info, Options as _, Value};
 use crate::problem::Status;
 use crate::random::check_seed;

@@ -11,12 +11,12 @@ use super::policy::Policy;
 use super::roadmap::{self, RolloutOptions};
 use super::rollout::{Drive, Outcome};
 use crate::error::{Code, Error};
-use crate::experiment::statistics::{Mean, Share, mean, share};
 use crate::geometry::Point;
 use crate::options::{Options as _, Value};
 use crate::problem::Status;
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, Options, Run};
+use crate::statistics::{Mean, Share, mean, share};
 use serde::Serialize;
 
 crate::options! {

@@ -28,13 +28,16 @@ pub trait Generator: Options {
     }
 }
 
+/// Reads options given by name, and generates; the second argument has names that are known elsewhere.
+type Make<T> = fn(&[(String, Value)], &[&'static str]) -> Result<T, Error>;
+
 /// A generator in a table.
 pub struct Entry<T> {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
     options: fn() -> Vec<OptionInfo>,
-    make: fn(&[(String, Value)], &[&'static str]) -> Result<T, Error>,
+    make: Make<T>,
 }
 
 impl<T> Entry<T> {

@@ -1,4 +1,5 @@
-//! What generators of scenarios, fleets and navigation tasks share: their tables, and how options given by name are read and refused.
+//! What generators of scenarios, fleets and navigation tasks share: their tables, and how options given by name are read and
+//! refused.
 
 use crate::error::{Code, Error, quoted};
 use crate::options::{Info, OptionInfo, Options, Range, Value};
@@ -60,8 +61,8 @@ impl<T> Generators<T> {
         self.0.iter().map(info).collect()
     }
 
-    /// Generates by the id of a generator, with options given by name and `seed`; the rest take their defaults. `others` are options
-    /// that the caller takes from the same list: a refusal names them as known.
+    /// Generates by the id of a generator, with options given by name and `seed`; the rest take their defaults. `others` are
+    /// options that the caller takes from the same list: a refusal names them as known.
     ///
     /// # Errors
     /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,

@@ -219,8 +219,8 @@ fn defined_in(files: &BTreeMap<String, [Vec<String>; 2]>, from: &str, path: &str
     exported.and_then(|path| defined_in(files, &file, path)).or(Some(file))
 }
 
-/// Within a module, no files use each other in a circle. What a `mod.rs` re-exports counts for the file that defines it. A `mod.rs` and the
-/// files of its folder do not count against each other: it puts them together, and has what they share.
+/// Within a module, no files use each other in a circle. What a `mod.rs` re-exports counts for the file that defines it. A `mod.rs`
+/// and the files of its folder do not count against each other: it puts them together, and has what they share.
 #[test]
 fn the_files_of_a_module_use_each_other_in_no_circle() {
     let files: BTreeMap<String, [Vec<String>; 2]> =

@@ -1,7 +1,8 @@
 //! A number in the key of a heap.
 
-/// A cost, a distance, a time or a bound in a total order, for heaps and keys. It is at least 0 and may be infinite; NaN and -0 never come
-/// about in sums of such numbers. The bits of such floats are ordered as their values, so comparing costs as much as for integers.
+/// A cost, a distance, a time or a bound in a total order, for heaps and keys. It is at least 0 and may be infinite; NaN and -0
+/// are no such numbers, nor sums of them. The bits of such floats are ordered as their values, so comparing costs as much as for
+/// integers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Ordered(u64);
 

@@ -98,8 +98,8 @@ pub struct Query<'a, S: Space> {
     pub space: &'a S,
     /// The state of every vertex, by its number.
     pub states: &'a [S::State],
-    /// The direction of the motions to or from neighbours. Only [`Index`] and what is built on it heed it: the spaces that the others serve
-    /// are symmetric.
+    /// The direction of the motions to or from neighbours. Only [`Index`] and what is built on it use it: the spaces that the
+    /// others serve are symmetric.
     pub direction: Direction,
     /// The state whose neighbours are sought.
     pub from: &'a S::State,
@@ -201,7 +201,7 @@ pub trait Nearest<S: Space> {
         match neighbourhood {
             Neighbourhood::Nearest(k) => self.k_nearest(query, k, found),
             Neighbourhood::Within(radius) => self.within(query, radius, found),
-            // So many are all: the radius alone prunes more.
+            // No vertex is left out for its number, so the radius alone decides, and prunes more.
             Neighbourhood::Both { k, radius } if k >= query.states.len() => self.within(query, radius, found),
             Neighbourhood::Both { k, radius } => {
                 let visited = self.k_nearest(query, k, found);

@@ -5,7 +5,7 @@
 
 use kiddo::{MutableKdTree, SquaredEuclidean};
 use planarium::graph::VertexId;
-use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
+use planarium::nearest::{Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Query, recall};
 use planarium::random::{Random, Stream};
 use planarium::space::{Coordinate, Metric, ProductSpace, Space};
 use std::f64::consts::TAU;
@@ -108,7 +108,7 @@ fn peers<const N: usize>(name: &str, coordinates: &[Coordinate; N]) {
         let mut exact = Vec::new();
         let times = [1, 10].map(|k| {
             for from in &asked {
-                tree.k_nearest(&space, &states, from, k, &mut exact);
+                tree.k_nearest(Query::to(&space, &states, from), k, &mut exact);
                 let theirs = of_peer(from, k);
                 assert_eq!(theirs.len(), k);
                 for (ours, theirs) in exact.iter().zip(&theirs) {
@@ -210,8 +210,8 @@ fn recalled<S: Space>(
 ) -> f64 {
     let (mut found, mut exact, mut sum) = (Vec::new(), Vec::new(), 0.0);
     for from in asked {
-        forest.k_nearest(space, states, from, k, &mut found);
-        tree.k_nearest(space, states, from, k, &mut exact);
+        forest.k_nearest(Query::to(space, states, from), k, &mut found);
+        tree.k_nearest(Query::to(space, states, from), k, &mut exact);
         sum += recall(&found, &exact);
     }
     sum / asked.len() as f64
@@ -229,7 +229,7 @@ fn build<S: Space, I: Nearest<S>>(mut index: I, space: &S, states: &[S::State]) 
 fn time<S: Space>(index: &impl Nearest<S>, space: &S, states: &[S::State], asked: &[S::State], k: usize) -> f64 {
     let mut found: Vec<Neighbour> = Vec::new();
     median(asked, |state| {
-        index.k_nearest(space, states, state, k, &mut found);
+        index.k_nearest(Query::to(space, states, state), k, &mut found);
         black_box(&found);
     })
 }

@@ -12,7 +12,7 @@
 use planarium::collision::{ArmValidity, BodyCollision, BodyMotion, CollisionWorld, DiscValidity};
 use planarium::geometry::{Aabb, Point, Polygon};
 use planarium::graph::VertexId;
-use planarium::nearest::{LinearScan, Nearest};
+use planarium::nearest::{LinearScan, Nearest, Query};
 use planarium::problem::{Sampled, Samples, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, DiscRobot, joint_space};
@@ -110,7 +110,7 @@ fn edges(space: &ProductSpace<4>, validity: &ArmValidity<4>, samples: usize, see
     let (mut near, mut tried, mut edges) = (Vec::new(), BTreeSet::new(), Vec::new());
     for (i, a) in states.iter().enumerate() {
         // The nearest is the vertex itself.
-        index.k_nearest(space, &states, a, K + 1, &mut near);
+        index.k_nearest(Query::to(space, &states, a), K + 1, &mut near);
         for j in near.iter().map(|neighbour| neighbour.vertex.0 as usize).filter(|&j| j != i) {
             if tried.insert((i.min(j), i.max(j))) {
                 edges.push((*a, states[j]));

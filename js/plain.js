@@ -48,20 +48,20 @@ export function budgetOf(budget) {
   throw new PlanariumError(code, `budget must be ${wanted}, not ${typeof budget === "number" ? budget : kindOf(budget)}`, "/budget");
 }
 
-/** Why a value is refused, and where it stands. @typedef {Error & { pointer: string }} Refusal */
+/** Why a value is refused, where it stands, and its kind if it has no JSON form. @typedef {Error & { pointer: string, kind?: string }} Refusal */
 
 /** Errors of this module: callers may throw any value, also a proxy that throws when it is inspected. @type {WeakSet<Refusal>} */
 const own = new WeakSet();
 
-/** @template {Error} E @param {E} error */
-function refusal(error) {
-  const refused = Object.assign(error, { pointer: "" });
+/** @param {Error} error @param {string} [kind] @returns {Refusal} */
+function refusal(error, kind) {
+  const refused = Object.assign(error, { pointer: "", kind });
   own.add(refused);
   return refused;
 }
 
 /** @param {unknown} value */
-const noValue = (value) => refusal(new TypeError(`${kindOf(value)} is no JSON value`));
+const noValue = (value) => refusal(new TypeError(`${kindOf(value)} is no JSON value`), kindOf(value));
 
 /** @param {number} length */
 const tooLong = (length) => refusal(new RangeError(`its length is ${length}; at most ${LONGEST} items are read`));

@@ -46,10 +46,26 @@ export function asOwn(error) {
   return new PlanariumError("internal", `Planarium could not finish this call: ${reasonOf(error)}`, "", { cause: error });
 }
 
-/** Whether an error stopped the core in the middle of its work: a trap, or the end of the stack, in the words of each engine. @param {unknown} error */
+/** Whether an error stopped the core in the middle of its work: a trap, or the end of the stack. @param {unknown} error */
 function isTrap(error) {
-  return error instanceof WebAssembly.RuntimeError
-    || (error instanceof Error && /call stack|too much recursion|stack overflow/i.test(error.message));
+  if (error instanceof WebAssembly.RuntimeError) return true;
+  if (!(error instanceof Error)) return false;
+  endOfStack ??= errorAtEndOfStack();
+  return error.name === endOfStack.name && error.message === endOfStack.message;
+}
+
+/** What this engine throws at the end of the stack: no class of errors is for that alone. @type {Error | undefined} */
+let endOfStack;
+
+/** @returns {Error} */
+function errorAtEndOfStack() {
+  const deeper = () => { deeper(); };
+  try {
+    deeper();
+  } catch (error) {
+    return /** @type {Error} */ (error);
+  }
+  throw new Error("unreachable");
 }
 
 /** The error of every call after a trap. */

@@ -138,19 +138,6 @@ records! {
         parameters: Vec<ParameterInfo>,
     }
 
-    /// A generator of scenarios, as a page would offer it.
-    struct GeneratorInfo {
-        /// The first argument of `Scenario.generate`.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "GeneratorId"))]
-        id: &'static str,
-        /// The title for people.
-        title: &'static str,
-        /// A summary, in a sentence.
-        summary: &'static str,
-        /// Its options, except `seed`.
-        options: Vec<ParameterInfo>,
-    }
-
     /// A planner of fleets, as a page would offer it.
     struct FleetPlannerInfo {
         /// The value of `algorithm`.
@@ -163,40 +150,58 @@ records! {
         /// Its options.
         parameters: Vec<ParameterInfo>,
     }
+}
 
-    /// A generator of navigation tasks, as a page would offer it.
-    struct NavigationGeneratorInfo {
-        /// The first argument of `Navigation.generate`.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "NavigationGeneratorId"))]
-        id: &'static str,
-        /// The title for people.
-        title: &'static str,
-        /// A summary, in a sentence.
-        summary: &'static str,
-        /// Its options, except `seed`.
-        options: Vec<ParameterInfo>,
+/// Declares the record of a type of generator, with the type of its ids.
+macro_rules! generator_records {
+    ($($(#[$doc:meta])* $Name:ident { $(#[$first:meta])* $id:literal })*) => {
+        records! {
+            $(
+                $(#[$doc])*
+                struct $Name {
+                    $(#[$first])*
+                    #[cfg_attr(target_arch = "wasm32", tsify(type = $id))]
+                    id: &'static str,
+                    /// The title for people.
+                    title: &'static str,
+                    /// A summary, in a sentence.
+                    summary: &'static str,
+                    /// Its options, except `seed`.
+                    options: Vec<ParameterInfo>,
+                }
+            )*
+        }
+
+        $(
+            impl From<Info> for $Name {
+                fn from(Info { id, title, summary, options }: Info) -> Self {
+                    Self { id, title, summary, options: table(&options) }
+                }
+            }
+        )*
+    };
+}
+
+generator_records! {
+    /// A generator of scenarios, as a page would offer it.
+    GeneratorInfo {
+        /// The first argument of `Scenario.generate`.
+        "GeneratorId"
     }
-
     /// A generator of fleets, as a page would offer it.
-    struct FleetGeneratorInfo {
+    FleetGeneratorInfo {
         /// The first argument of `Fleet.generate`.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetGeneratorId"))]
-        id: &'static str,
-        /// The title for people.
-        title: &'static str,
-        /// A summary, in a sentence.
-        summary: &'static str,
-        /// Its options, except `seed`.
-        options: Vec<ParameterInfo>,
+        "FleetGeneratorId"
+    }
+    /// A generator of navigation tasks, as a page would offer it.
+    NavigationGeneratorInfo {
+        /// The first argument of `Navigation.generate`.
+        "NavigationGeneratorId"
     }
 }
 
 /// The document.
 pub fn catalogue() -> Json {
-    let generator = |info: &Info| {
-        let &Info { id, title, summary, ref options } = info;
-        GeneratorInfo { id, title, summary, options: table(options) }
-    };
     let method = |info: &Info| {
         let &Info { id, title, summary, ref options } = info;
         ReachMethodInfo { id, title, summary, parameters: table(options) }
@@ -204,14 +209,6 @@ pub fn catalogue() -> Json {
     let fleet_planner = |info: &Info| {
         let &Info { id, title, summary, ref options } = info;
         FleetPlannerInfo { id, title, summary, parameters: table(options) }
-    };
-    let fleet_generator = |info: &Info| {
-        let &Info { id, title, summary, ref options } = info;
-        FleetGeneratorInfo { id, title, summary, options: table(&without_seed(options)) }
-    };
-    let navigation_generator = |info: &Info| {
-        let &Info { id, title, summary, ref options } = info;
-        NavigationGeneratorInfo { id, title, summary, options: table(&without_seed(options)) }
     };
     let index = |info: &neighbours::IndexInfo| {
         let &neighbours::IndexInfo { id, title, summary, is_exact: exact, ref parameters, .. } = info;
@@ -221,10 +218,10 @@ pub fn catalogue() -> Json {
         "planners": planners().iter().map(planner).collect::<Vec<_>>(),
         "reach_methods": methods().iter().map(method).collect::<Vec<_>>(),
         "indexes": indexes().iter().map(index).collect::<Vec<_>>(),
-        "generators": generators().iter().map(generator).collect::<Vec<_>>(),
+        "generators": generators().into_iter().map(GeneratorInfo::from).collect::<Vec<_>>(),
         "fleet_planners": fleet_planners().iter().map(fleet_planner).collect::<Vec<_>>(),
-        "fleet_generators": fleet_generators().iter().map(fleet_generator).collect::<Vec<_>>(),
-        "navigation_generators": navigation_generators().iter().map(navigation_generator).collect::<Vec<_>>(),
+        "fleet_generators": fleet_generators().into_iter().map(FleetGeneratorInfo::from).collect::<Vec<_>>(),
+        "navigation_generators": navigation_generators().into_iter().map(NavigationGeneratorInfo::from).collect::<Vec<_>>(),
         "rollouts": table(&RolloutOptions::table()),
         "training": table(&TrainingOptions::table()),
         "comparison": table(&ComparisonOptions::table()),
@@ -232,11 +229,6 @@ pub fn catalogue() -> Json {
         "particle": table(&ParticleOptions::table()),
         "errors": Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect::<Vec<_>>(),
     })
-}
-
-/// The options without the seed, which all generators have.
-fn without_seed(options: &[OptionInfo]) -> Vec<OptionInfo> {
-    options.iter().filter(|option| option.name != "seed").cloned().collect()
 }
 
 fn planner(planner: &PlannerOptions) -> PlannerInfo {

@@ -28,7 +28,8 @@
 //! Natively, worlds, problems and runs are [`Send`]: a run that begins in one thread may end in another.
 //!
 //! # Modules, from the ground up
-//! [`error`], `json`, [`options`], [`random`], [`geometry`]; [`space`] (with steering), [`robot`], [`scenario`]; [`problem`];
+//! [`error`], `json`, [`options`], [`random`], `fingerprint`, [`statistics`], [`geometry`]; [`space`] (with steering), [`robot`],
+//! [`scenario`], `generators`; [`problem`];
 //! `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`], [`sampling`], `shortening`, [`path`]; [`planner`];
 //! [`run`]; and beside each other on it [`certificate`], [`driving`], [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and
 //! [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only modules below it: a planner sees
@@ -48,6 +49,8 @@ pub mod catalogue;
 pub mod certificate;
 pub mod driving;
 pub mod experiment;
+#[doc(hidden)]
+pub mod fingerprint;
 pub mod fleet;
 pub mod geometry;
 pub mod ik;
@@ -59,11 +62,14 @@ pub mod robot;
 pub mod run;
 pub mod scenario;
 pub mod space;
+pub mod statistics;
 pub mod trajectories;
 
 #[doc(hidden)]
 pub mod collision;
 pub mod error;
+#[doc(hidden)]
+pub mod generators;
 pub mod graph;
 #[doc(hidden)]
 pub mod json;

@@ -149,11 +149,12 @@ impl Given<'_> {
         T::from_value(&value)
     }
 
-    /// Refuses names that are not known or given twice.
-    fn finish(mut self) -> Result<(), Error> {
+    /// Refuses names that are not known or given twice; `others` are known elsewhere.
+    fn finish(mut self, others: &[&'static str]) -> Result<(), Error> {
         for (at, (name, _)) in self.given.iter().enumerate() {
             if !self.known.contains(&name.as_str()) {
-                let sentence = format!("unknown option {}; known options are {}", quoted(name), self.known.join(", "));
+                let known = [&self.known, others].concat().join(", ");
+                let sentence = format!("unknown option {}; known options are {known}", quoted(name));
                 self.refuse(at, refusal(Code::UnknownParameter, name, sentence));
             } else if self.given[..at].iter().any(|(earlier, _)| earlier == name) {
                 self.refuse(at, refusal(Code::DuplicateField, name, format!("{name} is given twice")));
@@ -208,6 +209,16 @@ pub trait Options: Field + Default + Copy {
         Self::default().updated(given)
     }
 
+    /// The same; a refusal of a name says that `others` are known as well: options that are read elsewhere.
+    ///
+    /// # Errors
+    /// As [`Options::read`].
+    fn read_among(given: &[(String, Value)], others: &[&'static str]) -> Result<Self, Error> {
+        let mut given = Given { given, known: Vec::new(), refused: None };
+        let options = Self::default().take("", &ANY, &mut given);
+        given.finish(others).map(|()| options)
+    }
+
     /// Whether there is an option of this name.
     fn has(name: &str) -> bool {
         let mut is_found = false;
@@ -244,7 +255,7 @@ pub trait Options: Field + Default + Copy {
     fn updated(self, given: &[(String, Value)]) -> Result<Self, Error> {
         let mut given = Given { given, known: Vec::new(), refused: None };
         let options = self.take("", &ANY, &mut given);
-        given.finish().map(|()| options)
+        given.finish(&[]).map(|()| options)
     }
 }
 

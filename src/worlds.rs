@@ -8,6 +8,7 @@
 
 use crate::certificate::{self, Subdivision, Verdict};
 use crate::error::{Code, Error};
+use crate::generators::given;
 use crate::options::{Info, Options as _, Value, refusal};
 use crate::problem::Status;
 use crate::random::{MAX_SEED, Random, Stream};
@@ -73,7 +74,7 @@ pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Scenario, 
 /// # Errors
 /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
 pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
-    generate_with(id, &seeded::given(options)?)
+    generate_with(id, &given(options)?)
 }
 
 /// The options without those of [`EnsureOptions`], and those.
@@ -96,14 +97,8 @@ pub(crate) fn split(options: &[(String, Value)]) -> Result<(Vec<(String, Value)>
 /// Those of [`generate_with`].
 pub(crate) fn draw(id: &str, options: &[(String, Value)]) -> Result<(Scenario, u64), Error> {
     let (rest, EnsureOptions { ensure, draws }) = split(options)?;
-    let name_ours = |error: Error| match error.code() {
-        // The sentence ends with the options that are known.
-        Code::UnknownField if error.message().contains("known options are") => {
-            Error::new(error.code(), error.pointer(), format!("{}, ensure, draws", error.message()))
-        }
-        _ => error,
-    };
-    let first = seeded::generate_with(id, &rest).map_err(name_ours)?;
+    let ours: Vec<&str> = EnsureOptions::table().iter().map(|option| option.name).collect();
+    let first = seeded::generate_among(id, &rest, &ours)?;
     let at = rest.iter().position(|(name, _)| name == "seed");
     let seed = match at.map(|at| &rest[at].1) {
         Some(Value::Number(seed)) => *seed as u64,

@@ -146,6 +146,113 @@ fn the_drawing_has_an_arrow_wherever_there_is_no_longer_way() {
     assert_eq!(arrows_of_drawing(), expected);
 }
 
+/// A file as the path of its module below `src`: `fleet/run`, and `fleet` for its `mod.rs`.
+fn module_of(path: &Path) -> String {
+    let file =
+        path.strip_prefix(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).expect("below src").with_extension("");
+    let name = file.iter().map(|part| part.to_str().expect("a readable name")).collect::<Vec<_>>().join("/");
+    name.strip_suffix("/mod").map_or(name.clone(), str::to_owned)
+}
+
+/// The paths of a `use` declaration, without its braces.
+fn expand(prefix: &str, tree: &str, paths: &mut Vec<String>) {
+    let Some((before, inner)) = tree.split_once('{') else {
+        let path = tree.split(" as ").next().expect("a path").trim().trim_end_matches("::self");
+        return paths.push(format!("{prefix}{path}"));
+    };
+    let inner = inner.trim_end().strip_suffix('}').expect("braces are closed");
+    let (mut depth, mut from) = (0, 0);
+    for (i, letter) in inner.char_indices().chain([(inner.len(), ',')]) {
+        match letter {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                if !inner[from..i].trim().is_empty() {
+                    expand(&format!("{prefix}{}", before.trim()), inner[from..i].trim(), paths);
+                }
+                from = i + 1;
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The paths that a file names: those that it re-exports, and those that it uses.
+fn paths(code: &str) -> [Vec<String>; 2] {
+    let [mut exported, mut used] = [Vec::new(), Vec::new()];
+    for statement in code.split(';') {
+        let is_use = |line: &str| line.starts_with("use ") || (line.starts_with("pub") && line.contains(" use "));
+        let at = statement.lines().position(|line| is_use(line.trim_start()));
+        let lines: Vec<&str> = statement.lines().collect();
+        let (other, declaration) = lines.split_at(at.unwrap_or(lines.len()));
+        let declaration = declaration.join(" ");
+        if let Some((before, tree)) = declaration.split_once("use ") {
+            expand("", tree.trim(), if before.trim().is_empty() { &mut used } else { &mut exported });
+        }
+        let other = other.join("\n");
+        let is_path = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+        let words =
+            other.split(|c| !is_path(c)).filter(|word| word.starts_with("crate::") || word.starts_with("super::"));
+        used.extend(words.map(str::to_owned));
+    }
+    [exported, used]
+}
+
+/// The file that defines what a path names, as seen from a file, through re-exports.
+fn defined_in(files: &BTreeMap<String, [Vec<String>; 2]>, from: &str, path: &str) -> Option<String> {
+    let mut place: Vec<&str> = from.split('/').collect();
+    let mut names: Vec<&str> = path.split("::").collect();
+    match names[0] {
+        "crate" => place.clear(),
+        "self" => {}
+        "super" => {
+            let up = names.iter().take_while(|name| **name == "super").count();
+            place.truncate(place.len().checked_sub(up)?);
+            names.drain(1..up);
+        }
+        child if files.contains_key(&format!("{from}/{child}")) => names.insert(0, "self"),
+        _ => return None,
+    }
+    let whole: Vec<&str> = place.into_iter().chain(names.into_iter().skip(1)).collect();
+    let length = (1..=whole.len()).rev().find(|&n| files.contains_key(&whole[..n].join("/")))?;
+    let file = whole[..length].join("/");
+    let name = whole.get(length);
+    let exported = files[&file][0].iter().find(|path| name.is_some() && path.rsplit("::").next() == name.copied());
+    exported.and_then(|path| defined_in(files, &file, path)).or(Some(file))
+}
+
+/// Within a module, no files use each other in a circle. What a `mod.rs` re-exports counts for the file that defines it. A `mod.rs`
+/// and the files of its folder do not count against each other: it puts them together, and has what they share.
+#[test]
+fn the_files_of_a_module_use_each_other_in_no_circle() {
+    let files: BTreeMap<String, [Vec<String>; 2]> =
+        modules("src").into_iter().map(|(_, path)| (module_of(&path), paths(&code(&path)))).collect();
+    let room = |file: &str| file.split('/').next().expect("a name").to_owned();
+    let is_folder_of = |folder: &str, file: &str| file.rsplit_once('/').is_some_and(|(above, _)| above == folder);
+    let mut arrows = Arrows::new();
+    for (file, [_, used]) in &files {
+        let others = used.iter().filter_map(|path| defined_in(&files, file, path)).filter(|other| {
+            other != file && room(other) == room(file) && !is_folder_of(other, file) && !is_folder_of(file, other)
+        });
+        arrows.insert(file.clone(), others.collect());
+    }
+    assert!(arrows["fleet/pbs"].contains("fleet/roadmap") && arrows["run/launch"].contains("run/storage/states"));
+    // What uses nothing that is left, or is used by nothing that is left, is in no circle.
+    loop {
+        let used: BTreeSet<String> = arrows.values().flatten().cloned().collect();
+        let left: Arrows = arrows
+            .iter()
+            .filter(|(file, others)| used.contains(*file) && others.iter().any(|other| arrows.contains_key(other)))
+            .map(|(file, others)| (file.clone(), others.iter().filter(|o| arrows.contains_key(*o)).cloned().collect()))
+            .collect();
+        if left.len() == arrows.len() {
+            break;
+        }
+        arrows = left;
+    }
+    assert!(arrows.is_empty(), "files in circles, with what they use: {arrows:#?}");
+}
+
 #[test]
 fn the_core_reads_no_clock_prints_nothing_and_uses_no_arithmetic_that_differs_between_platforms() {
     for (module, path) in modules(LIBRARY).into_iter().filter(|(module, _)| module != "bindings") {

@@ -3,9 +3,12 @@
 use crate::common::bodies;
 use crate::common::documents::refuses;
 use crate::common::{begin_with, finish};
+use planarium::fingerprint::Fingerprint;
+use planarium::fleet::{self, fleet_generators};
 use planarium::geometry::{Aabb, Disc, Point, Polygon, Segment, distance_polygon_polygon, intersects_segment_polygon};
-use planarium::graph::{Fingerprint, UnionFind};
-use planarium::options::Kind;
+use planarium::graph::UnionFind;
+use planarium::navigation::{self, navigation_generators};
+use planarium::options::{Info, Kind};
 use planarium::robot::Part;
 use planarium::run::inspect::Inspector;
 use planarium::run::{Status, Value};
@@ -13,10 +16,11 @@ use planarium::scenario::generate::{
     BugTrapOptions, ClutterOptions, ForestOptions, GapOptions, Generator, RobotChoice, Turn, generate, generators,
 };
 use planarium::scenario::{Obstacle, Query, Robot, Scenario};
+use planarium::{Error, worlds};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Options are the fields of an object, without its braces.
-fn try_make(kind: &str, options: &str) -> Result<Scenario, planarium::Error> {
+fn try_make(kind: &str, options: &str) -> Result<Scenario, Error> {
     generate(kind, &planarium::json::parse(&format!("{{{options}}}")).expect("the options are JSON"))
 }
 
@@ -247,6 +251,43 @@ fn options_that_are_wrong_are_refused() {
     let message =
         refuses(try_make("clutter", r#""count": 60, "smallest": 0.4, "largest": 0.5"#), "out-of-range", "/count");
     assert!(message.contains("of 60 obstacles could be placed in 10000 draws"), "{message}");
+}
+
+/// The ids of a table of generators.
+fn ids(infos: Vec<Info>) -> Vec<&'static str> {
+    infos.iter().map(|info| info.id).collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_mistake_has_one_code_in_scenarios_fleets_and_navigation_tasks() {
+    type Generate = fn(&str, &serde_json::Value) -> Result<String, Error>;
+    let kinds: [(Vec<&str>, Generate); 4] = [
+        (ids(generators()), |id, options| generate(id, options).map(|made| made.to_json_string())),
+        (ids(worlds::generators()), |id, options| worlds::generate(id, options).map(|made| made.to_json_string())),
+        (ids(fleet_generators()), |id, options| fleet::generate(id, options).map(|made| made.to_json_string())),
+        (ids(navigation_generators()), |id, options| {
+            navigation::generate(id, options).map(|made| made.to_json_string())
+        }),
+    ];
+    for (ids, make) in &kinds {
+        let refused = |id: &str, options: &str, code, pointer, sentence: &str| {
+            let message = refuses(make(id, &planarium::json::parse(options).unwrap()), code, pointer);
+            assert!(message.contains(sentence), "{id} {options}: {message}");
+        };
+        refused("jungle", "{}", "unknown-generator", "", "there is no generator \"jungle\"; there are ");
+        for id in ids {
+            refused(id, "[]", "wrong-type", "", "options must be an object");
+            refused(id, r#"{"a/b": 1}"#, "unknown-field", "/a~1b", "unknown option \"a/b\"; known options are ");
+            refused(id, r#"{"seed": -1}"#, "out-of-range", "/seed", "seed must lie within");
+            refused(id, r#"{"seed": 0.5}"#, "out-of-range", "/seed", "seed must be a whole number");
+            refused(id, r#"{"seed": "1"}"#, "wrong-type", "/seed", "seed must be a number");
+            refused(id, r#"{"seed": null}"#, "wrong-type", "/seed", "seed must be a number");
+        }
+    }
+    let twice = [("seed", 1.0), ("seed", 2.0)].map(|(name, value)| (name.to_owned(), Value::Number(value)));
+    refuses(worlds::generate_with("forest", &twice), "duplicate-field", "/seed");
+    refuses(fleet::generate_with("swap", &twice), "duplicate-field", "/seed");
+    refuses(navigation::generate_with("rooms", &twice), "duplicate-field", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -1,8 +1,10 @@
 //! JSON text: what is refused, with which code and pointer; numbers to the last bit; one normal form.
 
 use crate::common::documents::{ARM, DISC, refusal, with};
+use planarium::error::Code;
 use planarium::json;
 use planarium::scenario::{MAX_DEPTH, MAX_TEXT, Scenario};
+use serde::de::{Deserialize, Deserializer, Error as _, SeqAccess, Visitor};
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -152,6 +154,56 @@ fn strings_arrays_and_objects_are_read_and_other_text_is_refused() {
         assert_eq!(error.code().as_str(), "invalid-json", "{bad}");
         assert!(error.message().contains(" at line "), "{error}");
     }
+}
+
+/// A type that asks for a number, an integer, two numbers and so on, and tells in misleading words what it expects.
+struct Misleading<const ASKED: usize>;
+
+impl<'de, const ASKED: usize> Deserialize<'de> for Misleading<ASKED> {
+    fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
+        struct Words<const ASKED: usize>;
+        impl<'de, const ASKED: usize> Visitor<'de> for Words<ASKED> {
+            type Value = Misleading<ASKED>;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("usize, a map, struct or sequence of 7 known options: number out of range, is not finite")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+                while items.next_element::<f64>()?.is_some() {}
+                Err(A::Error::invalid_length(1, &self))
+            }
+        }
+        match ASKED {
+            0 => source.deserialize_f64(Words),
+            1 => source.deserialize_u32(Words),
+            2 => source.deserialize_u64(Words),
+            3 => source.deserialize_bool(Words),
+            4 => source.deserialize_string(Words),
+            5 => source.deserialize_map(Words),
+            _ => source.deserialize_tuple(2, Words),
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_wrong_does_not_depend_on_the_words_of_serde() {
+    fn refused<const ASKED: usize>(value: &Value, code: Code, sentence: &str) {
+        let error = json::read::<Misleading<ASKED>>(value).err().expect("no value is accepted");
+        assert_eq!((error.code(), error.message()), (code, sentence), "{value}");
+    }
+    let (fraction, text) = (json!(2.5), json!("known options are 7"));
+    let shown = "the string \"known options are 7\"";
+    refused::<0>(&text, Code::WrongType, &format!("this must be a number, not {shown}"));
+    refused::<1>(&text, Code::WrongType, &format!("this must be a whole number from 0 to 4294967295, not {shown}"));
+    refused::<1>(&fraction, Code::OutOfRange, "this must be a whole number from 0 to 4294967295, not the number 2.5");
+    refused::<2>(&fraction, Code::OutOfRange, "this must be a whole number from 0 to 2^53 - 1, not the number 2.5");
+    refused::<3>(&fraction, Code::WrongType, "this must be true or false, not the number 2.5");
+    refused::<4>(&fraction, Code::WrongType, "this must be a string, not the number 2.5");
+    refused::<5>(&fraction, Code::WrongType, "this must be an object, not the number 2.5");
+    refused::<6>(&fraction, Code::WrongType, "this must be an array, not the number 2.5");
+    refused::<6>(&json!([1]), Code::WrongDimension, "this must have 2 entries, not 1");
+    refused::<6>(&json!([1, "2"]), Code::WrongType, "this must be a number, not the string \"2\"");
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -2,7 +2,9 @@
 
 use crate::common::cases;
 use planarium::graph::VertexId;
-use planarium::nearest::{Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, recall};
+use planarium::nearest::{
+    Direction, Forest, ForestParameters, Index, KdTree, LinearScan, Nearest, Neighbour, Query, recall,
+};
 use planarium::random::{Random, Stream};
 use planarium::space::steering::Steering;
 use planarium::space::{Coordinate, Metric, MotionSpace, ProductSpace, Space, gap, gap_to_interval};
@@ -50,9 +52,9 @@ fn check<S: Space>(
     truth: &[Neighbour],
 ) {
     assert_eq!((index.len(), index.is_empty()), (truth.len(), false), "{name}");
-    let k_nearest = |k, found: &mut _| index.k_nearest(space, states, from, k, found);
-    let within = |radius, found: &mut _| index.within(space, states, from, radius, found);
-    check_queries(name, index.nearest(space, states, from), k_nearest, within, truth);
+    let k_nearest = |k, found: &mut _| index.k_nearest(Query::to(space, states, from), k, found);
+    let within = |radius, found: &mut _| index.within(Query::to(space, states, from), radius, found);
+    check_queries(name, index.nearest(Query::to(space, states, from)), k_nearest, within, truth);
 }
 
 /// Checks the nearest, and the queries for the `k` nearest and for those within a radius.
@@ -95,8 +97,8 @@ fn agrees<S: Space>(name: &str, space: &S, states: &[S::State], asked: &[S::Stat
         tree.insert(space, number(i), state);
         index.insert(space, number(i), state);
         let (n, from) = (i + 1, &asked[i % asked.len()]);
-        linear.k_nearest(space, &numbered, from, 1 + i % 12, &mut one);
-        tree.k_nearest(space, &numbered, from, 1 + i % 12, &mut other);
+        linear.k_nearest(Query::to(space, &numbered, from), 1 + i % 12, &mut one);
+        tree.k_nearest(Query::to(space, &numbered, from), 1 + i % 12, &mut other);
         same(&other, &one, &|| format!("{name} after {n}"));
         let is_last = n == states.len();
         for from in asked.iter().take(if is_last { asked.len() } else { usize::from(n.is_power_of_two()) }) {
@@ -240,11 +242,11 @@ fn a_hundred_thousand_states_of_any_kind() {
             let (numbered, mut found) = (numbered(&states), Vec::new());
             for (from, k) in samples(space, seed, 3).iter().zip([1, 10, 100]) {
                 let expected = &truth(space, Direction::In, &states, from)[..k];
-                scan.k_nearest(space, &numbered, from, k, &mut found);
+                scan.k_nearest(Query::to(space, &numbered, from), k, &mut found);
                 same(&found, expected, &|| format!("scan, {name}, {kind}: {k}"));
-                tree.k_nearest(space, &numbered, from, k, &mut found);
+                tree.k_nearest(Query::to(space, &numbered, from), k, &mut found);
                 same(&found, expected, &|| format!("tree, {name}, {kind}: {k}"));
-                index.k_nearest(space, &numbered, from, k, &mut found);
+                index.k_nearest(Query::to(space, &numbered, from), k, &mut found);
                 same(&found, expected, &|| format!("index, {name}, {kind}: {k}"));
             }
         }
@@ -257,11 +259,11 @@ fn an_empty_index_has_no_neighbours() {
         let from = space.state(&[1.0; 8]);
         let mut found = vec![Neighbour { distance: 1.0, vertex: VertexId(1) }];
         assert!(index.is_empty());
-        assert_eq!(index.nearest(space, &[], &from), None);
-        index.k_nearest(space, &[], &from, 3, &mut found);
+        assert_eq!(index.nearest(Query::to(space, &[], &from)), None);
+        index.k_nearest(Query::to(space, &[], &from), 3, &mut found);
         assert!(found.is_empty(), "what the list held before is gone");
-        index.k_nearest(space, &[], &from, 0, &mut found);
-        index.within(space, &[], &from, 10.0, &mut found);
+        index.k_nearest(Query::to(space, &[], &from), 0, &mut found);
+        index.within(Query::to(space, &[], &from), 10.0, &mut found);
         assert!(found.is_empty());
     }
     for (_, space) in arms_of(3).into_iter().chain(planes_and_placements()) {
@@ -282,17 +284,17 @@ fn forest_recall<S: Space>(space: &S, seed: u64, n: usize, k: usize, parameters:
     let parts = asked.iter().map(|from| {
         let exact = truth(space, Direction::In, &states, from);
         let mut found = Vec::new();
-        forest.k_nearest(space, &numbered, from, k, &mut found);
+        forest.k_nearest(Query::to(space, &numbered, from), k, &mut found);
         assert_eq!(found.len(), k.min(n), "as many as asked for, if not all the nearest");
         for (i, neighbour) in found.iter().enumerate() {
             let distance = space.distance(from, &states[neighbour.vertex.index() / 3]);
             assert_eq!(neighbour.distance.to_bits(), distance.to_bits(), "its distance is true");
             assert!(i == 0 || found[i - 1].is_before(neighbour), "nearest first, none twice");
         }
-        assert_eq!(forest.nearest(space, &numbered, from).is_some(), n > 0);
+        assert_eq!(forest.nearest(Query::to(space, &numbered, from)).is_some(), n > 0);
         let radius = found[k / 2].distance;
         let (first, mut inside) = (found[..=k / 2].to_vec(), Vec::new());
-        forest.within(space, &numbered, from, radius, &mut inside);
+        forest.within(Query::to(space, &numbered, from), radius, &mut inside);
         same(&inside, &first, &|| "within a radius are those of the k nearest that are".to_owned());
         recall(&found, &exact[..k.min(n)])
     });
@@ -335,7 +337,7 @@ fn a_forest_stays_flat_whatever_order_states_come_in() {
         assert!(forest.depth() as f64 <= most, "{what}: {} of {most}", forest.depth());
         // All of them are still there.
         let (from, mut found) = (space.state(&[0.3, 0.4]), Vec::new());
-        assert_eq!(forest.k_nearest(&space, &numbered(&states), &from, n, &mut found), n, "{what}");
+        assert_eq!(forest.k_nearest(Query::to(&space, &numbered(&states), &from), n, &mut found), n, "{what}");
         same(&found, &truth(&space, Direction::In, &states, &from), &|| what.to_owned());
     }
 }
@@ -347,7 +349,7 @@ fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
     let state = space.state(&[1.0, 2.0, 3.0, -3.0]);
     let equal = grown(Forest::new(parameters, 5), &space, &[state; 200]);
     let mut found = Vec::new();
-    equal.k_nearest(&space, &[state; 600], &state, 70, &mut found);
+    equal.k_nearest(Query::to(&space, &[state; 600], &state), 70, &mut found);
     assert!(found.len() == 70 && found.iter().all(|neighbour| neighbour.distance == 0.0));
 
     let states = samples(&space, 24, 2000);
@@ -356,7 +358,7 @@ fn a_forest_of_equal_states_grows_and_the_same_key_grows_the_same_forest() {
         let mut all = Vec::new();
         for from in samples(&space, 25, 20) {
             let mut found = Vec::new();
-            forest.k_nearest(&space, &numbered(&states), &from, 30, &mut found);
+            forest.k_nearest(Query::to(&space, &numbered(&states), &from), 30, &mut found);
             all.extend(found);
         }
         all
@@ -433,22 +435,16 @@ fn steered_motions_have_the_neighbours_of_a_plain_scan_in_either_direction() {
                 for direction in [Direction::In, Direction::Out] {
                     let truth = truth(&space, direction, states, from);
                     let name = format!("{steering:?} {direction:?}");
-                    let k_nearest = |k, found: &mut _| index.k_nearest_by(&space, &numbered, direction, from, k, found);
-                    let within =
-                        |radius, found: &mut _| index.within_by(&space, &numbered, direction, from, radius, found);
-                    check_queries(
-                        &name,
-                        index.nearest_by(&space, &numbered, direction, from),
-                        k_nearest,
-                        within,
-                        &truth,
-                    );
+                    let query = Query { space: &space, states: &numbered, direction, from };
+                    let k_nearest = |k, found: &mut _| index.k_nearest(query, k, found);
+                    let within = |radius, found: &mut _| index.within(query, radius, found);
+                    check_queries(&name, index.nearest(query), k_nearest, within, &truth);
                     if direction == Direction::In {
                         check("plain queries are about motions to the state", &index, &space, &numbered, from, &truth);
                     }
                 }
             }
         }
-        assert_eq!(Index::default().nearest_by(&space, &[], Direction::Out, &few[0]), None);
+        assert_eq!(Index::default().nearest(Query::to(&space, &[], &few[0])), None);
     }
 }

@@ -1,6 +1,6 @@
 //! Statistics against NumPy and SciPy. `tests/statistics.py` writes their numbers to `statistics.json`, with the versions.
 
-use planarium::experiment::statistics::{Names, ecdf, mean, moving_average, paired, quartiles, share};
+use planarium::statistics::{Names, ecdf, mean, moving_average, paired, quartiles, share};
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
 

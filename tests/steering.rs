@@ -2,7 +2,7 @@
 
 use crate::common::cases;
 use nalgebra::{Matrix3, Vector3};
-use planarium::graph::Fingerprint;
+use planarium::fingerprint::Fingerprint;
 use planarium::random::{Random, Stream};
 use planarium::space::steering::{Curve, Pose, Steering, Turn, advance, dubins, reeds_shepp, wrap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -246,7 +246,7 @@ fn a_damaged_file_is_refused() {
 fn forged(bytes: &[u8], at: usize, word: u32) -> Vec<u8> {
     let mut payload = bytes[..bytes.len() - 8].to_vec();
     payload[at..at + 4].copy_from_slice(&word.to_le_bytes());
-    let mut hash = planarium::graph::Fingerprint::default();
+    let mut hash = planarium::fingerprint::Fingerprint::default();
     hash.bytes(&payload);
     payload.extend(hash.value().to_le_bytes());
     payload

@@ -2,7 +2,7 @@
 
 use planarium::geometry::Point;
 use planarium::graph::VertexId;
-use planarium::nearest::{Index, LinearScan, Nearest};
+use planarium::nearest::{Index, LinearScan, Nearest, Query};
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
 use planarium::run::{Options, Phase, PlannerOptions, Run, Status, Value, start};
@@ -175,7 +175,7 @@ fn each<S: Space>(index: &impl Nearest<S>, space: &S, states: &[S::State], asked
     let mut found = Vec::new();
     let (seconds, ()) = fastest(|| {
         for state in asked {
-            index.k_nearest(space, states, state, k, &mut found);
+            index.k_nearest(Query::to(space, states, state), k, &mut found);
             black_box(&found);
         }
     });

@@ -2,7 +2,7 @@
 //! lists hold plain values, and what could not be copied is an `Error` that says why. So nothing of the caller runs in here.
 
 use crate::error::{Code, Error, Number, quoted};
-use crate::json::{in_javascript, parse, read, read_tree};
+use crate::json::{Unread, in_javascript, parse, read, read_tree};
 use crate::options::{in_camel_case, refusal};
 use crate::run::{Request, Value};
 use crate::scenario::Scenario;
@@ -45,10 +45,10 @@ fn wrong(value: &JsValue, name: &str, wanted: &str) -> Error {
     match value.dyn_ref::<js_sys::Error>() {
         Some(reason) => {
             let code = if reason.has_type::<RangeError>() { Code::TooLarge } else { Code::WrongType };
-            let (place, message) = (place(reason).unwrap_or_default(), String::from(reason.message()));
-            let sentence = match message.strip_suffix(" is no JSON value") {
+            let place = place(reason).unwrap_or_default();
+            let sentence = match text_of(reason, "kind") {
                 Some(kind) if place.is_empty() => format!("{name} must be {wanted}, not {kind}"),
-                _ => format!("{name} cannot be read: {message}"),
+                _ => format!("{name} cannot be read: {}", String::from(reason.message())),
             };
             Error::new(code, pointer + &place, sentence)
         }
@@ -58,7 +58,12 @@ fn wrong(value: &JsValue, name: &str, wanted: &str) -> Error {
 
 /// Where in an argument something stands that could not be copied, as a JSON pointer; `None` if the caller's own code has thrown.
 fn place(reason: &js_sys::Error) -> Option<String> {
-    js_sys::Reflect::get(reason, &"pointer".into()).ok()?.as_string()
+    text_of(reason, "pointer")
+}
+
+/// A property of an error of the package, if it is there: the `pointer` of a refusal, the `kind` of a value that has no JSON form.
+fn text_of(reason: &js_sys::Error, property: &str) -> Option<String> {
+    js_sys::Reflect::get(reason, &property.into()).ok()?.as_string()
 }
 
 /// A finite number.
@@ -207,15 +212,14 @@ fn tree(value: &JsValue, name: &str) -> Result<Json, Error> {
     if let Some(numbers) = value.dyn_ref::<Float64Array>() {
         return Ok(numbers.to_vec().into());
     }
-    match read_tree(Deserializer::from(value.clone())) {
-        (Ok(tree), _) => Ok(tree),
-        (Err(error), pointer) => {
-            let sentence = error.to_string();
-            let sentence = sentence.trim_start_matches("Error: ");
-            let code = if sentence.ends_with("is not finite") { Code::NotFinite } else { Code::InvalidJson };
-            Err(Error::new(code, format!("{name}{pointer}"), sentence))
-        }
-    }
+    read_tree(Deserializer::from(value.clone())).map_err(|Unread { refusal, pointer, source }| {
+        let in_words = |source| match JsValue::from(source).dyn_ref::<js_sys::Error>() {
+            Some(reason) => String::from(reason.message()),
+            None => "this is no JSON value".to_owned(),
+        };
+        let (code, sentence) = refusal.unwrap_or_else(|| (Code::InvalidJson, in_words(source)));
+        Error::new(code, format!("{name}{pointer}"), sentence)
+    })
 }
 
 /// A record in an argument, or a list of them.

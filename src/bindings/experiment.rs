@@ -7,9 +7,9 @@ use super::types::{ExperimentInput, JsNumber, JsSummary, JsText, JsTrialRow, JsT
 use super::{digits, types};
 use crate::Error;
 use crate::error::Code;
-use crate::experiment::statistics::{self, Ecdf, Mean, Names, Paired, Quartiles, Share};
 use crate::experiment::{self, Summary, TrialRun, Trials, cell_text};
 use crate::problem;
+use crate::statistics::{self, Ecdf, Mean, Names, Paired, Quartiles, Share};
 use serde_json::{Map, Value};
 use std::cell::RefCell;
 use std::sync::Arc;

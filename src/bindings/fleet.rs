@@ -54,7 +54,7 @@ impl Fleet {
 
     /// Generates a fleet from a seed; the same generator, options and seed give the same fleet. `fleetGenerators()` lists the generators
     /// and their options.
-    /// @throws {PlanariumError} `unknown-generator`, `unknown-parameter`, `out-of-range`, `wrong-type`, `not-finite`
+    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `not-finite`
     pub fn generate(kind: &FleetGeneratorName, options: Option<GenerateFleetOptions>) -> Result<Fleet, Error> {
         fleet::generate_with(&text(kind, "kind")?, &fields(options)?.parameters()).map(Self)
     }

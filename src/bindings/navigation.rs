@@ -82,7 +82,7 @@ impl Navigation {
 
     /// Generates a task from a seed; the same generator, options and seed give the same task. `navigationGenerators()` lists the generators
     /// and their options.
-    /// @throws {PlanariumError} `unknown-generator`, `unknown-parameter`, `out-of-range`, `wrong-type`, `not-finite`
+    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `not-finite`
     pub fn generate(
         kind: &NavigationGeneratorName,
         options: Option<GenerateNavigationOptions>,

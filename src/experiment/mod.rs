@@ -9,11 +9,10 @@
 //! - `document.rs`, `validate.rs`: the document, and its rules;
 //! - `grid.rs`: lists of values, seeds, and their combinations;
 //! - `trial.rs`: trials by number, and their rows;
-//! - `summary.rs`: the statistics of all rows; `statistics.rs`: statistics of samples.
+//! - `summary.rs`: the statistics of all rows.
 
 mod document;
 mod grid;
-pub mod statistics;
 mod summary;
 mod trial;
 mod validate;

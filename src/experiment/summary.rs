@@ -1,9 +1,9 @@
 //! The statistics of all rows of an experiment.
 
-use super::statistics::{Mean, Names, Paired, Quartiles, Share, mean, paired, quartiles, share};
 use super::{Experiment, Measure, Trial};
 use crate::error::{Code, Error};
 use crate::json::hex;
+use crate::statistics::{Mean, Names, Paired, Quartiles, Share, mean, paired, quartiles, share};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;

@@ -4,7 +4,7 @@ use super::document::{self, Document};
 use super::grid::{Grid, Seeds, refused};
 use super::{Budget, Experiment, FORMAT, MAX_LIST, MAX_TRIALS, Measure, Planner, Source, Worlds};
 use crate::error::{Code, Error, quoted};
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::json;
 use crate::run::{self, Options, PlannerOptions, Value};
 use crate::scenario::Scenario;

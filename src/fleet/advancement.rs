@@ -6,11 +6,11 @@
 //! which they cannot meet, and so on (conservative advancement: Mirtich 1996, "Impulse-based dynamic simulation of
 //! rigid body systems").
 
-use super::motion::{Motion, Pose};
+use super::motion::{Motion, Pose, reach};
 use super::trajectory::Trajectory;
-use super::verify::{Conflict, distance};
-use crate::geometry::{Vector, wrap};
+use crate::geometry::{Point, Polygon, Vector, distance_point_segment, intersects_polygon_polygon, wrap};
 use crate::scenario::Robot;
+use serde::Serialize;
 
 /// While bodies are in conflict, their distance is evaluated so many times in each interval at least.
 const LOOKS: f64 = 64.0;
@@ -18,6 +18,21 @@ const LOOKS: f64 = 64.0;
 /// The distances of bodies that a plan may take, however short it is, and how many more for each of its rows.
 const MOST_DISTANCES: u64 = 200_000;
 const MOST_PER_ROW: u64 = 2_000;
+
+/// Two robots that touch for a while.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null, rename = "FleetConflict"))]
+pub struct Conflict {
+    /// The robots, by their indices, the lower first.
+    pub robots: [usize; 2],
+    /// When they come into contact, in seconds.
+    pub from: f64,
+    /// A time at which they are apart again; `None` if they never are.
+    pub to: Option<f64>,
+    /// Where they are at first: x, y, theta of each; theta of a disc is 0.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[[number, number, number], [number, number, number]]"))]
+    pub places: [Pose; 2],
+}
 
 /// The conflicts of all pairs of trajectories, in the order of their times, and the number of distances evaluated.
 ///
@@ -243,4 +258,35 @@ impl Pair<'_> {
         };
         (x * x + y * y).sqrt() + turning(0) + turning(1)
     }
+}
+
+/// The distance between two robots, in metres; 0 or less if they touch. By their outlines as placed, edge by edge: a thin
+/// outline may cross itself by a rounding there.
+fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
+    let shape = |i: usize| robots[i].placed_shape().map(|(shape, _)| shape.placed(places[i]));
+    let center = |i: usize| Point::new(places[i][0], places[i][1]);
+    match (shape(0), shape(1)) {
+        (None, None) => (center(0) - center(1)).norm() - reach(robots[0]) - reach(robots[1]),
+        (Some(body), None) => from_body(center(1), &body) - reach(robots[1]),
+        (None, Some(body)) => from_body(center(0), &body) - reach(robots[0]),
+        (Some(a), Some(b)) => {
+            if intersects_polygon_polygon(&a, &b) {
+                return 0.0;
+            }
+            let least = |from: &Polygon, to: &Polygon| {
+                from.vertices().iter().map(|&corner| from_border(corner, to)).fold(f64::INFINITY, f64::min)
+            };
+            least(&a, &b).min(least(&b, &a))
+        }
+    }
+}
+
+/// The distance of a point from a body, 0 inside.
+fn from_body(point: Point, body: &Polygon) -> f64 {
+    if body.contains(point) { 0.0 } else { from_border(point, body) }
+}
+
+/// The distance of a point from the border of a polygon.
+fn from_border(point: Point, polygon: &Polygon) -> f64 {
+    polygon.edges().map(|edge| distance_point_segment(point, &edge)).fold(f64::INFINITY, f64::min)
 }

@@ -6,7 +6,7 @@
 
 use super::Setup;
 use super::motion::{Footprint, Motion, Pair, Pose};
-use super::run::{FleetReason, FleetStats};
+use super::result::{FleetReason, FleetStats};
 use super::trajectory::Trajectory;
 use crate::error::{Code, Error};
 use crate::path::{Improvement, Wanted, split};

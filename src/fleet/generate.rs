@@ -1,21 +1,15 @@
 //! Fleets generated from a seed: the same options give the same document on every platform.
 
 use super::document::{Fleet, FleetRobot};
-use crate::error::{Code, Error, quoted};
+use crate::error::Error;
+use crate::generators::{Entry, Generator, Generators, SEEDS, given};
 use crate::geometry::{Aabb, Disc, Point, Polygon};
-use crate::options::{Info, Options, Value, out_of_range};
-use crate::random::{MAX_SEED, Random, Stream};
+use crate::options::{Info, Value, out_of_range};
+use crate::random::{Random, Stream};
 use crate::robot::{DiscRobot, RigidBody, Weights};
 use crate::scenario::{Obstacle, Robot, World};
 use serde_json::Value as Json;
 use std::f64::consts::{PI, TAU};
-
-/// A generator, by the type of its options.
-trait Generator: Options {
-    fn generate(&self) -> Result<Fleet, Error>;
-}
-
-const SEEDS: crate::options::Range = 0.0..=MAX_SEED as f64;
 
 /// The most draws of starts and goals.
 const DRAWS: u32 = 100_000;
@@ -118,38 +112,44 @@ crate::options! {
     seed: u64 = 0, in SEEDS;
 }
 
-/// Declares the generators: the id, the title, the summary and the options of each.
-macro_rules! generators {
-    ($($id:literal, $title:literal, $summary:literal => $Options:ty;)*) => {
-        /// The generators of fleets with their options.
-        pub fn fleet_generators() -> Vec<Info> {
-            vec![$(Info { id: $id, title: $title, summary: $summary, options: <$Options>::table() }),*]
-        }
+/// The generators, each by the type of its options.
+const GENERATORS: Generators<Fleet> = Generators(&[
+    Entry::new::<SwapOptions>("swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other."),
+    Entry::new::<CorridorOptions>(
+        "corridor",
+        "Corridor",
+        "Two rooms and a corridor between them that lets one robot pass.",
+    ),
+    Entry::new::<CrossroadsOptions>(
+        "crossroads",
+        "Crossroads",
+        "Two streets that cross; robots come from four sides and go straight on.",
+    ),
+    Entry::new::<RingOptions>(
+        "ring",
+        "Ring",
+        "Robots on a circle, each to the other side of it or to the place of the next.",
+    ),
+    Entry::new::<HallOptions>(
+        "hall",
+        "Hall",
+        "Robots in an open hall, from anywhere to anywhere or from side to side.",
+    ),
+]);
 
-        /// Generates a fleet by the generator's id, with options given by name: those of [`fleet_generators`] and `seed`; the rest
-        /// take their defaults.
-        ///
-        /// # Errors
-        /// `unknown-generator`; and, with the pointer `/name`, `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite`,
-        /// `out-of-range`.
-        pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Fleet, Error> {
-            match id {
-                $($id => <$Options as Options>::read(options)?.generate(),)*
-                _ => {
-                    let sentence = format!("there is no generator {}; there are {}", quoted(id), [$($id),*].join(", "));
-                    Err(Error::new(Code::UnknownGenerator, "", sentence))
-                }
-            }
-        }
-    };
+/// The generators of fleets with their options.
+pub fn fleet_generators() -> Vec<Info> {
+    GENERATORS.infos()
 }
 
-generators! {
-    "swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other." => SwapOptions;
-    "corridor", "Corridor", "Two rooms and a corridor between them that lets one robot pass." => CorridorOptions;
-    "crossroads", "Crossroads", "Two streets that cross; robots come from four sides and go straight on." => CrossroadsOptions;
-    "ring", "Ring", "Robots on a circle, each to the other side of it or to the place of the next." => RingOptions;
-    "hall", "Hall", "Robots in an open hall, from anywhere to anywhere or from side to side." => HallOptions;
+/// Generates a fleet by the generator's id, with options given by name: those of [`fleet_generators`] and `seed`; the rest
+/// take their defaults.
+///
+/// # Errors
+/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
+/// `out-of-range`.
+pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Fleet, Error> {
+    GENERATORS.generate(id, options, &[])
 }
 
 /// The same with the options as an object (`{}` for all defaults).
@@ -157,11 +157,7 @@ generators! {
 /// # Errors
 /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
 pub fn generate(id: &str, options: &Json) -> Result<Fleet, Error> {
-    let Json::Object(fields) = options else {
-        return Err(Error::new(Code::WrongType, "", "options must be an object"));
-    };
-    let options: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    generate_with(id, &options)
+    generate_with(id, &given(options)?)
 }
 
 impl FleetRobots {
@@ -204,6 +200,8 @@ impl FleetRobots {
 }
 
 impl Generator for SwapOptions {
+    type Made = Fleet;
+
     /// The seed places the bay along the corridor.
     fn generate(&self) -> Result<Fleet, Error> {
         let Self { length, width, robots, seed } = *self;
@@ -226,6 +224,8 @@ impl Generator for SwapOptions {
 }
 
 impl Generator for CorridorOptions {
+    type Made = Fleet;
+
     /// The seed draws starts and goals in the rooms.
     fn generate(&self) -> Result<Fleet, Error> {
         let Self { count, length, robots, seed } = *self;
@@ -249,6 +249,8 @@ impl Generator for CorridorOptions {
 }
 
 impl Generator for CrossroadsOptions {
+    type Made = Fleet;
+
     /// The seed draws in which order the four sides are filled.
     fn generate(&self) -> Result<Fleet, Error> {
         let Self { count, robots, seed } = *self;
@@ -280,6 +282,8 @@ impl Generator for CrossroadsOptions {
 }
 
 impl Generator for RingOptions {
+    type Made = Fleet;
+
     /// The seed turns the ring.
     fn generate(&self) -> Result<Fleet, Error> {
         let Self { count, pillar, exchange, robots, seed } = *self;
@@ -312,6 +316,8 @@ impl Generator for RingOptions {
 }
 
 impl Generator for HallOptions {
+    type Made = Fleet;
+
     /// The seed draws starts and goals.
     fn generate(&self) -> Result<Fleet, Error> {
         let Self { count, side, goals, robots, seed } = *self;

@@ -7,7 +7,7 @@
 
 use super::joint_move::{JointMove, Moved, timed};
 use super::priority_tree::Ground;
-use super::run::FleetStats;
+use super::result::FleetStats;
 use super::trajectory::Trajectory;
 use crate::problem::Status;
 use crate::random::{Random, Stream};

@@ -6,9 +6,8 @@
 //! all take the same time, so the proof does not depend on how long that is.
 
 use super::motion::{Motion, Pair, Pose};
-use super::prioritized::MARGIN;
-use super::priority_tree::Ground;
-use super::run::FleetStats;
+use super::priority_tree::{Ground, MARGIN};
+use super::result::FleetStats;
 use super::trajectory::Trajectory;
 use crate::random::Random;
 use std::sync::Arc;

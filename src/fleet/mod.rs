@@ -18,7 +18,7 @@
 //! # Files
 //! - `document.rs`: the fleet and its document; `generate.rs`: fleets by seed;
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
-//! - `run.rs`: a planner that is stepped, and its result;
+//! - `run.rs`: a planner that is stepped; `result.rs`: the document that it ends with;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
 //! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and `moves.rs`: `joint.rs` and
 //!   `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
@@ -37,6 +37,7 @@ mod pbs;
 mod prioritized;
 mod priority_tree;
 mod refinement;
+mod result;
 mod roadmap;
 mod run;
 mod safe_intervals;
@@ -45,6 +46,7 @@ mod turns;
 mod verify;
 mod walks;
 
+pub use advancement::Conflict;
 pub use composite::CompositeOptions;
 #[cfg(feature = "schema")]
 pub use document::schema;
@@ -53,12 +55,10 @@ pub use generate::{fleet_generators, generate, generate_with};
 pub use motion::Pose;
 pub use pbs::PbsOptions;
 pub use prioritized::PrioritizedOptions;
-pub use run::{
-    Blocked, BlockedNames, FleetOptions, FleetPlanner, FleetReason, FleetResult, FleetStats, RobotTrajectory,
-    fleet_planners,
-};
+pub use result::{Blocked, BlockedNames, FleetReason, FleetResult, FleetStats, RobotTrajectory};
+pub use run::{FleetOptions, FleetPlanner, fleet_planners};
 pub use trajectory::Trajectory;
-pub use verify::{Claim, Conflict, Fault, Verification, conflicts, straight, trajectories, verify};
+pub use verify::{Claim, Fault, Verification, conflicts, straight, trajectories, verify};
 
 use crate::world::PlanningWorld;
 use motion::Footprint;

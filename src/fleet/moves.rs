@@ -7,8 +7,8 @@
 use super::joint::Joint;
 use super::prioritized::roadmaps;
 use super::priority_tree::Ground;
+use super::result::FleetStats;
 use super::roadmap::Roadmap;
-use super::run::FleetStats;
 use super::trajectory::Trajectory;
 use super::walks::Walks;
 use crate::error::Error;

@@ -8,9 +8,9 @@
 //! that begins like one that has failed is not tried again.
 
 use super::Setup;
-use super::priority_tree::Ground;
+use super::priority_tree::{Ground, standing};
+use super::result::{Blocked, FleetReason, FleetStats};
 use super::roadmap::Roadmap;
-use super::run::{Blocked, FleetReason, FleetStats};
 use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
 use crate::error::Error;
@@ -19,9 +19,6 @@ use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// The earliest departures graze the others: so many slacks are left between them, a hundred-millionth of the world's size.
-pub(super) const MARGIN: f64 = 1e4;
 
 /// How many draws of an order that has not failed are made.
 const DRAWS: u32 = 1000;
@@ -272,10 +269,4 @@ impl Orders {
     pub fn reason(&self) -> Option<FleetReason> {
         self.reason
     }
-}
-
-/// Every robot at its start.
-pub(super) fn standing(setup: &Setup) -> Vec<Arc<Trajectory>> {
-    let stand = |member: &super::FleetRobot| Arc::new(Trajectory::standing(super::document::pose(&member.start)));
-    setup.fleet.robots().iter().map(stand).collect()
 }

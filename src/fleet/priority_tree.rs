@@ -10,15 +10,17 @@
 
 use super::Setup;
 use super::motion::{Footprint, Pair};
-use super::prioritized::{MARGIN, standing};
+use super::result::{Blocked, FleetStats};
 use super::roadmap::Roadmap;
-use super::run::{Blocked, FleetStats};
 use super::safe_intervals::{Expansion, Scene, Search};
 use super::trajectory::Trajectory;
 use crate::problem::Status;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::sync::Arc;
+
+/// The earliest departures graze the others: so many slacks are left between them, a hundred-millionth of the world's size.
+pub(super) const MARGIN: f64 = 1e4;
 
 /// What searches need, on roadmaps that are complete.
 #[derive(Clone, Copy)]
@@ -250,4 +252,10 @@ impl Work {
         self.branch.cost = self.branch.trajectories.iter().map(|one| one.arrival()).sum();
         Done::Branch
     }
+}
+
+/// Every robot at its start.
+pub(super) fn standing(setup: &Setup) -> Vec<Arc<Trajectory>> {
+    let stand = |member: &super::FleetRobot| Arc::new(Trajectory::standing(super::document::pose(&member.start)));
+    setup.fleet.robots().iter().map(stand).collect()
 }

@@ -4,7 +4,7 @@
 //! arrives earlier, so a plan stays a plan, and no robot arrives later.
 
 use super::priority_tree::Ground;
-use super::run::FleetStats;
+use super::result::FleetStats;
 use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
 use std::sync::Arc;

@@ -5,7 +5,7 @@
 use super::document::Fleet;
 use super::motion::{Footprint, Pose};
 use crate::error::Error;
-use crate::graph::VertexId;
+use crate::graph::{Ordered, VertexId};
 use crate::planner::{Phase, Planner, PlannerKind, PrmOptions};
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
@@ -190,17 +190,16 @@ impl Roadmap {
     pub fn distances_to(&self, goal: u32) -> Vec<f64> {
         let mut distances = vec![f64::INFINITY; self.vertex_count()];
         distances[goal as usize] = 0.0;
-        // Lengths are not negative, so their bits order as they do.
-        let mut open = BinaryHeap::from([Reverse((0.0f64.to_bits(), goal))]);
+        let mut open = BinaryHeap::from([Reverse((Ordered::ZERO, goal))]);
         while let Some(Reverse((distance, vertex))) = open.pop() {
-            let distance = f64::from_bits(distance);
+            let distance = distance.value();
             if distance > distances[vertex as usize] {
                 continue;
             }
             for &(next, way) in self.neighbours(vertex) {
                 if distance + way < distances[next as usize] {
                     distances[next as usize] = distance + way;
-                    open.push(Reverse(((distance + way).to_bits(), next)));
+                    open.push(Reverse((Ordered::new(distance + way), next)));
                 }
             }
         }

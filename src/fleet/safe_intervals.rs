@@ -9,6 +9,7 @@
 use super::motion::{Footprint, Motion, Pair, Pose};
 use super::roadmap::Roadmap;
 use super::trajectory::Trajectory;
+use crate::graph::Ordered;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 use std::sync::Arc;
@@ -185,8 +186,8 @@ pub(super) struct Search {
     nodes: Vec<Node>,
     /// Of every vertex that was looked at, its safe intervals.
     intervals: Vec<Option<Vec<SafeInterval>>>,
-    /// Estimated arrival at the goal and node: times are not negative, so their bits order as they do.
-    open: BinaryHeap<Reverse<(u64, u32)>>,
+    /// Estimated arrival at the goal and node.
+    open: BinaryHeap<Reverse<(Ordered, u32)>>,
     /// Vertices, and the robots that were in the way to them.
     refused: BTreeSet<(u32, usize)>,
     /// Whether the start has been reached, if it can be.
@@ -246,7 +247,7 @@ impl Search {
                 node
             }
         };
-        self.open.push(Reverse((estimate.to_bits(), node)));
+        self.open.push(Reverse((Ordered::new(estimate), node)));
     }
 
     /// Expands one node, or a part of it.
@@ -331,7 +332,7 @@ impl Search {
         // Entries that an earlier arrival has made stale are skipped.
         while let Some(Reverse((estimate, number))) = self.open.pop() {
             let node = self.nodes[number as usize];
-            if (node.time + self.heuristic[node.vertex as usize]).to_bits() == estimate {
+            if node.time + self.heuristic[node.vertex as usize] == estimate.value() {
                 return Some(number);
             }
         }

@@ -5,7 +5,7 @@ use super::composite::Composite;
 use super::moves::Moves;
 use super::prioritized::Orders;
 use super::priority_tree::{Ground, PriorityTree};
-use super::run::{Blocked, FleetStats};
+use super::result::{Blocked, FleetStats};
 use super::trajectory::Trajectory;
 use crate::problem::Status;
 use std::sync::Arc;

@@ -6,13 +6,12 @@
 //! [`path::verify`](crate::path::verify()), its speed motion by motion, and every number that a plan claims is compared
 //! with its rows.
 
-use super::advancement::found;
+use super::advancement::{Conflict, found};
 use super::document::{Fleet, FleetRobot, pose};
-use super::motion::{Footprint, Pose, difference, reach};
-use super::run::FleetResult;
+use super::motion::{Footprint, Pose, difference};
+use super::result::FleetResult;
 use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, Number, quoted};
-use crate::geometry::{Point, Polygon, distance_point_segment, intersects_polygon_polygon};
 use crate::path::{self, ResultDocument, Verdict};
 use crate::problem::{Stats, Status};
 use crate::robot::LARGEST;
@@ -27,21 +26,6 @@ const MOST_SAMPLES: u64 = 10_000_000;
 
 /// By how many units in the last place of a coordinate two rows of a motion are rounded together, at most.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
-
-/// Two robots that touch for a while.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null, rename = "FleetConflict"))]
-pub struct Conflict {
-    /// The robots, by their indices, the lower first.
-    pub robots: [usize; 2],
-    /// When they come into contact, in seconds.
-    pub from: f64,
-    /// A time at which they are apart again; `None` if they never are.
-    pub to: Option<f64>,
-    /// Where they are at first: x, y, theta of each; theta of a disc is 0.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "[[number, number, number], [number, number, number]]"))]
-    pub places: [Pose; 2],
-}
 
 /// What is wrong with the trajectory of one robot by itself.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -293,35 +277,4 @@ fn all_conflicts(fleet: &Fleet, trajectories: &[Trajectory]) -> (Vec<Conflict>, 
     let robots: Vec<&Robot> = fleet.robots().iter().map(|member| &member.robot).collect();
     // A tenth of the slack of planners: what they have proven passes whatever is rounded here.
     found(&robots, trajectories, 0.1 * fleet.slack())
-}
-
-/// The distance between two robots, in metres; 0 or less if they touch. By their outlines as placed, edge by edge: a thin
-/// outline may cross itself by a rounding there.
-pub(super) fn distance(robots: [&Robot; 2], places: [Pose; 2]) -> f64 {
-    let shape = |i: usize| robots[i].placed_shape().map(|(shape, _)| shape.placed(places[i]));
-    let center = |i: usize| Point::new(places[i][0], places[i][1]);
-    match (shape(0), shape(1)) {
-        (None, None) => (center(0) - center(1)).norm() - reach(robots[0]) - reach(robots[1]),
-        (Some(body), None) => from_body(center(1), &body) - reach(robots[1]),
-        (None, Some(body)) => from_body(center(0), &body) - reach(robots[0]),
-        (Some(a), Some(b)) => {
-            if intersects_polygon_polygon(&a, &b) {
-                return 0.0;
-            }
-            let least = |from: &Polygon, to: &Polygon| {
-                from.vertices().iter().map(|&corner| from_border(corner, to)).fold(f64::INFINITY, f64::min)
-            };
-            least(&a, &b).min(least(&b, &a))
-        }
-    }
-}
-
-/// The distance of a point from a body, 0 inside.
-fn from_body(point: Point, body: &Polygon) -> f64 {
-    if body.contains(point) { 0.0 } else { from_border(point, body) }
-}
-
-/// The distance of a point from the border of a polygon.
-fn from_border(point: Point, polygon: &Polygon) -> f64 {
-    polygon.edges().map(|edge| distance_point_segment(point, &edge)).fold(f64::INFINITY, f64::min)
 }

@@ -1,7 +1,7 @@
 //! Distances between points, segments and filled polygons, in metres: rounded, by a few units in the last place of the
 //! largest coordinate.
 
-use super::{Placed, Point, Polygon, Segment};
+use super::{Point, Segment};
 
 /// The squared distance from the point to the nearest point of the segment, in square metres. O(1).
 pub fn distance_squared_point_segment(p: Point, s: &Segment) -> f64 {
@@ -45,30 +45,4 @@ pub fn distance_squared_segment_segment(s: &Segment, t: &Segment) -> f64 {
 /// The distance between the two segments, in metres; 0 if they cross. O(1).
 pub fn distance_segment_segment(s: &Segment, t: &Segment) -> f64 {
     distance_squared_segment_segment(s, t).sqrt()
-}
-
-/// The distance from the point to the closed, filled polygon, in metres; 0 inside and on the border. O(log n) if the
-/// border is as usual, O(n) if most of it is equally near.
-pub fn distance_point_polygon(p: Point, polygon: &Polygon) -> f64 {
-    Placed::resting(polygon).distance_to_point(p, f64::INFINITY, &mut 0)
-}
-
-/// The distance from the point to the border of the polygon, in metres; inside, the depth below the border as a
-/// negative number. As [`distance_point_polygon`].
-pub fn signed_distance_point_polygon(p: Point, polygon: &Polygon) -> f64 {
-    let distance = Placed::resting(polygon).distance_to_border(p, f64::INFINITY, &mut 0);
-    if polygon.contains(p) { -distance } else { distance }
-}
-
-/// The distance from the segment to the closed, filled polygon, in metres; 0 if they share a point. As
-/// [`distance_point_polygon`], and O(1) for each edge beside the segment.
-pub fn distance_segment_polygon(s: &Segment, polygon: &Polygon) -> f64 {
-    Placed::resting(polygon).distance_to_segment(s, f64::INFINITY, &mut 0)
-}
-
-/// The distance between the two closed, filled polygons, in metres; 0 if they share a point. As
-/// [`distance_point_polygon`], for each edge that is near the other polygon; O(n m) if neither has more than 16
-/// corners.
-pub fn distance_polygon_polygon(a: &Polygon, b: &Polygon) -> f64 {
-    Placed::resting(a).distance(&Placed::resting(b), f64::INFINITY, &mut 0)
 }

@@ -13,19 +13,22 @@ mod edge_tree;
 mod intersects;
 mod placed;
 mod polygon;
+mod polygons;
 mod shapes;
 mod triangulation;
 
 pub use angle::{angular_distance, arc_pose, euler_pose, unwind, wrap};
 pub use convex_pieces::{convex_pieces, small_convex_pieces};
 pub use distance::{
-    distance_point_polygon, distance_point_segment, distance_polygon_polygon, distance_segment_polygon,
-    distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,
-    signed_distance_point_polygon,
+    distance_point_segment, distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,
 };
-pub use intersects::{intersects_polygon_polygon, intersects_segment_polygon, intersects_segment_segment};
+pub use intersects::intersects_segment_segment;
 pub use placed::Placed;
 pub use polygon::{MAX_MAGNITUDE, MIN_MAGNITUDE, Polygon, PolygonFault};
+pub use polygons::{
+    distance_point_polygon, distance_polygon_polygon, distance_segment_polygon, intersects_polygon_polygon,
+    intersects_segment_polygon, signed_distance_point_polygon,
+};
 pub use shapes::{Aabb, Disc, Segment};
 pub use triangulation::triangles;
 

@@ -2,7 +2,7 @@
 
 use super::crossing::find_crossing;
 use super::edge_tree::{EdgeTree, MOST_WITHOUT, Node};
-use super::{Aabb, Placed, Point, Segment, Vector, orientation};
+use super::{Aabb, Point, Segment, Vector, orientation};
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
 
@@ -135,12 +135,6 @@ impl Polygon {
         self.convex
     }
 
-    /// Whether the point lies inside or on the border; exact. O(log n) if the border is as usual, O(n) if most of it
-    /// winds around the point.
-    pub fn contains(&self, p: Point) -> bool {
-        self.aabb.contains(p) && Placed::resting(self).contains(p)
-    }
-
     /// How far the polygon reaches in a direction: the largest scalar product with a corner. O(log n) of a convex
     /// polygon.
     pub fn support(&self, direction: Vector) -> f64 {
@@ -170,13 +164,6 @@ impl Polygon {
             }
         }
         most
-    }
-
-    /// Calls `visit` with every edge whose box meets the given one, and the number of the corner that it starts from,
-    /// in order, until it returns true; returns whether it did. O(log n + edges visited) if the border is as usual.
-    pub fn any_edge_near(&self, near: &Aabb, mut visit: impl FnMut(usize, &Segment) -> bool) -> bool {
-        let visit = |i: usize, edge: &Segment| edge.aabb().intersects(near) && visit(i, edge);
-        Placed::resting(self).any_edge(|aabb| aabb.intersects(near), visit)
     }
 
     /// The tree of edges; `None` if there are so few that comparing all is faster.

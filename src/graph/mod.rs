@@ -5,17 +5,18 @@
 
 mod adjacency;
 mod cost_tree;
-mod fingerprint;
+mod ordered;
 pub mod search;
 mod tree;
 mod union_find;
 
 pub use adjacency::Adjacency;
 pub use cost_tree::CostTree;
-pub use fingerprint::Fingerprint;
+pub use ordered::Ordered;
 pub use tree::Tree;
 pub use union_find::UnionFind;
 
+use crate::fingerprint::Fingerprint;
 use crate::problem::Motion;
 use crate::space::Space;
 

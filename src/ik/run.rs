@@ -9,7 +9,7 @@ use super::nearest::nearest;
 use super::result::{Rejected, SolverResult, SolverStats, Verdict};
 use super::task::{Task, configuration};
 use crate::error::Error;
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::problem::{Status, Validity};
 use crate::random::{Random, Stream, check_seed};
 use crate::robot::{Arm, MAX_LINKS, Target};

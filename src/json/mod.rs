@@ -10,7 +10,7 @@ mod write;
 
 pub use tree::parse;
 #[cfg(target_arch = "wasm32")]
-pub(crate) use tree::{in_javascript, read_tree};
+pub(crate) use tree::{Unread, in_javascript, read_tree};
 pub(crate) use typed::by_type;
 pub use typed::{not_negative, read, some_not_negative};
 pub use write::to_string;

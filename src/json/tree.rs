@@ -2,7 +2,7 @@
 
 use super::{MAX_DEPTH, MAX_TEXT, push_field};
 use crate::error::{Code, Error, quoted};
-use serde::de::{DeserializeSeed, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::map::Entry;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -19,28 +19,30 @@ pub fn parse(text: &str) -> Result<Value, Error> {
         return Err(Error::new(Code::TooLarge, "", sentence));
     }
     let mut source = serde_json::Deserializer::from_str(text);
-    let (tree, pointer) = read_tree(&mut source);
-    tree.and_then(|tree| source.end().map(|()| tree)).map_err(|error| {
-        // Of all that is read here, only a field that occurs twice is JSON.
-        let code = if error.is_data() { Code::DuplicateField } else { Code::InvalidJson };
-        let number = if error.to_string().starts_with("number out of range") { number_at(text, &error) } else { "" };
-        let prefix = match code {
-            Code::DuplicateField => String::new(),
-            _ if number.is_empty() => "this is not JSON: ".to_owned(),
-            _ => format!("{number}: "),
-        };
-        Error::new(code, pointer, format!("{prefix}{error}"))
+    let tree = read_tree(&mut source).and_then(|tree| {
+        source.end().map(|()| tree).map_err(|source| Unread { refusal: None, pointer: String::new(), source })
+    });
+    tree.map_err(|Unread { refusal, pointer, source }| match refusal {
+        Some((code, sentence)) => {
+            let sentence = format!("{sentence} at line {} column {}", source.line(), source.column());
+            Error::new(code, pointer, sentence)
+        }
+        None => {
+            let what = huge_number_at(text, &source).unwrap_or("this is not JSON");
+            Error::new(Code::InvalidJson, pointer, format!("{what}: {source}"))
+        }
     })
 }
 
-/// The number in the text that the error is about, cut to 60 characters.
-fn number_at<'a>(text: &'a str, error: &serde_json::Error) -> &'a str {
+/// The number in the text that the error is about, cut to 60 characters, if it is beyond the range of a 64-bit float.
+fn huge_number_at<'a>(text: &'a str, error: &serde_json::Error) -> Option<&'a str> {
     let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
     let is_other = |c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E');
     let before = line.get(..error.column()).unwrap_or(line);
-    let start = before.trim_end_matches(is_other).rfind(is_other).map_or(0, |at| at + 1);
+    let before = before.trim_end_matches(is_other);
+    let start = before.len() - before.rsplit(is_other).next().map_or(0, str::len);
     let number = line[start..].split(is_other).next().unwrap_or_default();
-    number.get(..60).unwrap_or(number)
+    number.parse().is_ok_and(f64::is_infinite).then(|| number.get(..60).unwrap_or(number))
 }
 
 /// A number as JavaScript writes it, if it is not finite.
@@ -48,17 +50,29 @@ pub(crate) fn in_javascript(value: f64) -> String {
     value.to_string().replace("inf", "Infinity")
 }
 
-/// Reads a tree from any self-describing source. The second value is the pointer of the offending value if the first is an error.
-pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> (Result<Value, D::Error>, String) {
-    let mut pointer = String::new();
-    let tree = Tree { pointer: &mut pointer, depth: 0, index: None }.deserialize(source);
-    (tree, pointer)
+/// Why a tree cannot be read.
+pub(crate) struct Unread<E> {
+    /// The code and the sentence of what is refused here; `None` if the source itself is at fault.
+    pub refusal: Option<(Code, String)>,
+    /// The pointer of the offending value.
+    pub pointer: String,
+    /// The error of the source.
+    pub source: E,
+}
+
+/// Reads a tree from any self-describing source.
+pub(crate) fn read_tree<'de, D: Deserializer<'de>>(source: D) -> Result<Value, Unread<D::Error>> {
+    let (mut pointer, mut refusal) = (String::new(), None);
+    let tree = Tree { pointer: &mut pointer, refusal: &mut refusal, depth: 0, index: None }.deserialize(source);
+    tree.map_err(|source| Unread { refusal, pointer, source })
 }
 
 /// Reads one value.
 struct Tree<'a> {
     /// The pointer of the value; it stays if the value is wrong.
     pointer: &'a mut String,
+    /// What is refused here: sources turn an error into one of theirs, which has no code.
+    refusal: &'a mut Option<(Code, String)>,
     /// The number of arrays and objects that contain it.
     depth: u32,
     /// Its index in an array.
@@ -66,9 +80,25 @@ struct Tree<'a> {
 }
 
 impl Tree<'_> {
-    fn deeper<E: serde::de::Error>(&self) -> Result<u32, E> {
+    /// The error of the source about what is refused.
+    #[cold]
+    fn refuse<E: serde::de::Error>(&mut self, code: Code, sentence: String) -> E {
+        let error = E::custom(&sentence);
+        *self.refusal = Some((code, sentence));
+        error
+    }
+
+    fn deeper<E: serde::de::Error>(&mut self) -> Result<u32, E> {
         // Text is held to the same bound by `serde_json`.
-        if self.depth + 1 == MAX_DEPTH { Err(E::custom("recursion limit exceeded")) } else { Ok(self.depth + 1) }
+        if self.depth + 1 == MAX_DEPTH {
+            return Err(self.refuse(Code::InvalidJson, "recursion limit exceeded".to_owned()));
+        }
+        Ok(self.depth + 1)
+    }
+
+    /// Reads a value in this one.
+    fn inner(&mut self, depth: u32, index: Option<usize>) -> Tree<'_> {
+        Tree { pointer: self.pointer, refusal: self.refusal, depth, index }
     }
 }
 
@@ -105,36 +135,34 @@ impl<'de> Visitor<'de> for Tree<'_> {
 
     scalars!(visit_bool: bool, visit_i64: i64, visit_u64: u64, visit_str: &str);
 
-    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Value, E> {
+    fn visit_f64<E: serde::de::Error>(mut self, value: f64) -> Result<Value, E> {
         if value.is_finite() {
             Ok(value.into())
         } else {
-            Err(E::custom(format!("{} is not finite", in_javascript(value))))
+            Err(self.refuse(Code::NotFinite, format!("{} is not finite", in_javascript(value))))
         }
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut source: A) -> Result<Value, A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(mut self, mut source: A) -> Result<Value, A::Error> {
         let (depth, length, mut items) = (self.deeper()?, self.pointer.len(), Vec::new());
-        while let Some(item) =
-            source.next_element_seed(Tree { pointer: self.pointer, depth, index: Some(items.len()) })?
-        {
+        while let Some(item) = source.next_element_seed(self.inner(depth, Some(items.len())))? {
             items.push(item);
             self.pointer.truncate(length);
         }
         Ok(Value::Array(items))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut source: A) -> Result<Value, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(mut self, mut source: A) -> Result<Value, A::Error> {
         let (depth, length, mut fields) = (self.deeper()?, self.pointer.len(), Map::new());
         while let Some(name) = source.next_key::<String>()? {
             push_field(self.pointer, &name);
             match fields.entry(name) {
                 Entry::Vacant(place) => {
-                    place.insert(source.next_value_seed(Tree { pointer: self.pointer, depth, index: None })?);
+                    place.insert(source.next_value_seed(self.inner(depth, None))?);
                 }
                 Entry::Occupied(other) => {
                     let sentence = format!("the field {} occurs twice in one object", quoted(other.key()));
-                    return Err(A::Error::custom(sentence));
+                    return Err(self.refuse(Code::DuplicateField, sentence));
                 }
             }
             self.pointer.truncate(length);

@@ -7,6 +7,7 @@ use serde::de::{
     self, Deserialize, DeserializeSeed, Deserializer, Expected, MapAccess, SeqAccess, Unexpected, Visitor,
 };
 use serde_json::{Value, map};
+use std::borrow::Cow;
 use std::{fmt, slice};
 
 /// Reads a value as a type. Structs are objects, absent options are absent (`null` is none), -0 is 0, and whole numbers below
@@ -46,13 +47,16 @@ struct Fault {
     reason: Reason,
 }
 
-/// The errors of serde as our codes.
+/// The errors of serde as our codes. A method of [`Tree`] that knows what is wanted says so in our words; those of serde, which
+/// change with its versions, decide nothing.
 #[derive(Debug)]
 enum Reason {
-    /// Another value than expected: a code, and the expected one.
-    Other(Code, String),
+    /// Another value than wanted: a code, and what is wanted.
+    Other(Code, Cow<'static, str>),
     /// The field is missing.
     Missing(&'static str),
+    /// A word that is none of those known.
+    Word(String),
     /// All else: a code and a sentence.
     Told(Code, String),
 }
@@ -65,6 +69,15 @@ impl Reason {
 }
 
 impl Fault {
+    /// The same error; if it is that this very value is another than wanted, with what is wanted in these words.
+    #[cold]
+    fn wanted(mut self: Box<Self>, words: &'static str) -> Box<Self> {
+        if let (Reason::Other(_, wanted), true) = (&mut self.reason, self.pointer.is_empty()) {
+            *wanted = words.into();
+        }
+        self
+    }
+
     /// The same error, seen from the array or object around it.
     #[cold]
     fn under(mut self: Box<Self>, name: &str) -> Box<Self> {
@@ -86,7 +99,8 @@ impl Fault {
                 push_field(&mut pointer, field);
                 (Code::MissingField, format!("the field {} is missing", quoted(field)))
             }
-            Reason::Told(Code::OutOfRange, sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
+            Reason::Word(sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
+            Reason::Word(sentence) => (Code::OutOfRange, sentence),
             Reason::Told(code, sentence) => (code, sentence),
         };
         Error::new(code, pointer, sentence)
@@ -106,23 +120,20 @@ impl de::Error for Box<Fault> {
         Reason::Told(Code::OutOfRange, sentence.to_string()).fault()
     }
 
-    fn invalid_type(found: Unexpected, wanted: &dyn Expected) -> Self {
-        let wanted = wanted.to_string();
-        let is_number = matches!(found, Unexpected::Float(_)) && wanted.starts_with('u');
-        Reason::Other(if is_number { Code::OutOfRange } else { Code::WrongType }, in_words(&wanted)).fault()
+    fn invalid_type(_: Unexpected, wanted: &dyn Expected) -> Self {
+        Reason::Other(Code::WrongType, wanted.to_string().into()).fault()
     }
 
     fn invalid_value(_: Unexpected, wanted: &dyn Expected) -> Self {
-        Reason::Other(Code::OutOfRange, in_words(&wanted.to_string())).fault()
+        Reason::Other(Code::OutOfRange, wanted.to_string().into()).fault()
     }
 
-    fn invalid_length(length: usize, wanted: &dyn Expected) -> Self {
-        let count: String = wanted.to_string().chars().filter(char::is_ascii_digit).collect();
-        Reason::Told(Code::WrongDimension, format!("this must have {count} entries, not {length}")).fault()
+    fn invalid_length(_: usize, wanted: &dyn Expected) -> Self {
+        Reason::Other(Code::WrongDimension, wanted.to_string().into()).fault()
     }
 
     fn unknown_variant(word: &str, known: &'static [&'static str]) -> Self {
-        Self::custom(format_args!("this must be one of {}, not {}", known.join(", "), quoted(word)))
+        Reason::Word(format!("this must be one of {}, not {}", known.join(", "), quoted(word))).fault()
     }
 
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {
@@ -135,19 +146,10 @@ impl de::Error for Box<Fault> {
     }
 }
 
-/// The name in JSON of what serde expects.
-fn in_words(wanted: &str) -> String {
-    match wanted {
-        "f64" => "a number",
-        "u32" => "a whole number from 0 to 4294967295",
-        "u64" | "usize" => "a whole number from 0 to 2^53 - 1",
-        "a boolean" => "true or false",
-        "a map with the field type" => "an object with the field type",
-        _ if wanted.starts_with("struct") || wanted.contains("map") => "an object",
-        _ if wanted.contains("sequence") || wanted.contains("tuple") || wanted.contains("array") => "an array",
-        _ => "a string",
-    }
-    .to_owned()
+/// The error about an array of another length.
+#[cold]
+fn wrong_length(count: usize, length: usize) -> Box<Fault> {
+    Reason::Told(Code::WrongDimension, format!("this must have {count} entries, not {length}")).fault()
 }
 
 /// A value for a sentence.
@@ -165,6 +167,28 @@ fn describe(value: &Value) -> String {
 /// A tree to be read by serde, stricter than `serde_json` does: see [`read`]. The field `type` of an object comes first.
 #[derive(Clone, Copy)]
 struct Tree<'de>(&'de Value);
+
+impl<'de> Tree<'de> {
+    /// A whole number.
+    fn integer<V: Visitor<'de>>(self, visitor: V, words: &'static str) -> Result<V::Value, Box<Fault>> {
+        self.deserialize_any(visitor).map_err(|mut fault| {
+            // A fraction has another type than a whole number for serde, not for us.
+            if let (Reason::Other(code, _), Value::Number(_)) = (&mut fault.reason, self.0) {
+                *code = Code::OutOfRange;
+            }
+            fault.wanted(words)
+        })
+    }
+}
+
+/// Methods of a deserializer that say in words what they want.
+macro_rules! wanted {
+    ($($method:ident: $words:literal),* $(,)?) => {
+        $(fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
+            self.deserialize_any(visitor).map_err(|fault| fault.wanted($words))
+        })*
+    };
+}
 
 impl<'de> Deserializer<'de> for Tree<'de> {
     type Error = Box<Fault>;
@@ -191,14 +215,48 @@ impl<'de> Deserializer<'de> for Tree<'de> {
                 if count == length {
                     return Ok(value);
                 }
-                let sentence = format!("this must have {count} entries, not {length}");
-                Err(Reason::Told(Code::WrongDimension, sentence).fault())
+                Err(wrong_length(count, length))
             }
             Value::Object(fields) => {
                 let kind = fields.get_key_value("type");
                 visitor.visit_map(Fields { kind, others: fields.iter(), last: None })
             }
         }
+    }
+
+    wanted! {
+        deserialize_bool: "true or false",
+        deserialize_f64: "a number",
+        deserialize_str: "a string",
+        deserialize_string: "a string",
+        deserialize_seq: "an array",
+        deserialize_map: "an object",
+    }
+
+    fn deserialize_u32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
+        self.integer(visitor, "a whole number from 0 to 4294967295")
+    }
+
+    fn deserialize_u64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
+        self.integer(visitor, "a whole number from 0 to 2^53 - 1")
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, count: usize, visitor: V) -> Result<V::Value, Box<Fault>> {
+        self.deserialize_any(visitor).map_err(|fault| match (self.0, &fault.reason) {
+            (Value::Array(items), Reason::Other(Code::WrongDimension, _)) if fault.pointer.is_empty() => {
+                wrong_length(count, items.len())
+            }
+            _ => fault.wanted("an array"),
+        })
+    }
+
+    fn deserialize_tuple_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        count: usize,
+        visitor: V,
+    ) -> Result<V::Value, Box<Fault>> {
+        self.deserialize_tuple(count, visitor)
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Fault>> {
@@ -218,7 +276,9 @@ impl<'de> Deserializer<'de> for Tree<'de> {
         if self.0.is_object() {
             self.deserialize_any(visitor)
         } else {
-            Err(Reason::Other(Code::WrongType, format!("an object with the fields {}", fields.join(", "))).fault())
+            let plural = if fields.len() == 1 { "" } else { "s" };
+            let wanted = format!("an object with the field{plural} {}", fields.join(", "));
+            Err(Reason::Other(Code::WrongType, wanted.into()).fault())
         }
     }
 
@@ -235,8 +295,7 @@ impl<'de> Deserializer<'de> for Tree<'de> {
     }
 
     serde::forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit unit_struct seq tuple
-        tuple_struct map identifier ignored_any
+        i8 i16 i32 i64 i128 u8 u16 u128 f32 char bytes byte_buf unit unit_struct identifier ignored_any
     }
 }
 
@@ -308,7 +367,7 @@ macro_rules! by_type {
                         }
                     }
                 }
-                source.deserialize_map(ByType)
+                source.deserialize_struct(stringify!($name), &["type"], ByType)
             }
         }
     };

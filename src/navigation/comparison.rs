@@ -11,12 +11,12 @@ use super::policy::Policy;
 use super::roadmap::{self, RolloutOptions};
 use super::rollout::{Drive, Outcome};
 use crate::error::{Code, Error};
-use crate::experiment::statistics::{Mean, Share, mean, share};
 use crate::geometry::Point;
 use crate::options::{Options as _, Value};
 use crate::problem::Status;
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
+use crate::statistics::{Mean, Share, mean, share};
 use serde::Serialize;
 
 crate::options! {
@@ -241,7 +241,7 @@ impl Comparison {
 
 /// Queries between configurations that are far apart.
 fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
-    let floor = Floor::new(task);
+    let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
     let no_room = || Error::new(Code::OutOfRange, "/robot/shape", "the floor has no room for the robot");
     let mut random = Random::new(seed, Stream::Tasks);
     let mut queries = Vec::with_capacity(options.queries);

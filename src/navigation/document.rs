@@ -2,7 +2,8 @@
 //! and the rules that they cannot express.
 
 use super::FORMAT;
-use super::floor::{Fan, Floor};
+use super::floor::Floor;
+use super::sensor::{Fan, Sensor};
 use crate::error::{Code, Error, quoted, within};
 use crate::geometry::{Aabb, Point};
 use crate::json::{self, by_type};
@@ -17,12 +18,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// The most rays of a sensor.
-pub const MAX_RAYS: usize = 64;
-
-/// The widest field of view, in radians: a full circle would have its first ray twice.
-const LARGEST_VIEW: f64 = 6.2;
 
 /// The default distance from a goal at which it is reached, in metres.
 pub(super) const GOAL_TOLERANCE: f64 = 0.3;
@@ -149,40 +144,6 @@ pub(super) enum Shape {
 }
 
 by_type!(Shape { "disc" => Disc, "polygon" => Polygon });
-
-/// A range sensor: rays that are spread evenly over a field of view about the heading, from right to left, each of which measures the
-/// distance to what it meets first.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(deny_unknown_fields)]
-pub struct Sensor {
-    /// The number of rays, 2 to 64.
-    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = 64)))]
-    pub rays: usize,
-    /// The angle between the first ray and the last, in radians, at most 6.2.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0.001, max = 6.2)))]
-    pub field_of_view: f64,
-    /// The farthest distance that is measured, in metres.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0.001, max = 1e6)))]
-    pub range: f64,
-}
-
-impl Sensor {
-    /// Refuses numbers outside their ranges.
-    pub(super) fn check(&self, pointer: &str) -> Result<(), Error> {
-        let Self { rays, field_of_view, range } = *self;
-        within(format!("{pointer}/rays"), "the number of rays", rays as f64, 2.0..=MAX_RAYS as f64)?;
-        within(format!("{pointer}/field_of_view"), "a field of view", field_of_view, 1e-3..=LARGEST_VIEW)?;
-        within(format!("{pointer}/range"), "a range", range, 1e-3..=1e6).map(drop)
-    }
-}
-
-impl Default for Sensor {
-    fn default() -> Self {
-        Self { rays: 16, field_of_view: 4.2, range: 3.0 }
-    }
-}
 
 /// Standard deviations of normally distributed noise, drawn anew in every time step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -323,9 +284,9 @@ impl Navigation {
             return Err(Error::new(Code::MissingField, "/world/bounds", "the field \"bounds\" is missing"));
         }
         let task = Self(Arc::new(Content { name, title, world, robot, goal_tolerance, queries }));
-        let floor = Floor::new(&task);
+        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
         for (i, query) in task.queries().iter().enumerate() {
-            floor.check(query).map_err(|error| error.under(&format!("/queries/{i}")))?;
+            floor.check(query.start, query.goal).map_err(|error| error.under(&format!("/queries/{i}")))?;
         }
         Ok(task)
     }
@@ -414,7 +375,12 @@ impl Navigation {
     pub fn sense(&self, q: [f64; 3]) -> Vec<f64> {
         let sensor = &self.robot().sensor;
         let mut distances = vec![0.0; sensor.rays];
-        Floor::new(self).sense(q, sensor, &Fan::new(sensor), &mut distances);
+        Floor::new(self.bounds(), self.world(), &self.robot().drive).sense(
+            q,
+            sensor,
+            &Fan::new(sensor),
+            &mut distances,
+        );
         distances
     }
 

@@ -1,12 +1,12 @@
 //! The floor of a task, prepared for driving: which arcs are free, and what rays meet.
 
-use super::document::{Navigation, NavigationQuery, Sensor};
+use super::sensor::{Fan, Sensor};
 use crate::collision::{BodyCollision, BodyMotion, CollisionWorld, Obstacles, largest_coordinate};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment};
 use crate::problem::naming_nearest;
-use crate::robot::{Footprint, Round, plane};
-use crate::scenario::Obstacle;
+use crate::robot::{DifferentialDrive, Footprint, Round, plane};
+use crate::scenario::{Obstacle, World};
 use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -100,11 +100,11 @@ impl Near {
 }
 
 impl Floor {
-    /// Prepares the floor of a task.
-    pub(super) fn new(task: &Navigation) -> Self {
-        let world = CollisionWorld::from(task.world());
-        let (obstacles, bounds) = (world.obstacles(), *task.bounds());
-        let shape = task.robot().drive.shape();
+    /// Prepares a world with these bounds, and a drive in it.
+    pub(super) fn new(bounds: &Aabb, world: &World, drive: &DifferentialDrive) -> Self {
+        let world = CollisionWorld::from(world);
+        let (obstacles, bounds) = (world.obstacles(), *bounds);
+        let shape = drive.shape();
         let reach = shape.reach();
         let slack = SLACK * (obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + reach);
         let shape = match shape {
@@ -138,17 +138,16 @@ impl Floor {
     }
 
     /// Refuses a query whose start is in collision, or at whose goal the robot cannot turn on the spot.
-    pub(super) fn check(&self, query: &NavigationQuery) -> Result<(), Error> {
-        if !self.is_free(query.start) {
-            return Err(self.start_in_collision(query.start));
+    pub(super) fn check(&self, start: [f64; 3], goal: [f64; 2]) -> Result<(), Error> {
+        if !self.is_free(start) {
+            return Err(self.start_in_collision(start));
         }
-        let [x, y] = query.goal;
+        let [x, y] = goal;
         if !self.has_room(Point::new(x, y), 0.0) {
-            let sentence =
-                format!("at the goal {:?} the robot cannot turn on the spot without a collision", query.goal);
+            let sentence = format!("at the goal {:?} the robot cannot turn on the spot without a collision", goal);
             let error = Error::new(Code::GoalInCollision, "/goal", sentence);
             let has_room = |q: &[f64; 2]| self.has_room(Point::new(q[0], q[1]), 0.0);
-            return Err(naming_nearest(error, &plane(&self.bounds), &has_room, &query.goal));
+            return Err(naming_nearest(error, &plane(&self.bounds), &has_room, &goal));
         }
         Ok(())
     }
@@ -221,21 +220,6 @@ impl Floor {
         let Aabb { min, max } = self.bounds;
         let (x, y) = (along(from.x, direction.x, min.x, max.x), along(from.y, direction.y, min.y, max.y));
         x.min(y).max(0.0)
-    }
-}
-
-/// The directions of the rays of a sensor in the robot's frame, as cosine and sine.
-pub(super) struct Fan(Vec<[f64; 2]>);
-
-impl Fan {
-    /// The directions of a sensor, evenly spread from right to left.
-    pub(super) fn new(sensor: &Sensor) -> Self {
-        let Sensor { rays, field_of_view, .. } = *sensor;
-        let direction = |i: usize| {
-            let (sin, cos) = libm::sincos(field_of_view * (i as f64 / (rays - 1) as f64 - 0.5));
-            [cos, sin]
-        };
-        Self((0..rays).map(direction).collect())
     }
 }
 

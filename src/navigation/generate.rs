@@ -1,23 +1,18 @@
 //! Navigation tasks generated from a seed: the same options give the same document on every platform.
 
-use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, Sensor, TIME_STEP};
+use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, TIME_STEP};
 use super::episode;
 use super::floor::Floor;
-use crate::error::{Code, Error, quoted};
+use super::sensor::Sensor;
+use crate::error::Error;
+use crate::generators::{Entry, Generator, Generators, SEEDS, given};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
-use crate::options::{Info, Options, Value, out_of_range};
-use crate::random::{MAX_SEED, Random, Stream};
+use crate::options::{Info, Value, out_of_range};
+use crate::random::{Random, Stream};
 use crate::robot::{DifferentialDrive, Footprint, Round};
 use crate::scenario::{Obstacle, World};
 use serde_json::Value as Json;
 use std::f64::consts::TAU;
-
-/// A generator, by the type of its options.
-trait Generator: Options {
-    fn generate(&self) -> Result<Navigation, Error>;
-}
-
-const SEEDS: crate::options::Range = 0.0..=MAX_SEED as f64;
 
 /// The most draws of obstacles.
 const DRAWS: u32 = 20_000;
@@ -91,35 +86,33 @@ crate::options! {
     seed: u64 = 0, in SEEDS;
 }
 
-/// Declares the generators: the id, the title, the summary and the options of each.
-macro_rules! generators {
-    ($($id:literal, $title:literal, $summary:literal => $Options:ty;)*) => {
-        /// The generators of navigation tasks with their options.
-        pub fn navigation_generators() -> Vec<Info> {
-            vec![$(Info { id: $id, title: $title, summary: $summary, options: <$Options>::table() }),*]
-        }
+/// The generators, each by the type of its options.
+const GENERATORS: Generators<Navigation> = Generators(&[
+    Entry::new::<RoomsOptions>(
+        "rooms",
+        "Rooms",
+        "An office of rooms with doors and furniture, for a differential drive.",
+    ),
+    Entry::new::<FurnishedOptions>(
+        "furnished",
+        "Furnished",
+        "A floor with furniture and pieces of walls, for a differential drive.",
+    ),
+]);
 
-        /// Generates a task by the generator's id, with options given by name: those of [`navigation_generators`] and `seed`; the rest
-        /// take their defaults.
-        ///
-        /// # Errors
-        /// `unknown-generator`; and, with the pointer `/name`, `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite`,
-        /// `out-of-range`.
-        pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Navigation, Error> {
-            match id {
-                $($id => <$Options as Options>::read(options)?.generate(),)*
-                _ => {
-                    let sentence = format!("there is no generator {}; there are {}", quoted(id), [$($id),*].join(", "));
-                    Err(Error::new(Code::UnknownGenerator, "", sentence))
-                }
-            }
-        }
-    };
+/// The generators of navigation tasks with their options.
+pub fn navigation_generators() -> Vec<Info> {
+    GENERATORS.infos()
 }
 
-generators! {
-    "rooms", "Rooms", "An office of rooms with doors and furniture, for a differential drive." => RoomsOptions;
-    "furnished", "Furnished", "A floor with furniture and pieces of walls, for a differential drive." => FurnishedOptions;
+/// Generates a task by the generator's id, with options given by name: those of [`navigation_generators`] and `seed`; the rest
+/// take their defaults.
+///
+/// # Errors
+/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
+/// `out-of-range`.
+pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Navigation, Error> {
+    GENERATORS.generate(id, options, &[])
 }
 
 /// The same with the options as an object (`{}` for all defaults).
@@ -127,11 +120,7 @@ generators! {
 /// # Errors
 /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
 pub fn generate(id: &str, options: &Json) -> Result<Navigation, Error> {
-    let Json::Object(fields) = options else {
-        return Err(Error::new(Code::WrongType, "", "options must be an object"));
-    };
-    let options: Vec<_> = fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect();
-    generate_with(id, &options)
+    generate_with(id, &given(options)?)
 }
 
 impl DriveOptions {
@@ -174,7 +163,7 @@ impl DriveOptions {
         let bounds = Some(Aabb { min: Point::origin(), max: Point::new(width, height) });
         let world = World { bounds, obstacles: obstacles.into() };
         let task = Navigation::new(name, Some(title), world, self.robot()?, GOAL_TOLERANCE, Vec::new())?;
-        let floor = Floor::new(&task);
+        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
         let Some(start) = episode::configuration(&floor, random) else {
             return Err(out_of_range("radius", "there is no room for a robot of this radius".to_owned()));
         };
@@ -186,6 +175,8 @@ impl DriveOptions {
 }
 
 impl Generator for FurnishedOptions {
+    type Made = Navigation;
+
     fn generate(&self) -> Result<Navigation, Error> {
         let Self { side, furniture, walls, doors, door, gap, drive, seed } = *self;
         drive.check_door(door, WIDEST_DOOR)?;
@@ -217,6 +208,8 @@ impl Generator for FurnishedOptions {
 }
 
 impl Generator for RoomsOptions {
+    type Made = Navigation;
+
     fn generate(&self) -> Result<Navigation, Error> {
         let Self { columns, rows, room, door, loops, furniture, drive, seed } = *self;
         drive.check_door(door, room - 3.0 * WALL)?;

@@ -36,18 +36,20 @@ mod policy;
 mod result;
 mod roadmap;
 mod rollout;
+mod sensor;
 mod training;
 
 pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodSummary};
 #[cfg(feature = "schema")]
 pub use document::schema;
-pub use document::{MAX_RAYS, Navigation, NavigationQuery, Navigator, Noise, Sensor};
+pub use document::{Navigation, NavigationQuery, Navigator, Noise};
 pub use execution::Executor;
 pub use generate::{generate, generate_with, navigation_generators};
 pub use policy::{MAX_HIDDEN, POLICY_FORMAT, Policy};
 pub use result::{NavigationResult, navigate};
 pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, read_options, start};
 pub use rollout::{Drive, Outcome};
+pub use sensor::{MAX_RAYS, Sensor};
 #[cfg(feature = "parallel")]
 pub use training::train;
 pub use training::{FRESH_FLOORS, Generation, Training, TrainingOptions, assess};

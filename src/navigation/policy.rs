@@ -5,7 +5,8 @@
 //! the policy has none either: it is evaluated for the view and for its mirror image, whose turn rate has the other sign, and the two are
 //! averaged. That halves what is to be learned.
 
-use super::document::{Navigator, Sensor};
+use super::document::Navigator;
+use super::sensor::Sensor;
 use crate::error::{Code, Error, quoted, within};
 use crate::json;
 use crate::random::Random;

@@ -6,10 +6,10 @@ use super::policy::Policy;
 use super::roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, start};
 use super::rollout::Outcome;
 use crate::error::Error;
-use crate::experiment::statistics::{Mean, Share, mean, share};
 use crate::json;
 use crate::path::ResultDocument;
 use crate::run::Options;
+use crate::statistics::{Mean, Share, mean, share};
 use serde::Serialize;
 
 /// The result of [`navigate`].

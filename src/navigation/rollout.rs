@@ -1,8 +1,9 @@
 //! A rollout: the robot drives to a goal under a controller, with the noise of one seed.
 
 use super::document::{Navigation, Navigator};
-use super::floor::{Fan, Floor};
+use super::floor::Floor;
 use super::policy::{Perceptron, Policy};
+use super::sensor::Fan;
 use crate::error::Error;
 use crate::geometry::wrap;
 use crate::random::{Random, Stream};
@@ -99,7 +100,12 @@ impl Simulation {
     pub(super) fn new(task: &Navigation) -> Self {
         let sensor = &task.robot().sensor;
         let distances = RefCell::new(vec![0.0; sensor.rays]);
-        Self { floor: Floor::new(task), task: task.clone(), fan: Fan::new(sensor), distances }
+        Self {
+            floor: Floor::new(task.bounds(), task.world(), &task.robot().drive),
+            task: task.clone(),
+            fan: Fan::new(sensor),
+            distances,
+        }
     }
 
     pub(super) fn task(&self) -> &Navigation {

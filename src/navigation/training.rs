@@ -14,11 +14,11 @@ use super::generate::generate_with;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::{Code, Error, within};
-use crate::experiment::statistics::{Share, share};
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::options::{Options, Value};
 use crate::problem::Status;
 use crate::random::{Random, Stream, check_seed};
+use crate::statistics::{Share, share};
 
 crate::options! {
     /// Options of the training of a policy.

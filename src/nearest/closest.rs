@@ -1,7 +1,7 @@
 //! The best candidates of a query so far.
 
 use super::Neighbour;
-use super::packs::{LANES, Query};
+use super::packs::{LANES, Packed};
 use crate::graph::VertexId;
 use wide::f32x8;
 
@@ -40,7 +40,7 @@ fn up_to(bar: f32, distances: &[[f32; LANES]]) -> u64 {
 /// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`]. Until [`finish`](Self::finish),
 /// distances are approximate, and candidates that cannot be told from the k-th are stored as well.
 pub(super) struct Closest<'a, M> {
-    query: &'a Query,
+    query: &'a Packed,
     found: &'a mut Vec<Neighbour>,
     k: usize,
     /// Neighbours farther than this are ignored.
@@ -56,7 +56,7 @@ pub(super) struct Closest<'a, M> {
 impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
     /// The `k` closest of those no farther than `limit`, k at least 1; sorted or not, whichever is faster.
     pub fn new(
-        query: &'a Query,
+        query: &'a Packed,
         found: &'a mut Vec<Neighbour>,
         k: usize,
         limit: f64,
@@ -168,7 +168,7 @@ impl<M: Fn(VertexId) -> f64> Collector for Closest<'_, M> {
 /// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`], if what is offered are lower bounds
 /// on distances: those up to the worst distance found are measured at once.
 pub(super) struct Ranked<'a, M> {
-    query: &'a Query,
+    query: &'a Packed,
     found: &'a mut Vec<Neighbour>,
     k: usize,
     bar: f32,
@@ -181,7 +181,7 @@ pub(super) struct Ranked<'a, M> {
 impl<'a, M: Fn(VertexId, f64) -> f64> Ranked<'a, M> {
     /// The first `k`, at least 1, of candidates with their lower bounds, the lowest first, and of what is offered later.
     pub fn new(
-        query: &'a Query,
+        query: &'a Packed,
         candidates: &[Neighbour],
         found: &'a mut Vec<Neighbour>,
         k: usize,

@@ -8,8 +8,8 @@
 //! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
 
 use super::packs::weight;
-use super::{Nearest, Neighbour};
-use crate::graph::VertexId;
+use super::{Nearest, Neighbour, Query};
+use crate::graph::{Ordered, VertexId};
 use crate::random::below;
 use crate::space::Space;
 use rand::SeedableRng;
@@ -186,20 +186,14 @@ impl Forest {
     }
 
     /// Collects the states of leaves, nearest planes first, until there are `enough`.
-    fn search<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        enough: usize,
-        found: &mut Vec<Neighbour>,
-    ) {
+    fn search<S: Space>(&self, query: Query<S>, enough: usize, found: &mut Vec<Neighbour>) {
+        let Query { space, states, from, .. } = query;
         found.clear();
         let point = embedded(space, from);
         let mut seen = vec![0u64; self.vertices.len().div_ceil(64)];
-        // Margins are not negative, so their bits order as they do; ties by tree and node.
-        let mut waiting: BinaryHeap<Reverse<(u64, u32, u32)>> = BinaryHeap::new();
-        waiting.extend((0..self.trees.len() as u32).map(|tree| Reverse((0, tree, 0))));
+        // By margin; ties by tree and node.
+        let mut waiting: BinaryHeap<Reverse<(Ordered, u32, u32)>> = BinaryHeap::new();
+        waiting.extend((0..self.trees.len() as u32).map(|tree| Reverse((Ordered::ZERO, tree, 0))));
         while let Some(Reverse((margin, tree, mut node))) = waiting.pop() {
             let members = loop {
                 match &self.trees[tree as usize][node as usize] {
@@ -207,7 +201,7 @@ impl Forest {
                     Node::Branch { direction, threshold, children } => {
                         let beyond = projection(direction, &point) - threshold;
                         let side = usize::from(beyond >= 0.0);
-                        let margin = margin.max(beyond.abs().to_bits());
+                        let margin = margin.max(Ordered::new(beyond.abs()));
                         waiting.push(Reverse((margin, tree, children[1 - side])));
                         node = children[side];
                     }
@@ -263,32 +257,18 @@ impl<S: Space> Nearest<S> for Forest {
         self.vertices.len()
     }
 
-    fn k_nearest(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize {
         found.clear();
         if k > 0 {
-            self.search(space, states, from, self.parameters.candidates.max(k), found);
+            self.search(query, self.parameters.candidates.max(k), found);
         }
         let visited = found.len();
         Neighbour::first(found, k);
         visited
     }
 
-    fn within(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        self.search(space, states, from, self.parameters.candidates, found);
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        self.search(query, self.parameters.candidates, found);
         let visited = found.len();
         found.retain(|neighbour| neighbour.distance <= radius);
         Neighbour::first(found, usize::MAX);

@@ -1,6 +1,6 @@
 //! The exact index that planners use: about as fast as the faster of linear scan and kd-tree at any size.
 
-use super::{Direction, KdTree, LinearScan, Nearest, Neighbour};
+use super::{KdTree, LinearScan, Nearest, Neighbour, Query};
 use crate::graph::VertexId;
 use crate::space::Space;
 
@@ -12,8 +12,7 @@ const FEWEST_IN_TREE: usize = 60;
 
 /// A linear scan for few states and a kd-tree for many. Which one runs depends only on the number of states, neighbours and
 /// dimensions; both return the same bits. If the norm of the space is only a lower bound on distances, the tree finds
-/// candidates by the norm and ranks them by their distance. The methods of [`Nearest`] are about motions to the state ([`Direction::In`]);
-/// the methods ending in `_by` take the direction.
+/// candidates by the norm and ranks them by their distance.
 #[derive(Debug, Clone, Default)]
 pub struct Index {
     /// Empty if the norm is only a lower bound.
@@ -23,78 +22,15 @@ pub struct Index {
 }
 
 impl Index {
-    /// The vertex nearest to `state` by motions in the given direction; `None` if the index is empty.
-    pub fn nearest_by<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-    ) -> Option<Neighbour> {
-        self.nearest_counted(space, states, direction, state).map(|(nearest, _)| nearest)
-    }
-
-    /// The same, and how many vertices were visited.
-    pub fn nearest_counted<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-    ) -> Option<(Neighbour, usize)> {
+    /// The nearest vertex, and how many vertices were visited; `None` if the index is empty.
+    pub fn nearest_counted<S: Space>(&self, query: Query<S>) -> Option<(Neighbour, usize)> {
         // Empty if the norm is only a lower bound.
-        if let Some(nearest) = self.scan.nearest_of_few(space, states, state) {
+        if let Some(nearest) = self.scan.nearest_of_few(query) {
             return Some((nearest, self.len));
         }
         let mut found = Vec::with_capacity(2);
-        let visited = self.k_nearest_by(space, states, direction, state, 1, &mut found);
+        let visited = self.k_nearest(query, 1, &mut found);
         found.pop().map(|nearest| (nearest, visited))
-    }
-
-    /// The `k` vertices nearest to `state` by motions in the given direction (all, if there are fewer), nearest first, into `found`.
-    pub fn k_nearest_by<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        if !space.is_norm_exact() {
-            let distance =
-                |vertex: VertexId, most| direction.distance_within(space, state, &states[vertex.index()], most);
-            self.tree.k_nearest_ranked(space, states, state, k, found, distance)
-        } else if self.len <= Self::crossover(space, k) {
-            self.scan.k_nearest(space, states, state, k, found)
-        } else {
-            self.tree.k_nearest(space, states, state, k, found)
-        }
-    }
-
-    /// Every vertex no farther from `state` than `radius` by motions in the given direction, nearest first, into `found`.
-    pub fn within_by<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
-            return self.scan.within(space, states, state, radius, found);
-        }
-        let visited = self.tree.within(space, states, state, radius, found);
-        if !space.is_norm_exact() {
-            for candidate in &mut *found {
-                let other = &states[candidate.vertex.index()];
-                candidate.distance = direction.distance_within(space, state, other, radius);
-            }
-            found.retain(|neighbour| neighbour.distance <= radius);
-            found.sort_unstable_by_key(Neighbour::key);
-        }
-        visited
     }
 
     /// The number of states up to which a scan finds `k` neighbours faster than the tree: linear fits to the figures of the
@@ -134,29 +70,37 @@ impl<S: Space> Nearest<S> for Index {
         self.len
     }
 
-    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
-        self.nearest_by(space, states, Direction::In, from)
+    fn nearest(&self, query: Query<S>) -> Option<Neighbour> {
+        self.nearest_counted(query).map(|(nearest, _)| nearest)
     }
 
-    fn k_nearest(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        self.k_nearest_by(space, states, Direction::In, from, k, found)
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize {
+        let Query { space, states, direction, from } = query;
+        if !space.is_norm_exact() {
+            let distance =
+                |vertex: VertexId, most| direction.distance_within(space, from, &states[vertex.index()], most);
+            self.tree.k_nearest_ranked(query, k, found, distance)
+        } else if self.len <= Self::crossover(space, k) {
+            self.scan.k_nearest(query, k, found)
+        } else {
+            self.tree.k_nearest(query, k, found)
+        }
     }
 
-    fn within(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        self.within_by(space, states, Direction::In, from, radius, found)
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let Query { space, states, direction, from } = query;
+        if space.is_norm_exact() && self.len <= Self::crossover(space, 1) {
+            return self.scan.within(query, radius, found);
+        }
+        let visited = self.tree.within(query, radius, found);
+        if !space.is_norm_exact() {
+            for candidate in &mut *found {
+                let other = &states[candidate.vertex.index()];
+                candidate.distance = direction.distance_within(space, from, other, radius);
+            }
+            found.retain(|neighbour| neighbour.distance <= radius);
+            found.sort_unstable_by_key(Neighbour::key);
+        }
+        visited
     }
 }

@@ -1,8 +1,8 @@
 //! The linear scan: computes the distance to every state. Exact, and the fastest for few states.
 
 use super::closest::{Closest, Collector, guess};
-use super::packs::{LANES, Packs, Query, measure};
-use super::{Nearest, Neighbour};
+use super::packs::{LANES, Packed, Packs, measure};
+use super::{Nearest, Neighbour, Query};
 use crate::graph::VertexId;
 use crate::space::Space;
 
@@ -24,16 +24,11 @@ pub struct LinearScan {
 
 impl LinearScan {
     /// The nearest of a few states; `None` if there are none, or too many for exact distances alone.
-    pub(super) fn nearest_of_few<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-    ) -> Option<Neighbour> {
+    pub(super) fn nearest_of_few<S: Space>(&self, query: Query<S>) -> Option<Neighbour> {
         if self.len > FEW {
             return None;
         }
-        let measure = measure(space, states, from);
+        let measure = measure(query);
         let mut nearest: Option<Neighbour> = None;
         for at in 0..self.len {
             let vertex = self.packs.vertices(at / LANES)[at % LANES];
@@ -51,7 +46,7 @@ impl LinearScan {
         &self.packs
     }
 
-    fn scan<S: Space>(&self, space: &S, query: &Query, mut closest: Closest<impl Fn(VertexId) -> f64>) {
+    fn scan<S: Space>(&self, space: &S, query: &Packed, mut closest: Closest<impl Fn(VertexId) -> f64>) {
         // First the distances to a block of packs, without branches, then the selection: two loops are faster than one.
         let mut distances = [[0.0; LANES]; BLOCK];
         let packs = self.packs.len();
@@ -84,39 +79,25 @@ impl<S: Space> Nearest<S> for LinearScan {
         self.len
     }
 
-    fn k_nearest(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let guess = guess(found, k, SORTED);
         found.clear();
         if k == 0 {
             return 0;
         }
-        let query = self.packs.query(space, from);
-        let measure = measure(space, states, from);
-        self.scan(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
+        let packed = self.packs.query(query.space, query.from);
+        let measure = measure(query);
+        self.scan(query.space, &packed, Closest::new(&packed, found, k, guess, k <= SORTED, measure));
         if guess < f64::INFINITY && found.len() < k.min(self.len) {
-            self.scan(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure));
+            self.scan(query.space, &packed, Closest::new(&packed, found, k, f64::INFINITY, k <= SORTED, measure));
         }
         self.len
     }
 
-    fn within(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        let query = self.packs.query(space, from);
-        let measure = measure(space, states, from);
-        self.scan(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure));
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let packed = self.packs.query(query.space, query.from);
+        let measure = measure(query);
+        self.scan(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure));
         self.len
     }
 }

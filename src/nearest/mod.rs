@@ -91,7 +91,85 @@ impl Direction {
     }
 }
 
-/// An index of states that grows. It stores no states: a query gets the state of every vertex, by its number, in `states`.
+/// What is asked: the neighbours of a state, in a space.
+#[derive(Debug)]
+pub struct Query<'a, S: Space> {
+    /// The space.
+    pub space: &'a S,
+    /// The state of every vertex, by its number.
+    pub states: &'a [S::State],
+    /// The direction of the motions to or from neighbours. Only [`Index`] and what is built on it use it: the spaces that the
+    /// others serve are symmetric.
+    pub direction: Direction,
+    /// The state whose neighbours are sought.
+    pub from: &'a S::State,
+}
+
+impl<S: Space> Clone for Query<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Space> Copy for Query<'_, S> {}
+
+impl<'a, S: Space> Query<'a, S> {
+    /// The neighbours from which motions lead to the state.
+    pub fn to(space: &'a S, states: &'a [S::State], from: &'a S::State) -> Self {
+        Self { space, states, direction: Direction::In, from }
+    }
+}
+
+/// Which vertices are neighbours of a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Neighbourhood {
+    /// As many of the nearest.
+    Nearest(usize),
+    /// All within this distance.
+    Within(f64),
+    /// The nearest of those within a distance.
+    Both {
+        /// The largest number of them.
+        k: usize,
+        /// The largest distance.
+        radius: f64,
+    },
+}
+
+impl Neighbourhood {
+    /// The `k` nearest within a radius, which may be infinite.
+    pub fn of(k: usize, radius: f64) -> Self {
+        if radius < f64::INFINITY { Self::Both { k, radius } } else { Self::Nearest(k) }
+    }
+
+    /// The largest number of neighbours; `usize::MAX` if only the distance is limited.
+    pub fn k(self) -> usize {
+        match self {
+            Self::Nearest(k) | Self::Both { k, .. } => k,
+            Self::Within(_) => usize::MAX,
+        }
+    }
+
+    /// The largest distance; infinite if only the number is limited.
+    pub fn radius(self) -> f64 {
+        match self {
+            Self::Within(radius) | Self::Both { radius, .. } => radius,
+            Self::Nearest(_) => f64::INFINITY,
+        }
+    }
+
+    /// The same with another number of neighbours, if their number is limited.
+    #[must_use]
+    pub fn with_k(self, k: usize) -> Self {
+        match self {
+            Self::Nearest(_) => Self::Nearest(k),
+            Self::Both { radius, .. } => Self::Both { k, radius },
+            Self::Within(_) => self,
+        }
+    }
+}
+
+/// An index of states that grows. It stores no states: a query has the state of every vertex.
 pub trait Nearest<S: Space> {
     /// Adds a vertex; numbers must increase.
     fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State);
@@ -104,19 +182,32 @@ pub trait Nearest<S: Space> {
         self.len() == 0
     }
 
-    /// The vertex nearest to `from`; `None` if the index is empty.
-    fn nearest(&self, space: &S, states: &[S::State], from: &S::State) -> Option<Neighbour> {
+    /// The nearest vertex; `None` if the index is empty.
+    fn nearest(&self, query: Query<S>) -> Option<Neighbour> {
         let mut found = Vec::with_capacity(2);
-        self.k_nearest(space, states, from, 1, &mut found);
+        self.k_nearest(query, 1, &mut found);
         found.pop()
     }
 
-    /// The `k` vertices nearest to `from` (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
+    /// The `k` nearest vertices (all, if there are fewer), nearest first, into `found`. Returns how many vertices were
     /// visited: those whose distance, or a lower bound on it if distances are expensive, was computed.
-    fn k_nearest(&self, space: &S, states: &[S::State], from: &S::State, k: usize, found: &mut Vec<Neighbour>)
-    -> usize;
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize;
 
-    /// Every vertex no farther from `from` than `radius`, nearest first, into `found`. Returns how many vertices were visited.
-    fn within(&self, space: &S, states: &[S::State], from: &S::State, radius: f64, found: &mut Vec<Neighbour>)
-    -> usize;
+    /// Every vertex no farther than `radius`, nearest first, into `found`. Returns how many vertices were visited.
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize;
+
+    /// The vertices of a neighbourhood, nearest first, into `found`. Returns how many vertices were visited.
+    fn find(&self, query: Query<S>, neighbourhood: Neighbourhood, found: &mut Vec<Neighbour>) -> usize {
+        match neighbourhood {
+            Neighbourhood::Nearest(k) => self.k_nearest(query, k, found),
+            Neighbourhood::Within(radius) => self.within(query, radius, found),
+            // No vertex is left out for its number, so the radius alone decides, and prunes more.
+            Neighbourhood::Both { k, radius } if k >= query.states.len() => self.within(query, radius, found),
+            Neighbourhood::Both { k, radius } => {
+                let visited = self.k_nearest(query, k, found);
+                found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
+                visited
+            }
+        }
+    }
 }

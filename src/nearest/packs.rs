@@ -18,8 +18,9 @@
 //!
 //! So a distance d and its approximation a satisfy a <= (d + E)(1 + 2^-20) and d <= (a + E)(1 + 2^-20). If k states have been
 //! seen whose numbers, exact or not, are at most s, the k nearest have exact distances of at most (s + E)(1 + 2^-20), and
-//! approximations below s (1 + 2^-18) + 3 E: see [`Query::bar`]. The tests compare all results with exact ones.
+//! approximations below s (1 + 2^-18) + 3 E: see [`Packed::bar`]. The tests compare all results with exact ones.
 
+use super::Query;
 use crate::graph::{VertexId, append, make_room};
 use crate::space::{MAX_DIMENSION, Space, gap, gap_to_interval};
 use wide::{f32x4, f32x8};
@@ -48,7 +49,7 @@ pub(super) struct Packs {
 }
 
 /// The state of a query, relative to the origin.
-pub(super) struct Query {
+pub(super) struct Packed {
     from: Single,
     periods: Single,
     /// Each coordinate twice, then twice negative.
@@ -57,7 +58,7 @@ pub(super) struct Query {
     slack: f64,
 }
 
-impl Query {
+impl Packed {
     /// No state nearer than `distance`, or one of the k nearest if k are at `distance`, exactly or approximately, has a
     /// greater approximate distance.
     #[inline(always)]
@@ -118,9 +119,9 @@ impl Packs {
     }
 
     /// A query about a state.
-    pub fn query<S: Space>(&self, space: &S, state: &S::State) -> Query {
+    pub fn query<S: Space>(&self, space: &S, state: &S::State) -> Packed {
         const UNIT: f64 = 1.0 / (1u64 << 22) as f64;
-        let mut query = Query {
+        let mut query = Packed {
             from: [0.0; MAX_DIMENSION],
             periods: [0.0; MAX_DIMENSION],
             signed: [f32x4::splat(0.0); MAX_DIMENSION],
@@ -199,7 +200,7 @@ impl Packs {
 
     /// The approximate distances from the state of a query to the states of a pack; not numbers in empty lanes. O(dimension).
     #[inline(always)]
-    pub fn distances<S: Space>(&self, space: &S, query: &Query, pack: usize) -> [f32; LANES] {
+    pub fn distances<S: Space>(&self, space: &S, query: &Packed, pack: usize) -> [f32; LANES] {
         let rows = self.rows(pack);
         if !query.is_usable() {
             return rows[0].map(|x| (0.0 * x).abs());
@@ -217,7 +218,8 @@ pub(super) fn weight<S: Space>(space: &S, i: usize) -> f64 {
 /// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a lower
 /// bound on it.
 #[inline(always)]
-pub(super) fn measure<S: Space>(space: &S, states: &[S::State], from: &S::State) -> impl Fn(VertexId) -> f64 + Copy {
+pub(super) fn measure<S: Space>(query: Query<'_, S>) -> impl Fn(VertexId) -> f64 + Copy {
+    let Query { space, states, from, .. } = query;
     let from = space.coordinates(from);
     move |vertex| {
         let to = space.coordinates(&states[vertex.index()]);

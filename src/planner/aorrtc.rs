@@ -16,7 +16,7 @@ use super::rrt_connect::{RrtConnect, RrtConnectOptions};
 use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::nearest::{Nearest, Neighbour};
+use crate::nearest::{Nearest, Neighbour, Query};
 use crate::problem::Problem;
 use crate::random::{MAX_SEED, Random, Stream};
 use crate::shortening::{Improvement, Wanted, length};
@@ -131,8 +131,8 @@ impl<S: Space> Aorrtc<S> {
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State, most: f64) -> Option<Parent> {
         self.trees.growth.counters.nearest_queries += 1;
         for k in NEIGHBOURS {
-            let states = self.trees.growth.graph.states();
-            let visited = self.trees.indices[tree].k_nearest(space, states, state, k, &mut self.found);
+            let query = Query::to(space, self.trees.growth.graph.states(), state);
+            let visited = self.trees.indices[tree].k_nearest(query, k, &mut self.found);
             self.trees.growth.note_visited(space, visited);
             let fits = self.found.iter().filter_map(|&Neighbour { vertex, distance }| {
                 let from = self.costs[vertex.index()];

@@ -11,11 +11,11 @@ use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
 use super::growth::{GOAL, Growth, START};
 use super::info::{END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::near::{Near, NearRule, Nearness, Reach};
+use super::near::{Near, NearRule, Nearness, find_near};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::VertexId;
-use crate::nearest::{Direction, Index, Nearest, Neighbour};
+use crate::graph::{Ordered, VertexId};
+use crate::nearest::{Direction, Index, Nearest, Neighbour, Neighbourhood};
 use crate::problem::Problem;
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
@@ -73,7 +73,7 @@ impl PlannerKind for BitStarOptions {
             nodes: Vec::new(),
             draws: 0,
             useful: Vec::new(),
-            reach: Reach::Within(f64::INFINITY),
+            neighbourhood: Neighbourhood::Within(f64::INFINITY),
             queue: BinaryHeap::new(),
             found: Vec::new(),
         };
@@ -112,8 +112,8 @@ impl Node {
 }
 
 /// An entry of the queue: the least cost of a path by way of it, the cost of reaching its end, the vertex, and of an edge the vertex that it
-/// leads to with its length. Costs are bits of floats that are not negative, which are ordered as they are; the least comes first.
-type Entry = Reverse<(u64, u64, VertexId, Option<(VertexId, u64)>)>;
+/// leads to with its length. The least comes first.
+type Entry = Reverse<(Ordered, Ordered, VertexId, Option<(VertexId, Ordered)>)>;
 
 /// The planner. An iteration draws one sample, expands one vertex or tries one edge.
 struct BitStar<S: Space> {
@@ -133,7 +133,7 @@ struct BitStar<S: Space> {
     /// Of each of them that may help, the least cost of a path by way of it.
     useful: Vec<f64>,
     /// The neighbours of a vertex in this batch.
-    reach: Reach,
+    neighbourhood: Neighbourhood,
     queue: BinaryHeap<Entry>,
     found: Vec<Neighbour>,
 }
@@ -150,7 +150,7 @@ impl<S: Space> BitStar<S> {
         let cost = self.best.tree.cost(vertex);
         let least = cost + self.nodes[vertex.index()].to_goal;
         if least < self.best.bound() {
-            self.queue.push(Reverse((least.to_bits(), cost.to_bits(), vertex, None)));
+            self.queue.push(Reverse((Ordered::new(least), Ordered::new(cost), vertex, None)));
         }
     }
 
@@ -161,7 +161,8 @@ impl<S: Space> BitStar<S> {
         let least = cost + to_goal;
         if is_useful && least < self.best.bound() && cost < self.best.tree.cost(to) {
             self.best.growth.looked += 1;
-            self.queue.push(Reverse((least.to_bits(), cost.to_bits(), from, Some((to, distance.to_bits())))));
+            let edge = Some((to, Ordered::new(distance)));
+            self.queue.push(Reverse((Ordered::new(least), Ordered::new(cost), from, edge)));
         }
     }
 
@@ -190,7 +191,7 @@ impl<S: Space> BitStar<S> {
         self.members = members;
         self.missing = self.batch_size;
         let share = if self.draws == 0 { 1.0 } else { self.useful.len().max(1) as f64 / self.draws as f64 };
-        self.reach = self.near.in_informed_set(self.members.len() + self.batch_size, share);
+        self.neighbourhood = self.near.in_informed_set(self.members.len() + self.batch_size, share);
         for at in 0..self.members.len() {
             let vertex = self.members[at];
             if !self.nodes[vertex.index()].is_expanded {
@@ -215,7 +216,7 @@ impl<S: Space> BitStar<S> {
         useful.push(node.least());
         let Some(state) = best.growth.if_free(problem, iteration, Sample { state, known }) else { return };
         let mut found = std::mem::take(&mut self.found);
-        self.reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, &mut found);
+        find_near(problem, &mut self.best.growth, &self.index, (Direction::In, &state), self.neighbourhood, &mut found);
         let vertex = self.best.growth.graph.add_vertex(iteration, state);
         self.insert(problem, vertex, &state, node);
         for near in &found {
@@ -231,7 +232,14 @@ impl<S: Space> BitStar<S> {
     fn expand(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
         let state = self.best.expand(iteration, vertex);
         let mut found = std::mem::take(&mut self.found);
-        self.reach.find(problem, &mut self.best.growth, &self.index, Direction::Out, &state, &mut found);
+        find_near(
+            problem,
+            &mut self.best.growth,
+            &self.index,
+            (Direction::Out, &state),
+            self.neighbourhood,
+            &mut found,
+        );
         self.nodes[vertex.index()].is_expanded = true;
         for near in &found {
             self.queue_edge(vertex, near.vertex, near.distance);
@@ -240,13 +248,13 @@ impl<S: Space> BitStar<S> {
     }
 
     /// The best entry of the queue. If it cannot shorten the path, costs have changed: all entries are then queued again.
-    fn pop(&mut self) -> Option<(VertexId, Option<(VertexId, u64)>)> {
+    fn pop(&mut self) -> Option<(VertexId, Option<(VertexId, Ordered)>)> {
         let Reverse((least, _, _, _)) = self.queue.peek()?;
-        if f64::from_bits(*least) >= self.best.bound() {
+        if least.value() >= self.best.bound() {
             for Reverse((_, _, from, edge)) in std::mem::take(&mut self.queue).into_vec() {
                 match edge {
                     None => self.queue_vertex(from),
-                    Some((to, distance)) => self.queue_edge(from, to, f64::from_bits(distance)),
+                    Some((to, distance)) => self.queue_edge(from, to, distance.value()),
                 }
             }
         }
@@ -264,7 +272,7 @@ impl<S: Space> BitStar<S> {
                 self.expand(problem, iteration, from);
                 return true;
             };
-            let (distance, former) = (f64::from_bits(distance), self.best.tree.cost(to));
+            let (distance, former) = (distance.value(), self.best.tree.cost(to));
             let cost = self.best.tree.cost(from) + distance;
             let Node { to_goal, is_expanded, .. } = self.nodes[to.index()];
             if cost >= former || cost + to_goal >= self.best.bound() {

@@ -8,11 +8,11 @@ use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
 use super::growth::{Growth, START, goals};
 use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::near::{Near, NearRule, Nearness, Reach};
+use super::near::{Near, NearRule, Nearness, find_near};
 use super::{Phase, Planner, Status};
 use crate::error::Error;
-use crate::graph::VertexId;
-use crate::nearest::{Direction, Index, Nearest, Neighbour};
+use crate::graph::{Ordered, VertexId};
+use crate::nearest::{Direction, Index, Nearest, Neighbour, Neighbourhood};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -117,8 +117,8 @@ struct FmtStar<S: Space> {
     stages: Vec<Stage>,
     /// By vertex: those from which the motion to it was refused.
     refused: Vec<Vec<VertexId>>,
-    /// The open vertices: the bits of their costs, which are not negative and so ordered as they are, and their numbers.
-    open: BinaryHeap<Reverse<(u64, VertexId)>>,
+    /// The open vertices, with their costs.
+    open: BinaryHeap<Reverse<(Ordered, VertexId)>>,
     /// By vertex: the neighbours of one that waits, once the wave has met it.
     around: Vec<Vec<Neighbour>>,
     /// The vertex whose expansion goes on.
@@ -128,7 +128,7 @@ struct FmtStar<S: Space> {
 /// A vertex that is being expanded.
 struct Expanding {
     vertex: VertexId,
-    reach: Reach,
+    neighbourhood: Neighbourhood,
     /// The neighbours that are still to be tried.
     found: std::vec::IntoIter<Neighbour>,
     /// Those that it has become the parent of, or another open vertex.
@@ -156,16 +156,22 @@ impl<S: Space> FmtStar<S> {
     fn open_all(&mut self, vertices: Vec<VertexId>) {
         for vertex in vertices {
             self.stages[vertex.index()] = Stage::Open;
-            self.open.push(Reverse((self.best.tree.cost(vertex).to_bits(), vertex)));
+            self.open.push(Reverse((Ordered::new(self.best.tree.cost(vertex)), vertex)));
         }
     }
 
     /// The open neighbour by way of which a state costs least; `from` counts as one.
-    fn parent(&mut self, problem: &Problem<S>, reach: Reach, vertex: VertexId, from: Neighbour) -> Neighbour {
+    fn parent(
+        &mut self,
+        problem: &Problem<S>,
+        neighbourhood: Neighbourhood,
+        vertex: VertexId,
+        from: Neighbour,
+    ) -> Neighbour {
         let around = &mut self.around[vertex.index()];
         if around.is_empty() {
             let state = self.best.growth.state(vertex);
-            reach.find(problem, &mut self.best.growth, &self.index, Direction::In, &state, around);
+            find_near(problem, &mut self.best.growth, &self.index, (Direction::In, &state), neighbourhood, around);
         }
         self.best.growth.looked += around.len() as u64;
         let open = around.iter().filter(|near| self.stages[near.vertex.index()] == Stage::Open);
@@ -178,9 +184,9 @@ impl<S: Space> FmtStar<S> {
     fn begin(&mut self, problem: &Problem<S>, iteration: u32, vertex: VertexId) -> Expanding {
         let state = self.best.expand(iteration, vertex);
         let mut found = Vec::new();
-        let reach = self.near.in_march(self.stages.len());
-        reach.find(problem, &mut self.best.growth, &self.index, Direction::Out, &state, &mut found);
-        Expanding { vertex, reach, found: found.into_iter(), joined: Vec::new() }
+        let neighbourhood = self.near.in_march(self.stages.len());
+        find_near(problem, &mut self.best.growth, &self.index, (Direction::Out, &state), neighbourhood, &mut found);
+        Expanding { vertex, neighbourhood, found: found.into_iter(), joined: Vec::new() }
     }
 
     /// Goes on with the expansion of a vertex; keeps it for the next iteration if it is not done. The costs of the open vertices stay, so
@@ -193,7 +199,7 @@ impl<S: Space> FmtStar<S> {
                 continue;
             }
             let from = Neighbour { vertex: at.vertex, distance: near.distance };
-            let parent = self.parent(problem, at.reach, near.vertex, from);
+            let parent = self.parent(problem, at.neighbourhood, near.vertex, from);
             if self.refused[to].contains(&parent.vertex) {
                 continue;
             }

@@ -1,7 +1,6 @@
 //! Groups of options that planners share.
 
 use super::growth::Growth;
-use super::query::{Algorithm, Cost, Heuristic};
 use crate::error::Error;
 use crate::options::{CAR, Choice, out_of_range};
 use crate::problem::{Problem, Status};
@@ -65,17 +64,6 @@ impl Sampling {
             SamplerKind::GoalBiased => Box::new(GoalBiased::new(random, spread)),
         }
     }
-}
-
-crate::options! {
-    /// How a roadmap is searched.
-    pub struct Searching for crate::options::ALL;
-    /// Graph search: A* is guided, bidirectional starts at both ends (requeued is faulty), others spread evenly.
-    search: Algorithm = Algorithm::AStar, "Search";
-    /// Cost that A* and Dijkstra minimise: path length or number of edges; breadth-first always counts edges.
-    cost: Cost = Cost::Metric, "Cost of an edge";
-    /// Estimate of the remaining cost in A*: good ones save work; metric-as-hops and naive may miss the best.
-    heuristic: Heuristic = Heuristic::Metric, "Heuristic";
 }
 
 crate::choice! {

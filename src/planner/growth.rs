@@ -1,7 +1,7 @@
 //! The part of every planner that is shown to viewers: its graph and its counters.
 
 use crate::graph::{Event, EventKind, Graph, VertexId};
-use crate::nearest::{Direction, Index, Neighbour};
+use crate::nearest::{Direction, Index, Neighbour, Query};
 use crate::problem::{Problem, Stats};
 use crate::sampling::{Known, Sample, Sampler};
 use crate::space::Space;
@@ -52,8 +52,8 @@ impl<S: Space> Growth<S> {
     /// If the index is empty.
     pub fn nearest(&mut self, space: &S, index: &Index, direction: Direction, state: &S::State) -> Neighbour {
         self.counters.nearest_queries += 1;
-        let states = self.graph.states();
-        let (nearest, visited) = index.nearest_counted(space, states, direction, state).expect("a tree has a root");
+        let query = Query { space, states: self.graph.states(), direction, from: state };
+        let (nearest, visited) = index.nearest_counted(query).expect("a tree has a root");
         self.note_visited(space, visited);
         nearest
     }

@@ -6,6 +6,7 @@
 mod aorrtc;
 mod best_tree;
 mod bit_star;
+mod candidates;
 mod direct;
 mod driven_tree;
 mod fmt_star;
@@ -35,7 +36,7 @@ pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind}
 pub use fmt_star::FmtStarOptions;
 pub use groups::{
     DEFAULT_TOLERANCE, EdgeCheck, EdgeOptions, GoalBias, Improving, Limits, MetricOptions, Overgrowth, SamplerKind,
-    Sampling, Searching, StopWhen, Termination,
+    Sampling, StopWhen, Termination,
 };
 pub use growth::Growth;
 pub use info::{Grows, Mark, PlannerInfo, PlannerKind, Preset, PseudocodeLine};
@@ -46,9 +47,9 @@ pub use prm::{
     Insertion, LazyPrmOptions, LazyPrmStarOptions, NeighbourRule, PrmOptions, PrmStarOptions, logarithmic_k,
     prm_star_k, reopen, resume,
 };
-pub use query::{Algorithm, Cost, Heuristic};
+pub use query::{Algorithm, Cost, Heuristic, Searching};
 pub use registry::{PlannerOptions, planners};
-pub use roadmap::{Connection, QueryResult, Roadmap};
+pub use roadmap::{QueryResult, Roadmap};
 pub use rrt::{Extend, RrtOptions};
 pub use rrt_connect::RrtConnectOptions;
 pub use rrt_control::{Controls, Origin, RrtControlOptions};

@@ -4,7 +4,7 @@
 use super::growth::Growth;
 use super::prm::prm_star_k;
 use crate::error::Error;
-use crate::nearest::{Direction, Index, Neighbour};
+use crate::nearest::{Direction, Index, Nearest, Neighbour, Neighbourhood, Query};
 use crate::options::out_of_range;
 use crate::problem::Problem;
 use crate::random::{Random, Stream};
@@ -47,15 +47,6 @@ pub(super) struct Near {
     dimension: usize,
 }
 
-/// The neighbours of a state.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Reach {
-    /// All within this distance.
-    Within(f64),
-    /// As many of the nearest.
-    Nearest(usize),
-}
-
 impl Near {
     /// The rule that was chosen, or the default one where motions are straight.
     ///
@@ -77,63 +68,57 @@ impl Near {
     /// of Solovey, Janson, Schmerling, Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*", theorem 1, with
     /// theta = 1/4 and epsilon and mu going to 0, where the cost of the shortest path is replaced by a bound on it; at most `most`.
     /// The k of Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
-    pub fn in_tree(&self, n: usize, cost: f64, most: f64) -> Reach {
-        let Some(scale) = self.scale else { return Reach::Nearest(prm_star_k(n, self.dimension)) };
+    pub fn in_tree(&self, n: usize, cost: f64, most: f64) -> Neighbourhood {
+        let Some(scale) = self.scale else { return Neighbourhood::Nearest(prm_star_k(n, self.dimension)) };
         let (d, n) = (self.dimension as f64, n as f64);
         // gamma = (2 + theta) (cost |X| / ((d + 1) theta zeta))^(1 / (d + 1)), and |X| / zeta = scale^d.
         let gamma = 2.25 * libm::pow(4.0 * cost / (d + 1.0) * libm::pow(scale, d), 1.0 / (d + 1.0));
-        Reach::Within((self.factor * (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0)))).min(most))
+        Neighbourhood::Within((self.factor * (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0)))).min(most))
     }
 
     /// Neighbours among the `n` vertices of FMT*: the radius of Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast
     /// marching sampling-based method for optimal motion planning in many dimensions", theorem 4.1; or e times as many as a ball of
     /// that radius holds on average, and so all of them with a probability that goes to 1.
-    pub fn in_march(&self, n: usize) -> Reach {
+    pub fn in_march(&self, n: usize) -> Neighbourhood {
         let d = self.dimension as f64;
         self.in_batch(n, 1.0, 1.0 / d, libm::pow(2.0, d) / d)
     }
 
     /// Neighbours among `n` vertices and samples of BIT* that fill a share of the space: radius and k of Gammell, Barfoot and Srinivasa
     /// 2020, "Batch Informed Trees (BIT*): informed asymptotically optimal anytime search".
-    pub fn in_informed_set(&self, n: usize, share: f64) -> Reach {
+    pub fn in_informed_set(&self, n: usize, share: f64) -> Neighbourhood {
         let each = 1.0 + 1.0 / self.dimension as f64;
         self.in_batch(n, share, each, each)
     }
 
     /// Neighbours among `n` vertices that fill a share of the space: within 2 (by_radius |X| ln n / (zeta n))^(1 / d), or
     /// the e by_number ln n nearest, and a bit more.
-    fn in_batch(&self, n: usize, share: f64, by_radius: f64, by_number: f64) -> Reach {
+    fn in_batch(&self, n: usize, share: f64, by_radius: f64, by_number: f64) -> Neighbourhood {
         let (d, n) = (self.dimension as f64, n as f64);
         match self.scale {
-            None => Reach::Nearest(libm::ceil(EXCESS * E * by_number * libm::log(n)) as usize),
+            None => Neighbourhood::Nearest(libm::ceil(EXCESS * E * by_number * libm::log(n)) as usize),
             Some(scale) => {
                 let volume = by_radius * share * libm::log(n) / n;
-                Reach::Within(self.factor * (EXCESS * 2.0 * scale * libm::pow(volume, 1.0 / d)))
+                Neighbourhood::Within(self.factor * (EXCESS * 2.0 * scale * libm::pow(volume, 1.0 / d)))
             }
         }
     }
 }
 
-impl Reach {
-    /// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with itself.
-    pub fn find<S: Space>(
-        self,
-        problem: &Problem<S>,
-        growth: &mut Growth<S>,
-        index: &Index,
-        direction: Direction,
-        state: &S::State,
-        found: &mut Vec<Neighbour>,
-    ) {
-        growth.counters.nearest_queries += 1;
-        let (space, states) = (problem.space(), growth.graph.states());
-        let visited = match self {
-            Self::Within(radius) => index.within_by(space, states, direction, state, radius, found),
-            Self::Nearest(k) => index.k_nearest_by(space, states, direction, state, k, found),
-        };
-        growth.note_visited(space, visited);
-        growth.looked += found.len() as u64;
-    }
+/// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with itself.
+pub(super) fn find_near<S: Space>(
+    problem: &Problem<S>,
+    growth: &mut Growth<S>,
+    index: &Index,
+    (direction, state): (Direction, &S::State),
+    neighbourhood: Neighbourhood,
+    found: &mut Vec<Neighbour>,
+) {
+    growth.counters.nearest_queries += 1;
+    let query = Query { space: problem.space(), states: growth.graph.states(), direction, from: state };
+    let visited = index.find(query, neighbourhood, found);
+    growth.note_visited(problem.space(), visited);
+    growth.looked += found.len() as u64;
 }
 
 /// The radius of a ball whose measure is that of the space, if balls of every size are as they are about the middle of the space: so a

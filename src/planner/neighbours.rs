@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::graph::VertexId;
-use crate::nearest::{Direction, Forest, ForestParameters, Index, Nearest, Neighbour};
+use crate::nearest::{Forest, ForestParameters, Index, Nearest, Neighbour, Neighbourhood, Query};
 use crate::options::out_of_range;
 use crate::random::{Random, Stream};
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, ProductSpace, Space};
@@ -106,22 +106,13 @@ impl Neighbours {
         }
     }
 
-    /// The `k` nearest to a state within the radius by motions in the given direction, nearest first, into `found`; all within the
-    /// radius if there are no more vertices than `k`. Returns how many vertices were visited.
-    pub fn find<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-        (k, radius): (usize, f64),
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
+    /// The vertices of a neighbourhood, nearest first, into `found`. Returns how many vertices were visited.
+    pub fn find<S: Space>(&self, query: Query<S>, wanted: Neighbourhood, found: &mut Vec<Neighbour>) -> usize {
         match &self.naive {
-            None => self.index.find(space, states, direction, state, (k, radius), found),
-            Some(Naive { space: naive, states }) => {
-                let state = naive.state(space.coordinates(state));
-                self.index.find(naive, states, direction, &state, (k, radius), found)
+            None => self.index.find(query, wanted, found),
+            Some(Naive { space, states }) => {
+                let from = &space.state(query.space.coordinates(query.from));
+                self.index.find(Query { space, states, direction: query.direction, from }, wanted, found)
             }
         }
     }
@@ -148,26 +139,10 @@ impl Chosen {
     }
 
     /// Returns how many vertices were visited.
-    fn find<S: Space>(
-        &self,
-        space: &S,
-        states: &[S::State],
-        direction: Direction,
-        state: &S::State,
-        (k, radius): (usize, f64),
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        if k >= states.len() && radius < f64::INFINITY {
-            return match self {
-                Chosen::Exact(index) => index.within_by(space, states, direction, state, radius, found),
-                Chosen::Forest(forest) => forest.within(space, states, state, radius, found),
-            };
+    fn find<S: Space>(&self, query: Query<S>, wanted: Neighbourhood, found: &mut Vec<Neighbour>) -> usize {
+        match self {
+            Chosen::Exact(index) => index.find(query, wanted, found),
+            Chosen::Forest(forest) => forest.find(query, wanted, found),
         }
-        let visited = match self {
-            Chosen::Exact(index) => index.k_nearest_by(space, states, direction, state, k, found),
-            Chosen::Forest(forest) => forest.k_nearest(space, states, state, k, found),
-        };
-        found.truncate(found.partition_point(|neighbour| neighbour.distance <= radius));
-        visited
     }
 }

@@ -1,7 +1,5 @@
 //! A search of a roadmap for a path: algorithm, cost of an edge, estimate of the remaining cost.
 
-use super::groups::Searching;
-use super::roadmap::state;
 use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, Requeued, View, Walker};
 use crate::graph::{Adjacency, Graph, VertexId};
 use crate::problem::Problem;
@@ -49,6 +47,17 @@ crate::choice! {
         /// 0.
         None,
     }
+}
+
+crate::options! {
+    /// How a roadmap is searched.
+    pub struct Searching for crate::options::ALL;
+    /// Graph search: A* is guided, bidirectional starts at both ends (requeued is faulty), others spread evenly.
+    search: Algorithm = Algorithm::AStar, "Search";
+    /// Cost that A* and Dijkstra minimise: path length or number of edges; breadth-first always counts edges.
+    cost: Cost = Cost::Metric, "Cost of an edge";
+    /// Estimate of the remaining cost in A*: good ones save work; metric-as-hops and naive may miss the best.
+    heuristic: Heuristic = Heuristic::Metric, "Heuristic";
 }
 
 /// Less than 1 by more than the rounding of an estimate, so that no estimate exceeds a true cost.
@@ -131,4 +140,10 @@ impl Query {
     pub fn path(&self) -> Vec<VertexId> {
         self.walker.path()
     }
+}
+
+/// The state of a vertex of the graph, or of those numbered after them.
+pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], vertex: VertexId) -> &'a S::State {
+    let count = graph.states().len();
+    if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }

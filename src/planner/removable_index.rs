@@ -1,7 +1,7 @@
 //! An index of vertices from which vertices can be removed.
 
 use crate::graph::VertexId;
-use crate::nearest::{Index, Nearest, Neighbour};
+use crate::nearest::{Index, Nearest, Neighbour, Query};
 use crate::space::Space;
 
 /// Vertices of a graph. Removed ones stay in the underlying index, where queries skip them, until they are half of it;
@@ -54,17 +54,10 @@ impl<S: Space> Nearest<S> for RemovableIndex {
         self.len
     }
 
-    fn k_nearest(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let mut asked = k;
         loop {
-            let visited = self.index.k_nearest(space, states, from, asked, found);
+            let visited = self.index.k_nearest(query, asked, found);
             let all = found.len();
             found.retain(|neighbour| self.contains(neighbour.vertex));
             found.truncate(k);
@@ -75,15 +68,8 @@ impl<S: Space> Nearest<S> for RemovableIndex {
         }
     }
 
-    fn within(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        let visited = self.index.within(space, states, from, radius, found);
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let visited = self.index.within(query, radius, found);
         found.retain(|neighbour| self.contains(neighbour.vertex));
         visited
     }

@@ -3,27 +3,17 @@
 //!
 //! The edges of a lazy roadmap are candidates until a path wants them: see `lazy.rs`.
 
-use super::groups::Searching;
+use super::candidates::{Candidates, estimate};
 use super::growth::{GOAL, Growth, START};
 use super::info::{Mark, PseudocodeLine, line};
-use super::lazy::{Candidates, estimate};
 use super::neighbours::Neighbours;
-use super::query::Query;
+use super::query::{Query, Searching, state};
 use super::{Phase, Planner, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId, append};
-use crate::nearest::{Direction, Neighbour};
+use crate::nearest::{self, Direction, Neighbour, Neighbourhood};
 use crate::problem::{MaybeSend, Problem};
 use crate::space::Space;
-
-/// The neighbours that a vertex is connected to if the motion is free: its `k` nearest within `radius`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Connection {
-    /// The largest number of neighbours.
-    pub k: usize,
-    /// The largest distance, in the metric of the space; infinite if only the number is limited.
-    pub radius: f64,
-}
 
 /// A roadmap, complete or still growing.
 #[derive(Debug, Clone)]
@@ -32,8 +22,8 @@ pub struct Roadmap<S: Space> {
     /// The vertices of the goals.
     pub(super) goals: Goals,
     nearest: Neighbours,
-    /// The neighbours that vertices are connected to.
-    pub connection: Connection,
+    /// The neighbours that a vertex is connected to if the motion is free.
+    pub connection: Neighbourhood,
     pub(super) rules: Searching,
     /// The edges of a lazy roadmap; `None` if edges are proven as soon as they are wanted by the builder.
     pub(super) candidates: Option<Candidates>,
@@ -45,12 +35,12 @@ pub struct Roadmap<S: Space> {
 
 impl<S: Space> Roadmap<S> {
     /// A roadmap of the start and the goals alone.
-    pub fn new(problem: &Problem<S>, connection: Connection, rules: Searching) -> Self {
+    pub fn new(problem: &Problem<S>, connection: Neighbourhood, rules: Searching) -> Self {
         Self::with(problem, connection, rules, Neighbours::default())
     }
 
     /// The same with an index of its own, which is empty.
-    pub(super) fn with(problem: &Problem<S>, connection: Connection, rules: Searching, nearest: Neighbours) -> Self {
+    pub(super) fn with(problem: &Problem<S>, connection: Neighbourhood, rules: Searching, nearest: Neighbours) -> Self {
         let goals = GOAL..VertexId(GOAL.0 + problem.goals().len() as u32);
         let (growth, candidates, refused) = (Growth::new(problem), None, Vec::new());
         let mut roadmap = Self { growth, goals, nearest, connection, rules, candidates, refused, is_direct: true };
@@ -108,9 +98,9 @@ impl<S: Space> Roadmap<S> {
         spare: bool,
         found: &mut Vec<Neighbour>,
     ) -> usize {
-        let Connection { k, radius } = self.connection;
-        let k = k + usize::from(spare);
-        self.nearest.find(space, self.growth.graph.states(), direction, state, (k, radius), found)
+        let wanted = self.connection.with_k(self.connection.k() + usize::from(spare));
+        let query = nearest::Query { space, states: self.growth.graph.states(), direction, from: state };
+        self.nearest.find(query, wanted, found)
     }
 
     /// Whether no neighbour is missed.
@@ -350,12 +340,6 @@ pub struct QueryResult<S> {
     pub path: Vec<S>,
     /// How many vertices the search expanded.
     pub visited: u64,
-}
-
-/// The state of a vertex of the graph, or of those numbered after them.
-pub(super) fn state<'a, S: Space>(graph: &'a Graph<S>, more: &'a [S::State], vertex: VertexId) -> &'a S::State {
-    let count = graph.states().len();
-    if vertex.index() < count { graph.state(vertex) } else { &more[vertex.index() - count] }
 }
 
 // Lines of pseudo-code that roadmap planners share.

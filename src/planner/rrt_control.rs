@@ -13,7 +13,7 @@ use super::removable_index::RemovableIndex;
 use super::{Planner, Reason, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::nearest::Nearest;
+use crate::nearest::{Nearest, Query};
 use crate::options::{CAR, out_of_range};
 use crate::problem::{Control, Problem};
 use crate::random::{Random, Stream};
@@ -185,12 +185,12 @@ impl<S: Space> RrtControl<S> {
     /// The vertex to extend; `None` if none sees the target.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
-        let (space, states) = (problem.space(), self.tree.growth.graph.states());
+        let query = Query::to(problem.space(), self.tree.growth.graph.states(), target);
         if self.options.nearest == Origin::Nearest {
-            return Some(self.open.nearest(space, states, target)?.vertex);
+            return Some(self.open.nearest(query)?.vertex);
         }
         let mut near = Vec::new();
-        self.open.k_nearest(space, states, target, MOST_VISIBLE, &mut near);
+        self.open.k_nearest(query, MOST_VISIBLE, &mut near);
         near.into_iter().map(|neighbour| neighbour.vertex).find(|&vertex| {
             let state = self.tree.growth.state(vertex);
             self.tree.growth.is_motion_free(problem, &state, target)

@@ -17,7 +17,7 @@ use super::removable_index::RemovableIndex;
 use super::{Planner, Status};
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::nearest::{Index, Nearest, Neighbour};
+use crate::nearest::{Index, Nearest, Neighbour, Query};
 use crate::options::CAR;
 use crate::problem::{Motion, Problem};
 use crate::random::{Random, Stream};
@@ -169,21 +169,19 @@ impl<S: Space> Sst<S> {
     /// The vertex to extend: the cheapest that is near, ties by number.
     fn origin(&mut self, problem: &Problem<S>, target: &S::State) -> VertexId {
         self.tree.growth.counters.nearest_queries += 1;
-        let (space, states) = (problem.space(), self.tree.growth.graph.states());
-        self.active.within(space, states, target, self.selection_radius, &mut self.found);
+        let query = Query::to(problem.space(), self.tree.growth.graph.states(), target);
+        self.active.within(query, self.selection_radius, &mut self.found);
         self.tree.growth.looked += self.found.len() as u64;
         let near = self.found.iter().map(|neighbour| neighbour.vertex);
         let cheapest = near.min_by(|&a, &b| self.length(a).total_cmp(&self.length(b)).then(a.cmp(&b)));
-        cheapest.unwrap_or_else(|| {
-            self.active.nearest(space, states, target).expect("every witness has a representative").vertex
-        })
+        cheapest.unwrap_or_else(|| self.active.nearest(query).expect("every witness has a representative").vertex)
     }
 
     /// The witness of a state: the nearest; `None` if that is too far.
     fn witness(&mut self, problem: &Problem<S>, state: &S::State) -> Option<VertexId> {
         self.tree.growth.counters.nearest_queries += 1;
-        let states = self.tree.growth.graph.states();
-        let nearest = self.witnesses.nearest(problem.space(), states, state).expect("the start is a witness");
+        let query = Query::to(problem.space(), self.tree.growth.graph.states(), state);
+        let nearest = self.witnesses.nearest(query).expect("the start is a witness");
         (nearest.distance <= self.pruning_radius).then_some(nearest.vertex)
     }
 

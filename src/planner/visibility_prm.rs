@@ -5,13 +5,15 @@
 //! m samples in a row that made no guard the free space is covered but for an estimated share of 1/m. Visibility
 //! has to be mutual: the space must be symmetric.
 
-use super::groups::{EdgeOptions, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling};
 use super::growth::START;
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
-use super::roadmap::{Build, Connection, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
+use super::query::Searching;
+use super::roadmap::{Build, EXPAND, Roadmap, RoadmapPlanner, SEARCH};
 use super::{Phase, Planner};
 use crate::error::Error;
 use crate::graph::{EventKind, UnionFind, VertexId};
+use crate::nearest::Neighbourhood;
 use crate::problem::Problem;
 use crate::sampling::Sampler;
 use crate::space::Space;
@@ -72,7 +74,7 @@ impl PlannerKind for VisibilityPrmOptions {
     /// If the space is not symmetric.
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         assert!(problem.space().is_symmetric(), "visibility PRM requires a symmetric space");
-        let connection = Connection { k: MOST_GUARDS, radius: f64::INFINITY };
+        let connection = Neighbourhood::Nearest(MOST_GUARDS);
         let mut roadmap = Roadmap::new(problem, connection, self.searching);
         let mut guarding = Guarding {
             sampler: self.sampling.sampler(problem.space(), seed),

@@ -5,10 +5,11 @@
 //! ([`Sampled`]), and the result document says so.
 
 use super::description::{SIZES, SpaceDescription};
-use super::launch::{Launch, RunInfo};
-use super::options::{OWN, at_resolution, check_use};
+use super::info::RunInfo;
+use super::launch::Launch;
 use super::questions::configuration;
 use super::storage::{RoadmapDocument, RoadmapMetric, fingerprint_of_space};
+use super::suitable::{OWN, at_resolution, check_use};
 use super::{Options, Run};
 use crate::error::{Code, Error, within};
 use crate::path::LengthMeasure;

@@ -1,9 +1,11 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
-use super::launch::{Begin, Launch, Reopen, RunInfo};
-use super::options::check_use;
+use super::info::{Reopen, RunInfo};
+use super::launch::{Begin, Launch};
+use super::options::{SLOWEST, TURNING_RADII};
 use super::reopen::{Changes, Kept};
+use super::suitable::check_use;
 use super::{Options, Run};
 use crate::collision::{Integration, JointLines};
 use crate::error::{Code, Error, Number};
@@ -17,19 +19,6 @@ use crate::scenario::{GoalTolerance, Query, Robot, Scenario};
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
-
-/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
-/// overflow.
-const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
-/// The least allowed top speed of a steered car, in metres per second, for the same reason.
-const SLOWEST: f64 = 1e-9;
-
-/// Whether curves lead a car everywhere: it steers to both sides, and fast enough.
-pub(super) fn follows_curves(car: &Car) -> bool {
-    let [backward, forward] = car.speed();
-    let used = if backward < 0.0 { forward.min(-backward) } else { forward };
-    used >= SLOWEST && car.turning_radius().is_some_and(|(radius, _)| TURNING_RADII.contains(&radius))
-}
 
 /// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
 ///

@@ -22,10 +22,12 @@
 //! it is being improved.
 //!
 //! # Files
-//! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
+//! - `options.rs`: typed options; `request.rs`: options by names; `suitable.rs`: which are for which robots;
+//! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target; `own_planner.rs`: the same
+//!   with a planner from outside ([`start_with`]); `custom.rs`: a run of a robot of your own; `description.rs`: its space;
+//! - `launch.rs`: what they share, and `info.rs`: what a run knows of how it was launched;
 //! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work count;
 //!   `emitted.rs`: paths and edges as they are reported;
-//! - `custom.rs`: a run of a robot of one's own; `description.rs`: its space;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
 //! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
@@ -37,6 +39,7 @@ mod description;
 mod emitted;
 mod factory;
 mod goals;
+mod info;
 pub mod inspect;
 mod launch;
 pub mod neighbours;
@@ -44,9 +47,11 @@ mod options;
 mod own_planner;
 mod questions;
 mod reopen;
+mod request;
 mod resume;
 mod runner;
 pub mod storage;
+mod suitable;
 mod termination;
 mod work;
 
@@ -54,10 +59,11 @@ pub use custom::{CustomProblem, Free, start_problem};
 pub use description::{CoordinateDescription, CoordinateKind, SpaceDescription};
 pub(crate) use factory::start_learned;
 pub use factory::{start, start_on};
-pub(crate) use options::{LEARNED, check_use};
-pub use options::{Options, Request, default_planner};
+pub use options::{Options, default_planner};
 pub use own_planner::{OwnPlanner, start_with};
+pub use request::Request;
 pub use resume::{resume, resume_problem};
+pub(crate) use suitable::{LEARNED, check_use};
 
 pub use crate::options::Value;
 pub use crate::planner::{

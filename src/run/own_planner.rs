@@ -2,8 +2,8 @@
 
 use super::Run;
 use super::factory::{Setup, Source};
-use super::launch::RunInfo;
-use super::options::check_options;
+use super::info::RunInfo;
+use super::suitable::check_options;
 use crate::error::{Code, Error};
 use crate::options::Options as _;
 use crate::planner::{EdgeOptions, Planner, Termination};

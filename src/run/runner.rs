@@ -1,7 +1,7 @@
 //! A run of a planner on a problem; its path is improved afterwards if requested.
 
 use super::emitted::{self, EmittedPath};
-use super::launch::{Reopen, RunInfo};
+use super::info::{Reopen, RunInfo};
 use super::termination::{Limiting, Progress};
 use super::work::Weights;
 use super::{EVENT_HEAD, Event, HISTORY_WIDTH, Run, questions, sealed};
@@ -532,7 +532,7 @@ impl<S: Space> Run for Runner<S> {
 
     fn roadmap(&self) -> Option<RoadmapDocument> {
         let roadmap = self.planner.roadmap()?;
-        let document = RoadmapDocument { k: roadmap.connection.k as u32, ..self.roadmap.clone()? };
+        let document = RoadmapDocument { k: roadmap.connection.k() as u32, ..self.roadmap.clone()? };
         // Where obstacles have moved, one may be upon a vertex that no path has wanted since.
         let is_free = |(i, state)| !roadmap.is_unchecked(i) || self.problem.validity().is_free(state);
         let kept: Vec<bool> = roadmap.graph().states().iter().enumerate().map(is_free).collect();

@@ -18,9 +18,9 @@
 
 use super::halving::{halve, nearest_point};
 use super::particle::Particle;
-use super::run::Tally;
 use super::track::{Arc, Shape, Track};
 use crate::geometry::{Point, Segment, Vector, distance_point_segment, distance_segment_segment};
+use serde::Serialize;
 
 /// The slack, as a fraction of the scale.
 const SLACK: f64 = 1e-12;
@@ -30,6 +30,20 @@ const SMALLEST: f64 = 1e-150;
 
 /// The most pairs of intervals that are examined before a pair of trajectories counts as crossing.
 const BUDGET: u64 = 20_000;
+
+/// Counts of work, the same on every platform. All but the first depend on the index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Tally {
+    /// Trajectories tried.
+    pub iterations: u64,
+    /// Pairs of boxes around whole trajectories that were compared.
+    pub boxes: u64,
+    /// Pairs of trajectories that were tested themselves.
+    pub pairs: u64,
+    /// Pairs of intervals examined by halving.
+    pub stretches: u64,
+}
 
 /// The slack in a world of that scale, in metres.
 pub(super) fn slack(scale: f64) -> f64 {

@@ -12,8 +12,8 @@ mod particle;
 mod run;
 mod track;
 
-pub use crossing::crossing;
+pub use crossing::{Tally, crossing};
 pub use halving::{Halving, halve};
 pub use options::{IndexKind, TrajectoryOptions};
 pub use particle::{MOST_TURNING, Model, Particle, ParticleOptions, particle_points};
-pub use run::{Refused, Tally, Trajectories, TrajectoriesResult};
+pub use run::{Refused, Trajectories, TrajectoriesResult};

@@ -3,14 +3,14 @@
 //! An iteration draws one trajectory, finds the earlier ones that may be near it, and tests it against them in the order of
 //! their indices. It is accepted if it is proven apart from all; else the first that it crosses is recorded with it.
 
-use super::crossing::{meeting, slack};
+use super::crossing::{Tally, meeting, slack};
 use super::grid::Grid;
 use super::options::{IndexKind, TrajectoryOptions};
 use super::particle::Particle;
 use super::track::Track;
 use crate::error::Error;
+use crate::fingerprint::Fingerprint;
 use crate::geometry::Point;
-use crate::graph::Fingerprint;
 use crate::json;
 use crate::options::Value;
 use crate::problem::Status;
@@ -195,20 +195,6 @@ pub struct TrajectoriesResult {
     #[serde(with = "json::hex")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
-}
-
-/// Counts of work, the same on every platform. All but the first depend on the index.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Tally {
-    /// Trajectories tried.
-    pub iterations: u64,
-    /// Pairs of boxes around whole trajectories that were compared.
-    pub boxes: u64,
-    /// Pairs of trajectories that were tested themselves.
-    pub pairs: u64,
-    /// Pairs of intervals examined by halving.
-    pub stretches: u64,
 }
 
 /// A trajectory that crosses an earlier one.

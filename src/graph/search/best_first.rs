@@ -2,7 +2,7 @@
 //! paths"), and Dijkstra's, which is A* with the heuristic 0 (Dijkstra 1959, "A note on two problems in connexion with graphs").
 
 use super::{Expansion, Goals, View, Walker};
-use crate::graph::{Tree, VertexId};
+use crate::graph::{Ordered, Tree, VertexId};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -19,8 +19,8 @@ pub struct BestFirst {
 }
 
 /// An entry of the frontier: estimate, cost and vertex. The largest is expanded first: the smallest estimate, then the larger
-/// cost (nearer to the goal), then the lower vertex number. Costs are not negative, so their bits order as they do.
-type Open = (Reverse<u64>, u64, Reverse<VertexId>);
+/// cost (nearer to the goal), then the lower vertex number.
+type Open = (Reverse<Ordered>, Ordered, Reverse<VertexId>);
 
 impl BestFirst {
     /// A search among `vertices` vertices from `start` to any of the goals.
@@ -29,7 +29,7 @@ impl BestFirst {
         cost[start.index()] = 0.0;
         tree.add_root(start);
         // Alone in the frontier, the start needs no estimate.
-        let frontier = BinaryHeap::from([(Reverse(0), 0, Reverse(start))]);
+        let frontier = BinaryHeap::from([(Reverse(Ordered::ZERO), Ordered::ZERO, Reverse(start))]);
         Self { goals, reached: None, cost, tree, frontier }
     }
 }
@@ -39,7 +39,7 @@ impl Walker for BestFirst {
     fn step(&mut self, view: &View) -> Expansion {
         let (reached_at, vertex) = loop {
             let Some((_, cost, Reverse(vertex))) = self.frontier.pop() else { return Expansion::Nothing };
-            let cost = f64::from_bits(cost);
+            let cost = cost.value();
             // Entries that a cheaper path has made stale are skipped.
             if cost <= self.cost[vertex.index()] {
                 break (cost, vertex);
@@ -55,7 +55,7 @@ impl Walker for BestFirst {
                 self.cost[next.index()] = cost;
                 self.tree.add(next, vertex);
                 let estimate = cost + (view.heuristic)(next);
-                self.frontier.push((Reverse(estimate.to_bits()), cost.to_bits(), Reverse(next)));
+                self.frontier.push((Reverse(Ordered::new(estimate)), Ordered::new(cost), Reverse(next)));
             }
         }
         Expansion::Vertex(vertex)

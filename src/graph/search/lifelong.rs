@@ -5,7 +5,7 @@
 //! paths with edge selectors": the caller tries the assumed edges of the best path, one after the other.
 
 use super::{Expansion, Goals};
-use crate::graph::{VertexId, append};
+use crate::graph::{Ordered, VertexId, append};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -56,9 +56,8 @@ struct Node {
     first: [u32; 2],
 }
 
-/// An entry of the frontier, smallest first: estimate of the whole path, cost, vertex. Costs are not negative, so their bits order as
-/// they do.
-type Key = (u64, u64, u32, VertexId);
+/// An entry of the frontier, smallest first: estimate of the whole path, cost, vertex.
+type Key = (Ordered, Ordered, u32, VertexId);
 
 /// The search from one vertex to the cheapest of the goals. Half edge 2 e + i of edge e leads from its end i to the other.
 #[derive(Debug, Clone)]
@@ -277,7 +276,7 @@ impl Lifelong {
     fn key(&self, vertex: VertexId) -> Option<Key> {
         let Node { cost, ahead, estimate, .. } = self.nodes[vertex.index()];
         let (length, edges) = if ahead < cost { ahead } else { cost };
-        (cost != ahead).then(|| ((length + estimate).to_bits(), length.to_bits(), edges, vertex))
+        (cost != ahead).then(|| (Ordered::new(length + estimate), Ordered::new(length), edges, vertex))
     }
 
     /// Puts a vertex into the frontier, if it waits to be expanded.
@@ -295,7 +294,7 @@ impl Lifelong {
     /// Whether nothing in the frontier, of which this is the next, can lead to a shorter path.
     fn is_over(&self, next: Option<Key>) -> bool {
         let length = self.cost();
-        length < f64::INFINITY && next.is_none_or(|(estimate, ..)| f64::from_bits(estimate) > LONGER * length)
+        length < f64::INFINITY && next.is_none_or(|(estimate, ..)| estimate.value() > LONGER * length)
     }
 
     /// Finds the path to the goal; false if a vertex on it still waits to be expanded.

@@ -13,8 +13,8 @@
 mod grow;
 
 use super::closest::{Closest, Collector, Ranked, guess};
-use super::packs::{LANES, Packs, Query, measure};
-use super::{Nearest, Neighbour};
+use super::packs::{LANES, Packed, Packs, measure};
+use super::{Nearest, Neighbour, Query};
 use crate::graph::VertexId;
 use crate::space::Space;
 
@@ -95,30 +95,28 @@ impl KdTree {
     /// the search for all others begins with a low bar. Returns how many vertices were visited.
     pub(super) fn k_nearest_ranked<S: Space>(
         &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
+        query: Query<S>,
         k: usize,
         found: &mut Vec<Neighbour>,
         distance: impl Fn(VertexId, f64) -> f64,
     ) -> usize {
         let mut candidates = Vec::new();
         let few = k.saturating_mul(2).saturating_add(6);
-        let visited = self.k_nearest(space, states, from, few, &mut candidates);
+        let visited = self.k_nearest(query, few, &mut candidates);
         found.clear();
         if k == 0 {
             return 0;
         }
-        let query = self.packs.query(space, from);
-        let ranked = Ranked::new(&query, &candidates, found, k, distance);
+        let packed = self.packs.query(query.space, query.from);
+        let ranked = Ranked::new(&packed, &candidates, found, k, distance);
         if ranked.bar() < 0.0 || candidates.len() == self.len {
             return visited;
         }
-        self.search(space, &query, ranked)
+        self.search(query.space, &packed, ranked)
     }
 
     /// Offers the states that may be among the nearest, nearest boxes first. Returns how many were visited.
-    fn search<S: Space>(&self, space: &S, query: &Query, mut closest: impl Collector) -> usize {
+    fn search<S: Space>(&self, space: &S, query: &Packed, mut closest: impl Collector) -> usize {
         let mut visited = 0;
         if self.len == 0 {
             return visited;
@@ -195,38 +193,26 @@ impl<S: Space> Nearest<S> for KdTree {
         self.len
     }
 
-    fn k_nearest(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        k: usize,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
+    fn k_nearest(&self, query: Query<S>, k: usize, found: &mut Vec<Neighbour>) -> usize {
         let guess = guess(found, k, SORTED);
         found.clear();
         if k == 0 {
             return 0;
         }
-        let query = self.packs.query(space, from);
-        let measure = measure(space, states, from);
-        let mut visited = self.search(space, &query, Closest::new(&query, found, k, guess, k <= SORTED, measure));
+        let packed = self.packs.query(query.space, query.from);
+        let measure = measure(query);
+        let mut visited =
+            self.search(query.space, &packed, Closest::new(&packed, found, k, guess, k <= SORTED, measure));
         if guess < f64::INFINITY && found.len() < k.min(self.len) {
-            visited += self.search(space, &query, Closest::new(&query, found, k, f64::INFINITY, k <= SORTED, measure));
+            visited +=
+                self.search(query.space, &packed, Closest::new(&packed, found, k, f64::INFINITY, k <= SORTED, measure));
         }
         visited
     }
 
-    fn within(
-        &self,
-        space: &S,
-        states: &[S::State],
-        from: &S::State,
-        radius: f64,
-        found: &mut Vec<Neighbour>,
-    ) -> usize {
-        let query = self.packs.query(space, from);
-        let measure = measure(space, states, from);
-        self.search(space, &query, Closest::new(&query, found, usize::MAX, radius, false, measure))
+    fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
+        let packed = self.packs.query(query.space, query.from);
+        let measure = measure(query);
+        self.search(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure))
     }
 }

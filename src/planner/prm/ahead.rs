@@ -5,7 +5,7 @@
 //! Motions are tried in one direction or both, as on one thread. Samplers that check for collisions draw on one thread, and the last
 //! few samples and vertices are left to it.
 
-use super::batch::{Connect, candidates};
+use super::connect::{Connect, candidates};
 use crate::graph::{EventKind, VertexId};
 use crate::nearest::Direction;
 use crate::planner::growth::Growth;
@@ -111,7 +111,7 @@ impl<S: Space> Ahead<S> {
         if self.motions.is_empty()
             && let Some(threads) = self.threads(problem, left.len())
         {
-            let count = MOTIONS * threads.pool.current_num_threads() / roadmap.connection.k.max(1);
+            let count = MOTIONS * threads.pool.current_num_threads() / roadmap.connection.k().max(1);
             let vertices = left.take(count.max(FEWEST));
             let block: Vec<_> = vertices.flat_map(|v| directions.iter().map(move |&d| (v, d))).collect();
             self.motions = threads.connect(roadmap, problem.space(), &block, connect).into();

@@ -3,12 +3,13 @@
 use super::MOST_MOTIONS;
 #[cfg(feature = "parallel")]
 use super::ahead::Ahead;
+use super::connect::Connect;
 use crate::graph::VertexId;
 use crate::graph::search::{Edge, EdgeState};
-use crate::nearest::{Direction, Neighbour};
-use crate::planner::groups::Searching;
+use crate::nearest::Neighbourhood;
 use crate::planner::lazy::LazyPlanner;
-use crate::planner::roadmap::{Build, Connection, Roadmap, RoadmapPlanner};
+use crate::planner::query::Searching;
+use crate::planner::roadmap::{Build, Roadmap, RoadmapPlanner};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -120,129 +121,13 @@ impl Growing {
     /// would try too many motions.
     pub fn more<S: Space>(self, roadmap: &mut Roadmap<S>, dimension: usize) -> Option<usize> {
         let vertices = 2 * roadmap.len();
-        let k = self.0.map_or(roadmap.connection.k, |k| k(vertices, dimension));
+        let k = self.0.map_or(roadmap.connection.k(), |k| k(vertices, dimension));
         if vertices as u64 * k as u64 > MOST_MOTIONS {
             return None;
         }
-        roadmap.connection.k = k;
+        roadmap.connection = roadmap.connection.with_k(k);
         Some(vertices)
     }
-}
-
-/// Which motions a vertex has tried from its side.
-#[derive(Debug, Clone)]
-pub(super) enum Tried {
-    /// None.
-    Nothing,
-    /// Those to its k nearest, of which this is the farthest.
-    UpTo(Neighbour),
-    /// Those to all within the radius.
-    WithinRadius,
-    /// Those to these, which an approximate index found.
-    These(Vec<VertexId>),
-}
-
-impl Tried {
-    /// Whether the motion to this neighbour, which lies within the radius, is among them.
-    fn includes(&self, neighbour: &Neighbour) -> bool {
-        match self {
-            Tried::Nothing => false,
-            Tried::UpTo(farthest) => !farthest.is_before(neighbour),
-            Tried::WithinRadius => true,
-            Tried::These(vertices) => vertices.contains(&neighbour.vertex),
-        }
-    }
-}
-
-/// The motions that the vertices connected so far have tried.
-#[derive(Debug)]
-pub(super) struct Connect {
-    /// The first vertex of the present batch: earlier ones have tried no motions to its vertices.
-    first: VertexId,
-    /// By the number of the vertex: out of it, and, if motions have a direction, into it.
-    tried: [Vec<Tried>; 2],
-    neighbours: Vec<Neighbour>,
-}
-
-impl Default for Connect {
-    fn default() -> Self {
-        Self { first: VertexId(0), tried: Default::default(), neighbours: Vec::new() }
-    }
-}
-
-impl Connect {
-    /// Tries the motions between a vertex and its neighbours, except those that were tried from the other side. Vertices come in
-    /// the order of their numbers; some may be omitted.
-    fn connect<S: Space>(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32, vertex: VertexId) {
-        for &direction in Direction::all(problem.space()) {
-            roadmap.growth.counters.nearest_queries += 1;
-            let (tried, visited) = candidates(roadmap, problem.space(), direction, vertex, &mut self.neighbours);
-            roadmap.growth.note_visited(problem.space(), visited);
-            self.note(problem.space(), direction, vertex, tried);
-            for neighbour in &self.neighbours {
-                if !self.has_tried(problem.space(), direction, vertex, neighbour) {
-                    let [from, to] = direction.ends(vertex, neighbour.vertex);
-                    roadmap.growth.looked += 1;
-                    roadmap.try_edge(problem, iteration, from, to);
-                }
-            }
-        }
-    }
-
-    /// Notes which motions a vertex tries. Vertices come in the order of their numbers; some may be omitted.
-    pub fn note<S: Space>(&mut self, space: &S, direction: Direction, vertex: VertexId, tried: Tried) {
-        let [own, _] = lists(space, direction);
-        self.tried[own].resize(vertex.index(), Tried::Nothing);
-        self.tried[own].push(tried);
-    }
-
-    /// Whether the neighbour of a vertex, being an earlier one, has tried the motion between them.
-    pub fn has_tried<S: Space>(
-        &self,
-        space: &S,
-        direction: Direction,
-        vertex: VertexId,
-        &Neighbour { distance, vertex: other }: &Neighbour,
-    ) -> bool {
-        let [_, others] = lists(space, direction);
-        let tried = self.tried[others].get(other.index());
-        (self.first..vertex).contains(&other)
-            && tried.is_some_and(|tried| tried.includes(&Neighbour { distance, vertex }))
-    }
-}
-
-/// The list of a vertex's own motions in a direction, and that of the same motions from the other side: a motion out of one vertex
-/// leads into the other.
-fn lists<S: Space>(space: &S, direction: Direction) -> [usize; 2] {
-    match direction {
-        _ if space.is_symmetric() => [0, 0],
-        Direction::Out => [0, 1],
-        Direction::In => [1, 0],
-    }
-}
-
-/// The neighbours of a vertex, without itself, into `found`, and which motions these are.
-pub(super) fn candidates<S: Space>(
-    roadmap: &Roadmap<S>,
-    space: &S,
-    direction: Direction,
-    vertex: VertexId,
-    found: &mut Vec<Neighbour>,
-) -> (Tried, usize) {
-    let Connection { k, .. } = roadmap.connection;
-    let state = roadmap.growth.state(vertex);
-    // One more than k, since the vertex itself is among them.
-    let visited = roadmap.find_neighbours(space, direction, &state, true, found);
-    match found.iter().position(|neighbour| neighbour.vertex == vertex) {
-        Some(own) => drop(found.remove(own)),
-        None => found.truncate(k),
-    }
-    let tried = match found.last() {
-        _ if !roadmap.is_exact() => Tried::These(found.iter().map(|neighbour| neighbour.vertex).collect()),
-        Some(&last) if found.len() == k => Tried::UpTo(last),
-        _ => Tried::WithinRadius,
-    };
-    (tried, visited)
 }
 
 /// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
@@ -254,7 +139,7 @@ pub(super) fn candidates<S: Space>(
 /// If an edge names a vertex that does not exist.
 pub fn resume<S: Space + 'static>(
     problem: &Problem<S>,
-    connection: Connection,
+    connection: Neighbourhood,
     rules: Searching,
     states: &[S::State],
     edges: &[[u32; 2]],

@@ -6,11 +6,13 @@
 use super::batch::{Batch, Growing};
 use super::{DEFAULT_K, DEFAULT_SAMPLES, check_motions, needed_by_batch};
 use crate::error::Error;
+use crate::nearest::Neighbourhood;
 use crate::planner::Planner;
-use crate::planner::groups::{EdgeOptions, Sampling, Searching};
+use crate::planner::groups::{EdgeOptions, Sampling};
 use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, PseudocodeLine, line};
 use crate::planner::lazy::LazyPlanner;
-use crate::planner::roadmap::{BEGIN, Connection, KEEP, Roadmap, SAMPLE};
+use crate::planner::query::Searching;
+use crate::planner::roadmap::{BEGIN, KEEP, Roadmap, SAMPLE};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -65,7 +67,7 @@ impl PlannerKind for LazyPrmOptions {
         let sampler = self.sampling.sampler(problem.space(), seed);
         let samples = self.samples.unwrap_or(DEFAULT_SAMPLES);
         check_motions(samples, self.k)?;
-        let connection = Connection { k: self.k, radius: f64::INFINITY };
+        let connection = Neighbourhood::Nearest(self.k);
         let mut roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(problem.space());
         roadmap.is_direct = self.edges.direct;
         let builder = Batch::new(&roadmap, samples, self.samples.is_none().then_some(Growing(None)), sampler);

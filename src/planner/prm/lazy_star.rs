@@ -9,11 +9,13 @@ use super::one_by_one::neighbours;
 use super::prm_star_k;
 use crate::error::Error;
 use crate::graph::{EventKind, VertexId};
-use crate::planner::groups::{EdgeOptions, Sampling, Searching, Termination};
+use crate::nearest::Neighbourhood;
+use crate::planner::groups::{EdgeOptions, Sampling, Termination};
 use crate::planner::growth::START;
 use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, line};
 use crate::planner::lazy::LazyPlanner;
-use crate::planner::roadmap::{Build, Connection, Roadmap};
+use crate::planner::query::Searching;
+use crate::planner::roadmap::{Build, Roadmap};
 use crate::planner::{Phase, Planner};
 use crate::problem::Problem;
 use crate::sampling::Sampler;
@@ -59,7 +61,7 @@ impl PlannerKind for LazyPrmStarOptions {
 
     fn begin<S: Space + 'static>(&self, problem: &Problem<S>, seed: u64) -> Result<Box<dyn Planner<S>>, Error> {
         let space = problem.space();
-        let connection = Connection { k: prm_star_k(2, space.dimension()), radius: f64::INFINITY };
+        let connection = Neighbourhood::Nearest(prm_star_k(2, space.dimension()));
         let mut roadmap = Roadmap::new(problem, connection, Searching::default()).lazily(space);
         for goal in roadmap.goals.start.0..roadmap.goals.end.0 {
             roadmap.add_candidate(space, [START, VertexId(goal)]);
@@ -96,7 +98,7 @@ impl<S: Space> Sampled<S> {
 impl<S: Space> Build<S> for Sampled<S> {
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool {
         let Some(state) = self.sample(roadmap, problem, iteration) else { return false };
-        roadmap.connection.k = prm_star_k(roadmap.len() + 1, problem.space().dimension());
+        roadmap.connection = Neighbourhood::Nearest(prm_star_k(roadmap.len() + 1, problem.space().dimension()));
         let neighbours = neighbours(roadmap, problem, &state);
         let vertex = roadmap.add_vertex(problem.space(), iteration, state);
         for (direction, other) in neighbours {

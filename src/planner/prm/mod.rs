@@ -10,6 +10,7 @@
 #[cfg(feature = "parallel")]
 mod ahead;
 mod batch;
+mod connect;
 mod lazy;
 mod lazy_star;
 mod one_by_one;
@@ -21,11 +22,13 @@ pub use lazy_star::LazyPrmStarOptions;
 pub use star::{NeighbourRule, PrmStarOptions, logarithmic_k, prm_star_k};
 
 use super::Planner;
-use super::groups::{EdgeOptions, Sampling, Searching};
+use super::groups::{EdgeOptions, Sampling};
 use super::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
 use super::neighbours::{Neighbouring, Neighbours};
-use super::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
+use super::query::Searching;
+use super::roadmap::{BEGIN, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::error::Error;
+use crate::nearest::Neighbourhood;
 use crate::options::out_of_range;
 use crate::problem::Problem;
 use crate::space::Space;
@@ -162,7 +165,7 @@ impl PlannerKind for PrmOptions {
         let k = self.k.unwrap_or(if is_all { samples + 2 } else { DEFAULT_K });
         check_motions(samples, k)?;
         let growing = self.samples.is_none().then_some(Growing(is_all.then_some(|vertices, _| vertices)));
-        let connection = Connection { k, radius: self.radius.unwrap_or(f64::INFINITY) };
+        let connection = Neighbourhood::of(k, self.radius.unwrap_or(f64::INFINITY));
         let nearest = Neighbours::new(self.neighbouring, problem.space(), k, seed)?;
         let mut roadmap = Roadmap::with(problem, connection, self.searching, nearest);
         roadmap.is_direct = self.edges.direct;

@@ -32,7 +32,7 @@ impl<S: Space> OneByOne<S> {
     ) -> RoadmapPlanner<S, Self> {
         for (i, goal) in problem.goals().iter().enumerate() {
             for direction in Direction::all(problem.space()) {
-                if direction.distance(problem.space(), goal, problem.start()) <= roadmap.connection.radius {
+                if direction.distance(problem.space(), goal, problem.start()) <= roadmap.connection.radius() {
                     let [from, to] = direction.ends(VertexId(GOAL.0 + i as u32), START);
                     roadmap.try_edge(problem, 0, from, to);
                 }

@@ -5,10 +5,12 @@
 use super::batch::{Batch, Growing};
 use super::{DEFAULT_SAMPLES, check_motions, needed_by_batch};
 use crate::error::Error;
+use crate::nearest::Neighbourhood;
 use crate::planner::Planner;
-use crate::planner::groups::{EdgeOptions, Sampling, Searching};
+use crate::planner::groups::{EdgeOptions, Sampling};
 use crate::planner::info::{END, Grows, IMPROVE, Mark, PlannerInfo, PlannerKind, Preset, line};
-use crate::planner::roadmap::{BEGIN, Connection, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
+use crate::planner::query::Searching;
+use crate::planner::roadmap::{BEGIN, EXPAND, JOIN, KEEP, REFUSE, Roadmap, SAMPLE, SEARCH};
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -86,7 +88,7 @@ impl PlannerKind for PrmStarOptions {
         let k = rule(samples + 2, problem.space().dimension());
         check_motions(samples, k)?;
         let growing = self.samples.is_none().then_some(Growing(Some(rule)));
-        let mut roadmap = Roadmap::new(problem, Connection { k, radius: f64::INFINITY }, self.searching);
+        let mut roadmap = Roadmap::new(problem, Neighbourhood::Nearest(k), self.searching);
         roadmap.is_direct = self.edges.direct;
         Ok(Box::new(Batch::planner(problem, roadmap, samples, growing, sampler)))
     }

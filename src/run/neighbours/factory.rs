@@ -4,7 +4,7 @@ use super::table::{ForestOptions, IndexId};
 use super::{MAX_CONFIGURATIONS, MAX_ENTRIES, NearestResult, Neighbours};
 use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
-use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbour};
+use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbourhood, Query};
 use crate::options::{Options, Value};
 use crate::random::{Random, Stream};
 use crate::space::{MAX_DIMENSION, MotionSpace, Space};
@@ -75,10 +75,11 @@ struct TypedIndex<S: Space, I> {
 
 impl<S: Space, I: Nearest<S>> TypedIndex<S, I> {
     /// The neighbours of `q`.
-    fn query(&self, q: &[f64], find: impl Fn(&S::State, &mut Vec<Neighbour>) -> usize) -> Result<NearestResult, Error> {
+    fn query(&self, q: &[f64], neighbourhood: Neighbourhood) -> Result<NearestResult, Error> {
         self.configurations.refuse_outside(q, "/q")?;
-        let mut neighbours = Vec::new();
-        let visited = find(&self.space.state(q), &mut neighbours);
+        let (state, mut neighbours) = (self.space.state(q), Vec::new());
+        let query = Query::to(&self.space, &self.states, &state);
+        let visited = self.index.find(query, neighbourhood, &mut neighbours);
         Ok(NearestResult { neighbours, visited })
     }
 }
@@ -117,7 +118,7 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
     }
 
     fn k_nearest(&self, q: &[f64], k: usize) -> Result<NearestResult, Error> {
-        self.query(q, |state, found| self.index.k_nearest(&self.space, &self.states, state, k.min(self.len()), found))
+        self.query(q, Neighbourhood::Nearest(k.min(self.len())))
     }
 
     fn within(&self, q: &[f64], radius: f64) -> Result<NearestResult, Error> {
@@ -127,6 +128,6 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
             let sentence = format!("a radius must be a finite number of at least 0, not {}", Number(radius));
             return Err(Error::new(code, "/radius", sentence));
         }
-        self.query(q, |state, found| self.index.within(&self.space, &self.states, state, radius, found))
+        self.query(q, Neighbourhood::Within(radius))
     }
 }

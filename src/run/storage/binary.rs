@@ -8,7 +8,7 @@
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::planner::EdgeCheck;
 
 /// The first bytes of the binary form: a byte that no text has, a name, a line break that a transfer as text would change.

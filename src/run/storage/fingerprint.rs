@@ -1,7 +1,7 @@
 //! What a roadmap was built for, as 64 bits: a scenario, or the space of a robot of one's own.
 
 use super::RoadmapMetric;
-use crate::graph::Fingerprint;
+use crate::fingerprint::Fingerprint;
 use crate::run::SpaceDescription;
 use crate::scenario::Scenario;
 use serde_json::Value;

@@ -10,12 +10,14 @@ mod fingerprint;
 mod graphml;
 mod json;
 mod metric;
+mod states;
 
 pub use binary::MAGIC;
 pub use fingerprint::fingerprint;
 pub(crate) use fingerprint::fingerprint_of_space;
 pub use json::FORMAT;
 pub use metric::RoadmapMetric;
+pub(crate) use states::checked_states;
 
 use crate::error::{Code, Error, Number};
 use crate::planner::EdgeCheck;

@@ -58,6 +58,8 @@ crate::options! {
 }
 
 impl Generator for BugTrapOptions {
+    type Made = Scenario;
+
     /// In a box of 2 m by 2 m, with the query "out" or "in". The seed decides the position, the size (a radius of 0.55 to
     /// 0.62 m) and the direction of the trap, and the start and the goal: one in it, one in a corner of the box.
     fn generate(&self) -> Result<Scenario, Error> {

@@ -24,6 +24,8 @@ crate::options! {
 }
 
 impl Generator for ForestOptions {
+    type Made = Scenario;
+
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { links, seed } = *self;

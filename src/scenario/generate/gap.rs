@@ -5,11 +5,11 @@
 //! it. A path need not exist: by default arms mostly have one, but two links often do not through a gap narrower than 0.4 m.
 
 use super::free::{SOME, polygon};
-use super::robots::{RobotChoice, SIDE};
+use super::robots::{RobotChoice, SIDE, check_given};
 use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::options::{Options, out_of_range};
+use crate::options::{Options, Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::{Obstacle, Query, Robot, Scenario};
@@ -42,6 +42,12 @@ crate::options! {
 }
 
 impl Generator for GapOptions {
+    type Made = Scenario;
+
+    fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
+        check_given(given)
+    }
+
     /// With the query "through". The seed places the gap along the wall, start and goal.
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;

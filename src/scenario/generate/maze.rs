@@ -6,10 +6,11 @@
 //! disc fits through its corridors, and body and car turn in them.
 
 use super::free::{SOME, polygon};
+use super::robots::check_given;
 use super::{Generator, RobotChoice, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
-use crate::options::{Choice, Options, out_of_range};
+use crate::options::{Choice, Options, Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::{GoalTolerance, Obstacle, Query, Robot, Scenario};
@@ -69,6 +70,12 @@ crate::options! {
 }
 
 impl Generator for MazeOptions {
+    type Made = Scenario;
+
+    fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
+        check_given(given)
+    }
+
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { difficulty, robot, radius, thickness, seed } = *self;

@@ -8,6 +8,7 @@ mod maze;
 mod robots;
 mod scattered;
 
+pub use crate::generators::Generator;
 pub use bug_trap::{BugTrapOptions, BugTrapStart, Turn};
 pub use forest::ForestOptions;
 pub use gap::GapOptions;
@@ -16,58 +17,61 @@ pub use robots::RobotChoice;
 pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
 use super::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
-use crate::error::{Code, Error, quoted};
+use crate::error::Error;
+use crate::generators::{Entry, Generators, SEEDS, given};
 use crate::geometry::{Aabb, Point};
-use crate::options::{Info, Options, Value, out_of_range};
-use crate::random::MAX_SEED;
+use crate::options::{Info, Value, out_of_range};
 use serde_json::Value as Json;
 
-/// A generator, by the type of its options.
-pub trait Generator: Options {
-    /// Makes the scenario, with one query.
-    ///
-    /// # Errors
-    /// `out-of-range` or `not-finite` with the pointer of the option; `out-of-range` at `/count` (`/seed` of a forest) if
-    /// the obstacles do not fit within 10,000 draws, and at `/radius` or `/width` if the robot does not fit.
-    fn generate(&self) -> Result<Scenario, Error>;
+/// The generators, each by the type of its options.
+const GENERATORS: Generators<Scenario> = Generators(&[
+    Entry::new::<ForestOptions>("forest", "Forest", "An arm of unit links among equal triangles on a grid."),
+    Entry::new::<ClutterOptions>(
+        "clutter",
+        "Clutter",
+        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.",
+    ),
+    Entry::new::<DiscsOptions>(
+        "discs",
+        "Discs",
+        "Discs scattered over a box, for a robot that crosses it or an arm in its middle.",
+    ),
+    Entry::new::<MazeOptions>(
+        "maze",
+        "Maze",
+        "A maze of walls for a disc, a body or a car, from corner to corner; there is always a path.",
+    ),
+    Entry::new::<GapOptions>(
+        "gap",
+        "Gap",
+        "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.",
+    ),
+    Entry::new::<BugTrapOptions>("bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards."),
+]);
+
+/// The generators with their options.
+pub fn generators() -> Vec<Info> {
+    GENERATORS.infos()
 }
 
-/// The range of a seed.
-const SEEDS: crate::options::Range = 0.0..=MAX_SEED as f64;
-
-/// Declares the generators: the id, the title, the summary and the options of each.
-macro_rules! generators {
-    ($($id:literal, $title:literal, $summary:literal => $Options:ty;)*) => {
-        /// The generators with their options.
-        pub fn generators() -> Vec<Info> {
-            vec![$(Info { id: $id, title: $title, summary: $summary, options: <$Options>::table() }),*]
-        }
-
-        /// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest
-        /// take their defaults.
-        ///
-        /// # Errors
-        /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
-        /// `not-finite`, `out-of-range`.
-        pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Scenario, Error> {
-            match id {
-                $($id => read::<$Options>(options)?.generate(),)*
-                _ => {
-                    let sentence = format!("there is no generator {}; there are {}", quoted(id), [$($id),*].join(", "));
-                    Err(Error::new(Code::UnknownGenerator, "", sentence))
-                }
-            }
-        }
-    };
+/// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest
+/// take their defaults.
+///
+/// # Errors
+/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
+/// `not-finite`, `out-of-range`; so at `/count` (`/seed` of a forest) if the obstacles do not fit within 10,000 draws, and at
+/// `/radius` or `/width` if the robot does not fit.
+pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Scenario, Error> {
+    generate_among(id, options, &[])
 }
 
-generators! {
-    "forest", "Forest", "An arm of unit links among equal triangles on a grid." => ForestOptions;
-    "clutter", "Clutter", "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle." => ClutterOptions;
-    "discs", "Discs", "Discs scattered over a box, for a robot that crosses it or an arm in its middle." => DiscsOptions;
-    "maze", "Maze", "A maze of walls for a disc, a body or a car, from corner to corner; there is always a path." => MazeOptions;
-    "gap", "Gap", "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it." => GapOptions;
-    "bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards." => BugTrapOptions;
+/// The same; a refusal of an unknown option names `others` as known.
+pub(crate) fn generate_among(
+    id: &str,
+    options: &[(String, Value)],
+    others: &[&'static str],
+) -> Result<Scenario, Error> {
+    GENERATORS.generate(id, options, others)
 }
 
 /// The same with the options as an object (`{}` for all defaults).
@@ -76,31 +80,6 @@ generators! {
 /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
 pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
     generate_with(id, &given(options)?)
-}
-
-/// The options of an object by name.
-///
-/// # Errors
-/// `wrong-type` if it is not an object.
-pub(crate) fn given(options: &Json) -> Result<Vec<(String, Value)>, Error> {
-    let Json::Object(fields) = options else {
-        return Err(Error::new(Code::WrongType, "", "options must be an object"));
-    };
-    Ok(fields.iter().map(|(name, value)| (name.clone(), Value::from(value))).collect())
-}
-
-/// Reads options given by name.
-fn read<O: Options>(given: &[(String, Value)]) -> Result<O, Error> {
-    let read = O::read(given).map_err(|error| match (error.code(), error.pointer()) {
-        // A robot is a type, as in a scenario.
-        (Code::OutOfRange, "/robot") => Error::new(Code::UnknownType, "/robot", error.message()),
-        (Code::UnknownParameter, pointer) => Error::new(Code::UnknownField, pointer, error.message()),
-        _ => error,
-    })?;
-    if O::has("robot") {
-        robots::check_given(given)?;
-    }
-    Ok(read)
 }
 
 /// The most draws that a generator makes for all of its obstacles.

@@ -6,11 +6,11 @@
 //! still apart, and too small to cut off a corner of the box.
 
 use super::free::{are_apart, is_clear_of, polygon};
-use super::robots::{RobotChoice, SIDE};
+use super::robots::{RobotChoice, SIDE, check_given};
 use super::{Generator, SEEDS, in_box, scatter};
 use crate::error::Error;
 use crate::geometry::{Disc, Point};
-use crate::options::{Options, out_of_range};
+use crate::options::{Options, Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::Part;
 use crate::scenario::{Obstacle, Scenario};
@@ -71,6 +71,12 @@ crate::options! {
 }
 
 impl Generator for ClutterOptions {
+    type Made = Scenario;
+
+    fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
+        check_given(given)
+    }
+
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
@@ -83,6 +89,12 @@ impl Generator for ClutterOptions {
 }
 
 impl Generator for DiscsOptions {
+    type Made = Scenario;
+
+    fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
+        check_given(given)
+    }
+
     fn generate(&self) -> Result<Scenario, Error> {
         self.check()?;
         scattered(self, "discs", "discs", |random, smallest, largest| {

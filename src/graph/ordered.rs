@@ -1,0 +1,25 @@
+//! A number in the key of a heap.
+
+/// A cost, a distance, a time or a bound in a total order, for heaps and keys. It is at least 0 and may be infinite; NaN and -0
+/// are no such numbers, nor sums of them. The bits of such floats are ordered as their values, so comparing costs as much as for
+/// integers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Ordered(u64);
+
+impl Ordered {
+    /// The least number.
+    pub const ZERO: Self = Self(0);
+
+    /// A number that is not negative.
+    #[inline]
+    pub fn new(value: f64) -> Self {
+        debug_assert!(value >= 0.0 && value.is_sign_positive(), "{value} has no place in the order");
+        Self(value.to_bits())
+    }
+
+    /// The number.
+    #[inline]
+    pub fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}

@@ -1,0 +1,81 @@
+//! A run as it is requested by names.
+
+use super::options::default_planner;
+use super::storage::RoadmapDocument;
+use super::suitable::at_resolution;
+use super::{CustomProblem, Options, Value, resume};
+use crate::error::Error;
+use crate::planner::PlannerOptions;
+use crate::scenario::Robot;
+
+/// Options of a run by names, as a command line, a document or a page has them. One of its methods reads them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// The id of the planner; that of [`default_planner`] if there is none.
+    pub planner: Option<String>,
+    /// As in [`Options`].
+    pub query: Option<String>,
+    /// As in [`Options`].
+    pub seed: u64,
+    /// Parameters of the planner by name; the rest have their defaults.
+    pub parameters: Vec<(String, Value)>,
+    /// As in [`Options`].
+    pub events: bool,
+}
+
+/// The default planner and query, seed 0, default parameters, with events.
+impl Default for Request {
+    fn default() -> Self {
+        Self { planner: None, query: None, seed: 0, parameters: Vec::new(), events: true }
+    }
+}
+
+impl Request {
+    /// The options for [`start`](super::start), for this robot.
+    ///
+    /// # Errors
+    /// Those of [`PlannerOptions::read`].
+    pub fn for_robot(&self, robot: &Robot) -> Result<Options, Error> {
+        self.read(self.planner_or(default_planner(Some(robot)))?)
+    }
+
+    /// The options for [`start_problem`](super::start_problem).
+    ///
+    /// # Errors
+    /// Those of [`PlannerOptions::read`]; `unsupported` for options of edges of a problem whose motions are sampled.
+    pub fn for_problem(&self, problem: &CustomProblem) -> Result<Options, Error> {
+        let options = self.read(self.planner_or(default_planner(None))?)?;
+        let is_about_edges = |name: &str| name == "edge_check" || name == "edge_samples";
+        if problem.is_sampled() && self.parameters.iter().any(|(name, _)| is_about_edges(name)) {
+            return Err(at_resolution());
+        }
+        Ok(options)
+    }
+
+    /// The options for [`resume`](super::resume()) and [`resume_problem`](super::resume_problem) with this roadmap. Parameters that the document holds (`metric`,
+    /// `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
+    ///
+    /// # Errors
+    /// Those of [`PlannerOptions::read`]; `invalid-roadmap`; `out-of-range` if another planner or another value of what the document holds
+    /// is given, `unsupported` for parameters of a growth that is over.
+    pub fn for_roadmap(&self, document: &RoadmapDocument) -> Result<Options, Error> {
+        document.check()?;
+        let planner = resume::settings(self.planner.as_deref(), &self.parameters, document)?;
+        Ok(self.with(planner))
+    }
+
+    /// The planner with this id; `default` if there is none.
+    fn planner_or(&self, default: PlannerOptions) -> Result<PlannerOptions, Error> {
+        self.planner.as_deref().map_or(Ok(default), PlannerOptions::of)
+    }
+
+    /// The planner with the parameters given.
+    fn read(&self, planner: PlannerOptions) -> Result<Options, Error> {
+        planner.updated(&self.parameters).map(|planner| self.with(planner))
+    }
+
+    /// The options with a planner.
+    pub(crate) fn with(&self, planner: PlannerOptions) -> Options {
+        Options { planner: Some(planner), query: self.query.clone(), seed: self.seed, events: self.events }
+    }
+}

@@ -26,13 +26,19 @@ test("the tarball holds exactly the files of the package", () => {
   const names = entries.map((entry) => relative(place, join(entry.parentPath, entry.name))).sort();
   const modules = ["callback", "catalogue", "core", "draw", "error", "functions", "growth", "guard", "handle", "node", "plain", "planarium", "planarium_glue", "runtime", "version", "worker", "worker-entry"];
   const declarations = ["core", "draw", "error", "functions", "planarium", "version", "worker", "worker-entry"];
+  // The modules that hold a core, once more.
+  const own = ["callback", "catalogue", "choices", "core", "full", "full-node", "functions", "guard", "node", "planarium", "planarium_glue", "runtime"];
+  const ownDeclarations = ["choices", "core", "full", "functions", "planarium"];
   assert.deepEqual(names, [
     "CHANGELOG.md",
     "LICENSE",
     "README.md",
     "dist/package/THIRD-PARTY-NOTICES.txt",
     "dist/package/planarium_bg.wasm",
+    "dist/package/full/full_bg.wasm",
     ...modules.map((name) => `dist/package/${name}.js`),
+    ...own.map((name) => `dist/package/full/${name}.js`),
+    ...ownDeclarations.map((name) => `dist/package/full/${name}.d.ts`),
     ...declarations.map((name) => `dist/package/${name}.d.ts`),
     "package.json",
     "schema/scenario.schema.json",
@@ -84,7 +90,7 @@ test("arethetypeswrong finds nothing for an ES module", () => {
   const output = execFileSync(process.execPath, [
     join(root, "node_modules", "@arethetypeswrong", "cli", "dist", "index.js"), tarball, "--profile", "esm-only", "--format", "ascii", "--no-emoji", "--no-color",
     // The wasm file and the schema carry no types.
-    "--exclude-entrypoints", "./planarium_bg.wasm", "./scenario.schema.json",
+    "--exclude-entrypoints", "./planarium_bg.wasm", "./full_bg.wasm", "./scenario.schema.json",
   ], { encoding: "utf8" });
   assert.match(output, /node16 \(from ESM\): OK \(ESM\)/);
   assert.match(output, /bundler: OK/);

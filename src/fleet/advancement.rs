@@ -9,7 +9,7 @@
 use super::motion::{Motion, Pose};
 use super::trajectory::Trajectory;
 use super::verify::{Conflict, distance};
-use crate::geometry::{Vector, wrap};
+use crate::geometry::{Vector, sort_stably, wrap};
 use crate::scenario::Robot;
 
 /// While bodies are in conflict, their distance is evaluated so many times in each interval at least.
@@ -48,7 +48,7 @@ pub(super) fn found(robots: &[&Robot], trajectories: &[Trajectory], slack: f64) 
             });
         }
     }
-    search.conflicts.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
+    sort_stably(&mut search.conflicts, &|a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
     (search.conflicts, search.looks)
 }
 

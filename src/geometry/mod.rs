@@ -11,6 +11,7 @@ mod crossing;
 mod distance;
 mod edge_tree;
 mod intersects;
+mod order;
 mod placed;
 mod polygon;
 mod shapes;
@@ -24,6 +25,7 @@ pub use distance::{
     signed_distance_point_polygon,
 };
 pub use intersects::{intersects_polygon_polygon, intersects_segment_polygon, intersects_segment_segment};
+pub(crate) use order::{sort_numbers, sort_stably};
 pub use placed::Placed;
 pub use polygon::{MAX_MAGNITUDE, MIN_MAGNITUDE, Polygon, PolygonFault};
 pub use shapes::{Aabb, Disc, Segment};

@@ -92,7 +92,7 @@ impl Index {
                 candidate.distance = direction.distance_within(space, state, other, radius);
             }
             found.retain(|neighbour| neighbour.distance <= radius);
-            found.sort_unstable_by_key(Neighbour::key);
+            Neighbour::sort(found);
         }
         visited
     }

@@ -49,13 +49,15 @@ test("the tarball holds exactly the files of the package", () => {
   ].sort());
 });
 
-// The aim is 300 KB gzipped; docs/benchmarks.md says why it is missed. This holds what was reached.
-test("the tarball weighs at most 1000 KB, its WebAssembly at most 2190 KB and 880 KB gzipped", () => {
-  const wasm = readFileSync(join(place, "dist", "package", "planarium_bg.wasm"));
-  assert.ok(statSync(tarball).size <= 1_000_000, `${statSync(tarball).size} bytes`);
-  assert.ok(wasm.length <= 2_190_000, `${wasm.length} bytes`);
-  const zipped = gzipSync(wasm, { level: 9 }).length;
-  assert.ok(zipped <= 880_000, `${zipped} bytes`);
+// The aim is 400 KB gzipped for the light module; docs/benchmarks.md says why it is missed. This holds what was reached.
+test("the tarball weighs at most 1650 KB, its light module at most 610 KB gzipped, the other 860 KB", () => {
+  assert.ok(statSync(tarball).size <= 1_650_000, `${statSync(tarball).size} bytes`);
+  for (const [file, most, mostZipped] of /** @type {const} */ ([["planarium_bg.wasm", 1_520_000, 610_000], ["full/full_bg.wasm", 2_120_000, 860_000]])) {
+    const wasm = readFileSync(join(place, "dist", "package", file));
+    assert.ok(wasm.length <= most, `${file}: ${wasm.length} bytes`);
+    const zipped = gzipSync(wasm, { level: 9 }).length;
+    assert.ok(zipped <= mostZipped, `${file}: ${zipped} bytes`);
+  }
 });
 
 test("the manifest asks nothing of its users: no dependencies, no scripts at their install", () => {

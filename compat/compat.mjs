@@ -1,6 +1,7 @@
 /**
  * `npm run compat`: drives the packed package in an empty project of every toolchain, each installed from npm, and prints a table.
- * `npm run compat -- Vite Rollup` drives those whose names contain one of the words; `--write` writes docs/toolchains.md; `--keep` keeps the projects.
+ * `npm run compat -- Vite Rollup` drives those whose names contain one of the words; `--full` has them import `planarium/full`;
+ * `--write` writes docs/toolchains.md; `--keep` keeps the projects.
  */
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -14,7 +15,7 @@ import { Problem, ask, isMain, root, script } from "../scripts/run.mjs";
 import { serve } from "../scripts/serve.mjs";
 import { ensureBrowser } from "../scripts/setup.mjs";
 import { addFiles, pack } from "../tests/package/packed.mjs";
-import { CASE, PROGRAM, VERSIONS, toolchains } from "./toolchains.mjs";
+import { CASE, PROGRAM, VERSIONS, toolchains, withFull } from "./toolchains.mjs";
 
 /** @import { Toolchain } from "./toolchains.mjs" */
 
@@ -208,7 +209,7 @@ ${rows.join("\n")}
 - **Vite before version 8** moves dependencies in development and loses the files beside them; without the setting below \`init\` rejects with
   \`init-failed\`. Its builds need none.
 - **Rollup and esbuild** do not follow \`new URL(…, import.meta.url)\`: the script of the worker is an entry of its own, called \`worker-entry.js\`, and
-  \`planarium_bg.wasm\` is copied beside it.
+  \`planarium_bg.wasm\` is copied beside it, and for \`planarium/full\` \`full_bg.wasm\` as well.
 - **Parcel** reads \`exports\` of packages only if it is told to.
 - **A classic worker** cannot load modules by \`importScripts\`, but by \`import()\`. An import map does not apply in workers.
 - **workerd** compiles WebAssembly only when a worker is deployed: the module is imported, and passed to \`initSync\`.
@@ -223,13 +224,14 @@ async function main(args) {
   const words = args.filter((word) => !word.startsWith("--"));
   const chosen = toolchains.filter(({ name }) => words.length === 0 || words.some((word) => name.includes(word)));
   const isWritten = args.includes("--write");
-  if (isWritten && words.length > 0) throw new Problem("`--write` drives all toolchains.");
+  const isFull = args.includes("--full");
+  if (isWritten && (isFull || words.length > 0)) throw new Problem("`--write` drives all toolchains with planarium.");
   const tarball = pack({ prepack: true });
   /** @type {Outcome[]} */
   const outcomes = [];
   for (const toolchain of chosen) {
     const began = performance.now();
-    const outcome = await drive(toolchain, tarball, { isKept });
+    const outcome = await drive(isFull ? withFull(toolchain) : toolchain, tarball, { isKept });
     outcomes.push(outcome);
     console.log(`${toolchain.name.padEnd(36)} ${((performance.now() - began) / 1000).toFixed(1).padStart(6)} s  ${cell(outcome.found.core)} | ${cell(outcome.found.worker)}`);
     if (!isGreen(outcome)) console.log(outcome.log.replace(/^/gm, "    "));

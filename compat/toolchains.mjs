@@ -225,3 +225,18 @@ mount(App, { target: document.getElementById("app") });
     },
   })),
 ];
+
+/**
+ * The same project with `planarium/full`. The worker has the light core, so that both files are copied where one is.
+ * @param {Toolchain} toolchain @returns {Toolchain}
+ */
+export function withFull(toolchain) {
+  const inText = (/** @type {string} */ text) => text
+    .replace(/(from |require\(|exclude: \[)"planarium"/g, '$1"planarium/full"').replace(`from "${place}/planarium.js"`, `from "${place}/full/full.js"`)
+    .replace(`"planarium": "${place}/planarium.js"`, `"planarium/full": "${place}/full/full.js"`).replaceAll("planarium_bg.wasm", "full_bg.wasm");
+  const inCommand = (/** @type {string} */ command) => command.replace("node_modules/planarium/dist/package/planarium_bg.wasm", "$& node_modules/planarium/dist/package/full/full_bg.wasm");
+  return {
+    ...toolchain, build: toolchain.build?.map(inCommand),
+    files: Object.fromEntries(Object.entries(toolchain.files).map(([name, text]) => [name, inText(text)])),
+  };
+}

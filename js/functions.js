@@ -3,7 +3,7 @@ import catalogue from "./catalogue.js";
 import { Problem, Scenario } from "./core.js";
 import { requireCore } from "./runtime.js";
 
-/** @import { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, NavigationGeneratorInfo, ParameterInfo, PlannerInfo, PlannerOptions, ReachMethodInfo, ResultDocument, ScenarioDocument } from "./core.js" */
+/** @import { GeneratorInfo, IndexInfo, PlannerInfo, PlannerOptions, ResultDocument, ScenarioDocument } from "./core.js" */
 
 /** The phases: a row of `planner.historySince` holds an index into this list. */
 export const phases = Object.freeze(/** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]));
@@ -16,8 +16,8 @@ export const historyColumns = Object.freeze(/** @type {const} */ ([
   "vertices", "edges", "events", "phase", "configurationChecks", "motionChecks", "clearanceEvaluations", "length",
 ]));
 
-/** The lists, of which callers get copies of their own. */
-function chosen() {
+/** The lists, of which callers get copies of their own. @internal */
+export function chosen() {
   requireCore();
   return catalogue();
 }
@@ -28,32 +28,8 @@ export function planners() { return chosen().planners; }
 /** The generators of scenarios and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {GeneratorInfo[]} */
 export function generators() { return chosen().generators; }
 
-/** The methods of inverse kinematics and their parameters. @returns {ReachMethodInfo[]} */
-export function reachMethods() { return chosen().reach_methods; }
-
 /** The indexes that `scenario.neighbours` makes, and their parameters. @returns {IndexInfo[]} */
 export function neighbourIndexes() { return chosen().indexes; }
-
-/** The generators of fleets and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {FleetGeneratorInfo[]} */
-export function fleetGenerators() { return chosen().fleet_generators; }
-
-/** The generators of navigation tasks and their options. All take `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {NavigationGeneratorInfo[]} */
-export function navigationGenerators() { return chosen().navigation_generators; }
-
-/** The options of `navigation.training`. All take `seed` as well. @returns {ParameterInfo[]} */
-export function trainingOptions() { return chosen().training; }
-
-/** The options of `navigation.comparison`. All take `seed` as well. @returns {ParameterInfo[]} */
-export function comparisonOptions() { return chosen().comparison; }
-
-/** The options of `navigation.planner` and `navigation.edgeRollouts` about edges. @returns {ParameterInfo[]} */
-export function rolloutOptions() { return chosen().rollouts; }
-
-/** The planners of fleets and their options. @returns {FleetPlannerInfo[]} */
-export function fleetPlanners() { return chosen().fleet_planners; }
-
-/** The options of `new Trajectories`. It takes `seed` as well, a whole number from 0 (default) to 2^53 - 1. @returns {ParameterInfo[]} */
-export function trajectoryOptions() { return chosen().trajectories; }
 
 /**
  * Plans in one call: starts a planner, steps it to its end, and frees it.

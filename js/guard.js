@@ -8,7 +8,7 @@ import { PlanariumError } from "./error.js";
 import { growth } from "./growth.js";
 import { branded, requireHandle } from "./handle.js";
 import { plain } from "./plain.js";
-import { asOwn, currentInstance, isSound, requireCore } from "./runtime.js";
+import { asOwn, core, currentInstance, isSound, requireCore } from "./runtime.js";
 
 /** @typedef {(this: unknown, ...given: any[]) => unknown} Callable */
 
@@ -57,10 +57,10 @@ function guardedClass(Class, name) {
   for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), { key, spell }));
   // What the core makes passes here, but for the constructors below.
   const wrap = Reflect.get(Class, "__wrap");
-  if (typeof wrap === "function") Reflect.set(Class, "__wrap", (/** @type {number} */ pointer) => branded(wrap.call(Class, pointer), name));
+  if (typeof wrap === "function") Reflect.set(Class, "__wrap", (/** @type {number} */ pointer) => branded(wrap.call(Class, pointer), name, core));
   const { free } = prototype;
   const release = /** @this {unknown} */ function () {
-    requireHandle(this, name, "free");
+    requireHandle(this, name, "free", core);
     if (!this.__wbg_ptr) return;
     refuseWaiting(this, name);
     if (isSound() && this.__wbg_inst === currentInstance()) enter(free, this, [], { key: "free", name });
@@ -86,7 +86,7 @@ function guardedClass(Class, name) {
       const make = (/** @type {unknown[]} */ ...copies) => {
         // Not enumerable, so that it is no field of the description.
         if (functions !== undefined && typeof copies[0] === "object" && copies[0] !== null) Object.defineProperty(copies[0], "functions", { value: functions });
-        return branded(Reflect.construct(target, copies, made), name);
+        return branded(Reflect.construct(target, copies, made), name, core);
       };
       return /** @type {object} */ (guardedFunction(make, { key: "constructor", functions: Object.keys(functions ?? {}) })(...given));
     },
@@ -141,7 +141,7 @@ function enter(operation, self, given, { key, name, spell = inCamelCase, functio
 function refuse(self, key, name) {
   requireCore();
   if (name === undefined) return;
-  requireHandle(self, name, key);
+  requireHandle(self, name, key, core);
   const { __wbg_ptr, __wbg_inst } = self;
   if (!__wbg_ptr) throw new PlanariumError("freed", `This ${name} has been freed.`);
   if (__wbg_inst !== currentInstance()) {

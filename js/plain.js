@@ -3,6 +3,7 @@
  * before the core is entered. The core checks the copies.
  */
 import { PlanariumError, reasonOf } from "./error.js";
+import { classOf } from "./handle.js";
 
 /** The most items that are read from an array. */
 const LONGEST = 10_000_000;
@@ -100,7 +101,7 @@ function copy(value, depth, functions) {
   const { toJSON } = object;
   if (typeof toJSON === "function") return copy(toJSON.call(value), 2);
   const keys = Object.keys(object);
-  if (keys.length === 0 && !isEmpty(object)) throw noValue(value);
+  if (classOf(object) !== undefined || (keys.length === 0 && !isEmpty(object))) throw noValue(value);
   /** @type {[string, unknown][]} */
   const fields = [];
   for (const key of keys) {

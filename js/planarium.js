@@ -8,9 +8,7 @@ import { isSound, load, loadSync } from "./runtime.js";
 
 export * from "./core.js";
 export { PlanariumError } from "./error.js";
-export {
-  comparisonOptions, eventKinds, fleetGenerators, fleetPlanners, generators, historyColumns, navigationGenerators, neighbourIndexes, phases, planners, reachMethods, rolloutOptions, solve, trainingOptions, trajectoryOptions,
-} from "./functions.js";
+export { eventKinds, generators, historyColumns, neighbourIndexes, phases, planners, solve } from "./functions.js";
 export { version } from "./version.js";
 
 /** @import { InitInput, InitOptions, InitSyncInput, InitSyncOptions } from "./core.js" */

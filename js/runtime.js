@@ -9,6 +9,9 @@ import { PlanariumError, isFromCore, isOwn, reasonOf } from "./error.js";
 /** A module of one function that returns a vector: valid where the engine has vector instructions. */
 const VECTORS = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11);
 
+/** Marks the objects of this core: the package has two, `planarium` and `planarium/full`. */
+export const core = Symbol("core");
+
 /** Number of the instance in use, from 0 as the glue counts them; -1 before the first. Objects of the core hold theirs. */
 let instance = -1;
 /** What made the instance trap, or undefined while it is sound. @type {unknown} */
@@ -133,7 +136,8 @@ function renew() {
 function start(module) {
   if (instance >= 0) return;
   const exported = new Set(WebAssembly.Module.exports(module).map(({ name }) => name));
-  if (!exported.has("__wbindgen_start") || !exported.has("scenario_parse")) {
+  // The module of the other entry lacks what this one needs, or has more than it can name.
+  if (!exported.has("__wbindgen_start") || !exported.has("scenario_parse") || exported.has("fleet_parse") !== "Fleet" in glue) {
     throw new PlanariumError("init-failed", "This WebAssembly module is not planarium_bg.wasm.");
   }
   try {

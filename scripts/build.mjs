@@ -1,7 +1,7 @@
 /**
  * Builds the npm package and the pages:
  *
- *   dist/glue/     wasm-bindgen's output, optimized
+ *   dist/glue/     wasm-bindgen's output, optimized: a folder for each core
  *   dist/types/    declarations of the package, from the JSDoc types
  *   dist/package/  the files that `npm pack` publishes
  *   dist/page/     the static pages
@@ -13,17 +13,34 @@ import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
-import { basename, join } from "node:path";
+import { basename, dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
-import { coreDeclarations, forJavaScript, optionTypes, rowsOf } from "./declarations.mjs";
+import { coreDeclarations, forJavaScript, ofScenarios, optionTypes, reachable, rowsOf } from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
 import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
 
 export { assembleOneFile, assemblePage };
 
+/**
+ * A core: the crate compiled with some features, and an entry of the package with modules of its own.
+ * @typedef {object} Core
+ * @property {string} name  of its WebAssembly
+ * @property {string[]} build  what is asked of cargo besides; each has a profile, since they would overwrite each other
+ * @property {string} profile
+ * @property {string} folder  of its modules in the package
+ */
+/** @type {Core} */
+const LIGHT = { name: "planarium", profile: "light", build: ["--no-default-features"], folder: "" };
+/** @type {Core} */
+const FULL = { name: "full", profile: "wasm", build: [], folder: "full" };
+
+/** The modules that hold a core: `planarium/full` has its own copies of them. All others are shared. */
+const HOLDERS = ["callback", "catalogue", "core", "functions", "guard", "node", "planarium", "planarium_glue", "runtime"];
+/** The modules that only `planarium/full` has. */
+const ADDED = ["choices", "full", "full-node"];
+
 const dist = join(root, "dist");
-const glue = join(dist, "glue");
 const types = join(dist, "types", "planarium");
 
 /** The best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz. The features are those that rustc wrote into the module. */
@@ -37,8 +54,13 @@ export async function buildPackage() {
   await ensureNodeModules();
   await ensureWasmTarget();
   requireOneBindgen();
-  await makeGlue(await compileCrate());
-  makeCatalogue();
+  const cores = [LIGHT, FULL];
+  // Linking takes one processor, and most of the time.
+  const modules = await Promise.all(cores.map(compileCrate));
+  for (const [i, core] of cores.entries()) {
+    await makeGlue(core, modules[i]);
+    makeCatalogue(core);
+  }
   await makeTypes();
   await assemblePackage();
 }
@@ -54,8 +76,11 @@ function requireOneBindgen() {
   }
 }
 
-/** @returns {Promise<string>} path of the compiled module */
-async function compileCrate() {
+/** Where the glue of a core lies. @param {Core} core */
+function glueOf({ name }) { return join(dist, "glue", name); }
+
+/** @param {Core} core @returns {Promise<string>} path of the compiled module */
+async function compileCrate({ profile, build }) {
   // The module must not contain paths of this machine: those of the toolchain and of crates are shortened.
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
@@ -63,8 +88,8 @@ async function compileCrate() {
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   // Joined to those of .cargo/config.toml, which the variable RUSTFLAGS would replace.
   const joined = `target.wasm32-unknown-unknown.rustflags=${JSON.stringify([...flags, INLINE_LESS])}`;
-  await run("cargo", ["build", "--config", joined, "--profile", "wasm", "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
-  const wasm = join(targetFolder(), "wasm32-unknown-unknown", "wasm", "planarium.wasm");
+  await run("cargo", ["build", "--config", joined, "--profile", profile, ...build, "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  const wasm = join(targetFolder(), "wasm32-unknown-unknown", profile, "planarium.wasm");
   // Its list of features has the length of each name before it.
   if (!readFileSync(wasm).includes("+\x07simd128")) {
     throw new Problem("The module was compiled without vector instructions: unset the variable RUSTFLAGS.");
@@ -72,8 +97,9 @@ async function compileCrate() {
   return wasm;
 }
 
-/** Writes the glue and the optimized module, unless they exist for the same input. @param {string} wasm */
-async function makeGlue(wasm) {
+/** Writes the glue and the optimized module, unless they exist for the same input. @param {Core} core @param {string} wasm */
+async function makeGlue(core, wasm) {
+  const [glue, { name }] = [glueOf(core), core];
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
   const here = readFileSync(fileURLToPath(import.meta.url));
@@ -84,19 +110,19 @@ async function makeGlue(wasm) {
 
   rmSync(glue, { recursive: true, force: true });
   mkdirSync(glue, { recursive: true });
-  await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
+  await run("cargo", [...QUICK_TOOL, "run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue, name]);
   // The entry of the package is js/planarium.js, so the generated file gets another name.
-  const script = readFileSync(join(glue, "planarium.js"), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
+  const script = readFileSync(join(glue, `${name}.js`), "utf8").replace(/^\/\* @ts-self-types=.*\*\/\n/, "");
   writeFileSync(join(glue, "planarium_glue.js"), withLoss(script));
-  rmSync(join(glue, "planarium.js"));
-  renameSync(join(glue, "planarium.d.ts"), join(glue, "declarations.txt"));
+  rmSync(join(glue, `${name}.js`));
+  renameSync(join(glue, `${name}.d.ts`), join(glue, "declarations.txt"));
   writeFileSync(join(glue, "planarium_glue.d.ts"), `export * from "./core.js";
 export declare function initSync(options: { module: BufferSource | WebAssembly.Module }): { memory: WebAssembly.Memory };
 export declare function __wbg_reset_state(): void;
 export declare function __planarium_lose(): void;
 `);
 
-  const module = join(glue, "planarium_bg.wasm");
+  const module = join(glue, `${name}_bg.wasm`);
   const optimized = join(glue, "optimized.wasm");
   await run(process.execPath, [join(root, "node_modules", "binaryen", "bin", "wasm-opt"), ...OPTIMIZE, module, "-o", optimized]);
   renameSync(optimized, module);
@@ -119,9 +145,11 @@ function withLoss(script) {
     + "\nlet __planarium_is_lost = false;\nexport function __planarium_lose() { __planarium_is_lost = true; }\n";
 }
 
-/** The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its declarations. */
-function makeCatalogue() {
-  const catalogue = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
+/** The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its declarations. @param {Core} core */
+function makeCatalogue(core) {
+  const glue = glueOf(core);
+  const whole = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
+  const catalogue = core === FULL ? whole : ofScenarios(whole);
   const renamed = [...new Set(rowsOf(catalogue).filter(({ name, option }) => name !== option).map(({ option }) => option))];
   // The function has a name, since webpack keeps anonymous defaults that nobody uses.
   writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(JSON.stringify(catalogue))};
@@ -136,7 +164,7 @@ export declare const renamed: readonly string[];
   const declarations = coreDeclarations(readFileSync(join(glue, "declarations.txt"), "utf8"));
   writeFileSync(join(glue, "core.d.ts"), `/// <reference lib="esnext.disposable" preserve="true" />
 ${readFileSync(join(root, "js", "types.d.ts"), "utf8")}
-${optionTypes(catalogue)}
+${optionTypes(whole)}
 ${declarations}`);
   const names = Array.from(declarations.matchAll(/^export (?:class|function) (\w+)/gm), ([, name]) => name);
   writeFileSync(join(glue, "core.js"), `import * as glue from "./planarium_glue.js";
@@ -149,42 +177,77 @@ export const { ${names.join(", ")} } = guarded(glue);
 async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
-  cpSync(join(glue, "core.d.ts"), join(types, "core.d.ts"));
+  // Those of the core are the same module by two names.
+  for (const { name } of [LIGHT, FULL]) cpSync(join(dist, "glue", name, "core.d.ts"), join(types, name === FULL.name ? "full.core.d.ts" : "core.d.ts"));
+  const own = [...declarationsOf(["planarium", ...SHARED_ENTRIES])].filter((name) => name !== "core.d.ts").map((name) => readFileSync(join(types, name), "utf8"));
+  own.push(readFileSync(join(root, "js", "types.d.ts"), "utf8"));
+  writeFileSync(join(types, "core.d.ts"), reachable(readFileSync(join(types, "core.d.ts"), "utf8"), own));
 }
 
 async function assemblePackage() {
   const out = mkdtempSync(join(dist, "package-"));
-  const sources = readdirSync(join(root, "js")).filter((name) => name.endsWith(".js")).map((name) => join(root, "js", name));
-  for (const file of [...sources, ...["catalogue.js", "core.js"].map((name) => join(glue, name)), join(glue, "planarium_bg.wasm")]) cpSync(file, join(out, basename(file)));
-  // Nobody reads the generated glue; ours stays as it was written.
-  /** @type {typeof import("esbuild")} */
-  const { transformSync } = createRequire(import.meta.url)("esbuild");
-  const { code } = transformSync(readFileSync(join(glue, "planarium_glue.js"), "utf8"), { minify: true, format: "esm", target: "es2022" });
-  writeFileSync(join(out, "planarium_glue.js"), code);
-  for (const name of publicDeclarations()) cpSync(join(types, name), join(out, name));
+  mkdirSync(join(out, FULL.folder));
+  for (const core of [LIGHT, FULL]) {
+    cpSync(join(glueOf(core), `${core.name}_bg.wasm`), join(out, core.folder, `${core.name}_bg.wasm`));
+    for (const name of ["catalogue", "core"]) writeFileSync(join(out, core.folder, `${name}.js`), placed(readFileSync(join(glueOf(core), `${name}.js`), "utf8"), core));
+    // Nobody reads the generated glue; ours stays as it was written.
+    /** @type {typeof import("esbuild")} */
+    const { transformSync } = createRequire(import.meta.url)("esbuild");
+    const { code } = transformSync(readFileSync(join(glueOf(core), "planarium_glue.js"), "utf8"), { minify: true, format: "esm", target: "es2022" });
+    writeFileSync(join(out, core.folder, "planarium_glue.js"), code);
+  }
+  for (const file of readdirSync(join(root, "js"))) {
+    const name = basename(file, ".js");
+    if (!file.endsWith(".js")) continue;
+    const text = readFileSync(join(root, "js", file), "utf8");
+    if (!ADDED.includes(name)) writeFileSync(join(out, file), text);
+    if (ADDED.includes(name) || HOLDERS.includes(name)) writeFileSync(join(out, FULL.folder, file), placed(text, FULL));
+  }
+  for (const name of declarationsOf(["planarium", ...SHARED_ENTRIES])) cpSync(join(types, name), join(out, name));
+  for (const name of declarationsOf(["full"])) {
+    if (!isHeld(basename(name, ".d.ts"))) continue;
+    const text = readFileSync(join(types, name === "core.d.ts" ? "full.core.d.ts" : name), "utf8");
+    writeFileSync(join(out, FULL.folder, name), placed(text, FULL));
+  }
   const { writeNotices } = await import("./notices.mjs");
   writeNotices(join(out, "THIRD-PARTY-NOTICES.txt"));
   takeOver(out, join(dist, "package"));
 }
 
+/** Whether a core has a copy of a module of its own. @param {string} name */
+function isHeld(name) { return HOLDERS.includes(name) || ADDED.includes(name); }
+
+/** A module as it stands in the folder of a core: shared modules are above it, and its WebAssembly has another name. @param {string} text @param {Core} core */
+function placed(text, { name, folder }) {
+  if (folder === "") return text;
+  return text
+    .replace(/((?:from |import\()")\.\/([\w-]+)\.js"/g, (whole, before, module) => (isHeld(module) ? whole : `${before}../${module}.js"`))
+    .replaceAll("planarium_bg.wasm", `${name}_bg.wasm`);
+}
+
 /** Moves a new folder's files into one that may be in use: equal files stay, others go. @param {string} fresh @param {string} place */
 function takeOver(fresh, place) {
   mkdirSync(place, { recursive: true });
-  const names = new Set(readdirSync(fresh));
+  const filesIn = (/** @type {string} */ folder) => readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile()).map((entry) => relative(folder, join(entry.parentPath, entry.name)));
+  const names = new Set(filesIn(fresh));
   for (const name of names) {
     const [from, to] = [fresh, place].map((folder) => join(folder, name));
+    mkdirSync(dirname(to), { recursive: true });
     if (!existsSync(to) || !readFileSync(to).equals(readFileSync(from))) renameSync(from, to);
   }
-  for (const name of readdirSync(place)) if (!names.has(name)) rmSync(join(place, name), { recursive: true });
+  for (const name of filesIn(place)) if (!names.has(name)) rmSync(join(place, name));
   rmSync(fresh, { recursive: true });
 }
 
-/** The declarations of the entries and those that they import, directly or indirectly. */
-function publicDeclarations() {
-  const reached = new Set(["planarium", "draw", "worker", "worker-entry"].map((entry) => `${entry}.d.ts`));
+/** The entries that belong to no core. */
+const SHARED_ENTRIES = ["draw", "worker", "worker-entry"];
+
+/** The declarations of entries and those that they import, directly or indirectly. @param {string[]} entries */
+function declarationsOf(entries) {
+  const reached = new Set(entries.map((entry) => `${entry}.d.ts`));
   for (const name of reached) {
     const text = readFileSync(join(types, name), "utf8");
-    for (const match of text.matchAll(/(?:from |import\()"\.\/(\w+)\.js"/g)) reached.add(`${match[1]}.d.ts`);
+    for (const match of text.matchAll(/(?:from |import\()"\.\/([\w-]+)\.js"/g)) reached.add(`${match[1]}.d.ts`);
   }
   return reached;
 }

@@ -16,8 +16,11 @@ export function forJavaScript({ planners, errors: _, ...others }) {
   return { ...others, planners: planners.map((planner) => ({ ...planner, presets: planner.presets?.map((preset) => ({ ...preset, settings: renamed(preset.settings) })) })) };
 }
 
-/** All rows of options. @param {Catalogue} catalogue */
-export function rowsOf({ planners, generators, reach_methods, indexes, fleet_planners, fleet_generators, navigation_generators, rollouts, training, comparison, trajectories }) {
+/** What is chosen for scenarios and problems: the catalogue of the light core. @param {Catalogue} catalogue @returns {Pick<Catalogue, "planners" | "generators" | "indexes">} */
+export function ofScenarios({ planners, generators, indexes }) { return { planners, generators, indexes }; }
+
+/** All rows of options. @param {Partial<Catalogue>} catalogue */
+export function rowsOf({ planners = [], generators = [], reach_methods = [], indexes = [], fleet_planners = [], fleet_generators = [], navigation_generators = [], rollouts = [], training = [], comparison = [], trajectories = [] }) {
   return [...[...planners, ...generators, ...reach_methods, ...indexes, ...fleet_planners, ...fleet_generators, ...navigation_generators].flatMap(({ parameters, options }) => parameters ?? options), ...rollouts, ...training, ...comparison, ...trajectories];
 }
 
@@ -115,4 +118,32 @@ export function coreDeclarations(text) {
     /** The same as \`free\`, for \`using\`. */
     [Symbol.dispose](): void;
 `);
+}
+
+/**
+ * The declarations without those that nothing names: types of classes that this core has not. What other modules name stays.
+ * @param {string} text @param {string[]} others  the declarations that import these
+ */
+export function reachable(text, others) {
+  const code = (/** @type {string} */ part) => part.replace(/\/\*[^]*?\*\//g, "");
+  /** @type {{ name: string, text: string, isKept: boolean }[]} */
+  const parts = [];
+  const [head, body] = [/^(?:\/\/\/.*\n)*/.exec(text)?.[0] ?? "", text.replace(/^\/\/\/.*\n/gm, "")];
+  let comment = "";
+  for (const part of body.split(/^(?=\/\*\*|export )/m)) {
+    const [, kind, name] = /^export (?:declare )?(type|interface|class|function|enum|const) (\w+)/.exec(part) ?? [];
+    if (kind === undefined) { comment += part; continue; }
+    parts.push({ name, text: comment + part, isKept: kind === "class" || kind === "function" });
+    comment = "";
+  }
+  const named = new Set([...others, ...parts.filter(({ isKept }) => isKept).map((part) => part.text)].flatMap((part) => code(part).match(/\w+/g) ?? []));
+  for (let isGrowing = true; isGrowing;) {
+    isGrowing = false;
+    for (const part of parts) {
+      if (part.isKept || !named.has(part.name)) continue;
+      part.isKept = isGrowing = true;
+      for (const word of code(part.text).match(/\w+/g) ?? []) named.add(word);
+    }
+  }
+  return head + parts.filter(({ isKept }) => isKept).map((part) => part.text).join("");
 }

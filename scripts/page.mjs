@@ -24,7 +24,8 @@ const GALLERY = "gallery";
  * the rooms a worker. The package is a separate file, the same as published. Source maps lie beside the scripts.
  *
  * A page is `www/NAME.html`, the contents of the slots of `www/app/shell.html`. A room also has `www/NAME/main.js` and
- * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the planner's page.
+ * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the planner's page,
+ * and the core of `planarium/full`; the planner's page has that of `planarium`.
  * The gallery's entries, pictures and links are made here from the data in `www/gallery/`.
  */
 export async function assemblePage() {
@@ -33,14 +34,16 @@ export async function assemblePage() {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["icon.svg", "scenes", "experiments/documents", "gallery/worlds"]) cpSync(join(page, part), join(out, part), { recursive: true });
-  cpSync(join(dist, "package", "planarium_bg.wasm"), join(out, "planarium", "planarium_bg.wasm"));
+  for (const [name, folder] of [["planarium", "."], ["full", "full"]]) {
+    cpSync(join(dist, "package", folder, `${name}_bg.wasm`), join(out, "planarium", `${name}_bg.wasm`));
+    joinModules(join(dist, "package", folder, `${name}.js`), join(out, "planarium", `${name}.js`));
+  }
   const inParts = { outfile: undefined, outdir: out, splitting: true, chunkNames: "parts/[name]-[hash]" };
   joinModules(join(page, "style", "style.css"), join(out, "style.css"));
   // The page and the worker import the package themselves, and no part of theirs does.
   const beside = { ...inParts, alias: { ...DRAW, planarium: "./planarium/planarium.js" }, external: ["./planarium/planarium.js"] };
   const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
-  joinModules(join(dist, "package", "planarium.js"), join(out, "planarium", "planarium.js"));
   const rooms = assembleRooms(inParts);
   const figures = await assembleGallery(join(out, GALLERY));
   for (const [name] of PAGES) {
@@ -92,7 +95,7 @@ function importsOf({ outputs }, entry) {
 function assembleRooms(inParts) {
   const page = join(root, "www");
   const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
-  const made = joinModules("", "", { ...inParts, entryPoints: entries, define: { "globalThis.EXPERIMENTS": JSON.stringify(readyExperiments()) }, outbase: page, alias: { ...DRAW, planarium: "../planarium/planarium.js" }, external: ["../planarium/planarium.js"] });
+  const made = joinModules("", "", { ...inParts, entryPoints: entries, define: { "globalThis.EXPERIMENTS": JSON.stringify(readyExperiments()) }, outbase: page, alias: { ...DRAW, planarium: "../planarium/full.js", "planarium/full": "../planarium/full.js" }, external: ["../planarium/full.js"] });
   for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
   return made;
 }
@@ -113,6 +116,7 @@ function documentOf(name, scripts, made = {}) {
   /** @type {Record<string, string>} */
   const slots = {
     folder: isRoom ? `${name}/` : "",
+    core: isRoom ? "full" : "planarium",
     product: isRoom ? "<p class=\"product\"><a href=\"./\">Planarium</a></p>" : "<h1>Planarium</h1>",
     imports: (scripts ?? []).map((file) => `<link rel="modulepreload" href="${file}">`).join("\n  "),
     pages: scripts === null ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,

@@ -42,6 +42,7 @@ const suites = [
   { groups: ["check", "quick"], name: "Rust format", run: () => command("cargo", ["fmt", "--all", "--check"]) },
   { groups: ["check"], name: "clippy, native", run: () => command("cargo", ["clippy", "--locked", "--workspace", "--features", "parallel,schema", "--all-targets", ...NO_WARNINGS]) },
   { groups: ["check"], name: "clippy, wasm32", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]) },
+  { groups: ["check"], name: "clippy, wasm32 without full", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--no-default-features", "--lib", ...NO_WARNINGS]) },
   { groups: ["check"], name: "Rust documentation", run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }) },
   ...["js", "scripts", "www"].map((project) => ({ groups: ["check"], name: `JavaScript types, ${project}`, run: () => types(project) })),
   { groups: ["check"], name: "spelling", run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]) },

@@ -233,11 +233,6 @@ pub(super) fn document(value: &JsValue) -> Result<Scenario, Error> {
     Scenario::read(&document_tree(value, "a scenario")?)
 }
 
-/// An experiment's document as text or as an object.
-pub(super) fn experiment_document(value: &JsValue) -> Result<Json, Error> {
-    document_tree(value, "an experiment")
-}
-
 /// A document as text or as an object.
 pub(super) fn document_tree(value: &JsValue, what: &str) -> Result<Json, Error> {
     if let Some(text) = value.dyn_ref::<JsString>() {

@@ -1,6 +1,6 @@
 //! Experiments and statistics for JavaScript.
 
-use super::arguments::{count, experiment_document, numbers, records, text};
+use super::arguments::{count, document_tree, numbers, records, text};
 use super::clock::{Stepped, Timed, advance};
 use super::records::{object, record};
 use super::types::{ExperimentInput, JsNumber, JsSummary, JsText, JsTrialRow, JsTrialRows, Measures, Sample};
@@ -30,7 +30,7 @@ impl Experiment {
     /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `out-of-range`, `too-large`,
     /// `unknown-planner`, `unknown-parameter`, `unsupported`, `start-in-collision`, ...
     pub fn parse(input: &ExperimentInput) -> Result<Experiment, Error> {
-        let experiment = Arc::new(experiment::Experiment::read(&experiment_document(input)?)?);
+        let experiment = Arc::new(experiment::Experiment::read(&document_tree(input, "an experiment")?)?);
         Ok(Self { trials: RefCell::new(Trials::new(&experiment)), experiment })
     }
 

@@ -3,6 +3,9 @@
 //!
 //! Every argument is checked in [`arguments`]; every error is an `Error` with `code` and `pointer`. Records cross as plain
 //! objects, their types generated from the Rust ones; tables cross as typed arrays, which are copies.
+//!
+//! Two modules are built of them: `planarium` without the feature `full`, which plans in scenarios and in problems, and `planarium/full`
+//! with it, which has all. What no export calls is not linked.
 
 /// Declares members of a class without arguments, each by the value that it returns: getters or methods, as the attribute says.
 macro_rules! members {
@@ -32,16 +35,21 @@ macro_rules! tables {
 mod arguments;
 mod clock;
 mod drive;
+#[cfg(feature = "full")]
 mod experiment;
+#[cfg(feature = "full")]
 mod fleet;
+#[cfg(feature = "full")]
 mod navigation;
 mod neighbours;
 mod planner;
 mod problem;
+#[cfg(feature = "full")]
 mod reach;
 mod records;
 mod scenario;
 mod subdivision;
+#[cfg(feature = "full")]
 mod trajectories;
 mod types;
 

@@ -1,10 +1,14 @@
 //! Inverse kinematics for JavaScript.
 
+use super::arguments::fields;
 use super::clock::{Stepped, Timed, stepped};
 use super::digits;
 use super::records::{object, record};
-use super::types::{JsVerdict, Status};
-use crate::ik::{Solver, SolverResult};
+use super::scenario::Scenario;
+use super::types::{JsVerdict, ReachOptions, Status};
+use crate::Error;
+use crate::geometry::Point;
+use crate::ik::{Solver, SolverOptions, SolverResult, Target};
 use crate::problem;
 use std::cell::RefCell;
 use tsify::Ts;
@@ -26,9 +30,24 @@ impl Stepped for Solver {
     }
 }
 
-impl Reach {
-    pub(super) fn new(solver: Solver) -> Self {
-        Self(RefCell::new(Timed::new(solver)))
+#[wasm_bindgen]
+impl Scenario {
+    /// Starts a search for joint angles that bring the arm's tip to a target; `reachMethods()` lists the methods and their options. The
+    /// run outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and if there is no
+    /// closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the limits;
+    /// `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
+    pub fn reach(&self, options: &ReachOptions) -> Result<Reach, Error> {
+        let mut fields = fields(Some(options.clone()).filter(|options| !options.is_undefined()))?;
+        let [x, y] = fields.required::<[f64; 2]>("target", "[x, y]")?;
+        let options = SolverOptions {
+            target: Target { point: Point::new(x, y), orientation: fields.take("orientation")? },
+            method: fields.take("method")?,
+            start: fields.take("start")?,
+            seed: fields.take("seed")?.unwrap_or(0),
+            parameters: fields.parameters(),
+        };
+        Solver::new(&self.world, &options).map(|solver| Reach(RefCell::new(Timed::new(solver))))
     }
 }
 

@@ -4,15 +4,15 @@ use super::arguments::{choice, count, document, fields, finite, row, rows, text,
 use super::records::{Check, QueryCheck, Rollout, object, record, with_configuration};
 use super::types::{
     Booleans, CertifyOptions, CspaceOptions, GenerateOptions, GeneratorName, JsBox, JsConfiguration, JsDocument,
-    JsNumber, JsPair, JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ReachOptions,
-    ResumeOptions, RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
+    JsNumber, JsPair, JsPoint, JsText, JsWay, NeighboursOptions, OptimumOptions, PlannerOptions, ResumeOptions,
+    RoadmapFile, RobotType, RolloutOptions, Rows, SampleOptions, ScenarioInput, TwoRanges,
 };
-use super::{drive, neighbours, planner, reach, subdivision};
+use super::{drive, neighbours, planner, subdivision};
 use crate::Error;
 use crate::certificate;
 use crate::driving;
 use crate::geometry::Point;
-use crate::ik::{self, Solver, SolverOptions, Target, arm_of};
+use crate::ik::{self, Target, arm_of};
 use crate::optimum::{self, Optimum};
 use crate::problem::{Control, Motion};
 use crate::robot::Part;
@@ -29,7 +29,7 @@ use wasm_bindgen::prelude::*;
 /// configurations and motions, and starts planners. Lengths are in metres, angles in radians, counter-clockwise, y up.
 #[wasm_bindgen]
 pub struct Scenario {
-    world: PlanningWorld,
+    pub(super) world: PlanningWorld,
     inspector: Inspector,
 }
 
@@ -270,24 +270,6 @@ impl Scenario {
         fields.finish("integration, dt")?;
         let rollout = driving::rollout(&self.world, &self.configuration(q, "q")?, motion, options)?;
         Ok(record(&Rollout::from(rollout)))
-    }
-
-    /// Starts a search for joint angles that bring the arm's tip to a target; `reachMethods()` lists the methods and their options. The
-    /// run outlives the scenario.
-    /// @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and if there is no
-    /// closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the limits;
-    /// `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
-    pub fn reach(&self, options: &ReachOptions) -> Result<reach::Reach, Error> {
-        let mut fields = fields(Some(options.clone()).filter(|options| !options.is_undefined()))?;
-        let [x, y] = fields.required::<[f64; 2]>("target", "[x, y]")?;
-        let options = SolverOptions {
-            target: Target { point: Point::new(x, y), orientation: fields.take("orientation")? },
-            method: fields.take("method")?,
-            start: fields.take("start")?,
-            seed: fields.take("seed")?.unwrap_or(0),
-            parameters: fields.parameters(),
-        };
-        Solver::new(&self.world, &options).map(reach::Reach::new)
     }
 
     /// The arm after its tip has followed a target from `q`: smoothly, within its limits, as near as it gets from there; with an

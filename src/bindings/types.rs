@@ -29,7 +29,6 @@ plain! {
     ProblemInput = "ProblemDescription",
     ResumeOptions = "ResumeOptions",
     GenerateOptions = "GenerateOptions",
-    ReachOptions = "ReachOptions",
     CertifyOptions = "CertifyOptions",
     NeighboursOptions = "NeighboursOptions",
     SampleOptions = "SampleOptions",
@@ -38,8 +37,6 @@ plain! {
     JsWay = "\"short\" | \"sign-of-difference\"",
     CspaceOptions = "CspaceOptions",
     QueryOptions = "QueryOptions",
-    TrajectoryOptions = "TrajectoryOptions",
-    ParticleOptions = "ParticleMotion",
     JsKey = "DriveKey",
     KeyPresses = "readonly KeyPress[]",
     RobotType = "Robot[\"type\"]",
@@ -48,8 +45,15 @@ plain! {
     JsPair = "Point",
     Booleans = "boolean[]",
     JsBox = "Box",
-    JsVerdict = "ReachVerdict",
     JsVerdictOrNull = "CertificateVerdict | null",
+}
+
+#[cfg(feature = "full")]
+plain! {
+    ReachOptions = "ReachOptions",
+    TrajectoryOptions = "TrajectoryOptions",
+    ParticleOptions = "ParticleMotion",
+    JsVerdict = "ReachVerdict",
     FleetInput = "string | FleetDocument",
     FleetGeneratorName = "FleetGeneratorId",
     GenerateFleetOptions = "GenerateFleetOptions",

@@ -3,6 +3,7 @@
 use super::Verdict;
 use super::document::{Blocked, Certificate};
 use super::subdivision::Subdivision;
+use crate::geometry::sort_numbers;
 use crate::graph::UnionFind;
 
 impl Subdivision {
@@ -13,12 +14,12 @@ impl Subdivision {
     /// Pollack 1960, "The maximum capacity through a network", by Kruskal's algorithm).
     pub fn greatest_clearance(&self) -> Option<f64> {
         let [start, goal] = self.end_cells.map(|cell| cell as usize);
-        let mut order: Vec<usize> = (0..self.cell_count()).collect();
-        order.sort_by(|&i, &j| self.nodes[j].most.total_cmp(&self.nodes[i].most).then(i.cmp(&j)));
+        let mut order: Vec<u32> = (0..self.cell_count() as u32).collect();
+        sort_numbers(&mut order, &|i, j| self.nodes[j].most.total_cmp(&self.nodes[i].most).then(i.cmp(&j)));
         let mut sets = UnionFind::default();
         (0..self.cell_count()).for_each(|_| sets.add());
         let mut is_joined = vec![false; self.cell_count()];
-        for i in order {
+        for i in order.into_iter().map(|i| i as usize) {
             is_joined[i] = true;
             for &other in &self.nodes[i].touching {
                 if is_joined[other as usize] {

@@ -8,7 +8,7 @@
 
 use super::motion::{Motion, Pose, reach};
 use super::trajectory::Trajectory;
-use crate::geometry::{Point, Polygon, Vector, distance_point_segment, intersects_polygon_polygon, wrap};
+use crate::geometry::{Point, Polygon, Vector, distance_point_segment, intersects_polygon_polygon, sort_stably, wrap};
 use crate::scenario::Robot;
 use serde::Serialize;
 
@@ -63,7 +63,7 @@ pub(super) fn found(robots: &[&Robot], trajectories: &[Trajectory], slack: f64) 
             });
         }
     }
-    search.conflicts.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
+    sort_stably(&mut search.conflicts, &|a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
     (search.conflicts, search.looks)
 }
 

@@ -9,6 +9,7 @@ use super::motion::{Motion, Pair, Pose};
 use super::priority_tree::{Ground, MARGIN};
 use super::result::FleetStats;
 use super::trajectory::Trajectory;
+use crate::geometry::sort_stably;
 use crate::random::Random;
 use std::sync::Arc;
 
@@ -96,7 +97,7 @@ impl JointMove {
                         (ground.distances[robot][vertex as usize] * (1.0 + part), vertex)
                     })
                     .collect();
-                left.sort_by(|a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
+                sort_stably(&mut left, &|a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
                 left.into_iter().map(|(_, vertex)| vertex).collect()
             }
         };

@@ -14,6 +14,7 @@ use super::result::{Blocked, FleetStats};
 use super::roadmap::Roadmap;
 use super::safe_intervals::{Expansion, Scene, Search};
 use super::trajectory::Trajectory;
+use crate::geometry::sort_stably;
 use crate::problem::Status;
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -89,7 +90,7 @@ impl Branch {
     fn lowest_first(&self, robot: usize) -> Vec<usize> {
         let mut robots: Vec<usize> =
             (0..self.above.len()).filter(|&one| one == robot || self.is_above(robot, one)).collect();
-        robots.sort_by_key(|&one| std::cmp::Reverse((self.above[one].len(), one)));
+        sort_stably(&mut robots, &|&one, &other| (self.above[other].len(), other).cmp(&(self.above[one].len(), one)));
         robots
     }
 
@@ -174,7 +175,7 @@ impl PriorityTree {
             return Status::Running;
         }
         // The cheaper one of two is looked into first.
-        self.made.sort_by(|a, b| b.cost.total_cmp(&a.cost));
+        sort_stably(&mut self.made, &|a, b| b.cost.total_cmp(&a.cost));
         self.open.append(&mut self.made);
         let Some(branch) = self.open.pop() else { return Status::Exhausted };
         let earliest = branch.conflicts.iter().min_by(|a, b| a.1.total_cmp(b.1).then(a.0.cmp(b.0)));

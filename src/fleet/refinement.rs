@@ -7,6 +7,7 @@ use super::priority_tree::Ground;
 use super::result::FleetStats;
 use super::safe_intervals::{Expansion, Search};
 use super::trajectory::Trajectory;
+use crate::geometry::sort_stably;
 use std::sync::Arc;
 
 /// An arrival counts as earlier if it is by more than this part of itself.
@@ -53,7 +54,7 @@ impl Refinement {
             }
             // Who arrives last plans first.
             let mut left = self.all.clone();
-            left.sort_by(|&a, &b| self.arrival(a).total_cmp(&self.arrival(b)).then(b.cmp(&a)));
+            sort_stably(&mut left, &|&a, &b| self.arrival(a).total_cmp(&self.arrival(b)).then(b.cmp(&a)));
             self.left = left;
             (self.rounds, self.is_earlier) = (self.rounds - 1, false);
             return Refined::NotYet;

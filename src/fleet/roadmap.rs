@@ -5,6 +5,7 @@
 use super::document::Fleet;
 use super::motion::{Footprint, Pose};
 use crate::error::Error;
+use crate::geometry::sort_stably;
 use crate::graph::{Ordered, VertexId};
 use crate::planner::{Phase, Planner, PlannerKind, PrmOptions};
 use crate::problem::Problem;
@@ -132,7 +133,7 @@ impl Roadmap {
             self.neighbours[b as usize].push((a, way));
         }
         for neighbours in &mut self.neighbours {
-            neighbours.sort_by_key(|neighbour| neighbour.0);
+            sort_stably(neighbours, &|a, b| a.0.cmp(&b.0));
             neighbours.dedup_by_key(|neighbour| neighbour.0);
         }
     }

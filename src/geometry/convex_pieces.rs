@@ -1,6 +1,6 @@
 //! Convex pieces of a simple polygon.
 
-use super::{Point, Polygon, orientation, triangles};
+use super::{Point, Polygon, orientation, sort_numbers, triangles};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -69,7 +69,7 @@ impl Cuts {
     fn new(triangles: Vec<[u32; 3]>) -> Self {
         let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
         let cuts = Self { triangles, order: Vec::new() };
-        order.sort_unstable_by_key(|&side| cuts.side(side));
+        sort_numbers(&mut order, &|a, b| cuts.side(a as u32).cmp(&cuts.side(b as u32)));
         Self { order, ..cuts }
     }
 

@@ -5,7 +5,7 @@
 //! vertical line are swept from bottom to top, which is the same as to tilt the line a little; so vertical edges need no
 //! care. Every decision is an orientation of given points, so all are exact.
 
-use super::{Point, Segment, intersects_segment_segment, orientation};
+use super::{Point, Segment, intersects_segment_segment, orientation, sort_numbers};
 use std::cmp::Ordering;
 
 /// A pair of edges, by their first vertices, that touch, cross or overlap beyond a common corner; `None` if the chain
@@ -16,8 +16,9 @@ pub(super) fn find_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
         return Some(in_order((corner + n - 1) % n, corner));
     }
     let mut sweep = Sweep { vertices, edges: Vec::new() };
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_unstable_by(|&i, &j| left_to_right(vertices[i], vertices[j]).then(i.cmp(&j)));
+    let mut order: Vec<u32> = (0..n as u32).collect();
+    sort_numbers(&mut order, &|i, j| left_to_right(vertices[i], vertices[j]).then(i.cmp(&j)));
+    let order: Vec<usize> = order.into_iter().map(|vertex| vertex as usize).collect();
     for (at, &vertex) in order.iter().enumerate() {
         if at > 0 && vertices[order[at - 1]] == vertices[vertex] {
             return Some(in_order(order[at - 1], vertex));

@@ -11,6 +11,7 @@ mod crossing;
 mod distance;
 mod edge_tree;
 mod intersects;
+mod order;
 mod placed;
 mod polygon;
 mod polygons;
@@ -23,6 +24,7 @@ pub use distance::{
     distance_point_segment, distance_segment_segment, distance_squared_point_segment, distance_squared_segment_segment,
 };
 pub use intersects::intersects_segment_segment;
+pub(crate) use order::{sort_numbers, sort_stably};
 pub use placed::Placed;
 pub use polygon::{MAX_MAGNITUDE, MIN_MAGNITUDE, Polygon, PolygonFault};
 pub use polygons::{

@@ -155,10 +155,9 @@ impl Polygon {
             match tree.children(node) {
                 None => most = self.vertices[tree.edges(node)].iter().map(along).fold(most, f64::max),
                 Some((first, second)) => {
-                    let mut children = [Some(first), second];
-                    children.sort_by(|a, b| {
-                        a.map_or(f64::NEG_INFINITY, bound).total_cmp(&b.map_or(f64::NEG_INFINITY, bound))
-                    });
+                    let is_farther = |second| bound(first).total_cmp(&bound(second)).is_gt();
+                    let children =
+                        if second.is_some_and(is_farther) { [second, Some(first)] } else { [Some(first), second] };
                     stack.extend(children.into_iter().flatten());
                 }
             }

@@ -108,7 +108,11 @@ impl<'a, M: Fn(VertexId) -> f64> Closest<'a, M> {
 
     /// Selects those that may be among the first `k`, in no order. O(1) amortized per candidate, as it runs at twice `k`.
     fn pick(&mut self) {
-        self.found.select_nth_unstable_by_key(self.k - 1, |candidate| candidate.distance.to_bits());
+        // Not a closure, of which each type of measure would have its own.
+        fn distance(candidate: &Neighbour) -> u64 {
+            candidate.distance.to_bits()
+        }
+        self.found.select_nth_unstable_by_key(self.k - 1, distance);
         self.lower_bar();
         let bar = f64::from(self.bar);
         self.found.retain(|candidate| candidate.distance <= bar);

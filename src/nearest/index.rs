@@ -99,7 +99,7 @@ impl<S: Space> Nearest<S> for Index {
                 candidate.distance = direction.distance_within(space, from, other, radius);
             }
             found.retain(|neighbour| neighbour.distance <= radius);
-            found.sort_unstable_by_key(Neighbour::key);
+            Neighbour::sort(found);
         }
         visited
     }

@@ -41,13 +41,18 @@ impl Neighbour {
         (u128::from(self.distance.to_bits()) << 32) | u128::from(self.vertex.0)
     }
 
+    /// Sorts neighbours in the order of [`is_before`](Self::is_before).
+    pub(crate) fn sort(neighbours: &mut [Self]) {
+        neighbours.sort_unstable_by_key(Self::key);
+    }
+
     /// Sorts neighbours and keeps the first `k`.
     fn first(neighbours: &mut Vec<Self>, k: usize) {
         if neighbours.len() / 2 > k {
             neighbours.select_nth_unstable_by_key(k, Self::key);
             neighbours.truncate(k);
         }
-        neighbours.sort_unstable_by_key(Self::key);
+        Self::sort(neighbours);
         neighbours.truncate(k);
     }
 }

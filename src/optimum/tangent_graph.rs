@@ -17,7 +17,7 @@
 use super::circles::{Circle, Tangent, Turn, along_arc, at, crossings_disc, crossings_line, tangent, turn_left};
 use crate::collision::{Obstacles, Tolerance};
 use crate::error::{Code, Error, Number};
-use crate::geometry::{Aabb, Disc, Point, Segment, Vector, orientation};
+use crate::geometry::{Aabb, Disc, Point, Segment, Vector, orientation, sort_numbers};
 use crate::graph::search::{BestFirst, Expansion, View, Walker};
 use crate::graph::{Adjacency, VertexId};
 use crate::scenario::{Obstacle, World};
@@ -197,7 +197,10 @@ impl TangentGraph {
             let mut stops: Vec<(f64, Option<usize>)> =
                 ends.iter().map(|&end| (self.ends[end].angle, Some(end))).collect();
             stops.extend(grown.crossings(&circle.disc, shapes).into_iter().map(|angle| (angle, None)));
-            stops.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let mut order: Vec<u32> = (0..stops.len() as u32).collect();
+            let by_angle = |i: usize, j: usize| stops[i].0.total_cmp(&stops[j].0).then(stops[i].1.cmp(&stops[j].1));
+            sort_numbers(&mut order, &|i, j| by_angle(i, j).then(i.cmp(&j)));
+            let mut stops: Vec<_> = order.into_iter().map(|i| stops[i as usize]).collect();
             let first = stops.iter().position(|(_, end)| end.is_some()).expect("there are ends");
             stops.rotate_left(first);
             stops.push(stops[0]);

@@ -7,6 +7,7 @@
 use super::growth::{Growth, START, goals};
 use super::{Phase, Planner, Status};
 use crate::graph::{EventKind, VertexId};
+use crate::nearest::Neighbour;
 use crate::problem::Problem;
 use crate::space::Space;
 
@@ -28,10 +29,11 @@ impl<S: Space> Direct<S> {
     /// Tries the motions from the start to the goals, the nearest first.
     fn arrive(&mut self, problem: &Problem<S>, iteration: u32) -> Option<(VertexId, f64)> {
         let distance = |goal: &S::State| problem.space().distance(problem.start(), goal);
-        let mut all: Vec<_> = goals(problem).map(|(goal, state)| (goal, distance(state))).collect();
-        all.sort_by(|(a, x), (b, y)| x.total_cmp(y).then(a.cmp(b)));
-        let least = all.first().map_or(0.0, |&(_, least)| least);
-        for (goal, distance) in all {
+        let mut all: Vec<_> =
+            goals(problem).map(|(vertex, state)| Neighbour { distance: distance(state), vertex }).collect();
+        Neighbour::sort(&mut all);
+        let least = all.first().map_or(0.0, |nearest| nearest.distance);
+        for Neighbour { distance, vertex: goal } in all {
             if self.improves && distance > least {
                 break;
             }

@@ -188,7 +188,7 @@ impl<S: Space> RrtStar<S> {
         self.find(problem, Direction::In, &state);
         let found = self.found.iter().map(|&neighbour| (self.cost_by(neighbour), neighbour));
         let mut cheaper: Vec<_> = found.filter(|&(cost, _)| cost < limit).collect();
-        cheaper.sort_unstable_by(|(a, x), (b, y)| a.total_cmp(b).then(x.vertex.cmp(&y.vertex)));
+        by_cost(&mut cheaper);
         Some(Choosing { state, goal, nearest, cheaper: cheaper.into_iter() })
     }
 
@@ -308,4 +308,9 @@ impl<S: Space> Planner<S> for RrtStar<S> {
     fn approximate_path(&self) -> Vec<VertexId> {
         self.best.approximate_path()
     }
+}
+
+/// Sorts neighbours by what the path through them costs. Not in the planner, which is compiled for several spaces.
+fn by_cost(neighbours: &mut [(f64, Neighbour)]) {
+    neighbours.sort_unstable_by(|(a, x), (b, y)| a.total_cmp(b).then(x.vertex.cmp(&y.vertex)));
 }

@@ -1,7 +1,7 @@
 /** Bad input: always an error with a stable code, a sentence with the offending value, and a pointer to it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, Experiment, Fleet, FleetPlanner, Navigation, Neighbours, Planner, Problem, Reach, Scenario, Subdivision, Trajectories } from "planarium";
+import { Drive, Experiment, Fleet, FleetPlanner, Navigation, Neighbours, Planner, Problem, Reach, Scenario, Subdivision, Trajectories } from "planarium/full";
 import { arm, body, car, disc, fails, finish, options, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });

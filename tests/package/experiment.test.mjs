@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { Experiment, ecdf, mean, movingAverage, paired, quartiles, share } from "planarium";
+import { Experiment, ecdf, mean, movingAverage, paired, quartiles, share } from "planarium/full";
 import { fails } from "./scenes.mjs";
 
-/** @import { ExperimentDocument, TrialRow } from "planarium" */
+/** @import { ExperimentDocument, TrialRow } from "planarium/full" */
 
 /** @type {{ experiment: ExperimentDocument, outcome: { rows: string[], summary: string } }[]} */
 const golden = JSON.parse(readFileSync(new URL("../golden-experiment.json", import.meta.url), "utf8"));

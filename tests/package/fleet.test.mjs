@@ -1,7 +1,7 @@
 /** Fleets from JavaScript: documents, planners by steps, the verifier, and what is refused. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Fleet, FleetPlanner, fleetGenerators, fleetPlanners } from "planarium";
+import { Fleet, FleetPlanner, fleetGenerators, fleetPlanners } from "planarium/full";
 
 /** @param {() => unknown} operation @param {string} code @param {string} pointer */
 function refuses(operation, code, pointer) {
@@ -11,7 +11,7 @@ function refuses(operation, code, pointer) {
   });
 }
 
-/** @type {import("planarium").FleetDocument} */
+/** @type {import("planarium/full").FleetDocument} */
 const pair = {
   format: "planarium-fleet-1", name: "pair", world: { bounds: { min: [0, 0], max: [10, 4] }, obstacles: [] },
   robots: [

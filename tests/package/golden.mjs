@@ -11,7 +11,7 @@ function inCamelCase(options) {
 
 /**
  * The outcomes of all cases, in the order of the files.
- * @param {Pick<typeof import("planarium"), "Problem" | "Scenario" | "Trajectories">} planarium
+ * @param {Pick<typeof import("planarium/full"), "Problem" | "Scenario" | "Trajectories">} planarium
  * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs", any[]> & { scenes: Record<string, string> }} cases
  *   as stored in their files, and the scenes' texts by name
  */
@@ -29,7 +29,7 @@ export function outcomes({ Problem, Scenario, Trajectories }, { plans, neighbour
   ];
 }
 
-/** @param {import("planarium").Scenario} scenario @param {any} given */
+/** @param {import("planarium/full").Scenario} scenario @param {any} given */
 function planned(scenario, { planner: algorithm, seed, parameters }) {
   const planner = scenario.planner({ algorithm, seed, ...inCamelCase(parameters) });
   while (planner.step(1000) === "running");
@@ -52,7 +52,7 @@ function clearanceOfDiscs(rows, at) {
   return clearance;
 }
 
-/** Two discs that change places: the problem of the crate's own tests. @param {"clearance" | "samples"} free @returns {import("planarium").ProblemDescription} */
+/** Two discs that change places: the problem of the crate's own tests. @param {"clearance" | "samples"} free @returns {import("planarium/full").ProblemDescription} */
 export function twoDiscs(free) {
   const side = { kind: /** @type {const} */ ("interval"), low: RADIUS, high: 4 - RADIUS };
   const description = { space: { coordinates: [side, side, side, side] }, start: [0.7, 2, 3.3, 2], goal: [3.3, 2, 0.7, 2] };
@@ -62,7 +62,7 @@ export function twoDiscs(free) {
   return { ...description, resolution: 0.05, isFree(rows, out) { out.forEach((_, i) => { out[i] = Number(clearanceOfDiscs(rows, 4 * i) > 0); }); } };
 }
 
-/** @param {import("planarium").Problem} problem @param {any} given */
+/** @param {import("planarium/full").Problem} problem @param {any} given */
 function custom(problem, { planner: algorithm, seed, parameters }) {
   const planner = problem.planner({ algorithm, seed, ...inCamelCase(parameters) });
   while (planner.step(100) === "running");
@@ -72,7 +72,7 @@ function custom(problem, { planner: algorithm, seed, parameters }) {
   return { status, fingerprint, length, clearance_evaluations: stats.clearance_evaluations };
 }
 
-/** @param {import("planarium").Scenario} scenario @param {any} given   `radius` in place of `k` */
+/** @param {import("planarium/full").Scenario} scenario @param {any} given   `radius` in place of `k` */
 function nearest(scenario, { index, parameters, samples, seed, free, target, k, radius }) {
   const held = scenario.neighbours({ index, ...parameters });
   held.add(scenario.sampleConfigurations(samples, { seed, free }));
@@ -82,7 +82,7 @@ function nearest(scenario, { index, parameters, samples, seed, free, target, k, 
   return { distances: [...distances], indices: [...indices], visited: index === "kd-tree" ? null : visited };
 }
 
-/** @param {import("planarium").Trajectories} trajectories */
+/** @param {import("planarium/full").Trajectories} trajectories */
 function tried(trajectories) {
   while (trajectories.step(100) === "running");
   const result = trajectories.result();
@@ -90,7 +90,7 @@ function tried(trajectories) {
   return result;
 }
 
-/** A run, the nearest reachable point, and an arm that follows a hand. @param {import("planarium").Scenario} scenario @param {any} given */
+/** A run, the nearest reachable point, and an arm that follows a hand. @param {import("planarium/full").Scenario} scenario @param {any} given */
 function reached(scenario, { reach }) {
   const { target: [x, y], orientation } = reach;
   const run = scenario.reach(inCamelCase(reach));
@@ -114,7 +114,7 @@ function reached(scenario, { reach }) {
   };
 }
 
-/** @param {import("planarium").Scenario} scenario @param {any} given */
+/** @param {import("planarium/full").Scenario} scenario @param {any} given */
 function certified(scenario, { clearance }) {
   const subdivision = scenario.certify({ clearance, cells: 3000 });
   while (subdivision.step(10) === "running");

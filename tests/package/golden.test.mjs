@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { cpSync, readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
 import { test } from "node:test";
-import * as planarium from "planarium";
+import * as light from "planarium";
+import * as full from "planarium/full";
 import { chromium } from "playwright-core";
 import { root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
@@ -25,7 +26,13 @@ const expected = lists.map((some) => some.map(({ outcome }) => outcome));
 
 test("golden outcomes in Node", () => {
   [110, 24, 10, 30, 4, 14].forEach((least, i) => assert.ok(lists[i].length >= least));
-  assert.deepEqual(outcomes(planarium, cases), expected);
+  assert.deepEqual(outcomes(full, cases), expected);
+});
+
+test("golden outcomes in Node of what the light core has", () => {
+  const core = /** @type {any} */ ({ ...light, Trajectories: full.Trajectories });
+  const found = outcomes(core, { ...cases, trajectories: [], reaches: [] });
+  assert.deepEqual(found, expected.map((outcome, i) => (lists[i] === trajectories || lists[i] === reaches ? [] : outcome)));
 });
 
 test("golden outcomes in Chromium, on the page and in a worker, without special headers", async () => {
@@ -35,7 +42,7 @@ test("golden outcomes in Chromium, on the page and in a worker, without special 
   addFiles(site, {
     "input.json": JSON.stringify(cases),
     "run.mjs": `
-import init, * as planarium from "./package/planarium.js";
+import init, * as planarium from "./package/full/full.js";
 import { outcomes } from "./golden.mjs";
 export async function run() {
   const cases = await (await fetch("./input.json")).json();

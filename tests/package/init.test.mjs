@@ -161,21 +161,23 @@ test("initSync while init still loads: the first instance stays, handles with it
 });
 
 test("an init that failed says why, and can be tried again", async () => {
-  const { missing, broken, page, silly, nothing, foreign, late, fingerprint } = await fresh(`
+  const { missing, broken, page, silly, nothing, foreign, other, late, fingerprint } = await fresh(`
     const missing = await caught(() => init(site + "/missing"));
     const broken = await caught(() => init(site + "/broken"));
     const page = await caught(() => init(site + "/page"));
     const silly = await caught(() => init(42));
     const nothing = await caught(() => initSync(undefined));
     const foreign = await caught(() => init(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])));
+    const full = (await import("node:fs")).readFileSync(${JSON.stringify(join(place, "full", "full_bg.wasm"))});
+    const other = await caught(() => init(full));
     const late = await caught(() => Scenario.parse(disc));
     await init(site + "/good");
-    return { missing, broken, page, silly, nothing, foreign, late, fingerprint: plan() };`);
-  for (const error of [missing, broken, page, silly, nothing, foreign]) assert.equal(error.code, "init-failed");
+    return { missing, broken, page, silly, nothing, foreign, other, late, fingerprint: plan() };`);
+  for (const error of [missing, broken, page, silly, nothing, foreign, other]) assert.equal(error.code, "init-failed");
   assert.match(missing.message, /404/);
   assert.match(page.message, /page is an HTML page.*optimizeDeps/);
   assert.match(silly.message, /Number/);
-  assert.match(foreign.message, /planarium_bg\.wasm/);
+  for (const error of [foreign, other]) assert.match(error.message, /planarium_bg\.wasm/);
   assert.equal(late.code, "not-initialised");
   assert.equal(fingerprint, await expectedFingerprint());
 });
@@ -218,14 +220,14 @@ test("handles that are collected after a trap are not freed into the lost core",
       const counted = Object.entries(exports).map(([name, value]) => [name, /^__wbg_.*_free$/.test(name) ? (...given) => { freed += 1; value(...given); } : value]);
       return { exports: Object.fromEntries(counted) };
     };
-    const { default: init, initSync, Problem, Scenario, Trajectories } = await import(${JSON.stringify(web)});
+    const { default: init, initSync, Problem, Scenario } = await import(${JSON.stringify(web)});
     const { initSync: instance } = await import(${JSON.stringify(pathToFileURL(join(place, "planarium_glue.js")).href)});
     const bytes = readFileSync(${JSON.stringify(wasm)});
     const disc = ${JSON.stringify(disc)};
     initSync(bytes);
     const make = () => {
       const scenario = Scenario.parse(disc);
-      return [scenario, scenario.planner(), new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree() {} }), new Trajectories()];
+      return [scenario, scenario.planner(), new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree() {} }), scenario.neighbours()];
     };
     const collect = async (count) => { while (finalized < count) { gc(); await new Promise((resolve) => setImmediate(resolve)); } };
     make();

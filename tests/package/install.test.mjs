@@ -46,10 +46,10 @@ for (const [how, args, files] of /** @type {[string, string[], Record<string, st
 
 test("the wasm file, the schema and the manifest can be resolved", () => {
   addFiles(folder, {
-    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
+    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
   });
   const urls = node(["resolve.mjs"], folder);
-  assert.equal(urls.length, 3);
+  assert.equal(urls.length, 4);
   for (const url of urls) assert.ok(existsSync(new URL(url)), url);
 });
 
@@ -78,3 +78,40 @@ for (const [how, entry, options] of /** @type {[string, string, import("esbuild"
     assert.deepEqual(node([outfile], folder), expected);
   });
 }
+
+test("bundled by esbuild with planarium/full: one core, and that is the other", async () => {
+  const out = join(folder, "full");
+  addFiles(folder, { "entry.mjs": imported.replace('"planarium"', '"planarium/full"') });
+  const outfile = join(out, "bundle.mjs");
+  const { metafile } = await build({ entryPoints: [join(folder, "entry.mjs")], outfile, bundle: true, format: "esm", logLevel: "error", platform: "node", metafile: true });
+  const glues = Object.keys(metafile.inputs).filter((name) => name.endsWith("glue.js"));
+  assert.deepEqual(glues.map((name) => name.replace(/.*dist\/package\//, "")), ["full/planarium_glue.js"]);
+  copyFileSync(join(folder, "node_modules/planarium/dist/package/full/full_bg.wasm"), join(out, "full_bg.wasm"));
+  assert.deepEqual(node([outfile], folder), expected);
+});
+
+test("planarium and planarium/full side by side: documents pass, objects of one are foreign to the other", () => {
+  addFiles(folder, { "both.mjs": `
+import * as light from "planarium";
+import * as full from "planarium/full";
+import { PlannerPool } from "planarium/worker";
+const code = (call) => { try { return call(); } catch (error) { return [error.code, error instanceof light.PlanariumError]; } };
+const made = [light, full].map(({ Scenario }) => Scenario.generate("forest", { links: 2, seed: 4 }));
+const pool = new PlannerPool({ workers: 1 });
+const options = { algorithm: "prm", samples: 100 };
+const found = {
+  prints: [light.solve(made[1], options), full.solve(made[0], options), light.solve(made[0], options), await pool.plan(made[1], options)].map((result) => result.fingerprint),
+  fleets: ["Fleet" in light, "Fleet" in full, "reach" in made[0], "reach" in made[1]],
+  taken: code(() => light.Scenario.prototype.extent.call(made[1])),
+  planner: code(() => light.Scenario.parse(made[1].planner(options))),
+  lists: [light.planners().length === full.planners().length, light.reachMethods, full.reachMethods().length > 3],
+};
+pool.terminate();
+console.log(JSON.stringify(found));
+` });
+  const { prints, ...found } = node(["both.mjs"], folder);
+  assert.equal(new Set(prints).size, 1);
+  assert.deepEqual(found, {
+    fleets: [false, true, false, true], taken: ["illegal-invocation", true], planner: ["wrong-type", true], lists: [true, null, true],
+  });
+});

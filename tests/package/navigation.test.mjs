@@ -1,7 +1,7 @@
 /** Learned navigation from JavaScript: documents, training, planners whose edges are rollouts, drives, the comparison, and what is refused. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Navigation, NavigationComparison, Training, comparisonOptions, navigationGenerators, rolloutOptions, trainingOptions } from "planarium";
+import { Navigation, NavigationComparison, Training, comparisonOptions, navigationGenerators, rolloutOptions, trainingOptions } from "planarium/full";
 
 /** @param {() => unknown} operation @param {string} code @param {string} pointer */
 function refuses(operation, code, pointer) {
@@ -11,7 +11,7 @@ function refuses(operation, code, pointer) {
   });
 }
 
-/** @type {import("planarium").NavigationDocument} */
+/** @type {import("planarium/full").NavigationDocument} */
 const corridor = {
   format: "planarium-navigation-1", name: "corridor", world: { bounds: { min: [0, 0], max: [8, 3] }, obstacles: [{ type: "disc", center: [4, 1.5], radius: 0.3 }] },
   robot: { type: "differential_drive", shape: { type: "disc", radius: 0.2 }, speed: [-0.1, 1], turn_rate: [-1.5, 1.5], sensor: { rays: 4, field_of_view: 2, range: 2 } },
@@ -20,7 +20,7 @@ const corridor = {
 const task = Navigation.parse(corridor);
 const SMALL = { pairs: 3, tasks: 5, floors: 3, generations: 4, hidden: 3, seed: 2 };
 
-/** A policy after a few generations. @param {import("planarium").TrainingOptions} [options] */
+/** A policy after a few generations. @param {import("planarium/full").TrainingOptions} [options] */
 function trained(options = SMALL) {
   const training = task.training(options);
   assert.equal(training.step(1e9), "solved");

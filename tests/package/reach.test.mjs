@@ -1,16 +1,16 @@
 /** Inverse kinematics, as the package has it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Scenario, reachMethods } from "planarium";
+import { Scenario, reachMethods } from "planarium/full";
 import { car, fails } from "./scenes.mjs";
 
-/** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium").Obstacle[]} [obstacles] */
+/** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium/full").Obstacle[]} [obstacles] */
 const armOf = (links, limits, obstacles = []) => Scenario.parse({
   format: "planarium-scenario-1", name: "arm", world: { obstacles }, queries: [],
   robot: { type: "arm", base: [0, 0], links, ...(limits ? { joint_limits: limits } : {}) },
 });
 
-/** @param {Scenario} scenario @param {import("planarium").ReachOptions} options */
+/** @param {Scenario} scenario @param {import("planarium/full").ReachOptions} options */
 function ended(scenario, options) {
   const run = scenario.reach(options);
   while (run.step(10) === "running");
@@ -79,7 +79,7 @@ test("an arm follows a point, and stretches towards one that it cannot reach", (
 
 test("what is wrong is refused by name", () => {
   const scenario = armOf([1, 1], [[-1, 1], [0, 2]]);
-  const reach = (/** @type {object} */ options) => () => scenario.reach(/** @type {import("planarium").ReachOptions} */ (options));
+  const reach = (/** @type {object} */ options) => () => scenario.reach(/** @type {import("planarium/full").ReachOptions} */ (options));
   fails(reach({}), "missing-field", "/target");
   fails(() => scenario.reach(/** @type {never} */ (undefined)), "missing-field", "/target");
   fails(reach({ target: [1] }), "wrong-dimension", "/target");

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { Fleet, Navigation, Scenario } from "planarium";
+import { Fleet, Navigation, Scenario } from "planarium/full";
 import { root } from "../../scripts/run.mjs";
 import { targetFolder } from "../../scripts/setup.mjs";
 import { anchorOf } from "../../scripts/site.mjs";

@@ -1,7 +1,7 @@
 /** What a run gives, and how it is stepped: cursors, history, paths, roadmaps, growth; the same in any slices. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Planner, Scenario, Trajectories, historyColumns, phases, solve } from "planarium";
+import { Planner, Scenario, Trajectories, historyColumns, phases, solve } from "planarium/full";
 import { arm, disc, finish, options as asOptions } from "./scenes.mjs";
 
 for (const algorithm of ["prm", "prm-star", "lazy-prm", "lazy-prm-star", "visibility-prm", "rrt", "rrt-connect"]) {

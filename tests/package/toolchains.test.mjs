@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
 import { drive, isGreen, recipes, versionsOf } from "../../compat/compat.mjs";
-import { toolchains } from "../../compat/toolchains.mjs";
+import { toolchains, withFull } from "../../compat/toolchains.mjs";
 import { root } from "../../scripts/run.mjs";
 import { pack } from "./packed.mjs";
 
@@ -13,11 +13,12 @@ let tarball;
 before(() => { tarball = pack(); });
 
 const names = ["Node, require", "Vite, development", "Vite, build", "esbuild", "import map", "classic worker", "TypeScript, `moduleResolution` node16"];
-for (const name of names) {
-  test(`the package works with ${name}`, async () => {
+const withBoth = ["Node, require", "Vite, build", "esbuild"];
+for (const [entry, name] of [...names.map((name) => ["planarium", name]), ...withBoth.map((name) => ["planarium/full", name])]) {
+  test(`${entry} works with ${name}`, async () => {
     const toolchain = toolchains.find((one) => one.name === name);
     assert.ok(toolchain);
-    const outcome = await drive(toolchain, tarball, { isLinked: true });
+    const outcome = await drive(entry === "planarium" ? toolchain : withFull(toolchain), tarball, { isLinked: true });
     assert.ok(isGreen(outcome), `${JSON.stringify(outcome.found)}\n${outcome.log}`);
   });
 }

@@ -1,7 +1,7 @@
 /** Many trajectories through the package: what it takes, gives and refuses. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Trajectories, particlePoints, trajectoryOptions } from "planarium";
+import { Trajectories, particlePoints, trajectoryOptions } from "planarium/full";
 import { fails } from "./scenes.mjs";
 
 test("trajectories are accepted one by one, and read by cursors", () => {

@@ -15,7 +15,7 @@ import init, {
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
 import { Problem, type ByClearance, type BySamples, type CoordinateDescription, type ProblemDescription, type SpaceDescription } from "planarium";
-import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium";
+import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium/full";
 import { PlannerPool, type PoolOptions, type ProgressOptions, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -289,9 +289,22 @@ for (const [name, settings] of Object.entries({
   });
 }
 
+test("the declarations of planarium name nothing that only planarium/full has, and its own alone", () => {
+  const [light, full] = ["core.d.ts", "full/core.d.ts"].map((name) => {
+    const text = readFileSync(join(folder, "node_modules", "planarium", "dist", "package", name), "utf8");
+    return new Set(Array.from(text.matchAll(/^export (?:type|interface|class|function|enum) (\w+)/gm), ([, own]) => own));
+  });
+  assert.deepEqual([...light].filter((name) => !full.has(name)), []);
+  for (const name of ["Scenario", "Problem", "Planner", "PrmOptions", "Neighbours", "InitInput", "OptionInfo"]) assert.ok(light.has(name), name);
+  assert.deepEqual([...light].filter((name) => /Fleet|Navigation|Policy|Training|Trajector|Experiment|Trial|ReachOptions/.test(name)), []);
+  for (const name of ["Fleet", "Navigation", "Experiment", "Trajectories", "Reach", "Training", "FleetOptions"]) assert.ok(full.has(name), name);
+});
+
 test("no declaration says any, and every member is explained", () => {
   const place = join(folder, "node_modules", "planarium", "dist", "package");
-  for (const name of readdirSync(place).filter((file) => file.endsWith(".d.ts"))) {
+  const names = readdirSync(place, { recursive: true, encoding: "utf8" }).filter((file) => file.endsWith(".d.ts"));
+  assert.ok(names.includes(join("full", "core.d.ts")));
+  for (const name of names) {
     const text = readFileSync(join(place, name), "utf8");
     const code = text.replace(/\/\*[^]*?\*\/|"[^"]*"/g, "");
     assert.doesNotMatch(code, /\bany\b/, name);

@@ -54,8 +54,8 @@ test("a page that was open once opens without a network with all its rooms, and 
   await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
 }, { serviceWorkers: "allow" }, { expectErrors: true }));
 
-test("the page in one file has at most 1620 KB and asks for nothing", () => {
-  assert.ok(statSync(oneFile).size <= 1620 * 1024, `${statSync(oneFile).size}`);
+test("the page in one file has at most 1260 KB and asks for nothing", () => {
+  assert.ok(statSync(oneFile).size <= 1260 * 1024, `${statSync(oneFile).size}`);
   const html = readFileSync(oneFile, "utf8");
   assert.match(html, /default-src 'none'/);
   assert.doesNotMatch(html, /<(script|link|img)[^>]*(src|href)="(?!data:)/);

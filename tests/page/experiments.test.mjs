@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Experiment, ecdf, paired, quartiles, share } from "planarium";
+import { Experiment, ecdf, paired, quartiles, share } from "planarium/full";
 import { completed } from "../../www/experiments/charts.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
@@ -11,7 +11,7 @@ import { Rows } from "../../www/experiments/rows.js";
 import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
 
-/** @import { ExperimentDocument, TrialRow } from "planarium" */
+/** @import { ExperimentDocument, TrialRow } from "planarium/full" */
 /** @import { Page } from "./browser.mjs" */
 /** @import { LinkedDocument, View } from "../../www/experiments/link.js" */
 

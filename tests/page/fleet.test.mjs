@@ -1,7 +1,7 @@
 /** The page of several robots, in Chromium: it plans and plays, shows who waits and who is in the way, and is put into another order. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Fleet, fleetGenerators, fleetPlanners } from "planarium";
+import { Fleet, fleetGenerators, fleetPlanners } from "planarium/full";
 import { Trajectory, straightOf } from "../../www/fleet/trajectory.js";
 import { SCENES } from "../../www/fleet/scenes.js";
 import { choose, download, dropFile, fill, linkOf, onPage, pickFile, pictureOf, pixelsOf, pressUntil, useBrowser } from "./browser.mjs";
@@ -9,7 +9,7 @@ import { assertRoom } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
-/** @typedef {import("planarium").FleetOptions} FleetOptions */
+/** @typedef {import("planarium/full").FleetOptions} FleetOptions */
 
 useBrowser();
 
@@ -52,7 +52,7 @@ function planned(fleet, options) {
   return { result: planner.result(), planner };
 }
 
-/** Robots that stand at a time between two rows of the same place, and go on later, from 1. @param {import("planarium").FleetResult} result @param {number} time */
+/** Robots that stand at a time between two rows of the same place, and go on later, from 1. @param {import("planarium/full").FleetResult} result @param {number} time */
 function waitingAt({ robots }, time) {
   return robots.flatMap(({ times, path }, i) => {
     const row = times.findLastIndex((one) => one <= time);

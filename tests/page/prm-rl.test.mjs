@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { Navigation, rolloutOptions, trainingOptions } from "planarium";
+import { Navigation, rolloutOptions, trainingOptions } from "planarium/full";
 import { TrainingPool } from "../../www/prm-rl/pool.js";
 import { FIRST, countsOf, poseAt } from "../../www/prm-rl/session.js";
 import { download, dropFile, fill, linkOf, onPage, pickFile, pixelsOf, pressUntil, root, textMatches, useBrowser } from "./browser.mjs";
@@ -11,14 +11,14 @@ import { assertRoom } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
-/** @typedef {import("planarium").NavigationDocument} NavigationDocument */
+/** @typedef {import("planarium/full").NavigationDocument} NavigationDocument */
 
 useBrowser();
 
 const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
 /** What the page gives a planner, beside what is set. */
 const ROADMAP = { samples: 400, k: 15 };
-/** @type {import("planarium").PolicyDocument} */
+/** @type {import("planarium/full").PolicyDocument} */
 const policy = JSON.parse(readFileSync(join(root, "www", "prm-rl", "policy.json"), "utf8"));
 const first = Navigation.generate(FIRST.kind, FIRST.options);
 /** A training of a few seconds. */

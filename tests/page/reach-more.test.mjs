@@ -1,7 +1,7 @@
 /** The page of the arm: inverse kinematics to watch, links and files, and for whom it is. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Scenario, reachMethods } from "planarium";
+import { Scenario, reachMethods } from "planarium/full";
 import { encodeState } from "../../www/app/link.js";
 import { BODIES } from "../../www/reach/scenes.js";
 import { decodeLink } from "../../www/planner/link/codec.js";

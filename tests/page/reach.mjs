@@ -1,6 +1,6 @@
 /** The pages of the rooms in the browser, for their tests; and what those of the arm share. */
 import assert from "node:assert/strict";
-import { Scenario } from "planarium";
+import { Scenario } from "planarium/full";
 import { SCENES } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, fill, keys, onPage } from "./browser.mjs";
 import { plane } from "./editing.mjs";

@@ -159,6 +159,8 @@ test("every page has the same policy as the planner's, and its own entry, style 
     assert.equal(policy(html), policy(index), name);
     assert.doesNotMatch(html, /<!-- (rooms|masthead) -->|<style|\sstyle=|\son\w+="/, name);
     assert.equal(html.match(/aria-current="page"/g)?.length, 1, name);
+    const cores = Array.from(html.matchAll(/href="planarium\/(\w+)_bg\.wasm"/g), ([, core]) => core);
+    assert.deepEqual(cores, name === "index.html" ? ["planarium"] : name === "gallery.html" ? [] : ["full"], name);
     for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)"/g)) if (address !== "docs/") assert.ok(existsSync(join(pageRoot, address)), `${name}: ${address}`);
   }
 });

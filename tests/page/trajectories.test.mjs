@@ -1,7 +1,7 @@
 /** The page of many trajectories, in Chromium: it grows, stands still, says why not, and gives away what it shows. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import * as planarium from "planarium";
+import * as planarium from "planarium/full";
 import { download, fill, linkOf, onPage, pictureOf, pressUntil, useBrowser } from "./browser.mjs";
 import { assertRoom } from "./looks.mjs";
 
@@ -58,7 +58,7 @@ async function end(page, status = "solved") {
 /** How many pixels of the lower canvas are inked. @param {Page} page */
 const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=ground]"))[0].split(" ")[2]);
 
-/** What the package says of the same experiment. @param {import("planarium").TrajectoryOptions} options @param {number} [tried] */
+/** What the package says of the same experiment. @param {import("planarium/full").TrajectoryOptions} options @param {number} [tried] */
 function expected(options, tried = 1e6) {
   const trajectories = new planarium.Trajectories(options);
   trajectories.step(tried);

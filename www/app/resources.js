@@ -18,7 +18,9 @@ export async function workerMaker(script) {
 export async function loadCore() {
   const packed = inline("core");
   if (packed !== null) return WebAssembly.compile(await unpacked(packed));
-  const response = await fetch("planarium/planarium_bg.wasm");
+  // The page is fetching it: the planner's the light one, the others all of it.
+  const { href } = /** @type {HTMLLinkElement} */ (document.querySelector("link[type='application/wasm']"));
+  const response = await fetch(href);
   if (!response.ok) throw new Error(`${response.url} returned ${response.status} ${response.statusText}`.trimEnd());
   // Streaming needs the right content type.
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);

@@ -1,6 +1,6 @@
 /** Values of a parameter, and seeds, as a line of text: "1, 3, 5", "1 to 30 by 1", "0 to 19". */
 
-/** @import { ExperimentAxis, ExperimentSeeds } from "planarium" */
+/** @import { ExperimentAxis, ExperimentSeeds } from "planarium/full" */
 
 const NUMBER = "(-?[\\d.]+(?:e-?\\d+)?)";
 const SPAN = new RegExp(`^${NUMBER} to ${NUMBER} by ${NUMBER}$`);

@@ -1,7 +1,7 @@
 /** The commands of this page, which each worker of its pool runs: an experiment, and some of its trials. */
-import { Experiment } from "planarium";
+import { Experiment } from "planarium/full";
 
-/** @import { ExperimentDocument, Trial } from "planarium" */
+/** @import { ExperimentDocument, Trial } from "planarium/full" */
 /** @import { Cell } from "./rows.js" */
 
 /** @type {Experiment | null} */

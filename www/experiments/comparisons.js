@@ -1,5 +1,5 @@
 /** Every setting against a baseline in words, in pairs with the same world, query and seed. */
-import { paired } from "planarium";
+import { paired } from "planarium/full";
 import { groupsOf, labelOf } from "./factors.js";
 import { SOLVED, isShare, measureInfo } from "./measures.js";
 import { sampleOf } from "./tables.js";

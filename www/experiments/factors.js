@@ -3,9 +3,9 @@
  * differ in seeds alone are a group.
  */
 
-import { planners as plannerInfos } from "planarium";
+import { planners as plannerInfos } from "planarium/full";
 
-/** @import { ExperimentAxis, ExperimentDocument } from "planarium" */
+/** @import { ExperimentAxis, ExperimentDocument } from "planarium/full" */
 /** @import { Cell, Rows } from "./rows.js" */
 
 /** A column with its values in order; null where it does not apply. @typedef {{ column: string, title: string, unit: string, values: Cell[], isNumeric: boolean, words?: Words }} Factor */

@@ -1,5 +1,5 @@
 /** The form of a document: its worlds, its planners, what varies, seeds, budget and measures. Tables of the core say what there is. */
-import { generators, planners } from "planarium";
+import { generators, planners } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { robotName } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
@@ -11,7 +11,7 @@ import { nameOf, plannerTitle } from "./factors.js";
 import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
-/** @import { ExperimentSeeds, ExperimentWorld, Measure } from "planarium" */
+/** @import { ExperimentSeeds, ExperimentWorld, Measure } from "planarium/full" */
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
 /** @import { ExperimentSession } from "./session.js" */
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */

@@ -8,7 +8,7 @@ import { decodeState, encodeState } from "../app/link.js";
 import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
 
 /** @import { Allowed, Rule } from "../formats/rules.js" */
-/** @import { ExperimentDocument, ExperimentWorld } from "planarium" */
+/** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
 
 /** @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] } | { scenario: string, name?: string, queries?: string[] }} LinkedWorld */
 /** @typedef {Omit<ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   a document whose worlds may be scenes by name */

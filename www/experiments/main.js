@@ -4,7 +4,7 @@
  * For tests, beside what app.js says: `body` carries `data-phase` (a phase of session.js), `data-done` and `data-count` (trials),
  * `data-fingerprint` (of the experiment), `data-chart` (its kind, once it is drawn) and `data-drawn` (trials in the chart).
  */
-import { Experiment } from "planarium";
+import { Experiment } from "planarium/full";
 import { App } from "../app/app.js";
 import { byId, counted, grouped, make } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";

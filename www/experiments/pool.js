@@ -5,7 +5,7 @@
 import { errorInfo } from "../app/error-info.js";
 import { Rows } from "./rows.js";
 
-/** @import { ExperimentDocument } from "planarium" */
+/** @import { ExperimentDocument } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Info } from "./commands.js" */
 

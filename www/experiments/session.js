@@ -5,7 +5,7 @@
 import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
 import { errorInfo } from "../app/error-info.js";
-import { planners, generators } from "planarium";
+import { planners, generators } from "planarium/full";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
@@ -14,7 +14,7 @@ import { retitled } from "./ready.js";
 import { lengthUnit, resolved, robotsOf } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
-/** @import { ExperimentDocument } from "planarium" */
+/** @import { ExperimentDocument } from "planarium/full" */
 /** @import { ErrorInfo } from "../domain/types.js" */
 /** @import { Info } from "./commands.js" */
 /** @import { ExperimentState, LinkedDocument, View } from "./link.js" */

@@ -2,7 +2,7 @@
  * The tables behind the charts: statistics of groups of trials, by the core. A measure is that of trials with a path; others count as
  * missing, and in the empirical distribution function as failures.
  */
-import { ecdf, quartiles, share } from "planarium";
+import { ecdf, quartiles, share } from "planarium/full";
 import { groupsOf, labelOf } from "./factors.js";
 import { SOLVED, isShare, scaleOf } from "./measures.js";
 

@@ -2,7 +2,7 @@
 import { encodeLink } from "../planner/link/codec.js";
 import { nameOf } from "./factors.js";
 
-/** @import { ExperimentDocument } from "planarium" */
+/** @import { ExperimentDocument } from "planarium/full" */
 /** @import { LinkedDocument } from "./link.js" */
 /** @import { Rows } from "./rows.js" */
 /** @import { Settings } from "../domain/types.js" */

@@ -1,12 +1,12 @@
 /** Worlds of a document: built-in scenes by name become what the core reads, and the robots of all of them. */
-import { Scenario } from "planarium";
+import { Scenario } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 import { unitOf } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
 import { loadScene } from "../app/resources.js";
 import { valuesOf } from "./factors.js";
 
-/** @import { ExperimentDocument, ExperimentWorld } from "planarium" */
+/** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
 /** @typedef {Scenario["robot"]} Robot */
 

@@ -1,8 +1,8 @@
 /** The commands of this page, which its worker runs: the fleet, its conflicts, and the newest planner, which is stepped. */
-import { Fleet } from "planarium";
+import { Fleet } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { FleetPlanner, FleetPlannerId, GenerateFleetOptions } from "planarium" */
+/** @import { FleetPlanner, FleetPlannerId, GenerateFleetOptions } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { Generated } from "./scenes.js" */
 

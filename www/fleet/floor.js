@@ -10,7 +10,7 @@ import { drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
 import { robotColours } from "./colours.js";
 import { partsAt, poseOf, roomOf } from "./trajectory.js";
 
-/** @import { FleetDocument } from "planarium" */
+/** @import { FleetDocument } from "planarium/full" */
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @import { Brush } from "../draw/figure.js" */

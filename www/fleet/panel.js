@@ -1,5 +1,5 @@
 /** The settings: a ready fleet, a generator with its options, a planner with its options. The forms are built from the core's tables. */
-import { Fleet, fleetGenerators, fleetPlanners, randomSeed } from "planarium";
+import { Fleet, fleetGenerators, fleetPlanners, randomSeed } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { withOptions } from "../domain/option-names.js";
 import { withSeed } from "../widgets/field.js";
@@ -8,7 +8,7 @@ import { Options } from "../widgets/options.js";
 import { fleetThumbnail } from "./floor.js";
 import { SCENES } from "./scenes.js";
 
-/** @import { FleetGeneratorId, FleetPlannerId, GenerateFleetOptions } from "planarium" */
+/** @import { FleetGeneratorId, FleetPlannerId, GenerateFleetOptions } from "planarium/full" */
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { FleetSession, Change, Source } from "./session.js" */
 /** @import { Entry, Generated } from "./scenes.js" */

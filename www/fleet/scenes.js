@@ -1,6 +1,6 @@
 /** Ready fleets: what generates each, and what to see in it. The first one is there at first. */
 
-/** @import { FleetGeneratorId } from "planarium" */
+/** @import { FleetGeneratorId } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 
 /** @typedef {{ kind: FleetGeneratorId, options: Settings }} Generated   options that differ from the defaults */

@@ -5,7 +5,7 @@
 import { Observable } from "../app/observable.js";
 import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 
-/** @import { FleetConflict, FleetDocument, FleetPlannerId, FleetResult, FleetVerification, Status } from "planarium" */
+/** @import { FleetConflict, FleetDocument, FleetPlannerId, FleetResult, FleetVerification, Status } from "planarium/full" */
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */

@@ -1,7 +1,7 @@
 /** The state that a link stores: the fleet, the planner and its options, the order of priorities, and what is shown. */
 import { flag, json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
 
-/** @import { FleetDocument, FleetGeneratorId, FleetPlannerId } from "planarium" */
+/** @import { FleetDocument, FleetGeneratorId, FleetPlannerId } from "planarium/full" */
 /** @import { Rule } from "../formats/rules.js" */
 /** @import { FleetSession, Source } from "./session.js" */
 

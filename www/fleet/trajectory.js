@@ -1,7 +1,7 @@
 /** Where a robot is at every time, and when it waits; in rows as of the core. */
 import { difference } from "planarium/draw";
 
-/** @import { FleetRobotDocument } from "planarium" */
+/** @import { FleetRobotDocument } from "planarium/full" */
 /** @import { Part, Point } from "../domain/types.js" */
 
 /** x, y, theta; theta of a disc is 0. @typedef {[number, number, number]} Pose */

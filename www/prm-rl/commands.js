@@ -2,10 +2,10 @@
  * The commands of this page, which its workers run: a training, a roadmap that grows and what is driven along its path, and a comparison.
  * Only the newest of each counts.
  */
-import { Navigation, eventKinds } from "planarium";
+import { Navigation, eventKinds } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions, NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions } from "planarium" */
+/** @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions, NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 
 /** How a goal is driven to. @typedef {NavigationMethod} Way */

@@ -1,6 +1,6 @@
 /** A comparison of the three ways to drive, as the page shows it: it grows while it runs, and can be paused. */
 
-/** @import { ComparedExecution, MethodSummary, NavigationQueryDocument } from "planarium" */
+/** @import { ComparedExecution, MethodSummary, NavigationQueryDocument } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { NavigationSession } from "./session.js" */
 

@@ -6,7 +6,7 @@ import { drawGoal } from "../draw/shapes.js";
 import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
 import { poseAt } from "./session.js";
 
-/** @import { Demonstration } from "planarium" */
+/** @import { Demonstration } from "planarium/full" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NavigationSession } from "./session.js" */
 

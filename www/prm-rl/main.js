@@ -32,7 +32,7 @@ import { openState, stateOf, stateRule } from "./state.js";
 import { comparedCsv, showCompared, showDriven, showEdges } from "./tables.js";
 import { WAY_WORDS, sentenceOf } from "./words.js";
 
-/** @import { PolicyDocument } from "planarium" */
+/** @import { PolicyDocument } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
 /** @import { Refusal } from "./panel.js" */

@@ -2,7 +2,7 @@
 import { partPath } from "planarium/draw";
 import { addCross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
 
-/** @import { DriveOutcome, Execution, Navigation, Sensor } from "planarium" */
+/** @import { DriveOutcome, Execution, Navigation, Sensor } from "planarium/full" */
 /** @import { View } from "planarium/draw" */
 /** @import { Palette } from "../app/palette.js" */
 /** @typedef {CanvasRenderingContext2D} Context */

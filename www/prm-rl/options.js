@@ -1,5 +1,5 @@
 /** The options of the ways that plan: those of the core, with usual values of this page for the roadmap. */
-import { comparisonOptions, rolloutOptions } from "planarium";
+import { comparisonOptions, rolloutOptions } from "planarium/full";
 import { withSeed } from "../widgets/field.js";
 
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */

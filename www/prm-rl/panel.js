@@ -1,5 +1,5 @@
 /** The settings: the floor, the options of the training, of the plans and of the comparison, start and goal. The forms are built from the core's tables. */
-import { comparisonOptions, navigationGenerators, randomSeed, trainingOptions } from "planarium";
+import { comparisonOptions, navigationGenerators, randomSeed, trainingOptions } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { button, press } from "../widgets/elements.js";
 import { Field, withSeed } from "../widgets/field.js";
@@ -7,7 +7,7 @@ import { Options } from "../widgets/options.js";
 import { Slider } from "../widgets/slider.js";
 import { optionsOf } from "./options.js";
 
-/** @import { NavigationGeneratorId } from "planarium" */
+/** @import { NavigationGeneratorId } from "planarium/full" */
 /** @import { ParameterInfo } from "../domain/types.js" */
 /** @import { Change, NavigationSession, Source } from "./session.js" */
 

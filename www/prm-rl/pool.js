@@ -4,7 +4,7 @@
  */
 import { errorInfo } from "../app/error-info.js";
 
-/** @import { NavigationDocument } from "planarium" */
+/** @import { NavigationDocument } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { Commands, Generation } from "./commands.js" */

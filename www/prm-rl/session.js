@@ -2,14 +2,14 @@
  * The state of the page: a floor with its robot, a start and a goal, a policy, what is planned and driven, a training and a comparison. The
  * worker plans and drives; only the newest plan counts.
  */
-import { Navigation } from "planarium";
+import { Navigation } from "planarium/full";
 import { Observable } from "../app/observable.js";
 import { withOptions } from "../domain/option-names.js";
 import { ComparisonRun } from "./comparison.js";
 import { withDefaults } from "./options.js";
 import { TrainingRun } from "./training.js";
 
-/** @import { EdgeRollouts, Execution, GenerateNavigationOptions, NavigationDocument, NavigationGeneratorId, PolicyDocument, ResultDocument, Status } from "planarium" */
+/** @import { EdgeRollouts, Execution, GenerateNavigationOptions, NavigationDocument, NavigationGeneratorId, PolicyDocument, ResultDocument, Status } from "planarium/full" */
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */

@@ -2,7 +2,7 @@
 import { json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
 import { FIRST, WAYS } from "./session.js";
 
-/** @import { NavigationDocument, NavigationGeneratorId } from "planarium" */
+/** @import { NavigationDocument, NavigationGeneratorId } from "planarium/full" */
 /** @import { Rule } from "../formats/rules.js" */
 /** @import { Lesson } from "./lesson.js" */
 /** @import { NavigationSession, Origin, Part, Source } from "./session.js" */

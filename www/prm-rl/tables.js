@@ -6,7 +6,7 @@ import { num } from "../widgets/format.js";
 import { WAYS, countsOf } from "./session.js";
 import { WAY_WORDS, percentText } from "./words.js";
 
-/** @import { MethodSummary } from "planarium" */
+/** @import { MethodSummary } from "planarium/full" */
 /** @import { NavigationSession } from "./session.js" */
 
 /** The drawn interval, CSS pixels. */

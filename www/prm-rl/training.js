@@ -1,8 +1,8 @@
 /** A training as the page shows it: its settings, the pool that runs it, its curves, and drives of the policy so far. */
-import { Navigation } from "planarium";
+import { Navigation } from "planarium/full";
 import { TrainingPool } from "./pool.js";
 
-/** @import { Demonstration, NavigationDocument, PolicyDocument } from "planarium" */
+/** @import { Demonstration, NavigationDocument, PolicyDocument } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { TrainingWorker } from "./pool.js" */
 /** @import { NavigationSession } from "./session.js" */

@@ -1,7 +1,7 @@
 /** The commands of this page, which its worker runs. */
-import { Scenario } from "planarium";
+import { Scenario } from "planarium/full";
 
-/** @import { ScenarioDocument } from "planarium" */
+/** @import { ScenarioDocument } from "planarium/full" */
 
 export const commands = {
   /** The obstacles in the configuration space of an arm of two joints. @param {ScenarioDocument} document @param {number} side  cells @returns {Uint8Array} */

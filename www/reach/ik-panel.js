@@ -5,7 +5,7 @@
  * and `data-fingerprint` (while it does not play).
  */
 import { withSeed } from "../widgets/field.js";
-import { planners, reachMethods } from "planarium";
+import { planners, reachMethods } from "planarium/full";
 import { Chart } from "../widgets/chart.js";
 import { byId, grouped, make } from "../app/dom.js";
 import { pacer } from "../app/paced.js";

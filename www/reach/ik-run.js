@@ -2,7 +2,7 @@
 import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { ReachMethodInfo, ReachVerdict } from "planarium" */
+/** @import { ReachMethodInfo, ReachVerdict } from "planarium/full" */
 /** @import { Point, Settings } from "../domain/types.js" */
 /** @import { Robot } from "./robot.js" */
 

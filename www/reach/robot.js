@@ -1,12 +1,12 @@
 /** The robot, an arm or a body: its document, the core's scenario of it, its configuration and what the core computes of it. */
-import { Scenario } from "planarium";
+import { Scenario } from "planarium/full";
 import { wrap } from "planarium/draw";
 import { coordinatesOf, fitted } from "../domain/coordinates.js";
 import { robotName } from "../domain/names.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
-/** @typedef {Extract<import("planarium").Robot, { type: "arm" }>} ArmRobot */
+/** @typedef {Extract<import("planarium/full").Robot, { type: "arm" }>} ArmRobot */
 
 export class Robot {
   /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @throws {Error} with `code` and `pointer`, if the core refuses it */

@@ -1,9 +1,9 @@
 /** The commands of this page, which its worker runs: the experiment, with the time of each trajectory. */
 import { rowsOf } from "../domain/coordinates.js";
 import { withOptions } from "../domain/option-names.js";
-import { Trajectories, particlePoints } from "planarium";
+import { Trajectories, particlePoints } from "planarium/full";
 
-/** @import { TrajectoryOptions } from "planarium" */
+/** @import { TrajectoryOptions } from "planarium/full" */
 
 /** Milliseconds of a call, at most. */
 const LONGEST = 24;

@@ -2,7 +2,7 @@
 
 import { rowsOf } from "../domain/coordinates.js";
 
-/** @import { TrajectoriesResult, TrajectoryOptions } from "planarium" */
+/** @import { TrajectoriesResult, TrajectoryOptions } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands, Progress } from "./commands.js" */
 

@@ -7,7 +7,7 @@
  * "trajectories-frame".
  */
 import { withSeed } from "../widgets/field.js";
-import { randomSeed, trajectoryOptions } from "planarium";
+import { randomSeed, trajectoryOptions } from "planarium/full";
 import { App } from "../app/app.js";
 import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
@@ -24,7 +24,7 @@ import { Particle } from "./particle.js";
 import { Plane } from "./plane.js";
 import { stateRule } from "./state.js";
 
-/** @import { ParameterInfo, TrajectoryOptions } from "planarium" */
+/** @import { ParameterInfo, TrajectoryOptions } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { Commands } from "./commands.js" */

@@ -1,5 +1,5 @@
 /** A single particle: its circular arc, and the spiral of the other model. */
-import { particlePoints } from "planarium";
+import { particlePoints } from "planarium/full";
 import { View } from "planarium/draw";
 import { make } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";

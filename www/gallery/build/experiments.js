@@ -1,5 +1,5 @@
 /** Entries of Experiments: a document and its view. The picture shows the first trials of each setting: the page runs them all. */
-import { Experiment } from "planarium";
+import { Experiment } from "planarium/full";
 import { View as Frame } from "planarium/draw";
 import { SERIES } from "../../app/palette.js";
 import { encodeExperiment } from "../../experiments/link.js";
@@ -7,7 +7,7 @@ import { SOLVED, isShare } from "../../experiments/measures.js";
 import { drawLine, setStroke } from "../../draw/marks.js";
 import { drawDots } from "./sheet.js";
 
-/** @import { ExperimentDocument, ExperimentSeeds, TrialRow } from "planarium" */
+/** @import { ExperimentDocument, ExperimentSeeds, TrialRow } from "planarium/full" */
 /** @import { Brush } from "../../draw/figure.js" */
 /** @import { View } from "../../experiments/link.js" */
 /** @import { Entry } from "../format.js" */

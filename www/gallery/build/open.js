@@ -6,7 +6,7 @@ import { openLearned } from "./prm-rl.js";
 import { openReach } from "./reach.js";
 import { openTrajectories } from "./trajectories.js";
 
-/** @import { PolicyDocument } from "planarium" */
+/** @import { PolicyDocument } from "planarium/full" */
 /** @import { ScenarioDocument } from "../../domain/types.js" */
 /** @import { LinkedDocument } from "../../experiments/link.js" */
 /** @import { Entry } from "../format.js" */

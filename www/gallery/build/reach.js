@@ -1,6 +1,6 @@
 /** Entries of Reach: the robot and, with two joints, its configuration space. */
 import { encodeState } from "../../app/link.js";
-import { reachMethods } from "planarium";
+import { reachMethods } from "planarium/full";
 import { DEFAULTS, IkRun } from "../../reach/ik-run.js";
 import { ReachSession } from "../../reach/session.js";
 import { Square } from "../../reach/square.js";

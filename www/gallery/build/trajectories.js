@@ -9,7 +9,7 @@ import { Plane } from "../../trajectories/plane.js";
 import { stateRule } from "../../trajectories/state.js";
 import { drawDots, thinned } from "./sheet.js";
 
-/** @import { TrajectoryOptions } from "planarium" */
+/** @import { TrajectoryOptions } from "planarium/full" */
 /** @import { Remote } from "../../app/worker-client.js" */
 /** @import { Commands } from "../../trajectories/commands.js" */
 /** @import { Movement } from "../../trajectories/state.js" */

@@ -63,7 +63,7 @@ pub(super) fn found(robots: &[&Robot], trajectories: &[Trajectory], slack: f64) 
             });
         }
     }
-    sort_stably(&mut search.conflicts, &|a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
+    sort_stably(&mut search.conflicts, |a, b| a.from.total_cmp(&b.from).then(a.robots.cmp(&b.robots)));
     (search.conflicts, search.looks)
 }
 

@@ -77,7 +77,7 @@ impl Joint {
             .collect();
         let far = |robot: usize| ground.distances[robot][self.starts[robot] as usize];
         let mut order: Vec<usize> = (0..at.len()).collect();
-        sort_stably(&mut order, &|&a, &b| urgency[b].cmp(&urgency[a]).then(far(b).total_cmp(&far(a))));
+        sort_stably(&mut order, |&a, &b| urgency[b].cmp(&urgency[a]).then(far(b).total_cmp(&far(a))));
         self.known.insert(Arc::clone(&at), number);
         self.open.push(number);
         let fixed = VecDeque::from([Vec::new()]);

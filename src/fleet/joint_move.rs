@@ -97,7 +97,7 @@ impl JointMove {
                         (ground.distances[robot][vertex as usize] * (1.0 + part), vertex)
                     })
                     .collect();
-                sort_stably(&mut left, &|a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
+                sort_stably(&mut left, |a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
                 left.into_iter().map(|(_, vertex)| vertex).collect()
             }
         };

@@ -90,7 +90,7 @@ impl Branch {
     fn lowest_first(&self, robot: usize) -> Vec<usize> {
         let mut robots: Vec<usize> =
             (0..self.above.len()).filter(|&one| one == robot || self.is_above(robot, one)).collect();
-        sort_stably(&mut robots, &|&one, &other| (self.above[other].len(), other).cmp(&(self.above[one].len(), one)));
+        sort_stably(&mut robots, |&one, &other| (self.above[other].len(), other).cmp(&(self.above[one].len(), one)));
         robots
     }
 
@@ -175,7 +175,7 @@ impl PriorityTree {
             return Status::Running;
         }
         // The cheaper one of two is looked into first.
-        sort_stably(&mut self.made, &|a, b| b.cost.total_cmp(&a.cost));
+        sort_stably(&mut self.made, |a, b| b.cost.total_cmp(&a.cost));
         self.open.append(&mut self.made);
         let Some(branch) = self.open.pop() else { return Status::Exhausted };
         let earliest = branch.conflicts.iter().min_by(|a, b| a.1.total_cmp(b.1).then(a.0.cmp(b.0)));

@@ -54,7 +54,7 @@ impl Refinement {
             }
             // Who arrives last plans first.
             let mut left = self.all.clone();
-            sort_stably(&mut left, &|&a, &b| self.arrival(a).total_cmp(&self.arrival(b)).then(b.cmp(&a)));
+            sort_stably(&mut left, |&a, &b| self.arrival(a).total_cmp(&self.arrival(b)).then(b.cmp(&a)));
             self.left = left;
             (self.rounds, self.is_earlier) = (self.rounds - 1, false);
             return Refined::NotYet;

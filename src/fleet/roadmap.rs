@@ -133,7 +133,7 @@ impl Roadmap {
             self.neighbours[b as usize].push((a, way));
         }
         for neighbours in &mut self.neighbours {
-            sort_stably(neighbours, &|a, b| a.0.cmp(&b.0));
+            sort_stably(neighbours, |a, b| a.0.cmp(&b.0));
             neighbours.dedup_by_key(|neighbour| neighbour.0);
         }
     }

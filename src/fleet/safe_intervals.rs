@@ -122,7 +122,7 @@ impl Scene<'_> {
                 pair.add_conflicts(&mut unsafe_intervals, |pair| proofs.is_apart(pair, false))?;
             }
         }
-        sort_stably(&mut unsafe_intervals, &|a, b| a[0].total_cmp(&b[0]));
+        sort_stably(&mut unsafe_intervals, |a, b| a[0].total_cmp(&b[0]));
         let (mut safe, mut from) = (Vec::new(), 0.0);
         for [begin, end] in unsafe_intervals {
             if begin > from {

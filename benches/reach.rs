@@ -8,6 +8,7 @@ mod arms;
 
 use planarium::geometry::Vector;
 use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
+use planarium::problem::Stepped;
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
 use planarium::run::Status;

@@ -4,6 +4,7 @@
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
 use planarium::options::Value;
+use planarium::problem::Stepped;
 use planarium::trajectories::Trajectories;
 use std::time::Instant;
 

@@ -9,6 +9,7 @@ use planarium::driving::{Drive, Key};
 use planarium::geometry::Point;
 use planarium::ik::{self, Solver, SolverOptions};
 use planarium::options::{Kind, OptionInfo, Options as _};
+use planarium::problem::Stepped;
 use planarium::robot::Target;
 use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::{index, indexes};

@@ -9,7 +9,7 @@ use planarium::fleet::{self, Fleet, FleetOptions, FleetPlanner, FleetResult};
 use planarium::navigation::{self, Executor, Navigation, Policy, RolloutOptions, Training};
 use planarium::options::Value;
 use planarium::path::{ResultDocument, Verdict, verify};
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric};
 use planarium::run::{self, CustomProblem, Free, LazyPrmOptions, Options, PrmOptions, Run};
 use planarium::scenario::Scenario;

@@ -23,7 +23,7 @@ const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
 /** The library and the command line. */
-const CRATES = ["-p", "planarium", "-p", "planarium-cli"];
+const CRATES = ["-p", "planarium", "-p", "planarium-cli", "-p", "own-planner"];
 
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";

@@ -10,7 +10,7 @@ use crate::certificate::{self, Subdivision, Verdict};
 use crate::error::{Code, Error};
 use crate::generators::given;
 use crate::options::{Info, Options as _, Value, refusal};
-use crate::problem::Status;
+use crate::problem::{Status, Stepped};
 use crate::random::{MAX_SEED, Random, Stream};
 use crate::run::{self, EdgeOptions, Limits, RrtConnectOptions};
 use crate::scenario::generate as seeded;

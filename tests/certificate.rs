@@ -5,6 +5,7 @@ use crate::common::{
     arm_and_wall, begin_with, car_and_wall, cases, disc_and_wall, finish, golden, no_way, parse, seeds,
 };
 use planarium::certificate::{Certificate, Kind, Options, Subdivision, Verdict, verify};
+use planarium::problem::Stepped;
 use planarium::random::{Random, Stream};
 use planarium::run::Status;
 use planarium::run::inspect::Inspector;
@@ -59,7 +60,7 @@ fn steps_may_be_divided_in_any_way() {
         assert_eq!(seven.certificate(), all.certificate());
         assert!(one.cells_since(0).eq(all.cells_since(0)) && seven.cells_since(9).eq(all.cells_since(9)));
         assert_eq!(all.step(1), all.status());
-        assert_eq!(one.divisions(), all.divisions());
+        assert_eq!(one.iterations(), all.iterations());
     }
 }
 

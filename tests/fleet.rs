@@ -8,7 +8,7 @@ use planarium::fleet::{
 };
 use planarium::geometry::wrap;
 use planarium::options::Value;
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::random::{Random, Stream};
 use planarium::robot::Part;
 use serde_json::json;

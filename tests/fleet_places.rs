@@ -6,7 +6,7 @@ use crate::fleet::{assert_free, planned};
 use planarium::certificate::{Options, Subdivision, Verdict};
 use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetReason, generate};
 use planarium::options::Value;
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::random::{Random, Stream};
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -5,6 +5,7 @@ use crate::common::requests::start;
 use crate::common::{finish, parse};
 use planarium::geometry::Point;
 use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
+use planarium::problem::Stepped;
 use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::index;
 use planarium::run::{Request, Value};

@@ -11,7 +11,7 @@ use planarium::ik::{
     Followed, Nearest, Reason, Solver, SolverOptions, Target, Verdict, follow, jacobian, manipulability, methods,
     nearest_reachable, orientation, singular_values,
 };
-use planarium::problem::Touched;
+use planarium::problem::{Stepped, Touched};
 use planarium::random::{MAX_SEED, Random, Stream};
 use planarium::robot::Arm;
 use planarium::run::Status;

@@ -12,7 +12,7 @@ use planarium::geometry::{
     intersects_segment_polygon, intersects_segment_segment, orientation, signed_distance_point_polygon,
     small_convex_pieces,
 };
-use planarium::problem::{Status, Validity};
+use planarium::problem::{Status, Stepped, Validity};
 use planarium::random::Random;
 use planarium::robot::{Arm, DiscRobot, joint_space};
 use planarium::scenario::Obstacle;

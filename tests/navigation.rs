@@ -9,7 +9,7 @@ use planarium::navigation::{
     Comparison, Executor, Navigation, NavigationResult, Outcome, Policy, Training, assess, edge_rollouts, generate,
     read_options,
 };
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::robot::Part;
 use planarium::run::{Request, Run};
 use planarium::scenario::Obstacle;

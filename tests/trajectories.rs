@@ -5,7 +5,7 @@ use crate::common::documents::refuses;
 use crate::common::{cases, given};
 use planarium::geometry::Point;
 use planarium::options::{Kind, Options, Value};
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::random::{Random, Stream};
 use planarium::trajectories::{MOST_TURNING, Model, Particle, Trajectories, TrajectoryOptions, crossing, halve};
 use std::f64::consts::PI;

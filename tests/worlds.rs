@@ -3,6 +3,7 @@
 use crate::common::documents::refuses;
 use crate::common::{begin_with, finish, seeds};
 use planarium::certificate::{Options, Subdivision, Verdict};
+use planarium::problem::Stepped;
 use planarium::run::Status;
 use planarium::scenario::generate::generate as by_seed;
 use planarium::scenario::{Scenario, generate};

@@ -6,6 +6,7 @@ use crate::kind::Kind;
 use crate::output::Outputs;
 use clap::Args;
 use planarium::certificate::{Certificate, DEFAULT_CELLS, Options, Subdivision, Verdict};
+use planarium::problem::Stepped;
 
 #[derive(Args)]
 #[command(after_help = "\

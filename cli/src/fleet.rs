@@ -6,7 +6,7 @@ use crate::kind::Kind;
 use crate::output::Outputs;
 use clap::Args;
 use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetReason, FleetResult};
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use std::time::Instant;
 
 #[derive(Args)]

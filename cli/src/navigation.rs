@@ -11,7 +11,7 @@ use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
 use planarium::navigation::{self, Comparison, Method, Navigation, Policy};
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::run::Request;
 use std::num::NonZeroUsize;
 use std::time::Instant;

@@ -6,6 +6,7 @@ use crate::kind::Kind;
 use crate::output::Outputs;
 use clap::Args;
 use planarium::ik::{Solver, SolverOptions, Target};
+use planarium::problem::Stepped;
 use planarium::run::{Status, Value};
 
 #[derive(Args)]

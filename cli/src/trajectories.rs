@@ -5,7 +5,7 @@ use crate::files;
 use crate::kind::Kind;
 use crate::output::{Output, Outputs};
 use clap::Args;
-use planarium::problem::Status;
+use planarium::problem::{Status, Stepped};
 use planarium::trajectories::{Trajectories, TrajectoriesResult};
 use planarium::{Error, json};
 use serde::Serialize;

@@ -246,7 +246,7 @@ fn the_log_for_ompl_has_a_line_for_each_trial() {
     let log = text_of("runs.log");
     let mut lines = log.lines();
     let mut after = |end: &str| lines.by_ref().find(|line| line.ends_with(end)).unwrap_or_else(|| panic!("no {end}"));
-    assert!(after("version 0.1.0").starts_with("Planarium"));
+    assert!(after(concat!("version ", env!("CARGO_PKG_VERSION"))).starts_with("Planarium"));
     assert_eq!(after("quoted\""), "Experiment Tries,-\"quoted\"");
     assert_eq!(after(" planners"), "3 planners");
     let mut solved = 0;

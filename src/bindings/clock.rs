@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::error::Code;
-use crate::problem::{Phase, Status};
+use crate::problem::{Phase, Stepped};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -16,22 +16,6 @@ extern "C" {
 
 /// The most iterations between two readings of the clock: cheap iterations outweigh the reading, expensive ones do not stall.
 const LONGEST_SLICE: u64 = 64;
-
-/// What is stepped.
-pub(super) trait Stepped {
-    /// Makes at most `n` iterations, fewer only if the run ends.
-    fn step(&mut self, n: u64) -> Status;
-    /// Iterations made so far.
-    fn iterations(&self) -> u64;
-    /// The phase, if there are several.
-    fn phase(&self) -> Phase {
-        Phase::Growing
-    }
-    /// The error that ended the run.
-    fn failure(&self) -> Option<Error> {
-        None
-    }
-}
 
 /// What a function of the caller's has thrown.
 #[derive(Clone, Default)]

@@ -1,7 +1,7 @@
 //! Experiments and statistics for JavaScript.
 
 use super::arguments::{count, document_tree, numbers, records, text};
-use super::clock::{Stepped, Timed, advance};
+use super::clock::{Timed, advance};
 use super::records::{object, record};
 use super::types::{ExperimentInput, JsNumber, JsSummary, JsText, JsTrialRow, JsTrialRows, Measures, Sample};
 use super::{digits, types};
@@ -9,6 +9,7 @@ use crate::Error;
 use crate::error::Code;
 use crate::experiment::{self, Summary, TrialRun, Trials, cell_text};
 use crate::problem;
+use crate::problem::Stepped;
 use crate::statistics::{self, Ecdf, Mean, Names, Paired, Quartiles, Share};
 use serde_json::{Map, Value};
 use std::cell::RefCell;
@@ -88,7 +89,16 @@ members! { Experiment(self): wasm_bindgen(getter);
 #[wasm_bindgen]
 pub struct Trial(RefCell<Timed<TrialRun>>);
 
+/// A trial may end while its run is still running: its budget is spent.
 impl Stepped for TrialRun {
+    fn iterate(&mut self) {
+        self.step(1);
+    }
+
+    fn status(&self) -> problem::Status {
+        self.status()
+    }
+
     fn step(&mut self, n: u64) -> problem::Status {
         self.step(n);
         self.status()

@@ -1,7 +1,7 @@
 //! Fleets for JavaScript: several robots that share a floor.
 
 use super::arguments::{cursor, document_tree, fields, not_negative, records, row, size, text};
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Timed, stepped};
 use super::digits;
 use super::records::{object, record};
 use super::types::{
@@ -11,7 +11,7 @@ use super::types::{
 use crate::Error;
 use crate::error::Code;
 use crate::fleet::{self, Blocked, FleetResult, Pose, Trajectory, Verification};
-use crate::problem;
+use crate::problem::Stepped;
 use crate::robot::Part;
 use std::cell::RefCell;
 use tsify::Ts;
@@ -112,16 +112,6 @@ members! { Fleet(self): wasm_bindgen;
 /// A planner of a fleet, which is stepped; `fleet.planner` makes it. How its iterations are divided into steps does not change the result.
 #[wasm_bindgen]
 pub struct FleetPlanner(RefCell<Timed<fleet::FleetPlanner>>);
-
-impl Stepped for fleet::FleetPlanner {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.iterations()
-    }
-}
 
 stepped!(FleetPlanner);
 

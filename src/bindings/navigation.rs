@@ -1,7 +1,7 @@
 //! Navigation for JavaScript: policies that are trained, roadmaps of what they drive reliably, and their executions.
 
 use super::arguments::{cursor, document_tree, fields, row, rows, size, text};
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Timed, stepped};
 use super::digits;
 use super::planner;
 use super::records::{object, record};
@@ -12,7 +12,7 @@ use super::types::{
 };
 use crate::error::{Code, Error};
 use crate::navigation::{self, Drive, Executor, Outcome, Policy};
-use crate::problem;
+use crate::problem::Stepped;
 use crate::robot::Part;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -211,16 +211,6 @@ members! { Navigation(self): wasm_bindgen;
 #[wasm_bindgen]
 pub struct Training(RefCell<Timed<navigation::Training>>, f64);
 
-impl Stepped for navigation::Training {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.iterations()
-    }
-}
-
 stepped!(Training);
 
 #[wasm_bindgen]
@@ -308,16 +298,6 @@ tables! { Training(self, row)
 /// A comparison of three ways to drive, which is stepped: an iteration is one of a roadmap's planner, or one execution.
 #[wasm_bindgen]
 pub struct NavigationComparison(RefCell<Timed<navigation::Comparison>>);
-
-impl Stepped for navigation::Comparison {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.iterations()
-    }
-}
 
 stepped!(NavigationComparison);
 

@@ -1,13 +1,13 @@
 //! A planning run for JavaScript.
 
 use super::arguments::{choice, document, fields, row, rows};
-use super::clock::{Stepped, Thrown, Timed, stepped};
+use super::clock::{Thrown, Timed, stepped};
 use super::digits;
 use super::records::record;
 use super::types::{JsConfiguration, JsText, Phase, QueryOptions, Reason, Rows, ScenarioInput, Status};
 use crate::error::{Code, Error};
 use crate::path::ResultDocument;
-use crate::problem::{self, Stats};
+use crate::problem::Stats;
 use crate::run::{EVENT_HEAD, HISTORY_WIDTH, Run};
 use crate::world::PlanningWorld;
 use std::cell::RefCell;
@@ -22,24 +22,6 @@ use wasm_bindgen::prelude::*;
 /// it only once it is reached); if a car is driven by controls, the goal is no vertex.
 #[wasm_bindgen]
 pub struct Planner(RefCell<Timed<Box<dyn Run>>>);
-
-impl Stepped for Box<dyn Run> {
-    fn step(&mut self, n: u64) -> problem::Status {
-        (**self).step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        (**self).iterations()
-    }
-
-    fn phase(&self) -> problem::Phase {
-        (**self).phase()
-    }
-
-    fn failure(&self) -> Option<Error> {
-        (**self).failure()
-    }
-}
 
 impl Planner {
     pub(super) fn new(run: Box<dyn Run>) -> Self {

@@ -1,7 +1,7 @@
 //! Inverse kinematics for JavaScript.
 
 use super::arguments::fields;
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Timed, stepped};
 use super::digits;
 use super::records::{object, record};
 use super::scenario::Scenario;
@@ -9,7 +9,7 @@ use super::types::{JsVerdict, ReachOptions, Status};
 use crate::Error;
 use crate::geometry::Point;
 use crate::ik::{Solver, SolverOptions, SolverResult, Target};
-use crate::problem;
+use crate::problem::Stepped;
 use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
@@ -19,16 +19,6 @@ use wasm_bindgen::prelude::*;
 /// are only ever appended, and read by cursors.
 #[wasm_bindgen]
 pub struct Reach(RefCell<Timed<Solver>>);
-
-impl Stepped for Solver {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.stats().iterations
-    }
-}
 
 #[wasm_bindgen]
 impl Scenario {

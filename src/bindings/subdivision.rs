@@ -1,10 +1,10 @@
 //! Subdivisions for JavaScript.
 
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Timed, stepped};
 use super::records::record;
 use super::types::{JsVerdictOrNull, Status};
 use crate::certificate::{self, Certificate};
-use crate::problem;
+use crate::problem::Stepped;
 use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
@@ -14,16 +14,6 @@ use wasm_bindgen::prelude::*;
 /// result. Cells are only ever appended, and read by cursors.
 #[wasm_bindgen]
 pub struct Subdivision(RefCell<Timed<certificate::Subdivision>>);
-
-impl Stepped for certificate::Subdivision {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.divisions()
-    }
-}
 
 impl Subdivision {
     pub(super) fn new(subdivision: certificate::Subdivision) -> Self {

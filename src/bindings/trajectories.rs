@@ -1,12 +1,12 @@
 //! Many trajectories for JavaScript.
 
 use super::arguments::{fields, rows};
-use super::clock::{Stepped, Timed, stepped};
+use super::clock::{Timed, stepped};
 use super::digits;
 use super::records::record;
 use super::types::{ParticleOptions, Rows, Status, TrajectoryOptions};
 use crate::Error;
-use crate::problem;
+use crate::problem::Stepped;
 use crate::trajectories;
 use std::cell::RefCell;
 use tsify::Ts;
@@ -17,16 +17,6 @@ use wasm_bindgen::prelude::*;
 /// steps does not change the result. Both lists are only ever appended to, and read by cursors.
 #[wasm_bindgen]
 pub struct Trajectories(RefCell<Timed<trajectories::Trajectories>>);
-
-impl Stepped for trajectories::Trajectories {
-    fn step(&mut self, n: u64) -> problem::Status {
-        self.step(n)
-    }
-
-    fn iterations(&self) -> u64 {
-        self.tally().iterations
-    }
-}
 
 #[wasm_bindgen]
 impl Trajectories {

@@ -4,7 +4,7 @@ use super::Verdict;
 use super::bounds::{Bounds, Clearances};
 use super::cell::{Cell, DEEPEST};
 use crate::error::{Code, Error, Number};
-use crate::problem::{Problem, Status};
+use crate::problem::{Problem, Status, Stepped};
 use crate::space::{MotionSpace, Space};
 use crate::world::{Configurations, PlanningWorld};
 use std::collections::VecDeque;
@@ -119,44 +119,9 @@ impl Subdivision {
         Ok(subdivision)
     }
 
-    /// Divides at most `n` cells, none once there is a verdict.
-    ///
-    /// # Complexity
-    /// Each division takes O(log obstacles + obstacles nearby). Whenever all cells of the last channels are divided, new ones are
-    /// searched for, in O(cells).
-    pub fn step(&mut self, n: u64) -> Status {
-        for _ in 0..n {
-            if self.channel.is_empty() {
-                self.search();
-            }
-            let Some(next) = self.channel.pop() else { break };
-            if self.nodes.len() + 4 > self.most_cells {
-                self.verdict = Some(Verdict::Unknown);
-                self.channel.clear();
-                break;
-            }
-            self.divide(next);
-        }
-        self.status()
-    }
-
-    /// `Solved` once there is a verdict, `Exhausted` if it is `Unknown`.
-    pub fn status(&self) -> Status {
-        match self.verdict {
-            None => Status::Running,
-            Some(Verdict::Unknown) => Status::Exhausted,
-            Some(_) => Status::Solved,
-        }
-    }
-
     /// The verdict; `None` before the end.
     pub fn verdict(&self) -> Option<Verdict> {
         self.verdict
-    }
-
-    /// The number of cells that have been divided.
-    pub fn divisions(&self) -> u64 {
-        self.divisions
     }
 
     /// The number of cells, divided ones too.
@@ -271,5 +236,36 @@ impl Subdivision {
             }
         }
         (counts, before)
+    }
+}
+
+/// An iteration divides a cell, in O(log obstacles + obstacles nearby). Whenever all cells of the last channels are divided, new ones are
+/// searched for, in O(cells); the search that ends the subdivision is not counted as an iteration.
+impl Stepped for Subdivision {
+    fn iterate(&mut self) {
+        if self.channel.is_empty() {
+            self.search();
+        }
+        let Some(next) = self.channel.pop() else { return };
+        if self.nodes.len() + 4 > self.most_cells {
+            self.verdict = Some(Verdict::Unknown);
+            self.channel.clear();
+            return;
+        }
+        self.divide(next);
+    }
+
+    /// `Solved` once there is a verdict, `Exhausted` if it is `Unknown`.
+    fn status(&self) -> Status {
+        match self.verdict {
+            None => Status::Running,
+            Some(Verdict::Unknown) => Status::Exhausted,
+            Some(_) => Status::Solved,
+        }
+    }
+
+    /// The number of cells that have been divided.
+    fn iterations(&self) -> u64 {
+        self.divisions
     }
 }

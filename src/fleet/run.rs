@@ -12,7 +12,7 @@ use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, quoted};
 use crate::fingerprint::Fingerprint;
 use crate::options::{Info, Options as _, Value};
-use crate::problem::Status;
+use crate::problem::{Status, Stepped};
 use crate::random::check_seed;
 
 /// The options of a planner of a fleet.
@@ -75,6 +75,33 @@ enum Algorithm {
     Composite(Box<Composite>),
 }
 
+impl Stepped for FleetPlanner {
+    fn iterate(&mut self) {
+        self.iterations += 1;
+        let most = self.most;
+        let status = match &mut self.algorithm {
+            Algorithm::Pbs(planner) => planner.iterate(&self.setup),
+            Algorithm::Prioritized(planner) => planner.iterate(&self.setup),
+            Algorithm::Composite(planner) => planner.iterate(&self.setup, most as u32),
+        };
+        let has_limit = matches!(self.algorithm, Algorithm::Composite(_));
+        let is_over = !has_limit && status == Status::Running && self.iterations == most;
+        self.status = if is_over { Status::Exhausted } else { status };
+        if self.status == Status::Solved && self.is_too_late() {
+            (self.status, self.is_refused) = (Status::Exhausted, true);
+        }
+    }
+
+    /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`] gives.
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn iterations(&self) -> u64 {
+        self.iterations
+    }
+}
+
 impl FleetPlanner {
     /// Begins.
     ///
@@ -120,30 +147,6 @@ impl FleetPlanner {
         })
     }
 
-    /// Makes at most `iterations` iterations, and none once the status is no longer `Running`.
-    pub fn step(&mut self, iterations: u64) -> Status {
-        for _ in 0..iterations {
-            if self.status != Status::Running {
-                break;
-            }
-            self.iterations += 1;
-            let status = match &mut self.algorithm {
-                Algorithm::Pbs(planner) => planner.iterate(&self.setup),
-                Algorithm::Prioritized(planner) => planner.iterate(&self.setup),
-                Algorithm::Composite(planner) => {
-                    self.status = planner.iterate(&self.setup, self.most as u32);
-                    continue;
-                }
-            };
-            let is_over = status == Status::Running && self.iterations == self.most;
-            self.status = if is_over { Status::Exhausted } else { status };
-        }
-        if self.status == Status::Solved && self.is_too_late() {
-            (self.status, self.is_refused) = (Status::Exhausted, true);
-        }
-        self.status
-    }
-
     /// Whether a robot arrives so late that doubles cannot represent its motions to within the slack.
     fn is_too_late(&self) -> bool {
         let Setup { fleet, slack, .. } = &self.setup;
@@ -151,16 +154,6 @@ impl FleetPlanner {
             let arrival = self.trajectory(i).map_or(0.0, Trajectory::arrival);
             moved_until_next(arrival, member.speed) > *slack
         })
-    }
-
-    /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`] gives.
-    pub fn status(&self) -> Status {
-        self.status
-    }
-
-    /// The iterations made so far.
-    pub fn iterations(&self) -> u64 {
-        self.iterations
     }
 
     /// The fleet.

@@ -10,7 +10,7 @@ use super::result::{Rejected, SolverResult, SolverStats, Verdict};
 use super::task::{Task, configuration};
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
-use crate::problem::{Status, Validity};
+use crate::problem::{Status, Stepped, Validity};
 use crate::random::{Random, Stream, check_seed};
 use crate::robot::{Arm, MAX_LINKS, Target};
 use crate::space::{MotionSpace, angular_distance};
@@ -68,6 +68,25 @@ pub struct Solver {
     iterates: Vec<Iterate>,
     solutions: Vec<Vec<f64>>,
     rejected: Vec<Rejected>,
+}
+
+impl Stepped for Solver {
+    fn iterate(&mut self) {
+        self.stats.iterations += 1;
+        self.update();
+        if self.stats.iterations >= self.stopping.max_iterations {
+            self.end();
+        }
+    }
+
+    /// `Solved` once the wanted number of solutions is found, or if any is found when the budget is spent.
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn iterations(&self) -> u64 {
+        self.stats.iterations
+    }
 }
 
 impl Solver {
@@ -130,26 +149,13 @@ impl Solver {
             Strategy::Iterative(_) => solver.arrive(&start),
             Strategy::Listed(_) => solver.note(&start),
         }
+        if solver.stopping.max_iterations == 0 {
+            solver.end();
+        }
         Ok(solver)
     }
 
-    /// Does at most `n` iterations, none once the run has ended.
-    pub fn step(&mut self, n: u64) -> Status {
-        let budget = self.stopping.max_iterations;
-        for _ in 0..n.min(budget - self.stats.iterations) {
-            if self.status != Status::Running {
-                break;
-            }
-            self.stats.iterations += 1;
-            self.iterate();
-        }
-        if self.stats.iterations >= budget {
-            self.end();
-        }
-        self.status
-    }
-
-    fn iterate(&mut self) {
+    fn update(&mut self) {
         let q = self.configuration();
         let next = match &mut self.strategy {
             Strategy::Listed(solutions) => {
@@ -226,11 +232,6 @@ impl Solver {
         if self.status == Status::Running {
             self.status = if self.solutions.is_empty() { Status::Exhausted } else { Status::Solved };
         }
-    }
-
-    /// The status: solved once the wanted number of solutions is found, or if any is found when the budget is spent.
-    pub fn status(&self) -> Status {
-        self.status
     }
 
     /// The number of joints.

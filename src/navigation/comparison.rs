@@ -13,7 +13,7 @@ use super::rollout::{Drive, Outcome};
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::options::{Options as _, Value};
-use crate::problem::Status;
+use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
 use crate::statistics::{Mean, Share, mean, share};
@@ -108,6 +108,28 @@ pub struct Comparison {
     iterations: u64,
 }
 
+/// An iteration is one of a roadmap, or an execution.
+impl Stepped for Comparison {
+    fn iterate(&mut self) {
+        self.iterations += 1;
+        match self.roadmaps.iter_mut().find(|roadmap| roadmap.status() == Status::Running) {
+            Some(roadmap) => {
+                roadmap.step(1);
+            }
+            None => self.execute(),
+        }
+    }
+
+    /// `Running` until all executions are made, then `Solved`.
+    fn status(&self) -> Status {
+        if self.executions.len() < self.count() { Status::Running } else { Status::Solved }
+    }
+
+    fn iterations(&self) -> u64 {
+        self.iterations
+    }
+}
+
 impl Comparison {
     /// Begins, with options given by name and a seed, 0 to 2^53 - 1.
     ///
@@ -144,36 +166,9 @@ impl Comparison {
         })
     }
 
-    /// Makes at most `iterations` iterations, and none once the status is no longer `Running`.
-    pub fn step(&mut self, iterations: u64) -> Status {
-        for _ in 0..iterations {
-            if self.status() != Status::Running {
-                break;
-            }
-            self.iterations += 1;
-            match self.roadmaps.iter_mut().find(|roadmap| roadmap.status() == Status::Running) {
-                Some(roadmap) => {
-                    roadmap.step(1);
-                }
-                None => self.execute(),
-            }
-        }
-        self.status()
-    }
-
-    /// `Running` until all executions are made, then `Solved`.
-    pub fn status(&self) -> Status {
-        if self.executions.len() < self.count() { Status::Running } else { Status::Solved }
-    }
-
     /// The number of executions of the whole comparison.
     pub fn count(&self) -> usize {
         self.queries.len() * Method::ALL.len() * self.options.trials as usize
-    }
-
-    /// Iterations made so far.
-    pub fn iterations(&self) -> u64 {
-        self.iterations
     }
 
     /// The queries.

@@ -16,7 +16,7 @@ use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
 use crate::options::{Options, Value};
-use crate::problem::Status;
+use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::statistics::{Share, share};
 
@@ -91,6 +91,27 @@ struct Task {
     number: u64,
 }
 
+/// An iteration is one of a candidate.
+impl Stepped for Training {
+    fn iterate(&mut self) {
+        let candidate = self.returns.len();
+        let returned = self.return_of(candidate);
+        self.returns.push(returned);
+        if self.returns.len() == self.candidates() {
+            self.end_generation();
+        }
+    }
+
+    /// `Running` until all generations are over, then `Solved`.
+    fn status(&self) -> Status {
+        if self.generation < self.options.generations { Status::Running } else { Status::Solved }
+    }
+
+    fn iterations(&self) -> u64 {
+        self.generation * self.candidates() as u64 + self.returns.len() as u64
+    }
+}
+
 impl Training {
     /// Begins, for the robot of a task and its goal tolerance, with options given by name and a seed, 0 to 2^53 - 1. The floors are those of
     /// the generator `furnished`.
@@ -146,32 +167,6 @@ impl Training {
             Some(Task { floor, from, goal, number })
         };
         (0..count as u64).filter_map(draw).collect()
-    }
-
-    /// Makes at most `iterations` iterations, each of one candidate, and none once the status is no longer `Running`.
-    pub fn step(&mut self, iterations: u64) -> Status {
-        for _ in 0..iterations {
-            if self.status() != Status::Running {
-                break;
-            }
-            let candidate = self.returns.len();
-            let returned = self.return_of(candidate);
-            self.returns.push(returned);
-            if self.returns.len() == self.candidates() {
-                self.end_generation();
-            }
-        }
-        self.status()
-    }
-
-    /// `Running` until all generations are over, then `Solved`.
-    pub fn status(&self) -> Status {
-        if self.generation < self.options.generations { Status::Running } else { Status::Solved }
-    }
-
-    /// Iterations made so far.
-    pub fn iterations(&self) -> u64 {
-        self.generation * self.candidates() as u64 + self.returns.len() as u64
     }
 
     /// The number of candidates of a generation.

@@ -6,6 +6,7 @@ mod dynamics;
 mod nearest_free;
 mod report;
 mod sampled;
+mod stepped;
 mod validity;
 
 pub use clearance::{ClearanceValidity, Evaluate};
@@ -14,6 +15,7 @@ pub(crate) use nearest_free::naming_nearest;
 pub use nearest_free::nearest_free;
 pub use report::{Phase, Reason, Stats, Status};
 pub use sampled::{Sampled, Samples};
+pub use stepped::Stepped;
 pub use validity::{Contact, Touched, Validity};
 
 use crate::error::{Code, Error};

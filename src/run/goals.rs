@@ -3,7 +3,7 @@
 use crate::error::{Code, Error, Number};
 use crate::ik::{Solver, SolverOptions, Verdict, arm_of, nearest_reachable};
 use crate::options::Value;
-use crate::problem::Contact;
+use crate::problem::{Contact, Stepped};
 use crate::robot::{Target, link_name};
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::world::PlanningWorld;

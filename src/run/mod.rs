@@ -77,7 +77,7 @@ pub use crate::graph::{Event, EventKind, VertexId};
 
 use crate::error::Error;
 use crate::path::ResultDocument;
-use crate::problem::{MaybeSend, Stats};
+use crate::problem::{MaybeSend, Stats, Stepped};
 use crate::run::storage::RoadmapDocument;
 use crate::world::PlanningWorld;
 
@@ -276,5 +276,31 @@ impl dyn Run + '_ {
     /// The events from row `row` on.
     pub fn events_since(&self, row: usize) -> impl ExactSizeIterator<Item = Event<&[f64]>> {
         (row.min(self.event_count())..self.event_count()).map(|row| self.event(row))
+    }
+}
+
+impl Stepped for Box<dyn Run> {
+    fn iterate(&mut self) {
+        Run::step(&mut **self, 1);
+    }
+
+    fn status(&self) -> Status {
+        Run::status(&**self)
+    }
+
+    fn iterations(&self) -> u64 {
+        Run::iterations(&**self)
+    }
+
+    fn phase(&self) -> Phase {
+        Run::phase(&**self)
+    }
+
+    fn failure(&self) -> Option<Error> {
+        Run::failure(&**self)
+    }
+
+    fn step(&mut self, iterations: u64) -> Status {
+        Run::step(&mut **self, iterations)
     }
 }

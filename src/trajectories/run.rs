@@ -13,7 +13,7 @@ use crate::fingerprint::Fingerprint;
 use crate::geometry::Point;
 use crate::json;
 use crate::options::Value;
-use crate::problem::Status;
+use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream};
 use serde::Serialize;
 
@@ -33,6 +33,29 @@ pub struct Trajectories {
     near: Vec<u32>,
     tally: Tally,
     fingerprint: Fingerprint,
+}
+
+/// An iteration is one of a trajectory.
+impl Stepped for Trajectories {
+    fn iterate(&mut self) {
+        self.tally.iterations += 1;
+        self.try_next();
+    }
+
+    /// `Solved` once the requested number is accepted, `Exhausted` if the iterations are spent before.
+    fn status(&self) -> Status {
+        if self.accepted.len() >= self.options.count {
+            Status::Solved
+        } else if self.tally.iterations >= self.options.max_iterations {
+            Status::Exhausted
+        } else {
+            Status::Running
+        }
+    }
+
+    fn iterations(&self) -> u64 {
+        self.tally.iterations
+    }
 }
 
 impl Trajectories {
@@ -60,30 +83,7 @@ impl Trajectories {
         })
     }
 
-    /// Does at most `iterations` iterations, one trajectory each; none once all are accepted or the budget is spent.
-    pub fn step(&mut self, iterations: u64) -> Status {
-        for _ in 0..iterations {
-            if self.status() != Status::Running {
-                break;
-            }
-            self.iterate();
-        }
-        self.status()
-    }
-
-    /// `Solved` once the requested number is accepted, `Exhausted` if the iterations are spent before.
-    pub fn status(&self) -> Status {
-        if self.accepted.len() >= self.options.count {
-            Status::Solved
-        } else if self.tally.iterations >= self.options.max_iterations {
-            Status::Exhausted
-        } else {
-            Status::Running
-        }
-    }
-
-    fn iterate(&mut self) {
-        self.tally.iterations += 1;
+    fn try_next(&mut self) {
         let track = Track::new(self.draw(), self.scale);
         match self.first_crossed(&track) {
             None => {

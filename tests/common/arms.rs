@@ -2,6 +2,7 @@
 
 use planarium::geometry::Point;
 use planarium::ik::{Solver, SolverOptions, Target, orientation};
+use planarium::problem::Stepped;
 use planarium::random::Random;
 use planarium::robot::Arm;
 use planarium::scenario::Scenario;

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use planarium::fleet::{FleetOptions, FleetPlanner, generate, verify};
-//! use planarium::problem::Status;
+//! use planarium::problem::{Status, Stepped};
 //!
 //! let fleet = generate("crossroads", &serde_json::json!({ "count": 4 }))?;
 //! let mut planner = FleetPlanner::new(&fleet, &FleetOptions { seed: 1, ..FleetOptions::default() })?;

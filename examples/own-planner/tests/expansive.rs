@@ -19,7 +19,7 @@ fn worlds() -> Vec<Scenario> {
     let made = [
         ("discs", json!({ "robot": "disc", "seed": 2 })),
         ("discs", json!({ "robot": "arm", "links": 3, "count": 6, "seed": 1 })),
-        ("clutter", json!({ "robot": "rigid-body", "seed": 5 })),
+        ("clutter", json!({ "robot": "rigid_body", "seed": 5 })),
         ("maze", json!({ "seed": 3 })),
     ];
     made.map(|(kind, options)| generate(kind, &options).unwrap_or_else(|error| panic!("{kind} {options}: {error}")))

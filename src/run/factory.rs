@@ -72,7 +72,7 @@ pub(super) fn launch(
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let setup = Setup::of(world, options, &planner)?;
-    let again = Again { options: options.clone(), planner };
+    let again = Box::new(Again { options: options.clone(), planner });
     if world.robot().dimension() <= SMALL {
         setup.run::<SMALL>(Source::Named(again, saved, None))
     } else {
@@ -90,7 +90,7 @@ pub(super) struct Again {
 /// The planner of a run over states of `N` numbers.
 pub(super) enum Source<'a, const N: usize> {
     /// One of this crate, from nothing, with a saved roadmap, or with the roadmap of a run in another world.
-    Named(Again, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
+    Named(Box<Again>, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
     /// One of the caller.
     Own(Box<Begin<'a, MotionSpace<N>>>),
 }
@@ -199,13 +199,14 @@ impl<'a> Setup<'a> {
         let roadmap = Some(self.empty_document(&space));
         let before = self.world.clone();
         let launch = Launch { problem, info: self.info, roadmap, reopen: None };
-        let (Again { options, planner }, saved, kept) = match source {
+        let (again, saved, kept) = match source {
             Source::Own(begin) => return launch.run(begin),
             Source::Named(again, saved, kept) => (again, saved, kept),
         };
+        let Again { options, planner } = *again;
         let reopen: Reopen<_> = Box::new(move |world, roadmap| {
             let changes = Changes::between(before.scenario(), world.scenario())?;
-            let again = Again { options: options.clone(), planner };
+            let again = Box::new(Again { options: options.clone(), planner });
             let kept = Kept { roadmap, changes, tolerance };
             Setup::of(world, &options, &planner)?.run(Source::Named(again, None, Some(kept)))
         });

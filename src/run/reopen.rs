@@ -16,6 +16,9 @@ pub(super) struct Kept<'a, S: Space> {
     pub tolerance: Tolerance,
 }
 
+/// Whether the robot may touch something in one of some boxes on a motion.
+type MayMeet<'a, T> = dyn Fn(&T, &T, &[Aabb]) -> bool + 'a;
+
 impl<S: Space + 'static> Kept<'_, S> {
     /// The planner of a run on the roadmap, whose own proofs have this tolerance. `may_meet` tells whether the robot may touch something in
     /// one of some boxes on a motion.
@@ -23,7 +26,7 @@ impl<S: Space + 'static> Kept<'_, S> {
         &self,
         problem: &Problem<S>,
         tolerance: Tolerance,
-        may_meet: &dyn Fn(&S::State, &S::State, &[Aabb]) -> bool,
+        may_meet: &MayMeet<S::State>,
     ) -> Box<dyn Planner<S>> {
         let Changes { added, removed } = &self.changes;
         let before = self.tolerance;

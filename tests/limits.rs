@@ -12,7 +12,7 @@ use planarium::problem::{Control, Motion, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Weights, placements};
 use planarium::run::storage::{RoadmapDocument, RoadmapMetric};
-use planarium::run::{Reason, Status};
+use planarium::run::Status;
 use planarium::scenario::{Obstacle, Scenario};
 use planarium::space::MotionSpace;
 use planarium::space::steering::{Pose, Steering};
@@ -351,5 +351,5 @@ fn a_run_without_end_ends_before_the_memory_does() {
     let records = run.vertex_count() + run.edge_count() + run.event_count();
     let most = planarium::graph::MAX_RECORDS;
     assert!((most..most + 1000).contains(&records), "{records}");
-    assert_eq!(run.reason(), Some(Reason::GraphFull));
+    assert_eq!(run.reason(), Some(planarium::run::Reason::GraphFull));
 }

@@ -4,7 +4,8 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-/// The kind of an error, as a stable kebab-case code that programs may match on. Versions may add codes; none changes its meaning.
+/// The kind of an error, as a stable kebab-case code that programs may match on. Versions may add codes; none changes its
+/// meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -29,7 +30,8 @@ pub enum Code {
     OutOfRange,
     /// A configuration or a list of limits with the wrong number of entries.
     WrongDimension,
-    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to 0.
+    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to
+    /// 0.
     DegeneratePolygon,
     /// Two queries, worlds or planners share a name, or two rows that differ a trial.
     DuplicateName,

@@ -1,4 +1,5 @@
-//! The fingerprint of a run and the checksum of a saved roadmap: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte, little-endian.
+//! The fingerprint of a run and the checksum of a saved roadmap: 64-bit FNV-1a (Fowler, Noll and Vo), byte by byte,
+//! little-endian.
 
 /// A hash that bytes are added to.
 #[derive(Debug, Clone, Copy)]

@@ -1,18 +1,20 @@
 //! Motion planning that a person can watch.
 //!
-//! A planning problem is a configuration space, a collision checker, a start and a goal. Planners extend a graph
-//! step by step until it contains a path. By default every edge is proven free; edges can be sampled instead, for comparison. Lengths are metres, angles
-//! radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every platform.
+//! A planning problem is a configuration space, a collision checker, a start and a goal. Planners extend a graph step by step
+//! until it contains a path. By default every edge is proven free; edges can be sampled instead, for comparison. Lengths are
+//! metres, angles radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every
+//! platform.
 //!
 //! # Where to start
-//! - [`scenario::Scenario::new`] makes a scenario of values, [`scenario::Scenario::parse`] reads a document, [`worlds::generate`] makes
-//!   one from a seed;
+//! - [`scenario::Scenario::new`] makes a scenario of values, [`scenario::Scenario::parse`] reads a document, [`worlds::generate`]
+//!   makes one from a seed;
 //! - [`PlanningWorld`] prepares a scenario once: space, collision world and broad phase;
-//! - [`run::start`] starts a planner with typed [`run::Options`] and returns a [`run::Run`]; [`run::planners`] lists the planners and their
-//!   options, and [`run::Request`] reads options by name;
-//! - [`run::start_problem`] starts one for a robot of your own: a space, and a function that decides what is free; [`space::Space`] and
-//!   [`problem::Validity`] are the traits below it;
-//! - [`run::start_with`] runs a planner of your own ([`planner::Planner`]) for the robots of scenarios, [`run::start_on`] in any space;
+//! - [`run::start`] starts a planner with typed [`run::Options`] and returns a [`run::Run`]; [`run::planners`] lists the planners
+//!   and their options, and [`run::Request`] reads options by name;
+//! - [`run::start_problem`] starts one for a robot of your own: a space, and a function that decides what is free;
+//!   [`space::Space`] and [`problem::Validity`] are the traits below it;
+//! - [`run::start_with`] runs a planner of your own ([`planner::Planner`]) for the robots of scenarios, [`run::start_on`] in any
+//!   space;
 //! - [`run::storage`] saves a roadmap, [`run::resume`] continues with it, [`run::inspect`] answers a viewer's questions,
 //!   [`run::neighbours`] indexes configurations;
 //! - [`path::verify()`] checks a finished path by an independent method;
@@ -21,22 +23,21 @@
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
-//! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it drives
-//!   reliably;
+//! - [`navigation::Training`] trains a policy that drives by what it senses, and [`navigation::start`] plans with edges that it
+//!   drives reliably;
 //! - [`driving::Drive`] drives a car by keys, [`trajectories::Trajectories`] adds trajectories that do not cross.
 //!
 //! Natively, worlds, problems and runs are [`Send`]: a run that begins in one thread may end in another.
 //!
 //! # Modules, from the ground up
 //! [`error`], `json`, [`options`], [`random`], `fingerprint`, [`statistics`], [`geometry`]; [`space`] (with steering), [`robot`],
-//! [`scenario`], `generators`; [`problem`];
-//! `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`], [`sampling`], `shortening`, [`path`]; [`planner`];
-//! [`run`]; and beside each other on it [`certificate`], [`driving`], [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and
-//! [`trajectories`]. On top stand the bindings to JavaScript and the command line. A module uses only modules below it: a planner sees
-//! a space and the traits [`problem::Validity`] and [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock,
-//! prints nothing, and has no global state: a test enforces this. It calls no code of its caller but the function that tells what is
-//! free, and planners of your own. Modules hidden from this page are public for the tests, the benches and the command line only; they
-//! may change at any time.
+//! [`scenario`], `generators`; [`problem`]; `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`],
+//! [`sampling`], `shortening`, [`path`]; [`planner`]; [`run`]; and beside each other on it [`certificate`], [`driving`],
+//! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and [`trajectories`]. On top stand the bindings to JavaScript
+//! and the command line. A module uses only modules below it: a planner sees a space and the traits [`problem::Validity`] and
+//! [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
+//! a test enforces this. It calls no code of its caller but the function that tells what is free, and planners of your own.
+//! Modules hidden from this page are public for the tests, the benches and the command line only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]

@@ -56,7 +56,8 @@ pub struct OptionInfo {
     pub computed: &'static str,
     /// Its meaning, in one sentence.
     pub meaning: String,
-    /// The types of robots that it is for, as in documents; others have no use for it, and may refuse it. Empty if there is no robot.
+    /// The types of robots that it is for, as in documents; others have no use for it, and may refuse it. Empty if there is no
+    /// robot.
     pub robots: &'static [&'static str],
 }
 
@@ -184,7 +185,8 @@ pub trait Field: Sized + 'static {
 /// Is given the name of an option, the robots that it is for, and its value if it has one.
 pub type Visitor<'a> = dyn FnMut(&'static str, &'static [&'static str], Option<Value>) + 'a;
 
-/// Whether an option or a planner with these robots is for a robot of this type. Those of all robots are for robots of other types too.
+/// Whether an option or a planner with these robots is for a robot of this type. Those of all robots are for robots of other
+/// types too.
 pub fn is_for(robots: &[&str], robot: &str) -> bool {
     robots == ALL || robots.contains(&robot)
 }

@@ -1,8 +1,8 @@
 //! Statistics of samples: intervals, quartiles, distributions, and paired comparisons.
 //!
 //! A sample is a slice of numbers in which NaN stands for a missing value, such as the length of a path that was not found. Every
-//! statistic gives `n`, the number of values, and `missing`. Intervals have a confidence of 95 %. Statistics need no more than the
-//! sample; they may differ between platforms in their last bits, as rows of trials never do.
+//! statistic gives `n`, the number of values, and `missing`. Intervals have a confidence of 95 %. Statistics need no more than
+//! the sample; they may differ between platforms in their last bits, as rows of trials never do.
 
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -111,8 +111,8 @@ pub struct Ecdf {
     pub shares: Vec<f64>,
 }
 
-/// The empirical distribution function. Missing values are in the denominator: of the work until a path is found, it is the share of
-/// all trials that are solved with at most so much work, and ends at the success rate. O(n log n).
+/// The empirical distribution function. Missing values are in the denominator: of the work until a path is found, it is the share
+/// of all trials that are solved with at most so much work, and ends at the success rate. O(n log n).
 pub fn ecdf(sample: &[f64]) -> Ecdf {
     let (values, missing) = sorted(sample);
     let mut ecdf = Ecdf { n: values.len() as u64, missing, values: Vec::new(), shares: Vec::new() };
@@ -272,8 +272,8 @@ fn in_words(Names { a, b, measure }: Names, [n, smaller, larger]: [u64; 3], p: f
 
 /// The two-sided p-value of the sign test: so many differences in one direction and in the other.
 ///
-/// The sum of binomial coefficients up to the smaller of the two over 2^n, without a transcendental function, so that it is the same on
-/// every platform. O(n).
+/// The sum of binomial coefficients up to the smaller of the two over 2^n, without a transcendental function, so that it is the
+/// same on every platform. O(n).
 fn sign_test(smaller: u64, larger: u64) -> f64 {
     let (n, few) = (smaller + larger, smaller.min(larger));
     // Numbers are kept below 2^HALF, and halvings that are still to be done are counted.

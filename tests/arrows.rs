@@ -253,6 +253,20 @@ fn the_files_of_a_module_use_each_other_in_no_circle() {
     assert!(arrows.is_empty(), "files in circles, with what they use: {arrows:#?}");
 }
 
+/// Comments are read beside code: they are at most 130 columns wide, but for tables.
+#[test]
+fn comments_are_not_wide() {
+    let sources = [modules("src"), modules("cli/src")].concat();
+    for path in sources.into_iter().map(|(_, path)| path) {
+        let text = fs::read_to_string(&path).expect("a source file");
+        for (number, line) in text.lines().enumerate().filter(|(_, line)| line.trim_start().starts_with("//")) {
+            let is_table = line.trim_start_matches(['/', '!', ' ']).starts_with('|');
+            let place = format!("{}:{}", path.display(), number + 1);
+            assert!(is_table || line.chars().count() <= 130, "{place}: this comment is wider than 130 columns");
+        }
+    }
+}
+
 #[test]
 fn the_core_reads_no_clock_prints_nothing_and_uses_no_arithmetic_that_differs_between_platforms() {
     for (module, path) in modules(LIBRARY).into_iter().filter(|(module, _)| module != "bindings") {

@@ -12,8 +12,8 @@ pub type Answer = Result<bool, Error>;
 /// The arguments of every command that draws random numbers and has options.
 #[derive(Args)]
 pub struct Given {
-    /// The seed: together with the scenario and all options it decides every bit of the result; "random" draws one, which is printed
-    /// with the result
+    /// The seed: together with the scenario and all options it decides every bit of the result; "random" draws one, which is
+    /// printed with the result
     #[arg(long, value_name = "N|random", default_value_t = 0, allow_negative_numbers = true, value_parser = seed)]
     pub seed: u64,
 

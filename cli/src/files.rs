@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether standard output was closed from the start; `false` on platforms where this is unknown.
 ///
-/// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`, and output is lost without an error. So the
-/// descriptor is checked before the runtime starts.
+/// Rust's runtime opens `/dev/null` in place of a closed standard output before `main`, and output is lost without an error. So
+/// the descriptor is checked before the runtime starts.
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 
 /// Whether standard output goes into an input: then nothing is printed.

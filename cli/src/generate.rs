@@ -21,8 +21,8 @@ Examples:
   planarium generate clutter --set robot=arm --set links=3 --seed 2 --out clutter.json
   planarium generate discs --set robot=arm --set count=12 --set ensure=path")]
 pub struct Arguments {
-    /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make fleets;
-    /// or rooms or furnished, which make navigation tasks
+    /// The generator: forest, clutter, discs, maze, gap or bug-trap; or swap, corridor, crossroads, ring or hall, which make
+    /// fleets; or rooms or furnished, which make navigation tasks
     kind: String,
 
     #[command(flatten)]

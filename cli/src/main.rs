@@ -1,5 +1,5 @@
-//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach, trajectories,
-//! schema.
+//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach,
+//! trajectories, schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.

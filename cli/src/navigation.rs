@@ -1,4 +1,5 @@
-//! `planarium train`, `navigate` and `compare`: a policy trained, paths along edges that it drives reliably, and how these do beside others.
+//! `planarium train`, `navigate` and `compare`: a policy trained, paths along edges that it drives reliably, and how these do
+//! beside others.
 
 use crate::arguments::{Answer, Given, threads};
 use crate::files;

@@ -36,7 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     query: Option<String>,
 
-    /// The planner, by id; see `planarium list` [default: rrt-connect, for a car rrt-control; with a roadmap the one that built it]
+    /// The planner, by id; see `planarium list` [default: rrt-connect, for a car rrt-control; with a roadmap the one that built
+    /// it]
     #[arg(long, value_name = "ID")]
     planner: Option<String>,
 

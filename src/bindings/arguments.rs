@@ -61,7 +61,8 @@ fn place(reason: &js_sys::Error) -> Option<String> {
     text_of(reason, "pointer")
 }
 
-/// A property of an error of the package, if it is there: the `pointer` of a refusal, the `kind` of a value that has no JSON form.
+/// A property of an error of the package, if it is there: the `pointer` of a refusal, the `kind` of a value that has no JSON
+/// form.
 fn text_of(reason: &js_sys::Error, property: &str) -> Option<String> {
     js_sys::Reflect::get(reason, &property.into()).ok()?.as_string()
 }

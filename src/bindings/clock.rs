@@ -58,8 +58,8 @@ impl<R: Stepped> Timed<R> {
 }
 
 /// Steps in slices; the time of a slice counts for the phase it began in. A slice doubles while twice its time fits a quarter of
-/// the budget, halves when it took more than that, and starts from one iteration in each phase, since the costs of phases differ by a
-/// factor of a hundred. So the budget, in milliseconds, is exceeded by less than a quarter.
+/// the budget, halves when it took more than that, and starts from one iteration in each phase, since the costs of phases differ
+/// by a factor of a hundred. So the budget, in milliseconds, is exceeded by less than a quarter.
 ///
 /// A clock that a caller has replaced may call the run: no borrow is held while the clock is read.
 pub(super) fn advance<R: Stepped>(cell: &std::cell::RefCell<Timed<R>>, iterations: u64, budget: f64) {

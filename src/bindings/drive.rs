@@ -10,8 +10,8 @@ use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
 /// A car that starts at rest and is driven by keys; `scenario.drive` makes it. Time passes in steps of fixed length
-/// (`stepSeconds`), so the same keys at the same steps lead to the same pose, bit for bit. Each step is an exact arc that is proven free
-/// before it is made; if it is not, the car stops and reports the obstruction.
+/// (`stepSeconds`), so the same keys at the same steps lead to the same pose, bit for bit. Each step is an exact arc that is
+/// proven free before it is made; if it is not, the car stops and reports the obstruction.
 #[wasm_bindgen]
 pub struct Drive(pub(super) driving::Drive);
 
@@ -25,7 +25,8 @@ impl Drive {
         self.0.press(Key::VARIANTS[choice(key, "key", &words)?])
     }
 
-    /// Advances by `n` steps, at most 1,000,000. A step that cannot be proven free is not made: v becomes 0, and `blocked` says why.
+    /// Advances by `n` steps, at most 1,000,000. A step that cannot be proven free is not made: v becomes 0, and `blocked` says
+    /// why.
     /// @throws {PlanariumError} `out-of-range`; `too-large` after a million steps in motion: start another drive
     pub fn tick(&mut self, n: &JsNumber) -> Result<Ts<DriveState>, Error> {
         self.0.tick(count(n, "n")?)?;
@@ -55,7 +56,7 @@ members! { Drive(self): wasm_bindgen;
 }
 
 tables! { Drive(self, row)
-    /// The trace from row `row` (0 to `state.traceCount`) on: the start, and the pose after each step that moved the car, in rows of
-    /// x, y, theta. A copy.
+    /// The trace from row `row` (0 to `state.traceCount`) on: the start, and the pose after each step that moved the car, in rows
+    /// of x, y, theta. A copy.
     traceSince: Vec<f64> = self.0.trace().len() => self.0.trace()[row..].concat();
 }

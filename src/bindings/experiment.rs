@@ -17,8 +17,8 @@ use std::sync::Arc;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A checked experiment: every planner with every one of its settings, in every world, with every seed; `Experiment.parse` makes it.
-/// Trials are numbered, and depend on nothing but their number, so several workers can share them.
+/// A checked experiment: every planner with every one of its settings, in every world, with every seed; `Experiment.parse` makes
+/// it. Trials are numbered, and depend on nothing but their number, so several workers can share them.
 #[wasm_bindgen]
 pub struct Experiment {
     experiment: Arc<experiment::Experiment>,
@@ -47,10 +47,10 @@ impl Experiment {
         Ok(Trial(RefCell::new(Timed::new(run))))
     }
 
-    /// The statistics of rows, in any order: the summary that `planarium sweep` prints of the same rows. Rows may have the columns
-    /// `build_seconds` and `search_seconds` as well. O(trials) of memory.
-    /// @throws {PlanariumError} `other-experiment` for rows of another experiment, `out-of-range` for a trial that it does not have;
-    /// `duplicate-name` for two rows of one trial that differ (the same row again counts once); `wrong-type`,
+    /// The statistics of rows, in any order: the summary that `planarium sweep` prints of the same rows. Rows may have the
+    /// columns `build_seconds` and `search_seconds` as well. O(trials) of memory.
+    /// @throws {PlanariumError} `other-experiment` for rows of another experiment, `out-of-range` for a trial that it does not
+    /// have; `duplicate-name` for two rows of one trial that differ (the same row again counts once); `wrong-type`,
     /// `missing-field`
     pub fn summary(&self, rows: &JsTrialRows) -> Result<JsSummary, Error> {
         let rows: Vec<Map<String, Value>> = records(rows, "rows")?;
@@ -164,7 +164,8 @@ macro_rules! of_samples {
 }
 
 of_samples! {
-    /// The share of numbers that are not 0, with Wilson's 95 % interval. NaN is a missing value, here and in the other statistics.
+    /// The share of numbers that are not 0, with Wilson's 95 % interval. NaN is a missing value, here and in the other
+    /// statistics.
     /// @throws {PlanariumError} `wrong-type`
     share: Share;
     /// The quartiles of type 7: linear between neighbours.
@@ -186,8 +187,8 @@ pub fn moving_average(sample: &Sample, width: &JsNumber) -> Result<Vec<f64>, Err
     Ok(statistics::moving_average(&numbers(sample, "sample")?, width))
 }
 
-/// Compares two samples of the same trials pair by pair, with the sign test and Wilcoxon's test, and says in words what is shown of
-/// the measure of both. `tests` is the number of comparisons made together, 1 by default.
+/// Compares two samples of the same trials pair by pair, with the sign test and Wilcoxon's test, and says in words what is shown
+/// of the measure of both. `tests` is the number of comparisons made together, 1 by default.
 /// @throws {PlanariumError} `wrong-type`, `wrong-dimension`, `not-finite`, `out-of-range`
 #[wasm_bindgen]
 pub fn paired(

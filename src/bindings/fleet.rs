@@ -46,14 +46,14 @@ fn flat(poses: impl IntoIterator<Item = Pose>) -> Vec<f64> {
 #[wasm_bindgen]
 impl Fleet {
     /// Reads the document of a fleet: JSON text, or the document as an object.
-    /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `out-of-range`, `unsupported`, `start-in-collision`,
-    /// `goal-in-collision`, ...
+    /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `out-of-range`, `unsupported`,
+    /// `start-in-collision`, `goal-in-collision`, ...
     pub fn parse(input: &FleetInput) -> Result<Fleet, Error> {
         fleet::Fleet::read(&document_tree(input, "a fleet")?).map(Self)
     }
 
-    /// Generates a fleet from a seed; the same generator, options and seed give the same fleet. `fleetGenerators()` lists the generators
-    /// and their options.
+    /// Generates a fleet from a seed; the same generator, options and seed give the same fleet. `fleetGenerators()` lists the
+    /// generators and their options.
     /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `not-finite`
     pub fn generate(kind: &FleetGeneratorName, options: Option<GenerateFleetOptions>) -> Result<Fleet, Error> {
         fleet::generate_with(&text(kind, "kind")?, &fields(options)?.parameters()).map(Self)
@@ -109,7 +109,8 @@ members! { Fleet(self): wasm_bindgen;
     toJSON: JsFleetDocument = object(&self.0).unchecked_into();
 }
 
-/// A planner of a fleet, which is stepped; `fleet.planner` makes it. How its iterations are divided into steps does not change the result.
+/// A planner of a fleet, which is stepped; `fleet.planner` makes it. How its iterations are divided into steps does not change
+/// the result.
 #[wasm_bindgen]
 pub struct FleetPlanner(RefCell<Timed<fleet::FleetPlanner>>);
 
@@ -146,8 +147,8 @@ members! { FleetPlanner(self): wasm_bindgen;
 
 #[wasm_bindgen]
 impl FleetPlanner {
-    /// The trajectory of a robot in rows of t, x, y, theta: linear between rows, angles the short way round; the robot stands at the last
-    /// for ever. Empty before it has planned. A copy.
+    /// The trajectory of a robot in rows of t, x, y, theta: linear between rows, angles the short way round; the robot stands at
+    /// the last for ever. Empty before it has planned. A copy.
     /// @throws {PlanariumError} `out-of-range`, `wrong-type`, `not-finite`
     pub fn trajectory(&self, robot: &JsNumber) -> Result<Vec<f64>, Error> {
         let run = &self.0.borrow().run;

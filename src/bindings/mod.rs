@@ -4,8 +4,8 @@
 //! Every argument is checked in [`arguments`]; every error is an `Error` with `code` and `pointer`. Records cross as plain
 //! objects, their types generated from the Rust ones; tables cross as typed arrays, which are copies.
 //!
-//! Two modules are built of them: `planarium` without the feature `full`, which plans in scenarios and in problems, and `planarium/full`
-//! with it, which has all. What no export calls is not linked.
+//! Two modules are built of them: `planarium` without the feature `full`, which plans in scenarios and in problems, and
+//! `planarium/full` with it, which has all. What no export calls is not linked.
 
 /// Declares members of a class without arguments, each by the value that it returns: getters or methods, as the attribute says.
 macro_rules! members {

@@ -19,8 +19,8 @@ use std::cell::RefCell;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-/// A navigation task: a floor, a differential drive with a range sensor and noise, and queries. `Navigation.parse` and `Navigation.generate`
-/// make it.
+/// A navigation task: a floor, a differential drive with a range sensor and noise, and queries. `Navigation.parse` and
+/// `Navigation.generate` make it.
 #[wasm_bindgen]
 pub struct Navigation(navigation::Navigation);
 
@@ -80,8 +80,8 @@ impl Navigation {
         navigation::Navigation::read(&document_tree(input, "a navigation task")?).map(Self)
     }
 
-    /// Generates a task from a seed; the same generator, options and seed give the same task. `navigationGenerators()` lists the generators
-    /// and their options.
+    /// Generates a task from a seed; the same generator, options and seed give the same task. `navigationGenerators()` lists the
+    /// generators and their options.
     /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `not-finite`
     pub fn generate(
         kind: &NavigationGeneratorName,
@@ -100,10 +100,11 @@ impl Navigation {
         Ok(Training(RefCell::new(Timed::new(training)), time_step))
     }
 
-    /// Starts a planner whose edges are those that a policy drives reliably, by default `lazy-prm`; its results say `rollouts`. Vertices are
-    /// positions: x and y.
-    /// @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`, `wrong-type`; `unsupported` for
-    /// planners by controls, and for a policy that senses in another way; `start-in-collision` if the robot cannot turn at the start
+    /// Starts a planner whose edges are those that a policy drives reliably, by default `lazy-prm`; its results say `rollouts`.
+    /// Vertices are positions: x and y.
+    /// @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`, `wrong-type`;
+    /// `unsupported` for planners by controls, and for a policy that senses in another way; `start-in-collision` if the robot
+    /// cannot turn at the start
     pub fn planner(
         &self,
         policy_document: &PolicyInput,
@@ -114,8 +115,8 @@ impl Navigation {
         navigation::start(&self.0, &policy, &rollouts, &options).map(planner::Planner::new)
     }
 
-    /// Starts a planner whose edges are straight and proven free for the disc in which the robot turns on the spot, by default `prm`: what a
-    /// controller without a policy tracks. `margin` makes the disc larger, in metres.
+    /// Starts a planner whose edges are straight and proven free for the disc in which the robot turns on the spot, by default
+    /// `prm`: what a controller without a policy tracks. `margin` makes the disc larger, in metres.
     /// @throws {PlanariumError} as `planner`
     #[wasm_bindgen(js_name = straightPlanner)]
     pub fn straight_planner(&self, options: Option<PolicyPlannerOptions>) -> Result<planner::Planner, Error> {
@@ -143,8 +144,8 @@ impl Navigation {
         Ok(object(&edges).unchecked_into())
     }
 
-    /// Drives along a path of positions with noise, from the start of a query: under a policy or, without one, under a controller that turns
-    /// towards the next position and drives there. `trial` stands for one draw of all noise.
+    /// Drives along a path of positions with noise, from the start of a query: under a policy or, without one, under a controller
+    /// that turns towards the next position and drives there. `trial` stands for one draw of all noise.
     /// @throws {PlanariumError} `unknown-query`, `out-of-range`, `wrong-dimension`, `not-finite`, `unsupported`, `unknown-field`
     pub fn execute(&self, path: &Rows, options: Option<ExecutionOptions>) -> Result<Ts<Execution>, Error> {
         let mut fields = fields(options)?;
@@ -178,7 +179,8 @@ impl Navigation {
         Ok(NavigationComparison(RefCell::new(Timed::new(comparison))))
     }
 
-    /// The distance that each ray of the sensor measures at a pose (x, y, theta), from right to left, in metres and without noise. A copy.
+    /// The distance that each ray of the sensor measures at a pose (x, y, theta), from right to left, in metres and without
+    /// noise. A copy.
     /// @throws {PlanariumError} `wrong-dimension`, `not-finite`, `wrong-type`
     pub fn sense(&self, pose: &Rows) -> Result<Vec<f64>, Error> {
         let pose = row(pose, 3, "pose")?;
@@ -205,9 +207,9 @@ members! { Navigation(self): wasm_bindgen;
     toJSON: JsNavigationDocument = object(&self.0).unchecked_into();
 }
 
-/// The training of a policy by an evolution strategy, which is stepped; an iteration is one candidate of a generation. How iterations are
-/// divided into steps does not change the result. Workers can share a generation: each has a training of its own with the same options,
-/// evaluates some candidates by `returnsOf`, and all of them `advance` with all returns.
+/// The training of a policy by an evolution strategy, which is stepped; an iteration is one candidate of a generation. How
+/// iterations are divided into steps does not change the result. Workers can share a generation: each has a training of its own
+/// with the same options, evaluates some candidates by `returnsOf`, and all of them `advance` with all returns.
 #[wasm_bindgen]
 pub struct Training(RefCell<Timed<navigation::Training>>, f64);
 
@@ -215,8 +217,8 @@ stepped!(Training);
 
 #[wasm_bindgen]
 impl Training {
-    /// The returns of candidates `first` to `end` - 1 of the present generation, and the share of tasks that each has solved: rows of two
-    /// numbers. The training is unchanged. A copy.
+    /// The returns of candidates `first` to `end` - 1 of the present generation, and the share of tasks that each has solved:
+    /// rows of two numbers. The training is unchanged. A copy.
     /// @throws {PlanariumError} `out-of-range`, `wrong-type`, `not-finite`
     #[wasm_bindgen(js_name = returnsOf)]
     pub fn returns_of(&self, first: &JsNumber, end: &JsNumber) -> Result<Vec<f64>, Error> {

@@ -19,8 +19,9 @@ extern "C" {
     #[derive(Clone)]
     type Function;
 
-    /// Evaluates configurations: the addresses of rows and results in this memory, and how many there are of how many numbers. One
-    /// crossing for a batch. Returns how the function has ended, as in `callback.js`: 0 after all results are written, 2 if it has thrown, 3 if a result is NaN.
+    /// Evaluates configurations: the addresses of rows and results in this memory, and how many there are of how many numbers.
+    /// One crossing for a batch. Returns how the function has ended, as in `callback.js`: 0 after all results are written, 2 if
+    /// it has thrown, 3 if a result is NaN.
     #[wasm_bindgen(method)]
     fn evaluate(this: &Function, rows: u32, results: u32, count: u32, dimension: u32) -> u32;
 
@@ -29,9 +30,9 @@ extern "C" {
     fn thrown(this: &Function) -> JsValue;
 }
 
-/// A planning problem of a robot of your own: a space told as a product of circles, intervals and lines, a start, goals, and a function
-/// that tells what is free, for batches of configurations. By `clearance` edges are proven, by `isFree` they are sampled, and the
-/// `edge_check` of results says so. Planners keep the functions until both they and the problem are freed.
+/// A planning problem of a robot of your own: a space told as a product of circles, intervals and lines, a start, goals, and a
+/// function that tells what is free, for batches of configurations. By `clearance` edges are proven, by `isFree` they are
+/// sampled, and the `edge_check` of results says so. Planners keep the functions until both they and the problem are freed.
 #[wasm_bindgen]
 pub struct Problem {
     space: SpaceDescription,
@@ -89,24 +90,25 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Starts a planner. It outlives the problem. Of the options, `tolerance` is a fraction of the largest distance in the space (by
-    /// `reach`, of how far the robot can move); `metric`, `steering` and `blend` are for robots of scenarios.
+    /// Starts a planner. It outlives the problem. Of the options, `tolerance` is a fraction of the largest distance in the space
+    /// (by `reach`, of how far the robot can move); `metric`, `steering` and `blend` are for robots of scenarios.
     ///
-    /// If a function throws, `step` throws the same, as does every later one, and the status is `failed`. A function may use other objects
-    /// of the package, but not the planner that calls it.
-    /// @throws {PlanariumError} `unknown-planner`, `unknown-parameter`, `out-of-range`, `wrong-type`; `unsupported` for planners by controls
-    /// and options of other robots; `start-in-collision`, `goal-in-collision`; `not-finite` if a function has written no number; and what a
-    /// function throws
+    /// If a function throws, `step` throws the same, as does every later one, and the status is `failed`. A function may use
+    /// other objects of the package, but not the planner that calls it.
+    /// @throws {PlanariumError} `unknown-planner`, `unknown-parameter`, `out-of-range`, `wrong-type`; `unsupported` for planners
+    /// by controls and options of other robots; `start-in-collision`, `goal-in-collision`; `not-finite` if a function has written
+    /// no number; and what a function throws
     pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, JsValue> {
         self.begin(options, |problem, request| run::start_problem(problem, &request.for_problem(problem)?))
     }
 
-    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this space: the function proves, or
-    /// samples, all of it again, start and goals are connected to it, and it is searched. It does not grow. The function may be another one than
-    /// that of the problem that it was built for, as long as all of it is free. Options are those of `scenario.resume`.
-    /// @throws {PlanariumError} `other-scenario` if it belongs to another space (the pointer tells where it differs), or to a problem with
-    /// `isFree` in place of `clearance` or the reverse; `invalid-roadmap` if it is damaged or not free; `out-of-range` and `unsupported` for
-    /// options that contradict it; those of `planner`; and what a function throws
+    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this space: the function
+    /// proves, or samples, all of it again, start and goals are connected to it, and it is searched. It does not grow. The
+    /// function may be another one than that of the problem that it was built for, as long as all of it is free. Options are
+    /// those of `scenario.resume`.
+    /// @throws {PlanariumError} `other-scenario` if it belongs to another space (the pointer tells where it differs), or to a
+    /// problem with `isFree` in place of `clearance` or the reverse; `invalid-roadmap` if it is damaged or not free;
+    /// `out-of-range` and `unsupported` for options that contradict it; those of `planner`; and what a function throws
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, JsValue> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
         self.begin(options, |problem, request| {
@@ -114,8 +116,8 @@ impl Problem {
         })
     }
 
-    /// The configuration at the fraction `t`, from 0 to 1, of the motion from `a` to `b`, as planners move: coordinates change evenly, circles
-    /// the short way round. For drawing along a path.
+    /// The configuration at the fraction `t`, from 0 to 1, of the motion from `a` to `b`, as planners move: coordinates change
+    /// evenly, circles the short way round. For drawing along a path.
     /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-dimension`, `wrong-type`
     pub fn interpolate(&self, a: &JsConfiguration, b: &JsConfiguration, t: &JsNumber) -> Result<Vec<f64>, Error> {
         let [a, b] = [row(a, self.dimension(), "a")?, row(b, self.dimension(), "b")?];

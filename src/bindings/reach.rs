@@ -14,19 +14,19 @@ use std::cell::RefCell;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A search for joint angles that bring the tip of an arm to a target; `scenario.reach` makes it. Each `step` makes some iterations (an
-/// update of the joints, or the draw of a new start); how they are divided into steps does not change the result. Iterates and solutions
-/// are only ever appended, and read by cursors.
+/// A search for joint angles that bring the tip of an arm to a target; `scenario.reach` makes it. Each `step` makes some
+/// iterations (an update of the joints, or the draw of a new start); how they are divided into steps does not change the result.
+/// Iterates and solutions are only ever appended, and read by cursors.
 #[wasm_bindgen]
 pub struct Reach(RefCell<Timed<Solver>>);
 
 #[wasm_bindgen]
 impl Scenario {
-    /// Starts a search for joint angles that bring the arm's tip to a target; `reachMethods()` lists the methods and their options. The
-    /// run outlives the scenario.
-    /// @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and if there is no
-    /// closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the limits;
-    /// `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
+    /// Starts a search for joint angles that bring the arm's tip to a target; `reachMethods()` lists the methods and their
+    /// options. The run outlives the scenario.
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm, for an orientation of an arm of one link, and if there is
+    /// no closed form; `missing-field` without a `target`; `out-of-range` for an unknown `method` and a `start` outside the
+    /// limits; `unknown-parameter`, `wrong-dimension`, `wrong-type`, `not-finite`
     pub fn reach(&self, options: &ReachOptions) -> Result<Reach, Error> {
         let mut fields = fields(Some(options.clone()).filter(|options| !options.is_undefined()))?;
         let [x, y] = fields.required::<[f64; 2]>("target", "[x, y]")?;
@@ -68,8 +68,8 @@ members! { Reach(self): wasm_bindgen;
         let solver = &self.0.borrow().run;
         solver.configuration()[..solver.dimension()].to_vec()
     };
-    /// The outcome so far. If nothing has been found, this computes how near the arm can come: up to some milliseconds for eight links
-    /// with limits.
+    /// The outcome so far. If nothing has been found, this computes how near the arm can come: up to some milliseconds for eight
+    /// links with limits.
     verdict: JsVerdict = object(&self.0.borrow().run.explain()).unchecked_into();
     /// The result document, the one that the command line prints.
     result: Ts<SolverResult> = record(&self.0.borrow().run.result());
@@ -78,8 +78,8 @@ members! { Reach(self): wasm_bindgen;
 }
 
 tables! { Reach(self, row)
-    /// The iterates from row `row` (0 to `iterateCount`) on, the start and one after each iteration, in rows of restart (the number of
-    /// starts drawn before), error, and configuration. A copy.
+    /// The iterates from row `row` (0 to `iterateCount`) on, the start and one after each iteration, in rows of restart (the
+    /// number of starts drawn before), error, and configuration. A copy.
     iteratesSince: Vec<f64> = self.iterateCount() => {
         let solver = &self.0.borrow().run;
         let iterates = &solver.iterates()[row..];
@@ -90,6 +90,7 @@ tables! { Reach(self, row)
         }
         numbers
     };
-    /// The distinct solutions from row `row` (0 to `solutionCount`) on, in the order in which they were found: configurations. A copy.
+    /// The distinct solutions from row `row` (0 to `solutionCount`) on, in the order in which they were found: configurations. A
+    /// copy.
     solutionsSince: Vec<f64> = self.solutionCount() => self.0.borrow().run.solutions()[row..].concat();
 }

@@ -25,8 +25,9 @@ use crate::worlds;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// A checked scenario: a world, a robot in it, and queries; `Scenario.parse` and `Scenario.generate` make it. It answers questions about
-/// configurations and motions, and starts planners. Lengths are in metres, angles in radians, counter-clockwise, y up.
+/// A checked scenario: a world, a robot in it, and queries; `Scenario.parse` and `Scenario.generate` make it. It answers
+/// questions about configurations and motions, and starts planners. Lengths are in metres, angles in radians, counter-clockwise,
+/// y up.
 #[wasm_bindgen]
 pub struct Scenario {
     pub(super) world: PlanningWorld,
@@ -59,8 +60,8 @@ fn target(point: &JsPoint, orientation: Option<JsNumber>) -> Result<Target, Erro
 #[wasm_bindgen]
 impl Scenario {
     /// Reads a scenario document: JSON text, or the document as an object.
-    /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `missing-field`, `wrong-type`, `out-of-range`,
-    /// `degenerate-polygon`, `base-in-collision`, ...
+    /// @throws {PlanariumError} with a JSON pointer: `invalid-json`, `unknown-field`, `missing-field`, `wrong-type`,
+    /// `out-of-range`, `degenerate-polygon`, `base-in-collision`, ...
     pub fn parse(input: &ScenarioInput) -> Result<Scenario, Error> {
         document(input).map(Self::new)
     }
@@ -68,8 +69,8 @@ impl Scenario {
     /// Generates a scenario from a seed; the same generator, options and seed give the same scenario. `generators()` lists the
     /// generators and their options.
     /// With `ensure` worlds are drawn until one is known to have a path, or none; that takes up to a few seconds.
-    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`; `unsupported`,
-    /// `gave-up` of `ensure`
+    /// @throws {PlanariumError} `unknown-generator`, `unknown-field`, `out-of-range`, `wrong-type`, `unknown-type`, `not-finite`;
+    /// `unsupported`, `gave-up` of `ensure`
     pub fn generate(kind: &GeneratorName, options: Option<GenerateOptions>) -> Result<Scenario, Error> {
         worlds::generate(&text(kind, "kind")?, &fields(options)?.object()).map(Self::new)
     }
@@ -81,8 +82,8 @@ impl Scenario {
         Ok(record(&Check::from(contacts)))
     }
 
-    /// Checks start and goal of a query, the first one by default, before a planner is started: `planner` refuses a query whose start or
-    /// goal is in collision.
+    /// Checks start and goal of a query, the first one by default, before a planner is started: `planner` refuses a query whose
+    /// start or goal is in collision.
     /// @throws {PlanariumError} `unknown-query`
     #[wasm_bindgen(js_name = checkQuery)]
     pub fn check_query(&self, name: Option<JsText>) -> Result<Ts<QueryCheck>, Error> {
@@ -93,8 +94,8 @@ impl Scenario {
         Ok(record(&QueryCheck::new(query.name.clone(), check(&query.start)?, goal)))
     }
 
-    /// The part of the robot and the obstacle that are nearest to each other, for viewers; null if the robot touches something, or if
-    /// there are no obstacles. The bounds do not count.
+    /// The part of the robot and the obstacle that are nearest to each other, for viewers; null if the robot touches something,
+    /// or if there are no obstacles. The bounds do not count.
     #[wasm_bindgen(unchecked_return_type = "Clearance | null")]
     pub fn clearance(&self, q: &JsConfiguration) -> Result<JsValue, Error> {
         let clearance: Option<Clearance> = self.inspector.clearance(&self.configuration(q, "q")?)?;
@@ -107,7 +108,8 @@ impl Scenario {
         Ok(parts.iter().map(record).collect())
     }
 
-    /// The point of the workspace that represents a configuration: the tip of an arm, the centre of a disc, (x, y) of a body or a car.
+    /// The point of the workspace that represents a configuration: the tip of an arm, the centre of a disc, (x, y) of a body or a
+    /// car.
     #[wasm_bindgen(js_name = endEffector)]
     pub fn end_effector(&self, q: &JsConfiguration) -> Result<JsPair, Error> {
         let tip = self.inspector.end_effector(&self.configuration(q, "q")?)?;
@@ -127,8 +129,8 @@ impl Scenario {
     }
 
     /// The configuration at the fraction `t`, from 0 to 1, of the straight motion from `a` to `b`; circles the short way round.
-    /// The way `sign-of-difference` is a faulty one of a course report: as far as the short way, but in the direction of the plain
-    /// difference of the angles as they are given. If that is more than half a turn, the motion ends elsewhere than in `b`.
+    /// The way `sign-of-difference` is a faulty one of a course report: as far as the short way, but in the direction of the
+    /// plain difference of the angles as they are given. If that is more than half a turn, the motion ends elsewhere than in `b`.
     /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-dimension`, `wrong-type`
     pub fn interpolate(
         &self,
@@ -148,16 +150,16 @@ impl Scenario {
         self.inspector.distance(&self.configuration(a, "a")?, &self.configuration(b, "b")?)
     }
 
-    /// The fraction of the straight motion from `a` to `b` at which the first interval begins that could not be proven free; null if all
-    /// of it is proven. For the curves of a car see `rollout`.
+    /// The fraction of the straight motion from `a` to `b` at which the first interval begins that could not be proven free; null
+    /// if all of it is proven. For the curves of a car see `rollout`.
     #[wasm_bindgen(js_name = firstHit, unchecked_return_type = "number | null")]
     pub fn first_hit(&self, a: &JsConfiguration, b: &JsConfiguration) -> Result<JsValue, Error> {
         let hit = self.inspector.first_hit(&self.configuration(a, "a")?, &self.configuration(b, "b")?)?;
         Ok(hit.map_or(JsValue::NULL, JsValue::from))
     }
 
-    /// A picture of the configuration space of an arm of two joints: one byte per cell, 1 for collision, checked at the centre of the
-    /// cell; row by row from the lowest angles.
+    /// A picture of the configuration space of an arm of two joints: one byte per cell, 1 for collision, checked at the centre of
+    /// the cell; row by row from the lowest angles.
     /// @throws {PlanariumError} `unsupported` for any other robot; `out-of-range` for more than 4096 cells per side
     pub fn cspace(&self, size: &CspaceOptions) -> Result<Vec<u8>, Error> {
         let mut fields = fields(Some(size.clone()))?;
@@ -175,37 +177,38 @@ impl Scenario {
 
     /// Starts a planner on one of the queries. The planner outlives the scenario.
     /// @throws {PlanariumError} `unknown-planner`, `unknown-query`, `unknown-parameter`, `out-of-range`, `wrong-type`;
-    /// `start-in-collision`, `goal-in-collision` (the message names what touches what); `unsupported` if the planner is not for the
-    /// robot, or the car cannot follow the curves of `steering`; `missing-field` if a car driven by controls has no `goal_tolerance`
+    /// `start-in-collision`, `goal-in-collision` (the message names what touches what); `unsupported` if the planner is not for
+    /// the robot, or the car cannot follow the curves of `steering`; `missing-field` if a car driven by controls has no
+    /// `goal_tolerance`
     pub fn planner(&self, options: Option<PlannerOptions>) -> Result<planner::Planner, Error> {
         let options = fields(options)?.request()?.for_robot(self.scenario().robot())?;
         run::start(&self.world, &options).map(planner::Planner::new)
     }
 
-    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this world and robot: all of it is
-    /// proven again, start and goal of the query are connected to it, and it is searched. It does not grow. Options are those of the
-    /// search and of the path; `algorithm` is the planner that built it, and may be omitted.
-    /// @throws {PlanariumError} `other-scenario` if it belongs to another world or robot; `invalid-roadmap` if it is damaged or not free;
-    /// `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
+    /// Continues with a roadmap from `planner.roadmap("json")` or `planner.roadmap("binary")`, of this world and robot: all of it
+    /// is proven again, start and goal of the query are connected to it, and it is searched. It does not grow. Options are those
+    /// of the search and of the path; `algorithm` is the planner that built it, and may be omitted.
+    /// @throws {PlanariumError} `other-scenario` if it belongs to another world or robot; `invalid-roadmap` if it is damaged or
+    /// not free; `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
         let options = fields(options)?.request()?.for_roadmap(&document)?;
         run::resume(&self.world, &options, &document).map(planner::Planner::new)
     }
 
-    /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body whose query
-    /// keeps its angle, a reference, which is the length of a proven path on a fine grid.
-    /// @throws {PlanariumError} `unsupported` for other robots and for a query with a target; `unknown-query`, `unknown-parameter`,
-    /// `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than 4000 convex
-    /// corners and discs, or 2,000,000 free tangents between them
+    /// The shortest path of a query, to compare paths with: exact for a disc and a point; for an arm of two joints, and a body
+    /// whose query keeps its angle, a reference, which is the length of a proven path on a fine grid.
+    /// @throws {PlanariumError} `unsupported` for other robots and for a query with a target; `unknown-query`,
+    /// `unknown-parameter`, `out-of-range`, `wrong-type`, `start-in-collision`, `goal-in-collision`; `too-large` for more than
+    /// 4000 convex corners and discs, or 2,000,000 free tangents between them
     pub fn optimum(&self, options: Option<OptimumOptions>) -> Result<Ts<Optimum>, Error> {
         let mut fields = fields(options)?;
         let query: Option<String> = fields.take("query")?;
         optimum::optimum(&self.world, query.as_deref(), &fields.parameters()).map(|optimum| record(&optimum))
     }
 
-    /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query keeps more
-    /// than a clearance. It outlives the scenario.
+    /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query
+    /// keeps more than a clearance. It outlives the scenario.
     /// @throws {PlanariumError} `unsupported` for another robot, and for a query with a target; `unknown-query`, `out-of-range`,
     /// `not-finite`, `wrong-type`, `unknown-field`; `start-in-collision`, `goal-in-collision`
     pub fn certify(&self, options: Option<CertifyOptions>) -> Result<subdivision::Subdivision, Error> {
@@ -220,8 +223,8 @@ impl Scenario {
         certificate::Subdivision::new(&self.world, &options).map(subdivision::Subdivision::new)
     }
 
-    /// Makes an empty index of configurations of the robot; `neighbourIndexes()` lists the indexes and their options. It outlives the
-    /// scenario.
+    /// Makes an empty index of configurations of the robot; `neighbourIndexes()` lists the indexes and their options. It outlives
+    /// the scenario.
     /// @throws {PlanariumError} `out-of-range`, `unknown-parameter`, `wrong-type`, `not-finite`
     pub fn neighbours(&self, options: Option<NeighboursOptions>) -> Result<neighbours::Neighbours, Error> {
         let mut fields = fields(options)?;
@@ -229,9 +232,10 @@ impl Scenario {
         run::neighbours::index(&self.world, index.as_deref(), &fields.parameters()).map(neighbours::Neighbours)
     }
 
-    /// Draws `n` configurations uniformly, at most 1,000,000, in rows of `dimension` numbers: those that a planner of this seed draws with
-    /// its uniform sampler.
-    /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-type`; `unsupported` if 100,000 draws in a row are in collision
+    /// Draws `n` configurations uniformly, at most 1,000,000, in rows of `dimension` numbers: those that a planner of this seed
+    /// draws with its uniform sampler.
+    /// @throws {PlanariumError} `out-of-range`, `not-finite`, `wrong-type`; `unsupported` if 100,000 draws in a row are in
+    /// collision
     #[wasm_bindgen(js_name = sampleConfigurations)]
     pub fn sample_configurations(&self, n: &JsNumber, options: Option<SampleOptions>) -> Result<Vec<f64>, Error> {
         let n = count(n, "n")?;
@@ -241,16 +245,17 @@ impl Scenario {
         self.inspector.samples(n, seed, is_free)
     }
 
-    /// Starts a drive of the scenario's car from `q`, by default from the start of the first query. The drive outlives the scenario.
+    /// Starts a drive of the scenario's car from `q`, by default from the start of the first query. The drive outlives the
+    /// scenario.
     /// @throws {PlanariumError} `unsupported` for any robot but a car, `start-in-collision`, `unknown-query` if there is neither
     pub fn drive(&self, q: Option<JsConfiguration>) -> Result<drive::Drive, Error> {
         let start = q.map(|q| self.configuration(&q, "q")).transpose()?;
         driving::Drive::new(&self.world, start.as_deref()).map(drive::Drive)
     }
 
-    /// The motion of the car from `q` under one control: speed `v` (metres per second) and steering angle `phi` (radians, to the left if
-    /// positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven free. With the
-    /// integration `euler` the poses are those of Euler's steps, each checked and nothing proven.
+    /// The motion of the car from `q` under one control: speed `v` (metres per second) and steering angle `phi` (radians, to the
+    /// left if positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven
+    /// free. With the integration `euler` the poses are those of Euler's steps, each checked and nothing proven.
     /// @throws {PlanariumError} `unsupported` for any robot but a car; `out-of-range`, `not-finite`, `unknown-field`
     pub fn rollout(
         &self,
@@ -273,8 +278,8 @@ impl Scenario {
     }
 
     /// The arm after its tip has followed a target from `q`: smoothly, within its limits, as near as it gets from there; with an
-    /// `orientation`, the wanted absolute angle of the last link, in radians. For dragging: call it with the last configuration whenever
-    /// the target moves.
+    /// `orientation`, the wanted absolute angle of the last link, in radians. For dragging: call it with the last configuration
+    /// whenever the target moves.
     /// @throws {PlanariumError} `unsupported` for any robot but an arm, `out-of-range` for a `q` outside the limits
     pub fn follow(
         &self,
@@ -287,8 +292,8 @@ impl Scenario {
         Ok(with_configuration(&followed, &followed.configuration))
     }
 
-    /// The point nearest to a target that the arm's tip can reach, exactly, within the limits; with an `orientation`, the nearest in that
-    /// orientation.
+    /// The point nearest to a target that the arm's tip can reach, exactly, within the limits; with an `orientation`, the nearest
+    /// in that orientation.
     /// @throws {PlanariumError} `unsupported` for any robot but an arm
     #[wasm_bindgen(js_name = nearestReachable)]
     pub fn nearest_reachable(&self, target: &JsPoint, orientation: Option<JsNumber>) -> Result<Ts<ik::Nearest>, Error> {

@@ -10,8 +10,8 @@ use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
 /// A subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path with more than a given
-/// clearance exists; `scenario.certify` makes it. Each `step` divides some cells; how they are divided into steps does not change the
-/// result. Cells are only ever appended, and read by cursors.
+/// clearance exists; `scenario.certify` makes it. Each `step` divides some cells; how they are divided into steps does not change
+/// the result. Cells are only ever appended, and read by cursors.
 #[wasm_bindgen]
 pub struct Subdivision(RefCell<Timed<certificate::Subdivision>>);
 
@@ -43,9 +43,9 @@ members! { Subdivision(self): wasm_bindgen;
 }
 
 tables! { Subdivision(self, row)
-    /// The cells from row `row` (0 to `cellCount`) on, in rows of both coordinates of the centre, half of each side, and 0 (mixed), 1
-    /// (free: every configuration keeps more than the clearance) or 2 (blocked: none does). Quarters come after the cell that they
-    /// replace. A copy.
+    /// The cells from row `row` (0 to `cellCount`) on, in rows of both coordinates of the centre, half of each side, and 0
+    /// (mixed), 1 (free: every configuration keeps more than the clearance) or 2 (blocked: none does). Quarters come after the
+    /// cell that they replace. A copy.
     cellsSince: Vec<f64> = self.cellCount() => {
         let subdivision = &self.0.borrow().run;
         let row_of = |([center, half], kind): ([[f64; 2]; 2], certificate::Kind)| {

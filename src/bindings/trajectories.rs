@@ -13,8 +13,8 @@ use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
 /// Random trajectories of particles, added one by one: one that crosses none of the earlier ones is accepted, the others are
-/// refused. Contact is crossing, and those accepted are proven apart. Each `step` tries some trajectories; how they are divided into
-/// steps does not change the result. Both lists are only ever appended to, and read by cursors.
+/// refused. Contact is crossing, and those accepted are proven apart. Each `step` tries some trajectories; how they are divided
+/// into steps does not change the result. Both lists are only ever appended to, and read by cursors.
 #[wasm_bindgen]
 pub struct Trajectories(RefCell<Timed<trajectories::Trajectories>>);
 
@@ -58,8 +58,8 @@ tables! { Trajectories(self, row)
     acceptedSince: Vec<f64> = self.acceptedCount() => {
         self.0.borrow().run.accepted().skip(row).flat_map(|particle| particle.numbers()).collect()
     };
-    /// The refused trajectories from row `row` (0 to `refusedCount`) on, in rows of x, y, theta, v, w, duration, the number of the
-    /// first accepted one that it crosses, and x and y of a common point. A copy.
+    /// The refused trajectories from row `row` (0 to `refusedCount`) on, in rows of x, y, theta, v, w, duration, the number of
+    /// the first accepted one that it crosses, and x and y of a common point. A copy.
     refusedSince: Vec<f64> = self.refusedCount() => {
         self.0.borrow().run.refused()[row..].iter().flat_map(|refused| refused.numbers()).collect()
     };

@@ -100,7 +100,8 @@ impl From<problem::Status> for Status {
     }
 }
 
-/// Why a planner has ended without a path, or with one before it had done what its options ask for; `explanation` says it in words.
+/// Why a planner has ended without a path, or with one before it had done what its options ask for; `explanation` says it in
+/// words.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Reason {
@@ -119,9 +120,10 @@ impl From<problem::Reason> for Reason {
     }
 }
 
-/// The phase of a planner. `prm`, `prm-star` and `lazy-prm`: sampling, connecting, searching; `lazy-prm-star`: sampling, searching;
-/// `visibility-prm`: guarding, searching; `fmt-star` and `bit-star`: sampling, growing; all other trees: growing; a roadmap that is resumed:
-/// connecting, searching. Then improving, if that is requested (planners with `improve_iterations` by growing on), and done.
+/// The phase of a planner. `prm`, `prm-star` and `lazy-prm`: sampling, connecting, searching; `lazy-prm-star`: sampling,
+/// searching; `visibility-prm`: guarding, searching; `fmt-star` and `bit-star`: sampling, growing; all other trees: growing; a
+/// roadmap that is resumed: connecting, searching. Then improving, if that is requested (planners with `improve_iterations` by
+/// growing on), and done.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Phase {

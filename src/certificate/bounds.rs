@@ -1,14 +1,14 @@
 //! Bounds on the clearance of a robot over a cell.
 //!
-//! **From above.** A point p of the robot stays within the hull of its places at the four corners of the cell, grown by a bulge: half
-//! the square of half a side times the greatest second derivative of p, summed over both coordinates (the error of bilinear
-//! interpolation). The signed distance from a convex obstacle (negative inside: the depth below the border) is a convex function, so it
-//! is greatest at one of the four places, but for the bulge. That bounds the clearance for each p; the least over a link is searched
-//! for. A concave obstacle is tried piece by piece, and as a whole by the signed distance at the centre of the cell plus the farthest
-//! that p is from there.
+//! **From above.** A point p of the robot stays within the hull of its places at the four corners of the cell, grown by a bulge:
+//! half the square of half a side times the greatest second derivative of p, summed over both coordinates (the error of bilinear
+//! interpolation). The signed distance from a convex obstacle (negative inside: the depth below the border) is a convex function,
+//! so it is greatest at one of the four places, but for the bulge. That bounds the clearance for each p; the least over a link is
+//! searched for. A concave obstacle is tried piece by piece, and as a whole by the signed distance at the centre of the cell plus
+//! the farthest that p is from there.
 //!
-//! **From below.** By the distance of a link from an obstacle at the centre of the cell, less the farthest that any of its points is
-//! from its place there: a turn by d moves p by 2 sin(d / 2) times its distance from the joint.
+//! **From below.** By the distance of a link from an obstacle at the centre of the cell, less the farthest that any of its points
+//! is from its place there: a turn by d moves p by 2 sin(d / 2) times its distance from the joint.
 
 use super::cell::{Cell, Square};
 use crate::collision::{Obstacles, Tolerance, largest_coordinate};
@@ -25,8 +25,8 @@ use std::sync::Arc;
 const PARTS: u32 = 8;
 const HALVINGS: u32 = 12;
 
-/// Why the clearance is bounded from above at every configuration of a cell: a point of the robot stays near an obstacle, or outside
-/// the bounds of the world.
+/// Why the clearance is bounded from above at every configuration of a cell: a point of the robot stays near an obstacle, or
+/// outside the bounds of the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Witness {
     pub part: usize,
@@ -189,8 +189,9 @@ impl Clearances {
         self.arm.as_ref().map_or(0.0, |arm| (point(&part.axis, along) - arm.base()).norm())
     }
 
-    /// How deep the outer end of the part is within the bounds at all corners of the cell, by the side of the bounds that it is least deep
-    /// within: at the corner where it is least deep, or deepest, by the function. Elsewhere in the cell it differs by the bulge at most.
+    /// How deep the outer end of the part is within the bounds at all corners of the cell, by the side of the bounds that it is
+    /// least deep within: at the corner where it is least deep, or deepest, by the function. Elsewhere in the cell it differs by
+    /// the bulge at most.
     fn depth(&self, part: &Part, of_two: fn(f64, f64) -> f64) -> f64 {
         let Some(Aabb { min, max }) = &self.bounds else { return f64::INFINITY };
         let sides: [&dyn Fn(Point) -> f64; 4] =

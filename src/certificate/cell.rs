@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The depth of the smallest cells. Over a cell much less deep the robot moves by less than the slack, so that one with a contact in it is
-/// blocked: 42 is enough for a disc, 49 for an arm whose joints have the widest limits. All numbers of cells are exact as 64-bit floats.
+/// The depth of the smallest cells. Over a cell much less deep the robot moves by less than the slack, so that one with a contact
+/// in it is blocked: 42 is enough for a disc, 49 for an arm whose joints have the widest limits. All numbers of cells are exact
+/// as 64-bit floats.
 pub(super) const DEEPEST: u32 = 50;
 
 /// The side of the square, in sides of the smallest cells.
 pub(super) const SIDE: u64 = 1 << DEEPEST;
 
-/// A closed cell: along the first coordinate from `column / 2^depth` to `(column + 1) / 2^depth` of its range, along the second by
-/// the row. In JSON `[depth, column, row]`.
+/// A closed cell: along the first coordinate from `column / 2^depth` to `(column + 1) / 2^depth` of its range, along the second
+/// by the row. In JSON `[depth, column, row]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(from = "[u64; 3]", into = "[u64; 3]")]
 pub struct Cell {

@@ -47,12 +47,12 @@ pub struct Certificate {
     /// The answer.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "CertificateVerdict"))]
     pub verdict: Verdict,
-    /// No path keeps more than this: `clearance` if the verdict is `infeasible`, something greater if it is `unknown`. Absent if nothing is
-    /// proven, or that a path exists.
+    /// No path keeps more than this: `clearance` if the verdict is `infeasible`, something greater if it is `unknown`. Absent if
+    /// nothing is proven, or that a path exists.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub clearance_at_most: Option<f64>,
-    /// What clearances are known to: an obstacle nearer than this may count as touched, and a path that keeps more than `clearance` or
-    /// `clearance_at_most` by less than this may exist. 2e-12 times the largest coordinate plus the reach.
+    /// What clearances are known to: an obstacle nearer than this may count as touched, and a path that keeps more than
+    /// `clearance` or `clearance_at_most` by less than this may exist. 2e-12 times the largest coordinate plus the reach.
     #[serde(deserialize_with = "json::not_negative")]
     pub slack: f64,
     /// The number of cells of the subdivision, divided ones too.
@@ -66,8 +66,8 @@ pub struct Certificate {
     pub channel: Vec<Cell>,
 }
 
-/// A cell of a wall, and a point of the robot that is, at every configuration of the cell, no farther than `clearance_at_most` from
-/// an obstacle, or so near to the bounds that the robot is not within them.
+/// A cell of a wall, and a point of the robot that is, at every configuration of the cell, no farther than `clearance_at_most`
+/// from an obstacle, or so near to the bounds that the robot is not within them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "BlockedCell"))]

@@ -129,8 +129,8 @@ impl Subdivision {
         self.nodes.len()
     }
 
-    /// The cells from number `from` on, in the order of their creation: the centre, half the side along each coordinate, and what is
-    /// known about the cell. Those of a quarter replace those of the whole.
+    /// The cells from number `from` on, in the order of their creation: the centre, half the side along each coordinate, and what
+    /// is known about the cell. Those of a quarter replace those of the whole.
     pub fn cells_since(&self, from: usize) -> impl ExactSizeIterator<Item = ([[f64; 2]; 2], Kind)> {
         let nodes = self.nodes.get(from..).unwrap_or_default();
         nodes.iter().map(|node| (self.clearances.square.place(&node.cell), node.kind))
@@ -212,8 +212,9 @@ impl Subdivision {
         self.channel = channel;
     }
 
-    /// For each cell the fewest mixed cells from one to it, both counted, on a way through cells that touch, none of them blocked; and
-    /// the cell before it on that way. The greatest number if there is no way. Breadth-first, free cells before mixed ones.
+    /// For each cell the fewest mixed cells from one to it, both counted, on a way through cells that touch, none of them
+    /// blocked; and the cell before it on that way. The greatest number if there is no way. Breadth-first, free cells before
+    /// mixed ones.
     pub(super) fn counts(&self, from: u32) -> (Vec<u32>, Vec<u32>) {
         let cost = |cell: u32| match self.nodes[cell as usize].kind {
             Kind::Free => Some(0),
@@ -239,8 +240,8 @@ impl Subdivision {
     }
 }
 
-/// An iteration divides a cell, in O(log obstacles + obstacles nearby). Whenever all cells of the last channels are divided, new ones are
-/// searched for, in O(cells); the search that ends the subdivision is not counted as an iteration.
+/// An iteration divides a cell, in O(log obstacles + obstacles nearby). Whenever all cells of the last channels are divided, new
+/// ones are searched for, in O(cells); the search that ends the subdivision is not counted as an iteration.
 impl Stepped for Subdivision {
     fn iterate(&mut self) {
         if self.channel.is_empty() {

@@ -7,8 +7,8 @@ use crate::geometry::sort_numbers;
 use crate::graph::UnionFind;
 
 impl Subdivision {
-    /// No path keeps more than this clearance, in metres, as far as the cells prove by now; `None` if they prove nothing, as where they
-    /// have a channel of cells without an obstacle nearby. O(cells log cells).
+    /// No path keeps more than this clearance, in metres, as far as the cells prove by now; `None` if they prove nothing, as
+    /// where they have a channel of cells without an obstacle nearby. O(cells log cells).
     ///
     /// Cells are joined in the order of their bounds, the greatest first, until start and goal are connected (the widest path of
     /// Pollack 1960, "The maximum capacity through a network", by Kruskal's algorithm).

@@ -8,9 +8,9 @@
 /// Half the length of the shortest piece, as a fraction of the blend: 64 pieces at most.
 const SHORTEST_STEP: f64 = 1.0 / 128.0;
 
-/// Whether the blend of `corner` is proven free. It begins at `corner + before` and ends at `corner + after`. `is_band_free` tells
-/// whether the straight motion from its first argument by its second one is proven free, also off by any part of the third one, forward
-/// or back; it is called fewer than 200 times.
+/// Whether the blend of `corner` is proven free. It begins at `corner + before` and ends at `corner + after`. `is_band_free`
+/// tells whether the straight motion from its first argument by its second one is proven free, also off by any part of the third
+/// one, forward or back; it is called fewer than 200 times.
 pub(super) fn is_free<const N: usize>(
     corner: &[f64; N],
     before: &[f64; N],

@@ -1,4 +1,5 @@
-//! Motions of an arm tested along the straight lines between the places of its joints, as in a course report, to show what that misses.
+//! Motions of an arm tested along the straight lines between the places of its joints, as in a course report, to show what that
+//! misses.
 
 use super::CollisionWorld;
 use crate::geometry::Segment;
@@ -9,9 +10,9 @@ use crate::space::{ProductSpace, Space};
 /// How often a refused motion is halved to find a part that passes.
 const HALVINGS: usize = 10;
 
-/// A collision checker of an arm for which a motion is free if its far end is, and if no obstacle meets the straight segment, as wide
-/// as a link, between the places of any joint or of the end effector at both ends. Joints move on arcs and links sweep areas, so
-/// this proves nothing: it accepts motions that collide, and refuses some that do not.
+/// A collision checker of an arm for which a motion is free if its far end is, and if no obstacle meets the straight segment, as
+/// wide as a link, between the places of any joint or of the end effector at both ends. Joints move on arcs and links sweep
+/// areas, so this proves nothing: it accepts motions that collide, and refuses some that do not.
 pub struct JointLines<const N: usize> {
     space: ProductSpace<N>,
     arm: Arm,

@@ -1,7 +1,7 @@
 //! Collision checking: configurations, contacts, and the proof that a motion is free.
 //!
-//! Motions of arms and bodies are proven in `proof/`, called from `arm.rs` and `body.rs`; `body_validity.rs` splits the curve of a
-//! car into arcs, `car_dynamics.rs` proves controlled motions arc by arc, and `disc.rs` has an exact test of its own.
+//! Motions of arms and bodies are proven in `proof/`, called from `arm.rs` and `body.rs`; `body_validity.rs` splits the curve of
+//! a car into arcs, `car_dynamics.rs` proves controlled motions arc by arc, and `disc.rs` has an exact test of its own.
 //!
 //! A rounded corner of a path is proven in bands, each a straight motion of a robot that is grown for it: `blend.rs`.
 //!

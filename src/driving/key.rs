@@ -31,8 +31,8 @@ pub enum Key {
     Keep,
 }
 
-/// Speed and steering angle, counted in presses: three times a tenth is three tenths, and zero is reached again after a limit that
-/// is no multiple of a press.
+/// Speed and steering angle, counted in presses: three times a tenth is three tenths, and zero is reached again after a limit
+/// that is no multiple of a press.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Levels {
     speed: i64,

@@ -85,8 +85,8 @@ impl Drive {
         self.road.car.integration_step()
     }
 
-    /// The obstruction, if the car was stopped and has not moved since: what it would have touched, or `Some(None)` if it would only
-    /// have come too near to something to be proven free.
+    /// The obstruction, if the car was stopped and has not moved since: what it would have touched, or `Some(None)` if it would
+    /// only have come too near to something to be proven free.
     pub fn blocked(&self) -> Option<Option<Touched>> {
         self.blocked
     }
@@ -114,8 +114,8 @@ impl Drive {
         Ok(())
     }
 
-    /// Advances by `n` steps. A step that cannot be proven free is not made: the car stops, its steering angle unchanged. O(n) while
-    /// it drives, O(1) while it stands.
+    /// Advances by `n` steps. A step that cannot be proven free is not made: the car stops, its steering angle unchanged. O(n)
+    /// while it drives, O(1) while it stands.
     ///
     /// # Errors
     /// `out-of-range` for more than [`MAX_STEPS`] steps at once; `too-large` if the drive would have more than that many steps in

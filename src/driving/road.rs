@@ -108,14 +108,14 @@ pub struct Rollout {
     pub blocked: Option<Option<Touched>>,
 }
 
-/// The motion from `q`, step by step: O(duration / step). Along the arc, each pose is computed from the start, so that rounding does not
-/// accumulate, and all of the arc is proven free. By Euler's steps each pose follows from the one before, and only the poses are checked:
-/// it shows what the method makes of the arc, and proves nothing.
+/// The motion from `q`, step by step: O(duration / step). Along the arc, each pose is computed from the start, so that rounding
+/// does not accumulate, and all of the arc is proven free. By Euler's steps each pose follows from the one before, and only the
+/// poses are checked: it shows what the method makes of the arc, and proves nothing.
 ///
 /// # Errors
 /// `unsupported` if the robot is not a car; `wrong-dimension`, `not-finite` or `out-of-range` with the pointers `/q`, `/v`,
-/// `/phi`, `/dt` and `/duration`: a control beyond the limits of the car (which may always stand still), a step outside [1e-6, 1e6] s, a
-/// duration that is negative or longer than [`MAX_STEPS`] steps.
+/// `/phi`, `/dt` and `/duration`: a control beyond the limits of the car (which may always stand still), a step outside [1e-6,
+/// 1e6] s, a duration that is negative or longer than [`MAX_STEPS`] steps.
 pub fn rollout(
     scenario: impl Into<PlanningWorld>,
     q: &[f64],

@@ -1,9 +1,10 @@
 //! Experiments: every planner with every one of its settings, in every world, with every seed; each combination is a trial.
 //!
 //! An [`Experiment`] is read from a document (`planarium-experiment-1`) and checked as a scenario is: a start of every planner in
-//! every world, and of every setting in one world of each kind, is made before any trial. Trials are numbered, and none is stored:
-//! a number gives the world, the query, the planner, its setting and the seed. Worlds vary slowest and seeds fastest, so trials of
-//! one world are neighbours. A trial depends on nothing but its number, and its row is the same on every platform, to the bit.
+//! every world, and of every setting in one world of each kind, is made before any trial. Trials are numbered, and none is
+//! stored: a number gives the world, the query, the planner, its setting and the seed. Worlds vary slowest and seeds fastest, so
+//! trials of one world are neighbours. A trial depends on nothing but its number, and its row is the same on every platform, to
+//! the bit.
 //!
 //! # Files
 //! - `document.rs`, `validate.rs`: the document, and its rules;
@@ -64,7 +65,8 @@ enum Source {
         id: String,
         grid: Grid,
         seeds: Seeds,
-        /// Of worlds with `ensure` the seeds that were drawn for them, by the number of the variant and that of the seed; else empty.
+        /// Of worlds with `ensure` the seeds that were drawn for them, by the number of the variant and that of the seed; else
+        /// empty.
         drawn: Vec<Option<u64>>,
     },
 }

@@ -56,8 +56,8 @@ impl Experiment {
         }
     }
 
-    /// The columns of rows: the experiment, the number of the trial, what it is made of, its status with the reason, the measures that are not times,
-    /// and the fingerprint of the run.
+    /// The columns of rows: the experiment, the number of the trial, what it is made of, its status with the reason, the measures
+    /// that are not times, and the fingerprint of the run.
     pub fn columns(&self) -> Vec<String> {
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
         let [of_worlds, of_planners] = self.varied_names();
@@ -199,8 +199,8 @@ impl TrialRun {
         self.run.result()
     }
 
-    /// The row of the trial, in the order of [`Experiment::columns`]: `null` where a column does not apply, as for the length of a
-    /// path that was not found.
+    /// The row of the trial, in the order of [`Experiment::columns`]: `null` where a column does not apply, as for the length of
+    /// a path that was not found.
     ///
     /// # Errors
     /// Those of [`verify()`].

@@ -1,8 +1,8 @@
 //! Composite planning: the configurations of two or three robots as one, by RRT-Connect.
 //!
-//! LaValle 2006, "Planning Algorithms", section 7.2. A motion moves all robots at once, each straight at a constant rate, and all arrive
-//! at the same time. It is free if each robot's own motion is proven free of obstacles, and each pair's proven apart. The metric of a
-//! robot is the time that it takes at its speed; times of robots combine by the root of the sum of their squares.
+//! LaValle 2006, "Planning Algorithms", section 7.2. A motion moves all robots at once, each straight at a constant rate, and all
+//! arrive at the same time. It is free if each robot's own motion is proven free of obstacles, and each pair's proven apart. The
+//! metric of a robot is the time that it takes at its speed; times of robots combine by the root of the sum of their squares.
 
 use super::Setup;
 use super::motion::{Footprint, Motion, Pair, Pose};

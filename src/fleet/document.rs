@@ -27,8 +27,8 @@ pub const MAX_ROBOTS: usize = 1000;
 /// The finest checker is wanted where no motion is proven.
 const ANY_TOLERANCE: f64 = 1e-4;
 
-/// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise, y up,
-/// speeds in metres per second.
+/// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise, y
+/// up, speeds in metres per second.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "Planarium fleet"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetDocument"))]
@@ -128,10 +128,10 @@ impl Fleet {
     /// Reads a fleet from JSON text.
     ///
     /// # Errors
-    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of
-    /// [`Scenario::parse`]; `unsupported` for a robot that is neither a disc nor a rigid body; `start-in-collision` and
-    /// `goal-in-collision` if a start or a goal touches an obstacle, leaves the bounds, or touches the start or the goal of an earlier
-    /// robot; `too-large` for more than 1000 robots.
+    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of [`Scenario::parse`];
+    /// `unsupported` for a robot that is neither a disc nor a rigid body; `start-in-collision` and `goal-in-collision` if a start
+    /// or a goal touches an obstacle, leaves the bounds, or touches the start or the goal of an earlier robot; `too-large` for
+    /// more than 1000 robots.
     pub fn parse(text: &str) -> Result<Self, Error> {
         Self::read(&json::parse(text)?)
     }
@@ -272,7 +272,8 @@ impl Fleet {
         json::to_string(self)
     }
 
-    /// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest robot.
+    /// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest
+    /// robot.
     pub(super) fn slack(&self) -> f64 {
         let obstacles = self.world().obstacles.iter().map(crate::scenario::Obstacle::aabb);
         let corners = obstacles.chain([*self.bounds()]).flat_map(|aabb| [aabb.min, aabb.max]);

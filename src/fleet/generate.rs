@@ -337,8 +337,8 @@ impl Generator for HallOptions {
     }
 }
 
-/// Draws starts and goals that are apart from each other by a fifth of the radius at least, and clear of some discs. `place` gives the
-/// box of the start or the goal of a robot, and its heading.
+/// Draws starts and goals that are apart from each other by a fifth of the radius at least, and clear of some discs. `place`
+/// gives the box of the start or the goal of a robot, and its heading.
 fn drawn(
     random: &mut Random,
     count: usize,

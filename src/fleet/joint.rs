@@ -1,9 +1,10 @@
 //! Joint search: all robots move over their roadmaps at once, from one joint configuration to the next.
 //!
-//! Okumura 2023, "LaCAM: search-based algorithm for quick multi-agent pathfinding". A joint configuration has a vertex of every robot.
-//! Depth first, each gets one successor at a time by a joint move (`joint_move.rs`); where a move leads to what is known, the
-//! configuration that it led from gets another one, in which some robots have no choice. So every way that the roadmaps have is tried
-//! in the end. Robots at their goals step aside for others and come back, which no order of priorities can do more than once.
+//! Okumura 2023, "LaCAM: search-based algorithm for quick multi-agent pathfinding". A joint configuration has a vertex of every
+//! robot. Depth first, each gets one successor at a time by a joint move (`joint_move.rs`); where a move leads to what is known,
+//! the configuration that it led from gets another one, in which some robots have no choice. So every way that the roadmaps have
+//! is tried in the end. Robots at their goals step aside for others and come back, which no order of priorities can do more than
+//! once.
 
 use super::joint_move::{JointMove, Moved, timed};
 use super::priority_tree::Ground;

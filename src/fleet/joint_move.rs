@@ -1,9 +1,10 @@
-//! One joint move: from the vertices where all robots stand, each goes to a neighbour on its roadmap or stays, all at the same time.
+//! One joint move: from the vertices where all robots stand, each goes to a neighbour on its roadmap or stays, all at the same
+//! time.
 //!
-//! Okumura, Machida, Defago and Tamura 2022, "Priority inheritance with backtracking for iterative multi-agent path finding". The most
-//! urgent robot chooses the vertex nearest to its goal. Whoever stands in the way of its motion chooses next, in its place, and must
-//! go; if it cannot, the first one chooses its next vertex. Motions of several robots at once are proven apart in continuous time:
-//! all take the same time, so the proof does not depend on how long that is.
+//! Okumura, Machida, Defago and Tamura 2022, "Priority inheritance with backtracking for iterative multi-agent path finding". The
+//! most urgent robot chooses the vertex nearest to its goal. Whoever stands in the way of its motion chooses next, in its place,
+//! and must go; if it cannot, the first one chooses its next vertex. Motions of several robots at once are proven apart in
+//! continuous time: all take the same time, so the proof does not depend on how long that is.
 
 use super::motion::{Motion, Pair, Pose};
 use super::priority_tree::{Ground, MARGIN};

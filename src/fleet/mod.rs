@@ -1,8 +1,8 @@
 //! Several robots that share a floor: a fleet, its planners, and the verifier of their plans.
 //!
-//! A [`Fleet`] is a world with discs and bodies, each with a start and a goal. Every robot is in the floor for ever: it stands at its start
-//! before it leaves, and at its goal after it arrives. A plan has a [`Trajectory`] for every robot. Two robots are in conflict at a time
-//! if they touch; a plan is proven free of conflict at every time, not only at samples.
+//! A [`Fleet`] is a world with discs and bodies, each with a start and a goal. Every robot is in the floor for ever: it stands at
+//! its start before it leaves, and at its goal after it arrives. A plan has a [`Trajectory`] for every robot. Two robots are in
+//! conflict at a time if they touch; a plan is proven free of conflict at every time, not only at samples.
 //!
 //! ```
 //! use planarium::fleet::{FleetOptions, FleetPlanner, generate, verify};
@@ -20,8 +20,8 @@
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
 //! - `run.rs`: a planner that is stepped; `result.rs`: the document that it ends with;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
-//! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and `moves.rs`: `joint.rs` and
-//!   `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
+//! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and
+//!   `moves.rs`: `joint.rs` and `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
 //! - `composite.rs`: two or three robots planned for as one;
 //! - `verify.rs`: the independent verifier; `advancement.rs`: when two robots touch along their trajectories.
 

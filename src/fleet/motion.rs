@@ -1,10 +1,10 @@
 //! Two robots that move at constant rates: whether they are apart all the time, and when they may not be.
 //!
-//! The motion of one disc relative to another is straight and at a constant rate, so their least distance is that of a point from a
-//! segment, and they are too close between the two roots of a quadratic. Bodies are compared by the discs around them first, then
-//! by the proof by halving: in the middle of an interval of time the distance is known, and a bound on how far the two can move
-//! relative to each other until either end (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for single and
-//! multiple articulated robots in complex environments").
+//! The motion of one disc relative to another is straight and at a constant rate, so their least distance is that of a point from
+//! a segment, and they are too close between the two roots of a quadratic. Bodies are compared by the discs around them first,
+//! then by the proof by halving: in the middle of an interval of time the distance is known, and a bound on how far the two can
+//! move relative to each other until either end (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for
+//! single and multiple articulated robots in complex environments").
 
 use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, distance_point_segment, wrap};
 use crate::scenario::Robot;
@@ -99,7 +99,8 @@ impl Footprint {
         }
     }
 
-    /// How far the farthest point moves at most on the straight motion between two poses, in metres: its duration at a speed of 1 m/s.
+    /// How far the farthest point moves at most on the straight motion between two poses, in metres: its duration at a speed of 1
+    /// m/s.
     pub fn travel(&self, from: Pose, to: Pose) -> f64 {
         let [x, y, turn] = difference(from, to);
         (x * x + y * y).sqrt() + self.reach() * turn.abs()
@@ -184,8 +185,8 @@ impl Pair<'_> {
         self.slack + ROUNDED * until * (speed(self.motions[0]) + speed(self.motions[1]))
     }
 
-    /// Whether the robots are proven apart during all of their common time, its ends included. Discs are refused if and only if they
-    /// come closer than the slack.
+    /// Whether the robots are proven apart during all of their common time, its ends included. Discs are refused if and only if
+    /// they come closer than the slack.
     pub fn is_apart(&self) -> bool {
         self.is_apart_counted(&mut 0)
     }
@@ -242,9 +243,8 @@ impl Pair<'_> {
         open.is_empty()
     }
 
-    /// When the robots are not known to be apart: intervals of time in order, added to a list. The one of two discs is exact but for
-    /// rounding.
-    /// `is_apart` proves a pair of motions; its error ends the list.
+    /// When the robots are not known to be apart: intervals of time in order, added to a list. The one of two discs is exact but
+    /// for rounding. `is_apart` proves a pair of motions; its error ends the list.
     pub fn add_conflicts<E>(
         &self,
         found: &mut Vec<[f64; 2]>,

@@ -1,8 +1,8 @@
 //! Joint moves over roadmaps of their own, which have few vertices: long edges take robots far in few moves.
 //!
-//! Joint search (`joint.rs`) and walks (`walks.rs`) take turns. If neither finds a plan, the roadmaps grow to twice as many vertices; after
-//! some rounds others are begun, by another seed, and every search gets twice as long. Roadmaps grow at once where they do not connect a
-//! start to its goal.
+//! Joint search (`joint.rs`) and walks (`walks.rs`) take turns. If neither finds a plan, the roadmaps grow to twice as many
+//! vertices; after some rounds others are begun, by another seed, and every search gets twice as long. Roadmaps grow at once
+//! where they do not connect a start to its goal.
 
 use super::joint::Joint;
 use super::prioritized::roadmaps;

@@ -1,6 +1,7 @@
 //! The planner that is chosen if none is named: searches take turns on roadmaps that grow while none of them finds a plan.
 //!
-//! - Orders of priorities among robots that stand at their starts until they have planned (`prioritized.rs`) are fast where one works.
+//! - Orders of priorities among robots that stand at their starts until they have planned (`prioritized.rs`) are fast where one
+//!   works.
 //! - The tree of priorities (`priority_tree.rs`) finds who gives way to whom where robots must make room before they plan.
 //! - Two or three robots are planned for as one, too (`composite.rs`): that needs no roadmap.
 //! - Joint moves (`moves.rs`) find what no priorities can, as where two robots have to make way for each other.
@@ -203,7 +204,8 @@ impl Pbs {
         Status::Running
     }
 
-    /// Begins to grow the roadmaps that do not connect a start and a goal, or all; false if they have as many samples as they may.
+    /// Begins to grow the roadmaps that do not connect a start and a goal, or all; false if they have as many samples as they
+    /// may.
     fn grow(&mut self, setup: &Setup) -> bool {
         let is_unconnected = |robot: &usize| {
             let [start, goal] = self.roadmaps[setup.kinds[*robot]].ends(*robot);

@@ -1,11 +1,11 @@
 //! Prioritized planning: the robots plan one after the other, each around the trajectories of those before it.
 //!
-//! Erdmann and Lozano-Perez 1987, "On multiple moving objects". Each robot is searched for by safe intervals along the roadmap of its
-//! kind, among the trajectories of those before it and the starts of those after it, which stand there until they have planned: so
-//! every robot may leave as late as it likes. If one finds no way, the order fails, though another one might not: then the run ends,
-//! or begins again with that robot first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the performance of multi-robot
-//! prioritized path planning"). Whether a robot finds a way depends on those before it, in their order, and on nothing else: an order
-//! that begins like one that has failed is not tried again.
+//! Erdmann and Lozano-Perez 1987, "On multiple moving objects". Each robot is searched for by safe intervals along the roadmap of
+//! its kind, among the trajectories of those before it and the starts of those after it, which stand there until they have
+//! planned: so every robot may leave as late as it likes. If one finds no way, the order fails, though another one might not:
+//! then the run ends, or begins again with that robot first (Andreychuk and Yakovlev 2018, "Two techniques that enhance the
+//! performance of multi-robot prioritized path planning"). Whether a robot finds a way depends on those before it, in their
+//! order, and on nothing else: an order that begins like one that has failed is not tried again.
 
 use super::Setup;
 use super::priority_tree::{Ground, standing};
@@ -33,7 +33,8 @@ crate::options! {
     samples: Option<usize>, in 0.0..=100_000.0, "Samples", else "400, and 20 more for each robot";
     /// Each vertex is connected to its k nearest neighbours.
     k: usize = 15, in 1.0..=100.0, "Neighbours";
-    /// How many other orders are tried if one fails: the robot that finds no way plans first, or if that order has failed too, one is drawn.
+    /// How many other orders are tried if one fails: the robot that finds no way plans first, or if that order has failed too,
+    /// one is drawn.
     restarts: Option<u32>, in 0.0..=10_000.0, "Restarts", else "20, or 0 if an order is given";
     /// Number of iterations after which the planner gives up.
     max_iterations: u64 = 10_000_000, in 1.0..=1e12, "Most iterations";

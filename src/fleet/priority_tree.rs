@@ -1,10 +1,10 @@
 //! Priority-based search: who gives way to whom is decided for two robots at a time, where their trajectories conflict.
 //!
-//! Ma, Harabor, Stuckey, Li and Koenig 2019, "Searching with consistent prioritization for multi-agent path finding". A branch has
-//! some pairs of robots, of which the first goes before the second, and a trajectory of every robot, clear of all that go before it
-//! and of no others. At first there are no pairs. If no two trajectories of a branch conflict, they are a plan. Else the earliest
-//! conflict makes two branches of it, in each of which another one of the two gives way and plans again, and with it whoever is below
-//! it and in conflict with one above. The branch with the earlier arrivals is looked into first (depth first).
+//! Ma, Harabor, Stuckey, Li and Koenig 2019, "Searching with consistent prioritization for multi-agent path finding". A branch
+//! has some pairs of robots, of which the first goes before the second, and a trajectory of every robot, clear of all that go
+//! before it and of no others. At first there are no pairs. If no two trajectories of a branch conflict, they are a plan. Else
+//! the earliest conflict makes two branches of it, in each of which another one of the two gives way and plans again, and with it
+//! whoever is below it and in conflict with one above. The branch with the earlier arrivals is looked into first (depth first).
 //!
 //! Robots are clear of those above them from time 0 on, so a robot moves aside, though it would rather stand, and comes back.
 
@@ -117,7 +117,8 @@ struct Work {
     planning: Option<(usize, Arc<[usize]>, Option<Search>)>,
 }
 
-/// The tree of branches. An iteration is an expansion of the search of one robot, or a comparison of one trajectory with all others.
+/// The tree of branches. An iteration is an expansion of the search of one robot, or a comparison of one trajectory with all
+/// others.
 pub(super) struct PriorityTree {
     /// The branches to look into, the next one last.
     open: Vec<Branch>,

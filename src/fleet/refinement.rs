@@ -1,7 +1,7 @@
 //! Refinement of a plan: one robot after another plans again, among the trajectories of all others.
 //!
-//! Okumura, Tamura and Defago 2021, "Iterative refinement for real-time multi-robot path planning". A trajectory is replaced by one that
-//! arrives earlier, so a plan stays a plan, and no robot arrives later.
+//! Okumura, Tamura and Defago 2021, "Iterative refinement for real-time multi-robot path planning". A trajectory is replaced by
+//! one that arrives earlier, so a plan stays a plan, and no robot arrives later.
 
 use super::priority_tree::Ground;
 use super::result::FleetStats;
@@ -19,7 +19,8 @@ pub(super) struct Refinement {
     all: Vec<usize>,
     /// How many trajectories have been compared with all before them.
     compared: usize,
-    /// The robots that have still to plan in this round, the next one last; how many rounds are left, and whether one arrives earlier.
+    /// The robots that have still to plan in this round, the next one last; how many rounds are left, and whether one arrives
+    /// earlier.
     left: Vec<usize>,
     rounds: u32,
     is_earlier: bool,

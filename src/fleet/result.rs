@@ -30,7 +30,8 @@ pub enum FleetReason {
 pub struct Blocked {
     /// The robot, by its index.
     pub robot: usize,
-    /// The robots that were in its way wherever it could go on, by their indices; none if its roadmap has no way even without them.
+    /// The robots that were in its way wherever it could go on, by their indices; none if its roadmap has no way even without
+    /// them.
     pub by: Vec<usize>,
 }
 

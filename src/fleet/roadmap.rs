@@ -1,6 +1,6 @@
-//! The roadmap of one kind of robot: a PRM in the world without other robots, whose first vertices are the starts and the goals of the
-//! robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free. A roadmap that is
-//! complete can grow by more samples, each connected to its neighbours at once.
+//! The roadmap of one kind of robot: a PRM in the world without other robots, whose first vertices are the starts and the goals
+//! of the robots of this kind. The straight motion from each start to its goal is an edge, too, if it is proven free. A roadmap
+//! that is complete can grow by more samples, each connected to its neighbours at once.
 
 use super::document::Fleet;
 use super::motion::{Footprint, Pose};

@@ -22,8 +22,8 @@ pub struct FleetOptions {
     pub planner: Option<String>,
     /// The seed, 0 to 2^53 - 1.
     pub seed: u64,
-    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. For `prioritized` only, which begins
-    /// with that of the document if it is `None`, and tries others if it fails.
+    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. For `prioritized` only, which
+    /// begins with that of the document if it is `None`, and tries others if it fails.
     pub order: Option<Vec<String>>,
     /// Options of the planner by name.
     pub parameters: Vec<(String, Value)>,
@@ -92,7 +92,8 @@ impl Stepped for FleetPlanner {
         }
     }
 
-    /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`] gives.
+    /// `Solved` once every robot has a trajectory; `Exhausted` if there is no plan, for the reason that [`FleetPlanner::reason`]
+    /// gives.
     fn status(&self) -> Status {
         self.status
     }
@@ -107,8 +108,8 @@ impl FleetPlanner {
     ///
     /// # Errors
     /// `unknown-planner` (pointer `/algorithm`); `unknown-parameter`, and the errors of parameter values; `out-of-range` with a
-    /// pointer into `/order` if it does not name every robot once; `unsupported` for a composite of fewer than two or more than three
-    /// robots, or of more than eight coordinates.
+    /// pointer into `/order` if it does not name every robot once; `unsupported` for a composite of fewer than two or more than
+    /// three robots, or of more than eight coordinates.
     pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
         check_seed(options.seed)?;
         let by_default = if options.order.is_some() { "prioritized" } else { "pbs" };
@@ -217,8 +218,8 @@ impl FleetPlanner {
         }
     }
 
-    /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its own
-    /// index.
+    /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its
+    /// own index.
     pub fn roadmap_of(&self, robot: usize) -> usize {
         if self.roadmaps().is_some() { self.setup.kinds[robot] } else { robot }
     }
@@ -238,8 +239,8 @@ impl FleetPlanner {
         }
     }
 
-    /// The vertices of a roadmap from row `row` on, as poses: x, y, theta; theta of a disc is 0. Of the composite, the places of one robot
-    /// in the vertices of the trees.
+    /// The vertices of a roadmap from row `row` on, as poses: x, y, theta; theta of a disc is 0. Of the composite, the places of
+    /// one robot in the vertices of the trees.
     pub fn vertices_since(&self, roadmap: usize, row: usize) -> Vec<Pose> {
         match &self.algorithm {
             Algorithm::Pbs(_) | Algorithm::Prioritized(_) => self.roadmaps().map_or_else(Vec::new, |roadmaps| {
@@ -293,7 +294,8 @@ impl FleetPlanner {
         self.total(Trajectory::arrival)
     }
 
-    /// 64-bit FNV-1a over the vertices and edges of all roadmaps or trees, the order of priorities, and the rows of all trajectories.
+    /// 64-bit FNV-1a over the vertices and edges of all roadmaps or trees, the order of priorities, and the rows of all
+    /// trajectories.
     pub fn fingerprint(&self) -> u64 {
         let mut fingerprint = Fingerprint::default();
         for roadmap in 0..self.roadmap_count() {

@@ -1,10 +1,11 @@
-//! Safe interval path planning: the earliest arrival of one robot at its goal, along its roadmap, among others whose trajectories are
-//! known.
+//! Safe interval path planning: the earliest arrival of one robot at its goal, along its roadmap, among others whose trajectories
+//! are known.
 //!
-//! Phillips and Likhachev 2011, "SIPP: safe interval path planning for dynamic environments". A safe interval of a vertex is a longest
-//! time during which a robot may stand there. A node of the search is a vertex with one of its safe intervals; of all ways to reach it
-//! the earliest is kept, since who is there early may wait. Time is continuous: from a node the robot leaves at the earliest time at which
-//! its motion along an edge is proven free of conflict with every motion of the others, and its stand until then as well.
+//! Phillips and Likhachev 2011, "SIPP: safe interval path planning for dynamic environments". A safe interval of a vertex is a
+//! longest time during which a robot may stand there. A node of the search is a vertex with one of its safe intervals; of all
+//! ways to reach it the earliest is kept, since who is there early may wait. Time is continuous: from a node the robot leaves at
+//! the earliest time at which its motion along an edge is proven free of conflict with every motion of the others, and its stand
+//! until then as well.
 
 use super::motion::{Footprint, Motion, Pair, Pose};
 use super::roadmap::Roadmap;
@@ -15,8 +16,8 @@ use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 use std::sync::Arc;
 
-/// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances cost more
-/// the closer they pass.
+/// How often the time of departure is halved in search of the earliest one: of two discs, and if one is a body, whose distances
+/// cost more the closer they pass.
 const HALVINGS: [u32; 2] = [30, 10];
 
 /// The most motions of others that one departure waits for.
@@ -159,8 +160,8 @@ pub(super) enum Expansion {
     Part,
     /// The robot can reach its goal, and stay there.
     Found(Trajectory),
-    /// It cannot. The robots that are in the way of every way on, in order; none if there is no way on its roadmap even without the
-    /// others.
+    /// It cannot. The robots that are in the way of every way on, in order; none if there is no way on its roadmap even without
+    /// the others.
     Nothing(Vec<usize>),
 }
 
@@ -400,8 +401,8 @@ impl Leave {
         Motion::new([departure, departure + self.duration], self.at, self.to)
     }
 
-    /// The earliest departure between two times with which stand and motion are proven free of conflict; if there is none, the robot
-    /// that is in the way.
+    /// The earliest departure between two times with which stand and motion are proven free of conflict; if there is none, the
+    /// robot that is in the way.
     fn first_time(
         &self,
         scene: &Scene,
@@ -423,7 +424,8 @@ impl Leave {
                 let motions = [&motion, &self.motion(departure)];
                 proofs.is_apart(&Pair { footprints, motions, slack: scene.slack }, true)
             };
-            // Departures that conflict with one motion of a disc are an interval, so all after the first that does not are free of it.
+            // Departures that conflict with one motion of a disc are an interval, so all after the first that does not are free
+            // of it.
             let (mut early, mut late) = (departure, latest.min(motion.end.next_up()));
             if late <= early || late == f64::INFINITY || !is_past(late)? {
                 return Ok(Err(other));

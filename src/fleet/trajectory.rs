@@ -112,8 +112,8 @@ impl Trajectory {
     /// The trajectory of these rows.
     ///
     /// # Errors
-    /// A sentence, and the index of the row: if there is none, the first time is not 0, a time is earlier than the one before, or the
-    /// robot turns by half a turn, so that the short way round is ambiguous.
+    /// A sentence, and the index of the row: if there is none, the first time is not 0, a time is earlier than the one before, or
+    /// the robot turns by half a turn, so that the short way round is ambiguous.
     pub(super) fn of_rows(times: &[f64], poses: Vec<Pose>) -> Result<Self, (String, usize)> {
         if times.len() != poses.len() || times.is_empty() {
             return Err((format!("there are {} times and {} configurations", times.len(), poses.len()), 0));

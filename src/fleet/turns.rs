@@ -44,7 +44,8 @@ impl Searches {
         }
     }
 
-    /// Goes on with the next search, without the one whose turn it was if that is over. If the round is over, it is nobody's turn.
+    /// Goes on with the next search, without the one whose turn it was if that is over. If the round is over, it is nobody's
+    /// turn.
     pub fn go_on(&mut self, setup: &Setup, is_over: bool) {
         if is_over {
             self.left.remove(self.turn);

@@ -118,9 +118,9 @@ pub fn straight(fleet: &Fleet) -> Vec<Trajectory> {
 /// The trajectories of a result, one of every robot in order.
 ///
 /// # Errors
-/// `invalid-result` with a pointer into the result: if it belongs to another fleet, is not solved, names other robots or in another order,
-/// if a configuration has the wrong length or a coordinate outside [-1e6, 1e6], if times do not begin at 0 or go back,
-/// or if the robot can move by more than the slack of the fleet between a time and the next larger double.
+/// `invalid-result` with a pointer into the result: if it belongs to another fleet, is not solved, names other robots or in
+/// another order, if a configuration has the wrong length or a coordinate outside [-1e6, 1e6], if times do not begin at 0 or go
+/// back, or if the robot can move by more than the slack of the fleet between a time and the next larger double.
 pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajectory>, Error> {
     let refuse = |pointer: String, sentence: String| Err(Error::new(Code::InvalidResult, pointer, sentence));
     if result.fleet != fleet.name() {

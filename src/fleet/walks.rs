@@ -1,10 +1,10 @@
 //! Joint walks: all robots first go towards places drawn at random, and from there to their goals.
 //!
-//! A random tree over the joint configurations of the roadmaps, whose local planner is the joint move (Solovey, Salzman and Halperin
-//! 2016, "Finding a needle in an exponential haystack: discrete RRT for exploration of implicit roadmaps in multi-robot motion
-//! planning"). A walk begins at a configuration that an earlier one came to, or at the starts. Half of the robots are drawn a place
-//! to go to first, and go before the others, which go to their goals: so some step aside to where nobody else wants to go, as into
-//! a bay, and others pass. Then all go to their goals.
+//! A random tree over the joint configurations of the roadmaps, whose local planner is the joint move (Solovey, Salzman and
+//! Halperin 2016, "Finding a needle in an exponential haystack: discrete RRT for exploration of implicit roadmaps in multi-robot
+//! motion planning"). A walk begins at a configuration that an earlier one came to, or at the starts. Half of the robots are
+//! drawn a place to go to first, and go before the others, which go to their goals: so some step aside to where nobody else wants
+//! to go, as into a bay, and others pass. Then all go to their goals.
 
 use super::joint_move::{JointMove, Moved, timed};
 use super::priority_tree::Ground;

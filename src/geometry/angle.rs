@@ -40,8 +40,8 @@ pub fn arc_pose(from: [f64; 3], speed: f64, turn_rate: f64, time: f64) -> [f64; 
     [x + chord * cos, y + chord * sin, theta + turn]
 }
 
-/// The same by one step of Euler's explicit method: along the heading at the beginning, then turned. The error of a step grows with
-/// the square of `time`.
+/// The same by one step of Euler's explicit method: along the heading at the beginning, then turned. The error of a step grows
+/// with the square of `time`.
 pub fn euler_pose([x, y, theta]: [f64; 3], speed: f64, turn_rate: f64, time: f64) -> [f64; 3] {
     let along = speed * time;
     let (sin, cos) = libm::sincos(theta);

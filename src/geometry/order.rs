@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 /// Up to this length items are sorted where they are, by insertion.
 const SHORT: usize = 20;
 
-/// Sorts numbers by a comparison in which no two of them are equal. All callers share one copy of the sort, which takes 4 kB in the
-/// WebAssembly module for each type and each comparison that is known when it is compiled.
+/// Sorts numbers by a comparison in which no two of them are equal. All callers share one copy of the sort, which takes 4 kB in
+/// the WebAssembly module for each type and each comparison that is known when it is compiled.
 pub(crate) fn sort_numbers(numbers: &mut [u32], compare: &dyn Fn(usize, usize) -> Ordering) {
     numbers.sort_unstable_by(|&a, &b| compare(a as usize, b as usize));
 }

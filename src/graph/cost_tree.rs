@@ -63,8 +63,8 @@ impl CostTree {
         self.tree.contains(vertex).then(|| self.tree.parent(vertex)).flatten()
     }
 
-    /// Puts a vertex below a parent by an edge of this cost, from which the costs of all its descendants follow. Returns the former
-    /// parent of a vertex that was in the tree. O(children of the former parent + descendants).
+    /// Puts a vertex below a parent by an edge of this cost, from which the costs of all its descendants follow. Returns the
+    /// former parent of a vertex that was in the tree. O(children of the former parent + descendants).
     ///
     /// # Panics
     /// In debug builds, if the vertex costs no less below this parent: then the parent might be among its descendants.

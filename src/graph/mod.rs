@@ -70,8 +70,8 @@ pub struct Event<S> {
     pub state: S,
 }
 
-/// How many vertices, edges and recorded events a graph holds in all before a run of a planner ends as exhausted: as many as fit into the
-/// 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
+/// How many vertices, edges and recorded events a graph holds in all before a run of a planner ends as exhausted: as many as fit
+/// into the 4 GB of a WebAssembly module, with the index of neighbours and the spare capacity of growing lists.
 pub const MAX_RECORDS: usize = 15_000_000;
 
 /// The room of a list with any items.
@@ -178,8 +178,8 @@ impl<S: Space> Graph<S> {
         &self.events
     }
 
-    /// 64-bit FNV-1a over the little-endian bytes of everything in the order of its creation: all vertices (coordinates,
-    /// birth), then all edges (both ends, birth), then the controlled motions along them, if any (speed, steering, duration), then all
+    /// 64-bit FNV-1a over the little-endian bytes of everything in the order of its creation: all vertices (coordinates, birth),
+    /// then all edges (both ends, birth), then the controlled motions along them, if any (speed, steering, duration), then all
     /// events. O(size).
     pub fn fingerprint(&self, space: &S) -> u64 {
         let mut hash = Fingerprint::default();

@@ -8,12 +8,12 @@ use crate::robot::MAX_LINKS;
 /// Below this angle of the elbow from straight or folded, in radians, the two solutions are one.
 const MERGED: f64 = 1e-7;
 
-/// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none if it is
-/// out of reach, two if the elbow can be on either side (first bent counter-clockwise), one if the arm is straight or
-/// folded. If two links of the same length fold back to the base, any first angle is a solution, and that of `near` is used. An
-/// orientation fixes the last link, and the others reach for its joint. Errors are at most `tolerance`, in metres and radians; for
-/// targets that can be reached exactly they are below 1e-12 of the reach and the base's coordinates. If the limits exclude all of
-/// these, the exact search decides: near folded arms the first angle follows from rounding alone, and another one may be valid.
+/// Every configuration that reaches the target, within the limits, as near to `near` as whole turns bring it: none if it is out
+/// of reach, two if the elbow can be on either side (first bent counter-clockwise), one if the arm is straight or folded. If two
+/// links of the same length fold back to the base, any first angle is a solution, and that of `near` is used. An orientation
+/// fixes the last link, and the others reach for its joint. Errors are at most `tolerance`, in metres and radians; for targets
+/// that can be reached exactly they are below 1e-12 of the reach and the base's coordinates. If the limits exclude all of these,
+/// the exact search decides: near folded arms the first angle follows from rounding alone, and another one may be valid.
 pub(super) fn closed_form(
     task: &Task,
     near: &[f64; MAX_LINKS],

@@ -1,4 +1,5 @@
-//! An arm that follows a moving target: smoothly from its configuration to one whose tip is at the target, or as near as possible.
+//! An arm that follows a moving target: smoothly from its configuration to one whose tip is at the target, or as near as
+//! possible.
 
 use super::gradient_descent::GradientDescent;
 use super::iterative::{DampedLeastSquares, Method};
@@ -84,8 +85,8 @@ fn approached(task: &Task, q: [f64; MAX_LINKS], enough: f64) -> [f64; MAX_LINKS]
     best(task, &mut GradientDescent::default(), near, enough, f64::NEG_INFINITY)
 }
 
-/// The best configuration of a descent from `q`, which ends once the error is `enough` or an update decreases the squared error by
-/// less than the fraction `settled`.
+/// The best configuration of a descent from `q`, which ends once the error is `enough` or an update decreases the squared error
+/// by less than the fraction `settled`.
 fn best(task: &Task, method: &mut dyn Method, q: [f64; MAX_LINKS], enough: f64, settled: f64) -> [f64; MAX_LINKS] {
     let (mut best, mut least, mut at) = (q, task.deviation(&q).square(), q);
     for _ in 0..UPDATES {
@@ -121,8 +122,8 @@ fn drawn_in(task: &Task) -> Task {
     task
 }
 
-/// The configuration with every joint but the first bent a little to the side with the larger remaining range, the less the nearer
-/// the target is.
+/// The configuration with every joint but the first bent a little to the side with the larger remaining range, the less the
+/// nearer the target is.
 fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let joints = &task.joints;
     let angle = BEND * (task.deviation(q).distance / task.reach).min(1.0).sqrt();

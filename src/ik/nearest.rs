@@ -1,17 +1,19 @@
 //! The point nearest to a target that an arm can reach, exactly, with limits.
 //!
-//! If the tip is as near as possible to a target that it cannot reach, every joint that could still turn is collinear with the tip
-//! and the target, and all others are at a limit. The links between two such joints form one rigid link along that line, forwards
-//! or backwards, and there are finitely many such configurations. If the target can be reached, some configuration that
-//! reaches it has the least angle of the first joint that is not at a limit; then all later free joints are collinear with the tip
-//! in the same way, and the first joint, the rigid link from it and that line form a triangle with the target. All of these
-//! configurations are tried, and each is measured by the actual position of the tip, so nothing is reported as reached by mistake.
+//! If the tip is as near as possible to a target that it cannot reach, every joint that could still turn is collinear with the
+//! tip and the target, and all others are at a limit. The links between two such joints form one rigid link along that line,
+//! forwards or backwards, and there are finitely many such configurations. If the target can be reached, some configuration that
+//! reaches it has the least angle of the first joint that is not at a limit; then all later free joints are collinear with the
+//! tip in the same way, and the first joint, the rigid link from it and that line form a triangle with the target. All of these
+//! configurations are tried, and each is measured by the actual position of the tip, so nothing is reported as reached by
+//! mistake.
 //!
 //! A wanted orientation moves the target to the last joint. If that joint is then at a limit, the link before has a wanted
 //! orientation too, and so on inwards.
 //!
 //! Sources: that the joints line up on the border of the workspace is in Kumar and Waldron 1981, "The workspaces of a mechanical
-//! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator workspaces".
+//! manipulator"; limits in Haug, Luh, Adkins and Wang 1996, "Numerical algorithms for mapping boundaries of manipulator
+//! workspaces".
 
 use super::task::{Deviation, Task};
 use crate::error::Error;
@@ -20,8 +22,8 @@ use crate::robot::{Arm, MAX_LINKS, Target};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Rotations of the last link up to the first, in radians, are rounding: of sums of eight angles up to 100. Far from the origin the
-/// rounding of coordinates rotates it more, up to the second.
+/// Rotations of the last link up to the first, in radians, are rounding: of sums of eight angles up to 100. Far from the origin
+/// the rounding of coordinates rotates it more, up to the second.
 const SAME: [f64; 2] = [1e-11, 1e-6];
 
 /// How near an arm can come to a target.
@@ -138,8 +140,8 @@ impl Search<'_> {
         }
     }
 
-    /// Joints before `joint` are fixed, the link before it at the absolute angle `before`. `is_cut` if one of them is a circle, whose
-    /// only limit is the angle at which it was cut open.
+    /// Joints before `joint` are fixed, the link before it at the absolute angle `before`. `is_cut` if one of them is a circle,
+    /// whose only limit is the angle at which it was cut open.
     fn prefix(&mut self, joint: usize, before: f64, position: [f64; 2], is_cut: bool) {
         if self.is_done {
             return;
@@ -205,8 +207,8 @@ impl Search<'_> {
         }
     }
 
-    /// Joints from `joint` on lie on a line, along which the tip of the links before is at `along`; the angle of the last of those
-    /// to the line is `before`, if known.
+    /// Joints from `joint` on lie on a line, along which the tip of the links before is at `along`; the angle of the last of
+    /// those to the line is `before`, if known.
     fn line(&mut self, joint: usize, before: Option<f64>, along: f64, purpose: Purpose) {
         if self.is_done {
             return;

@@ -7,8 +7,8 @@ use crate::problem::{Contact, Status};
 use serde::{Serialize, Serializer};
 use strum::IntoStaticStr;
 
-/// The outcome of a run. In JSON: `verdict`, the word of [`Verdict::as_str`]; `reason` and `nearest` of a target out of reach, else
-/// null; and `touching`, the contacts of the first solution if all are in collision, else null.
+/// The outcome of a run. In JSON: `verdict`, the word of [`Verdict::as_str`]; `reason` and `nearest` of a target out of reach,
+/// else null; and `touching`, the contacts of the first solution if all are in collision, else null.
 #[derive(Debug, Clone, PartialEq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Verdict {
@@ -77,8 +77,8 @@ impl Verdict {
 #[derive(Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "ReachVerdict", missing_as_null))]
 struct VerdictDocument<'a> {
-    /// `reached`; `in-collision` if the target is reached in collision only; `out-of-reach` if no configuration reaches it; `running`, or
-    /// `not-found` once the budget is spent, if one does that has not been found.
+    /// `reached`; `in-collision` if the target is reached in collision only; `out-of-reach` if no configuration reaches it;
+    /// `running`, or `not-found` once the budget is spent, if one does that has not been found.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = r#""reached" | "in-collision" | "out-of-reach" | "running" | "not-found""#)

@@ -172,7 +172,8 @@ impl Target {
     }
 }
 
-/// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi]. Errors have pointers below `pointer`.
+/// A configuration of the arm, checked and in canonical form: angles of circles in (-pi, pi]. Errors have pointers below
+/// `pointer`.
 pub(super) fn configuration(arm: &Arm, q: &[f64], pointer: &str) -> Result<[f64; MAX_LINKS], Error> {
     Configurations::of_arm(arm).refuse_outside(q, pointer)?;
     Ok(Joints::of(arm).hold_all(|i| q[i]))

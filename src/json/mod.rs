@@ -1,7 +1,7 @@
 //! JSON: text read as a tree, a tree read as a type, and values written in one normal form.
 //!
-//! Text becomes a [`serde_json::Value`] first, so that text that is not JSON is reported before unknown fields; [`read`] turns that
-//! into a type. Every error has a JSON pointer (RFC 6901).
+//! Text becomes a [`serde_json::Value`] first, so that text that is not JSON is reported before unknown fields; [`read`] turns
+//! that into a type. Every error has a JSON pointer (RFC 6901).
 
 pub mod hex;
 mod tree;

@@ -1,7 +1,8 @@
-//! Three ways to drive a long way, compared on the same floor with the same queries: the policy alone, straight edges of a roadmap that are
-//! proven free and tracked by a simple controller, and PRM-RL.
+//! Three ways to drive a long way, compared on the same floor with the same queries: the policy alone, straight edges of a
+//! roadmap that are proven free and tracked by a simple controller, and PRM-RL.
 //!
-//! An iteration is one of a roadmap's planner, or one execution. Queries are drawn from the seed; every execution has noise of its own.
+//! An iteration is one of a roadmap's planner, or one execution. Queries are drawn from the seed; every execution has noise of
+//! its own.
 
 use super::document::{Navigation, NavigationQuery};
 use super::episode;
@@ -134,8 +135,9 @@ impl Comparison {
     /// Begins, with options given by name and a seed, 0 to 2^53 - 1.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`; `out-of-range` at
-    /// `/least_distance` if the floor has no two positions so far apart, with room for the margin; at `/robot/shape` if it has no room for the robot; `unsupported` for a policy that senses in another way.
+    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`;
+    /// `out-of-range` at `/least_distance` if the floor has no two positions so far apart, with room for the margin; at
+    /// `/robot/shape` if it has no room for the robot; `unsupported` for a policy that senses in another way.
     pub fn new(task: &Navigation, policy: &Policy, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options = ComparisonOptions::read(given)?;
         check_seed(seed)?;

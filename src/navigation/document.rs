@@ -1,5 +1,5 @@
-//! A navigation task: a floor, a differential drive with a range sensor and noise, and queries. The types that its document is read into,
-//! and the rules that they cannot express.
+//! A navigation task: a floor, a differential drive with a range sensor and noise, and queries. The types that its document is
+//! read into, and the rules that they cannot express.
 
 use super::FORMAT;
 use super::floor::Floor;
@@ -39,8 +39,8 @@ macro_rules! objects {
 }
 
 objects! {
-    /// A navigation task: a floor, a robot that senses distances, and queries. Lengths in metres, angles in radians, counter-clockwise, y up,
-    /// times in seconds.
+    /// A navigation task: a floor, a robot that senses distances, and queries. Lengths in metres, angles in radians,
+    /// counter-clockwise, y up, times in seconds.
     #[cfg_attr(feature = "schema", schemars(title = "Planarium navigation task"))]
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "NavigationDocument"))]
     pub(super) struct Document {
@@ -67,8 +67,8 @@ objects! {
         queries: Vec<QueryDocument>,
     }
 
-    /// A differential drive with a range sensor. A configuration is [x, y, theta]; a control is a speed and a turn rate, both constant
-    /// during a time step.
+    /// A differential drive with a range sensor. A configuration is [x, y, theta]; a control is a speed and a turn rate, both
+    /// constant during a time step.
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "DifferentialDriveDocument"))]
     pub(super) struct DriveDocument {
         /// The shape about the middle of the axle; x is forward.
@@ -232,9 +232,9 @@ impl Navigation {
     /// Reads a task from JSON text.
     ///
     /// # Errors
-    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of
-    /// [`Scenario::parse`]; `start-in-collision` if the robot touches an obstacle at a start or leaves the bounds, and `goal-in-collision` if
-    /// it cannot turn on the spot at a goal.
+    /// The first rule that is violated, with the JSON pointer of the offending value: the codes of [`Scenario::parse`];
+    /// `start-in-collision` if the robot touches an obstacle at a start or leaves the bounds, and `goal-in-collision` if it
+    /// cannot turn on the spot at a goal.
     pub fn parse(text: &str) -> Result<Self, Error> {
         Self::read(&json::parse(text)?)
     }
@@ -353,8 +353,8 @@ impl Navigation {
         })
     }
 
-    /// The scenario of a disc in which the robot turns on the spot: its queries are those of the task without headings. Straight motions of
-    /// the disc can be driven, turning between them. The disc is larger than the robot by a margin, in metres.
+    /// The scenario of a disc in which the robot turns on the spot: its queries are those of the task without headings. Straight
+    /// motions of the disc can be driven, turning between them. The disc is larger than the robot by a margin, in metres.
     ///
     /// # Errors
     /// `out-of-range` or `not-finite` for a margin that is not a number from 0 to 1e6.
@@ -371,7 +371,8 @@ impl Navigation {
         Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())
     }
 
-    /// The distance that each ray of the sensor measures at a configuration, from right to left, in metres and without noise. O(obstacles).
+    /// The distance that each ray of the sensor measures at a configuration, from right to left, in metres and without noise.
+    /// O(obstacles).
     pub fn sense(&self, q: [f64; 3]) -> Vec<f64> {
         let sensor = &self.robot().sensor;
         let mut distances = vec![0.0; sensor.rays];

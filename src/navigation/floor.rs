@@ -14,7 +14,8 @@ use std::sync::Arc;
 /// The slack of proofs, as a fraction of the largest coordinate plus the reach.
 const SLACK: f64 = 1e-12;
 
-/// An arc whose clearance is too small to be proven is halved until its half is shorter than this, in metres; then it is a collision.
+/// An arc whose clearance is too small to be proven is halved until its half is shorter than this, in metres; then it is a
+/// collision.
 const SHORTEST: f64 = 1e-4;
 
 /// The most clearances that the proof of one arc of a disc computes; an arc that needs more is a collision.
@@ -119,7 +120,8 @@ impl Floor {
         &self.bounds
     }
 
-    /// The distance from a position to the nearest obstacle or to the bounds, in metres; 0 or less inside one or outside the bounds.
+    /// The distance from a position to the nearest obstacle or to the bounds, in metres; 0 or less inside one or outside the
+    /// bounds.
     pub(super) fn distance(&self, p: Point) -> f64 {
         self.obstacles.clearance(&Segment::new(p, p)).min(self.bounds.depth(p))
     }
@@ -161,7 +163,8 @@ impl Floor {
         naming_nearest(error, &space, &|&q| self.is_free(q), &space.state(&start))
     }
 
-    /// Whether the arc of a control is proven free, both ends included: an arc that comes too close to an obstacle to be proven is not.
+    /// Whether the arc of a control is proven free, both ends included: an arc that comes too close to an obstacle to be proven
+    /// is not.
     pub(super) fn is_arc_free(&self, from: [f64; 3], [speed, turn_rate]: [f64; 2], duration: f64) -> bool {
         let arc = BodyMotion::Arc { from, speed, turn_rate, duration };
         match &self.shape {
@@ -196,8 +199,8 @@ impl Floor {
             && self.is_part_free(near, arc, [middle, high], length, left)
     }
 
-    /// Writes the distance that each ray of the sensor measures at a configuration, in metres, without noise; the range if it meets nothing
-    /// before.
+    /// Writes the distance that each ray of the sensor measures at a configuration, in metres, without noise; the range if it
+    /// meets nothing before.
     pub(super) fn sense(&self, q: [f64; 3], sensor: &Sensor, fan: &Fan, distances: &mut [f64]) {
         let from = point(q);
         let around = Segment::new(from, from).aabb().grown(sensor.range);

@@ -269,7 +269,8 @@ impl Generator for RoomsOptions {
     }
 }
 
-/// Adds `count` groups of polygons that are farther than `gap` from those before; `draw` returns `None` if the one that it draws does not fit. If too few fit, the error names the option.
+/// Adds `count` groups of polygons that are farther than `gap` from those before; `draw` returns `None` if the one that it draws
+/// does not fit. If too few fit, the error names the option.
 fn scatter(
     option: &str,
     count: usize,

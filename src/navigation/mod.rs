@@ -1,9 +1,10 @@
 //! Navigation by a learned policy, and PRM-RL: roadmaps whose edges a policy drives reliably.
 //!
-//! A [`Navigation`] task is a floor, a differential drive with a range sensor and noise, and queries. A [`Policy`] maps what the robot senses to
-//! a control; [`Training`] finds one by an evolution strategy. It drives to goals that are near. For those that are far, [`start`] builds a
-//! roadmap whose edges are rolled out under the policy, with noise (Faust et al. 2018; Francis et al. 2020), and an [`Executor`] drives along its
-//! path. Every arc that is driven is proven free; that a policy reaches its goal is never proven: results say `rollouts`.
+//! A [`Navigation`] task is a floor, a differential drive with a range sensor and noise, and queries. A [`Policy`] maps what the
+//! robot senses to a control; [`Training`] finds one by an evolution strategy. It drives to goals that are near. For those that
+//! are far, [`start`] builds a roadmap whose edges are rolled out under the policy, with noise (Faust et al. 2018; Francis et al.
+//! 2020), and an [`Executor`] drives along its path. Every arc that is driven is proven free; that a policy reaches its goal is
+//! never proven: results say `rollouts`.
 //!
 //! ```
 //! use planarium::navigation::{Policy, RolloutOptions, generate, navigate};

@@ -1,9 +1,9 @@
 //! A policy: a perceptron of two layers that maps what the robot senses to a control, and its document.
 //!
-//! It sees, for each ray, how near the obstacle is, and in the robot's frame the direction of the goal and how far it is. Its hidden layer
-//! and its outputs have the activation tanh; the outputs are scaled to the limits of speed and turn rate. As floors have no left and right,
-//! the policy has none either: it is evaluated for the view and for its mirror image, whose turn rate has the other sign, and the two are
-//! averaged. That halves what is to be learned.
+//! It sees, for each ray, how near the obstacle is, and in the robot's frame the direction of the goal and how far it is. Its
+//! hidden layer and its outputs have the activation tanh; the outputs are scaled to the limits of speed and turn rate. As floors
+//! have no left and right, the policy has none either: it is evaluated for the view and for its mirror image, whose turn rate has
+//! the other sign, and the two are averaged. That halves what is to be learned.
 
 use super::document::Navigator;
 use super::sensor::Sensor;
@@ -52,8 +52,8 @@ impl Sizes {
         (self.inputs() + 1) * self.hidden + (self.hidden + 1) * OUTPUTS
     }
 
-    /// Small random weights to begin with: of a standard deviation such that the sum of all inputs of a unit has about 1 (LeCun et al. 1998,
-    /// "Efficient backprop"); the outputs begin at a tenth of that.
+    /// Small random weights to begin with: of a standard deviation such that the sum of all inputs of a unit has about 1 (LeCun
+    /// et al. 1998, "Efficient backprop"); the outputs begin at a tenth of that.
     pub(super) fn random(self, random: &mut Random) -> Vec<f64> {
         let first = (self.inputs() + 1) * self.hidden;
         let deviation = |i: usize| {
@@ -193,8 +193,8 @@ impl Policy {
     /// Reads a policy from JSON text.
     ///
     /// # Errors
-    /// With the JSON pointer of the offending value: the codes of [`json::parse`], `unknown-format`, `unknown-field`, `missing-field`,
-    /// `wrong-type`, `out-of-range`; `wrong-dimension` for another number of weights than the sizes require.
+    /// With the JSON pointer of the offending value: the codes of [`json::parse`], `unknown-format`, `unknown-field`,
+    /// `missing-field`, `wrong-type`, `out-of-range`; `wrong-dimension` for another number of weights than the sizes require.
     pub fn parse(text: &str) -> Result<Self, Error> {
         Self::read(&json::parse(text)?)
     }

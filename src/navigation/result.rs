@@ -15,7 +15,8 @@ use serde::Serialize;
 /// The result of [`navigate`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NavigationResult {
-    /// The plan: `scenario` is the name of the task, `edge_check` is `rollouts`, and configurations are positions. Nothing is proven.
+    /// The plan: `scenario` is the name of the task, `edge_check` is `rollouts`, and configurations are positions. Nothing is
+    /// proven.
     #[serde(flatten)]
     pub plan: ResultDocument,
     /// The name of the policy.

@@ -1,10 +1,11 @@
-//! A roadmap whose edges a policy drives reliably: PRM-RL (Faust et al. 2018, "PRM-RL: Long-range robotic navigation tasks by combining
-//! reinforcement learning and sampling-based planning"; Francis et al. 2020, "Long-range indoor navigation with PRM-RL").
+//! A roadmap whose edges a policy drives reliably: PRM-RL (Faust et al. 2018, "PRM-RL: Long-range robotic navigation tasks by
+//! combining reinforcement learning and sampling-based planning"; Francis et al. 2020, "Long-range indoor navigation with
+//! PRM-RL").
 //!
-//! Vertices are positions at which the robot can turn on the spot. Two are connected if rollouts of the policy between them, with noise, from
-//! random headings and from anywhere within the goal tolerance of the first, reach the second often enough, in both directions. Nothing of
-//! that is proven: the result says `rollouts`. Planners see it as a [`Validity`] of the plane, so each of those without controls serves;
-//! `lazy-prm` rolls out only the edges that the best path wants.
+//! Vertices are positions at which the robot can turn on the spot. Two are connected if rollouts of the policy between them, with
+//! noise, from random headings and from anywhere within the goal tolerance of the first, reach the second often enough, in both
+//! directions. Nothing of that is proven: the result says `rollouts`. Planners see it as a [`Validity`] of the plane, so each of
+//! those without controls serves; `lazy-prm` rolls out only the edges that the best path wants.
 
 use super::document::{Navigation, NavigationQuery};
 use super::execution::check_finite;
@@ -172,12 +173,13 @@ fn default_planner() -> PlannerOptions {
     LazyPrmOptions::default().into()
 }
 
-/// Begins a run that builds a roadmap of edges which the policy drives reliably, or grows a tree of them, by lazy PRM if no planner is
-/// named. The path is of positions, with the query's start and goal as its ends.
+/// Begins a run that builds a roadmap of edges which the policy drives reliably, or grows a tree of them, by lazy PRM if no
+/// planner is named. The path is of positions, with the query's start and goal as its ends.
 ///
 /// # Errors
-/// `unknown-query`, and the errors of parameter values; `unsupported` for planners by controls, for options about other edges, and for a
-/// policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the spot at the start.
+/// `unknown-query`, and the errors of parameter values; `unsupported` for planners by controls, for options about other edges,
+/// and for a policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the
+/// spot at the start.
 pub fn start(
     task: &Navigation,
     policy: &Policy,
@@ -191,7 +193,8 @@ pub fn start(
     })
 }
 
-/// The rollouts along each step of a path of positions, as a run with the same policy, options and seed counts them, but all of them.
+/// The rollouts along each step of a path of positions, as a run with the same policy, options and seed counts them, but all of
+/// them.
 ///
 /// # Errors
 /// Those of [`start`] about the policy, its options and the seed; `not-finite` with the pointer `/path/i`.

@@ -11,8 +11,8 @@ pub const MAX_RAYS: usize = 64;
 /// The widest field of view, in radians: a full circle would have its first ray twice.
 const LARGEST_VIEW: f64 = 6.2;
 
-/// A range sensor: rays that are spread evenly over a field of view about the heading, from right to left, each of which measures the
-/// distance to what it meets first.
+/// A range sensor: rays that are spread evenly over a field of view about the heading, from right to left, each of which measures
+/// the distance to what it meets first.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

@@ -1,12 +1,14 @@
-//! A policy trained by an evolution strategy: random changes of its weights are tried in pairs of opposite signs, and the weights move
-//! along those that drive better (Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement learning").
+//! A policy trained by an evolution strategy: random changes of its weights are tried in pairs of opposite signs, and the weights
+//! move along those that drive better (Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
+//! learning").
 //!
-//! Each generation draws new short tasks, the same for all candidates, on floors of its own generator. The return of a candidate is the mean
-//! over the tasks: near 1 for a goal that is reached, less the longer it takes; else up to 0.5 for the part of the distance that is
-//! covered, and 0.25 less for a collision. Returns become ranks, and the weights follow them by Adam (Kingma and Ba 2015).
+//! Each generation draws new short tasks, the same for all candidates, on floors of its own generator. The return of a candidate
+//! is the mean over the tasks: near 1 for a goal that is reached, less the longer it takes; else up to 0.5 for the part of the
+//! distance that is covered, and 0.25 less for a collision. Returns become ranks, and the weights follow them by Adam (Kingma and
+//! Ba 2015).
 //!
-//! An iteration is one candidate. [`Training::returns_of`] depends on nothing but the generation, so that several threads or workers can share
-//! the candidates of a generation, and give their returns to [`Training::advance`].
+//! An iteration is one candidate. [`Training::returns_of`] depends on nothing but the generation, so that several threads or
+//! workers can share the candidates of a generation, and give their returns to [`Training::advance`].
 
 use super::document::Navigation;
 use super::episode;
@@ -113,12 +115,12 @@ impl Stepped for Training {
 }
 
 impl Training {
-    /// Begins, for the robot of a task and its goal tolerance, with options given by name and a seed, 0 to 2^53 - 1. The floors are those of
-    /// the generator `furnished`.
+    /// Begins, for the robot of a task and its goal tolerance, with options given by name and a seed, 0 to 2^53 - 1. The floors
+    /// are those of the generator `furnished`.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`; `out-of-range` at
-    /// `/robot/shape` if the floors have no room for the robot.
+    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`;
+    /// `out-of-range` at `/robot/shape` if the floors have no room for the robot.
     pub fn new(task: &Navigation, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
         let options = TrainingOptions::read(given)?;
         check_seed(seed)?;
@@ -189,8 +191,8 @@ impl Training {
         &self.history
     }
 
-    /// The returns of candidates of this generation, from number `first` on, and the share of tasks that each has solved. The training is
-    /// unchanged: several threads or workers may evaluate different candidates.
+    /// The returns of candidates of this generation, from number `first` on, and the share of tasks that each has solved. The
+    /// training is unchanged: several threads or workers may evaluate different candidates.
     pub fn returns_of(&self, candidates: std::ops::Range<usize>) -> Vec<[f64; 2]> {
         candidates.map(|candidate| self.return_of(candidate)).collect()
     }
@@ -198,8 +200,8 @@ impl Training {
     /// Ends this generation with the returns of all of its candidates, as [`Training::returns_of`] gives them.
     ///
     /// # Errors
-    /// `out-of-range` (pointer `/returns`) if there are fewer or more, or one is beyond 1000; `not-finite`. Once the training is over nothing
-    /// changes.
+    /// `out-of-range` (pointer `/returns`) if there are fewer or more, or one is beyond 1000; `not-finite`. Once the training is
+    /// over nothing changes.
     pub fn advance(&mut self, returns: &[[f64; 2]]) -> Result<Status, Error> {
         let count = self.candidates();
         within("/returns", "the number of returns", returns.len() as f64, count as f64..=count as f64)?;
@@ -303,8 +305,8 @@ impl Training {
         Policy::new(name, sensor, self.options.hidden, self.seed, self.generation, &self.weights)
     }
 
-    /// The drives of the policy so far on some tasks, the same in every generation, to be drawn: the number of the floor, the position to reach,
-    /// and the drive.
+    /// The drives of the policy so far on some tasks, the same in every generation, to be drawn: the number of the floor, the
+    /// position to reach, and the drive.
     pub fn demonstrations(&self, count: usize) -> Vec<(usize, [f64; 2], Drive)> {
         let controller = Controller::Policy(Perceptron::new(self.sizes, &self.weights));
         let tasks = self.draw_tasks(count, &[u64::MAX]);
@@ -322,12 +324,12 @@ impl Training {
     }
 }
 
-/// The share of random goals within `distance` metres that a policy reaches, with noise, on fresh floors of the kind that it is trained on but
-/// which no training has: `trials` tasks on [`FRESH_FLOORS`] floors, drawn from a seed.
+/// The share of random goals within `distance` metres that a policy reaches, with noise, on fresh floors of the kind that it is
+/// trained on but which no training has: `trials` tasks on [`FRESH_FLOORS`] floors, drawn from a seed.
 ///
 /// # Errors
-/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1, and at `/robot/shape` if the floors have no
-/// room for the robot.
+/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1,
+/// and at `/robot/shape` if the floors have no room for the robot.
 pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, seed: u64) -> Result<Share, Error> {
     check_seed(seed)?;
     let floors = (0..FRESH_FLOORS).map(|i| floor(task, FLOOR_SEEDS + i)).collect::<Result<Vec<_>, _>>()?;
@@ -371,8 +373,9 @@ fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {
     Ok(Simulation::new(&parts))
 }
 
-/// Trains a policy on several threads: each has a training of its own, evaluates a part of each generation, and gets the returns of all. The
-/// result is that of [`Training::step`], to the bit. `watch` is called after every generation; the training ends once it returns `false`.
+/// Trains a policy on several threads: each has a training of its own, evaluates a part of each generation, and gets the returns
+/// of all. The result is that of [`Training::step`], to the bit. `watch` is called after every generation; the training ends once
+/// it returns `false`.
 ///
 /// # Errors
 /// Those of [`Training::new`]; `unsupported` if the threads cannot be started.

@@ -169,8 +169,8 @@ impl<M: Fn(VertexId) -> f64> Collector for Closest<'_, M> {
     }
 }
 
-/// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`], if what is offered are lower bounds
-/// on distances: those up to the worst distance found are measured at once.
+/// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`], if what is offered are lower
+/// bounds on distances: those up to the worst distance found are measured at once.
 pub(super) struct Ranked<'a, M> {
     query: &'a Packed,
     found: &'a mut Vec<Neighbour>,

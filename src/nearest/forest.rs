@@ -1,11 +1,11 @@
 //! The approximate index: a forest of random-projection trees, for so many dimensions that an exact index has to
 //! examine most states.
 //!
-//! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states recursively
-//! at the median of their projections on a random direction, here that between two of the states. States are
-//! embedded in a Euclidean space, circles as (cos, sin), each coordinate by its weight in the metric. A query takes
-//! leaves from all trees, those nearest beyond the planes first, until it has collected enough candidates; the metric itself ranks
-//! these. So neighbours have their true distances, but some of the nearest may be missed: see [`recall`].
+//! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states recursively at
+//! the median of their projections on a random direction, here that between two of the states. States are embedded in a Euclidean
+//! space, circles as (cos, sin), each coordinate by its weight in the metric. A query takes leaves from all trees, those nearest
+//! beyond the planes first, until it has collected enough candidates; the metric itself ranks these. So neighbours have their
+//! true distances, but some of the nearest may be missed: see [`recall`].
 
 use super::packs::weight;
 use super::{Nearest, Neighbour, Query};
@@ -54,10 +54,10 @@ enum Node {
     Leaf(Vec<u32>),
 }
 
-/// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or repeatedly the same,
-/// would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
-/// "Scapegoat trees"), which costs O(trees log^2 n) per insertion on average. For each state it stores its
-/// embedding and about trees (4 + 8 embedded dimension / leaf) bytes.
+/// A forest that grows. Insertion mostly costs O(trees log n), a query O(candidates + trees log n). States that come in order, or
+/// repeatedly the same, would make a tree deep and slow: a subtree too deep for its size is rebuilt (Galperin and Rivest 1993,
+/// "Scapegoat trees"), which costs O(trees log^2 n) per insertion on average. For each state it stores its embedding and about
+/// trees (4 + 8 embedded dimension / leaf) bytes.
 #[derive(Debug, Clone)]
 pub struct Forest {
     parameters: ForestParameters,

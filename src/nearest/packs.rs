@@ -2,11 +2,11 @@
 //! select candidates; the exact distances of these follow from the states themselves.
 //!
 //! # The error bound
-//! Let u = 2^-24. On axis i let x and q be the coordinates of a state and of the query relative to the origin (the first state of the
-//! index), m the largest |x| in the index, and p the period, or 0 on a line.
+//! Let u = 2^-24. On axis i let x and q be the coordinates of a state and of the query relative to the origin (the first state of
+//! the index), m the largest |x| in the index, and p the period, or 0 on a line.
 //!
-//! - Rounding x and q costs at most u |x| and u |q|, and their difference another u (|x| + |q|), but for products of u. So the gap on
-//!   a line is wrong by at most 2 u (m + |q|).
+//! - Rounding x and q costs at most u |x| and u |q|, and their difference another u (|x| + |q|), but for products of u. So the
+//!   gap on a line is wrong by at most 2 u (m + |q|).
 //! - On a circle, rounding p and subtracting cost at most u p each, and the lesser of two numbers is no more wrong
 //!   than either. So with e = 2^-22 (m + |q| + p), twice as much as needed, every gap is wrong by less than e.
 //! - The norm is subadditive and grows with each gap, so errors of the gaps change it by at most E, the norm of all e.
@@ -215,8 +215,8 @@ pub(super) fn weight<S: Space>(space: &S, i: usize) -> f64 {
     space.norm(|j| f64::from(u8::from(i == j)))
 }
 
-/// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a lower
-/// bound on it.
+/// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a
+/// lower bound on it.
 #[inline(always)]
 pub(super) fn measure<S: Space>(query: Query<'_, S>) -> impl Fn(VertexId) -> f64 + Copy {
     let Query { space, states, from, .. } = query;

@@ -1,6 +1,7 @@
-//! A short path in a plane of two coordinates, as a reference where the shortest path is not known: the shortest on a grid over the
-//! circles or intervals, whose motions to all eight neighbours are proven free. It is made shorter by shortcuts, and by grids of ever
-//! closer lines around its corners: where the metric is a sum, a shortest path keeps to the lines through the points that it touches.
+//! A short path in a plane of two coordinates, as a reference where the shortest path is not known: the shortest on a grid over
+//! the circles or intervals, whose motions to all eight neighbours are proven free. It is made shorter by shortcuts, and by grids
+//! of ever closer lines around its corners: where the metric is a sum, a shortest path keeps to the lines through the points that
+//! it touches.
 
 use crate::graph::search::{BestFirst, Expansion, View, Walker};
 use crate::graph::{Adjacency, VertexId};
@@ -139,8 +140,8 @@ fn search<const N: usize>(problem: &Problem<MotionSpace<N>>, grid: &Grid<N>) -> 
     search.path().into_iter().map(|vertex| grid.state(vertex)).collect()
 }
 
-/// A short proven path from the start of the problem to its goal, which differ in their first two coordinates alone; `None` if the grid has
-/// none.
+/// A short proven path from the start of the problem to its goal, which differ in their first two coordinates alone; `None` if
+/// the grid has none.
 pub(super) fn reference<const N: usize>(problem: &Problem<MotionSpace<N>>) -> Option<Vec<[f64; N]>> {
     let space = problem.space();
     let improved = |path: Vec<[f64; N]>, seed| {

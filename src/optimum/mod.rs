@@ -52,8 +52,9 @@ pub struct Optimum {
     pub exact: bool,
     /// The distance between two lines of the grid along each coordinate, in its units; null if there is none.
     pub resolution: Option<[f64; 2]>,
-    /// By how much obstacles count as larger, in metres: a passage that leaves less than this on both sides of the disc counts as closed. It is
-    /// less than the slack of proofs and certificates, so that a passage which is closed for those may be open here. Null if not exact.
+    /// By how much obstacles count as larger, in metres: a passage that leaves less than this on both sides of the disc counts as
+    /// closed. It is less than the slack of proofs and certificates, so that a passage which is closed for those may be open
+    /// here. Null if not exact.
     pub slack: Option<f64>,
     /// The length; null without a path: none exists if `exact`, else the grid has none.
     pub length: Option<f64>,
@@ -63,21 +64,21 @@ pub struct Optimum {
         tsify(type = "\"metres\" | \"sum-of-joints\" | \"euclidean-of-joints\" | \"weighted\"")
     )]
     pub length_measure: LengthMeasure,
-    /// The configurations from the start to the goal. An exact path touches obstacles, and its arcs are replaced by chords of at most
-    /// 0.05 radians, which are shorter.
+    /// The configurations from the start to the goal. An exact path touches obstacles, and its arcs are replaced by chords of at
+    /// most 0.05 radians, which are shorter.
     pub path: Vec<Vec<f64>>,
 }
 
-/// The shortest path of a query of the scenario, of the first one if none is named. Parameters are those of runs that are about the
-/// metric: `metric`, of arms.
+/// The shortest path of a query of the scenario, of the first one if none is named. Parameters are those of runs that are about
+/// the metric: `metric`, of arms.
 ///
 /// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in some million proofs of motions to a neighbour
 /// on a grid at most, and some thousand shortcuts.
 ///
 /// # Errors
-/// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without exactly
-/// two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for more
-/// than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
+/// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without
+/// exactly two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for
+/// more than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,

@@ -1,16 +1,17 @@
 //! The shortest path of a disc, or of a point, among polygons and discs: exact.
 //!
-//! The centre of a disc moves as a point among obstacles that are larger by its radius (Lozano-Perez and Wesley 1979, "An algorithm
-//! for planning collision-free paths among polyhedral obstacles"). Their corners are arcs, so a shortest path consists of lines
-//! tangent to two circles and of arcs between them (Chew 1985, "Planning the shortest path for a disc in O(n^2 log n) time"; Liu and
-//! Arimoto 1992, "Path planning using a tangent graph for mobile robots among polygonal and curved obstacles"). The graph has two vertices for
-//! each end of a tangent, one for either direction in which its circle is passed, and is searched by Dijkstra's algorithm.
+//! The centre of a disc moves as a point among obstacles that are larger by its radius (Lozano-Perez and Wesley 1979, "An
+//! algorithm for planning collision-free paths among polyhedral obstacles"). Their corners are arcs, so a shortest path consists
+//! of lines tangent to two circles and of arcs between them (Chew 1985, "Planning the shortest path for a disc in O(n^2 log n)
+//! time"; Liu and Arimoto 1992, "Path planning using a tangent graph for mobile robots among polygonal and curved obstacles").
+//! The graph has two vertices for each end of a tangent, one for either direction in which its circle is passed, and is searched
+//! by Dijkstra's algorithm.
 //!
 //! # Rounding
-//! The infimum is the length of a path that touches obstacles, and between two obstacles that touch each other there is no way. So
-//! all is computed for a disc that is larger by [`LARGER`] of the slack of a proof, and whatever comes nearer to an obstacle
-//! by less than [`ROUNDING`] of that still counts as free. By the envelope theorem the length of a shortest path grows with
-//! the radius of an arc at the rate of its angle, so with arcs measured at their true radius the error is of second order.
+//! The infimum is the length of a path that touches obstacles, and between two obstacles that touch each other there is no way.
+//! So all is computed for a disc that is larger by [`LARGER`] of the slack of a proof, and whatever comes nearer to an obstacle
+//! by less than [`ROUNDING`] of that still counts as free. By the envelope theorem the length of a shortest path grows with the
+//! radius of an arc at the rate of its angle, so with arcs measured at their true radius the error is of second order.
 //!
 //! O(n^2) tangents for n corners and discs, a query of the box tree each.
 
@@ -236,8 +237,8 @@ impl TangentGraph {
         self.place(vertex).map_or_else(|| self.circles[vertex.index()].disc.center, |(end, _)| end.point)
     }
 
-    /// The circle of the arc that joins two vertices, at its true radius, with the angles from one to the other; `None` if a tangent
-    /// joins them.
+    /// The circle of the arc that joins two vertices, at its true radius, with the angles from one to the other; `None` if a
+    /// tangent joins them.
     fn arc(&self, from: VertexId, to: VertexId) -> Option<(Disc, [f64; 2], Turn)> {
         let ((a, turn), (b, _)) = (self.place(from)?, self.place(to)?);
         let Disc { center, radius } = self.circles[a.circle].disc;

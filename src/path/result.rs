@@ -53,8 +53,8 @@ pub struct ResultDocument {
     pub seed: u64,
     /// The status at the end of the run.
     pub status: Status,
-    /// Why the run has ended without a path, or with one before it had done what its options ask for; else absent, and in results written
-    /// before reasons were given.
+    /// Why the run has ended without a path, or with one before it had done what its options ask for; else absent, and in results
+    /// written before reasons were given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Reason"))]
     pub reason: Option<Reason>,
@@ -66,10 +66,10 @@ pub struct ResultDocument {
     /// Of a car, the motion from each waypoint to the next along an exact arc: one fewer than there are waypoints.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motions: Option<Vec<Motion>>,
-    /// Of every waypoint but the first and the last, how its corner may be rounded: the fractions of the edges to it and from it that
-    /// its blend replaces, at most 1/2 each; 0 where the corner stays. The blend of a corner b between a and c is the parabola with the
-    /// Bezier control points b + before (a - b), b, b + after (c - b). It is proven free, as the path with its corners is. Absent if no
-    /// corner was to be rounded.
+    /// Of every waypoint but the first and the last, how its corner may be rounded: the fractions of the edges to it and from it
+    /// that its blend replaces, at most 1/2 each; 0 where the corner stays. The blend of a corner b between a and c is the
+    /// parabola with the Bezier control points b + before (a - b), b, b + after (c - b). It is proven free, as the path with its
+    /// corners is. Absent if no corner was to be rounded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[before: number, after: number][]"))]
     pub blends: Option<Vec<[f64; 2]>>,
@@ -90,8 +90,8 @@ pub struct ResultDocument {
     /// The length along the blends, at most `length`. Absent without them.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub blended_length: Option<f64>,
-    /// Of a path by controls, the sum of the distances between its waypoints in the `metric` of the car, metres and radians weighted, by
-    /// which course reports compare paths. No planner minimises it. Absent for others.
+    /// Of a path by controls, the sum of the distances between its waypoints in the `metric` of the car, metres and radians
+    /// weighted, by which course reports compare paths. No planner minimises it. Absent for others.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub chord_length: Option<f64>,
     /// The work done.
@@ -100,8 +100,8 @@ pub struct ResultDocument {
     #[serde(with = "json::hex")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))]
     pub fingerprint: u64,
-    /// `sampled` if edges were checked only at samples, `none` if only vertices were, `joint-lines` if only straight lines of joints
-    /// were, `rollouts` if a learned policy drove them: the path is not proven. Absent if it is.
+    /// `sampled` if edges were checked only at samples, `none` if only vertices were, `joint-lines` if only straight lines of
+    /// joints were, `rollouts` if a learned policy drove them: the path is not proven. Absent if it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"sampled\" | \"none\" | \"joint-lines\" | \"rollouts\""))]
     pub edge_check: Option<String>,
@@ -109,8 +109,8 @@ pub struct ResultDocument {
     /// roadmap was continued.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "share")]
     pub coverage: Option<f64>,
-    /// The configuration from which was planned in place of the query's start: that is in collision, and the option `free_ends` has moved it to
-    /// the nearest free configuration that was found. Absent if the start was not moved.
+    /// The configuration from which was planned in place of the query's start: that is in collision, and the option `free_ends`
+    /// has moved it to the nearest free configuration that was found. Absent if the start was not moved.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moved_start: Option<Vec<f64>>,
     /// The same of the goal; of a problem with several goals, of the one that the path ends at.

@@ -1,13 +1,14 @@
 //! AORRTC: RRT-Connect again and again, each time for a path shorter than the best one.
 //!
-//! Wilson, Thomason, Kingston and Gammell 2025, "AORRTC: almost-surely asymptotically optimal planning with RRT-Connect", on the scheme
-//! AO-x of Hauser and Zhou 2016, "Asymptotically optimal planning by feasible kinodynamic planning in a state-cost space". The first search
-//! is RRT-Connect. Every further one begins two new trees in the space of states and costs: a sample has a random cost, within which it
-//! can be reached and the path stay shorter than the best, and is approached from the nearest vertex that keeps within it. A new vertex
-//! gets cheaper parents by further random costs as long as their motions are free. Each path found is shortened before the next search.
+//! Wilson, Thomason, Kingston and Gammell 2025, "AORRTC: almost-surely asymptotically optimal planning with RRT-Connect", on the
+//! scheme AO-x of Hauser and Zhou 2016, "Asymptotically optimal planning by feasible kinodynamic planning in a state-cost space".
+//! The first search is RRT-Connect. Every further one begins two new trees in the space of states and costs: a sample has a
+//! random cost, within which it can be reached and the path stay shorter than the best, and is approached from the nearest vertex
+//! that keeps within it. A new vertex gets cheaper parents by further random costs as long as their motions are free. Each path
+//! found is shortened before the next search.
 //!
-//! Differences: a search reuses the roots of the one before; vertices of former searches that are on no path are told as removed; the
-//! path is shortened by removing vertices and by random shortcuts, one attempt per iteration.
+//! Differences: a search reuses the roots of the one before; vertices of former searches that are on no path are told as removed;
+//! the path is shortened by removing vertices and by random shortcuts, one attempt per iteration.
 
 use super::groups::Termination;
 use super::growth::{Growth, START};
@@ -126,8 +127,8 @@ impl<S: Space> Aorrtc<S> {
         space.distance(self.trees.growth.graph.state(vertex), state)
     }
 
-    /// The vertex of a tree that is nearest to the state in space and cost, if the cost of the state is to be at most `most`: the nearest of
-    /// many, or else a root. O(log vertices).
+    /// The vertex of a tree that is nearest to the state in space and cost, if the cost of the state is to be at most `most`: the
+    /// nearest of many, or else a root. O(log vertices).
     fn nearest(&mut self, space: &S, tree: usize, state: &S::State, most: f64) -> Option<Parent> {
         self.trees.growth.counters.nearest_queries += 1;
         for k in NEIGHBOURS {

@@ -1,5 +1,5 @@
-//! A tree with costs and the best path in it so far: what planners share whose paths get shorter. The start is vertex 0. The goals are the
-//! vertices from 1 on, in the tree once they are reached, and have no children, except in FMT*.
+//! A tree with costs and the best path in it so far: what planners share whose paths get shorter. The start is vertex 0. The
+//! goals are the vertices from 1 on, in the tree once they are reached, and have no children, except in FMT*.
 
 use super::growth::{Growth, START, goals};
 use crate::graph::{CostTree, EventKind, VertexId};

@@ -1,11 +1,11 @@
 //! BIT*: batches of samples, each searched for a better path in the order of what paths may cost at best.
 //!
-//! Gammell, Srinivasa and Barfoot 2015, "Batch Informed Trees (BIT*): sampling-based optimal planning via the heuristically guided search
-//! of implicit random geometric graphs"; Gammell, Barfoot and Srinivasa 2020, "Batch Informed Trees (BIT*): informed asymptotically
-//! optimal anytime search". Vertices and edges are in one queue: a vertex comes before all edges from it, as none of them promises a
-//! shorter path. Differences: the first batch is of the start and the goals alone, without samples; edges from vertices expanded before
-//! to a new sample are queued with the sample; a vertex that cannot help leaves the tree
-//! at the end of the batch that shows it, if it has no children.
+//! Gammell, Srinivasa and Barfoot 2015, "Batch Informed Trees (BIT*): sampling-based optimal planning via the heuristically
+//! guided search of implicit random geometric graphs"; Gammell, Barfoot and Srinivasa 2020, "Batch Informed Trees (BIT*):
+//! informed asymptotically optimal anytime search". Vertices and edges are in one queue: a vertex comes before all edges from it,
+//! as none of them promises a shorter path. Differences: the first batch is of the start and the goals alone, without samples;
+//! edges from vertices expanded before to a new sample are queued with the sample; a vertex that cannot help leaves the tree at
+//! the end of the batch that shows it, if it has no children.
 
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling, Termination};
@@ -111,8 +111,8 @@ impl Node {
     }
 }
 
-/// An entry of the queue: the least cost of a path by way of it, the cost of reaching its end, the vertex, and of an edge the vertex that it
-/// leads to with its length. The least comes first.
+/// An entry of the queue: the least cost of a path by way of it, the cost of reaching its end, the vertex, and of an edge the
+/// vertex that it leads to with its length. The least comes first.
 type Entry = Reverse<(Ordered, Ordered, VertexId, Option<(VertexId, Ordered)>)>;
 
 /// The planner. An iteration draws one sample, expands one vertex or tries one edge.

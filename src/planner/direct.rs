@@ -1,8 +1,8 @@
 //! The straight motion from start to goal, tried before anything else.
 //!
-//! A planner of one query ends with it if it is free: its first iteration then adds the edge and nothing else. A planner that goes on to
-//! shorter paths ends with it if it leads to the nearest goal, as no path is shorter. Roadmaps have it as an edge in any case: see
-//! [`Roadmap::connect_ends`](super::Roadmap).
+//! A planner of one query ends with it if it is free: its first iteration then adds the edge and nothing else. A planner that
+//! goes on to shorter paths ends with it if it leads to the nearest goal, as no path is shorter. Roadmaps have it as an edge in
+//! any case: see [`Roadmap::connect_ends`](super::Roadmap).
 
 use super::growth::{Growth, START, goals};
 use super::{Phase, Planner, Status};

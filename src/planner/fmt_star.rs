@@ -1,8 +1,8 @@
 //! FMT*: a wave of cheapest paths that runs once through a batch of samples, and proves one motion per new vertex.
 //!
-//! Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast marching sampling-based method for optimal motion planning in
-//! many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a path, and
-//! the number of samples was not given, it goes on with twice as many from all of the tree, where the paper gives up.
+//! Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast marching sampling-based method for optimal motion
+//! planning in many dimensions". Differences: a motion that was refused is not tried again; and where the wave ends without a
+//! path, and the number of samples was not given, it goes on with twice as many from all of the tree, where the paper gives up.
 
 use super::best_tree::BestTree;
 use super::groups::{EdgeOptions, Sampling};
@@ -189,8 +189,8 @@ impl<S: Space> FmtStar<S> {
         Expanding { vertex, neighbourhood, found: found.into_iter(), joined: Vec::new() }
     }
 
-    /// Goes on with the expansion of a vertex; keeps it for the next iteration if it is not done. The costs of the open vertices stay, so
-    /// it does not matter where it is divided.
+    /// Goes on with the expansion of a vertex; keeps it for the next iteration if it is not done. The costs of the open vertices
+    /// stay, so it does not matter where it is divided.
     fn expand(&mut self, problem: &Problem<S>, iteration: u32, mut at: Expanding) {
         let (mut tried, looked) = (0, self.best.growth.looked);
         while let Some(near) = at.found.next() {

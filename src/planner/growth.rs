@@ -24,8 +24,8 @@ const DRAWS: u32 = 100;
 pub struct Growth<S: Space> {
     /// Vertices, edges and events.
     pub graph: Graph<S>,
-    /// The checks, queries and expansions so far, and the work of collision checkers other than the problem's; the run fills in the
-    /// rest.
+    /// The checks, queries and expansions so far, and the work of collision checkers other than the problem's; the run fills in
+    /// the rest.
     pub counters: Stats,
     /// How many neighbours, edges of searches and entries of queues were looked at, as far as no counter has them.
     pub looked: u64,
@@ -127,8 +127,8 @@ impl<S: Space> Growth<S> {
         Some(state)
     }
 
-    /// The first of a few draws by way of which a path from start to goal may be shorter than `bound`; `None`, with an event, if there is
-    /// none. A draw that finds nothing is the last.
+    /// The first of a few draws by way of which a path from start to goal may be shorter than `bound`; `None`, with an event, if
+    /// there is none. A draw that finds nothing is the last.
     pub fn draw_within(
         &mut self,
         problem: &Problem<S>,

@@ -26,8 +26,8 @@ pub trait PlannerKind: Options {
     /// Whether every motion must be possible in both directions.
     const NEEDS_SYMMETRY: bool = false;
 
-    /// The samples that were asked for, and the iterations that drawing, connecting and searching them takes at least; `None` if the
-    /// planner decides how many it draws.
+    /// The samples that were asked for, and the iterations that drawing, connecting and searching them takes at least; `None` if
+    /// the planner decides how many it draws.
     fn needed(&self) -> Option<[u64; 2]> {
         None
     }
@@ -118,7 +118,8 @@ pub enum Mark {
     Rewired,
 }
 
-/// One line of pseudo-code. It is highlighted if one of its marks is among those of an iteration; each iteration highlights a line.
+/// One line of pseudo-code. It is highlighted if one of its marks is among those of an iteration; each iteration highlights a
+/// line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PseudocodeLine {
     /// The line, of 46 characters at most.

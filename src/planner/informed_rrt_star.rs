@@ -1,9 +1,10 @@
 //! Informed RRT*: once there is a path, only samples that can shorten it are taken.
 //!
 //! Gammell, Srinivasa and Barfoot 2014, "Informed RRT*: optimal sampling-based path planning focused via direct sampling of an
-//! admissible ellipsoidal heuristic". A sample can shorten the path if the distance from the start to it and on to the goal is less
-//! than the length of the path: in the plane an ellipse, and a set that is as easily tested in every other metric. Gammell, Barfoot and
-//! Srinivasa 2018, "Informed sampling for asymptotically optimal path planning", also discard vertices that are no longer of use.
+//! admissible ellipsoidal heuristic". A sample can shorten the path if the distance from the start to it and on to the goal is
+//! less than the length of the path: in the plane an ellipse, and a set that is as easily tested in every other metric. Gammell,
+//! Barfoot and Srinivasa 2018, "Informed sampling for asymptotically optimal path planning", also discard vertices that are no
+//! longer of use.
 
 use super::Planner;
 use super::info::{DIRECT, END_NEAR, Grows, IMPROVE, Mark, NONE_FOUND, PlannerInfo, PlannerKind, line};

@@ -1,7 +1,7 @@
 //! Lazy roadmaps: edges are candidates, which are proven when the best path wants them, and not before.
 //!
-//! Bohlin and Kavraki 2000, "Path planning using lazy PRM"; Hauser 2015, "Lazy collision checking in asymptotically-optimal motion
-//! planning". The search goes on where it was when a candidate is refused (`graph/search/lifelong.rs`).
+//! Bohlin and Kavraki 2000, "Path planning using lazy PRM"; Hauser 2015, "Lazy collision checking in asymptotically-optimal
+//! motion planning". The search goes on where it was when a candidate is refused (`graph/search/lifelong.rs`).
 
 use super::candidates::{Candidates, counts_edges, estimate};
 use super::growth::{GOAL, Growth, START};
@@ -131,7 +131,8 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Queries a lazy roadmap: see [`Roadmap::query`]. Edges are proven in a copy of the roadmap, which replaces it if it is to be kept.
+    /// Queries a lazy roadmap: see [`Roadmap::query`]. Edges are proven in a copy of the roadmap, which replaces it if it is to
+    /// be kept.
     pub(super) fn query_lazily(
         &mut self,
         problem: &Problem<S>,
@@ -189,7 +190,8 @@ struct Best {
     cost: f64,
 }
 
-/// A planner that builds a lazy roadmap and searches it. An iteration is one of the builder, expands one vertex, or tries one edge.
+/// A planner that builds a lazy roadmap and searches it. An iteration is one of the builder, expands one vertex, or tries one
+/// edge.
 pub(super) struct LazyPlanner<S: Space> {
     roadmap: Roadmap<S>,
     builder: Box<dyn Build<S>>,

@@ -78,8 +78,8 @@ pub trait Planner<S: Space>: MaybeSend {
         }
     }
 
-    /// The cost of the path of a planner that goes on to cheaper ones as long as it is stepped; it falls whenever the path changes.
-    /// Infinite without a path, and for planners whose first path stays. O(1).
+    /// The cost of the path of a planner that goes on to cheaper ones as long as it is stepped; it falls whenever the path
+    /// changes. Infinite without a path, and for planners whose first path stays. O(1).
     fn cost(&self) -> f64 {
         f64::INFINITY
     }

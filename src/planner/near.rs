@@ -1,5 +1,5 @@
-//! Which vertices are neighbours of a state in planners whose paths approach the shortest: all within a radius that falls as vertices
-//! grow in number, or the k nearest, with a k that grows. The paper of each rule is beside it.
+//! Which vertices are neighbours of a state in planners whose paths approach the shortest: all within a radius that falls as
+//! vertices grow in number, or the k nearest, with a k that grows. The paper of each rule is beside it.
 
 use super::growth::Growth;
 use super::prm::prm_star_k;
@@ -66,8 +66,8 @@ impl Near {
 
     /// Neighbours among the `n` vertices of RRT* whose path, or the distance to the goal if it has none, is so long: the radius
     /// of Solovey, Janson, Schmerling, Frazzoli and Pavone 2020, "Revisiting the asymptotic optimality of RRT*", theorem 1, with
-    /// theta = 1/4 and epsilon and mu going to 0, where the cost of the shortest path is replaced by a bound on it; at most `most`.
-    /// The k of Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
+    /// theta = 1/4 and epsilon and mu going to 0, where the cost of the shortest path is replaced by a bound on it; at most
+    /// `most`. The k of Karaman and Frazzoli 2011, "Sampling-based algorithms for optimal motion planning".
     pub fn in_tree(&self, n: usize, cost: f64, most: f64) -> Neighbourhood {
         let Some(scale) = self.scale else { return Neighbourhood::Nearest(prm_star_k(n, self.dimension)) };
         let (d, n) = (self.dimension as f64, n as f64);
@@ -76,16 +76,16 @@ impl Near {
         Neighbourhood::Within((self.factor * (gamma * libm::pow(libm::log(n) / n, 1.0 / (d + 1.0)))).min(most))
     }
 
-    /// Neighbours among the `n` vertices of FMT*: the radius of Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a fast
-    /// marching sampling-based method for optimal motion planning in many dimensions", theorem 4.1; or e times as many as a ball of
-    /// that radius holds on average, and so all of them with a probability that goes to 1.
+    /// Neighbours among the `n` vertices of FMT*: the radius of Janson, Schmerling, Clark and Pavone 2015, "Fast marching tree: a
+    /// fast marching sampling-based method for optimal motion planning in many dimensions", theorem 4.1; or e times as many as a
+    /// ball of that radius holds on average, and so all of them with a probability that goes to 1.
     pub fn in_march(&self, n: usize) -> Neighbourhood {
         let d = self.dimension as f64;
         self.in_batch(n, 1.0, 1.0 / d, libm::pow(2.0, d) / d)
     }
 
-    /// Neighbours among `n` vertices and samples of BIT* that fill a share of the space: radius and k of Gammell, Barfoot and Srinivasa
-    /// 2020, "Batch Informed Trees (BIT*): informed asymptotically optimal anytime search".
+    /// Neighbours among `n` vertices and samples of BIT* that fill a share of the space: radius and k of Gammell, Barfoot and
+    /// Srinivasa 2020, "Batch Informed Trees (BIT*): informed asymptotically optimal anytime search".
     pub fn in_informed_set(&self, n: usize, share: f64) -> Neighbourhood {
         let each = 1.0 + 1.0 / self.dimension as f64;
         self.in_batch(n, share, each, each)
@@ -105,7 +105,8 @@ impl Near {
     }
 }
 
-/// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with itself.
+/// The neighbours of a state, by motions in one direction, nearest first, into `found`; those of an indexed vertex are with
+/// itself.
 pub(super) fn find_near<S: Space>(
     problem: &Problem<S>,
     growth: &mut Growth<S>,
@@ -121,11 +122,11 @@ pub(super) fn find_near<S: Space>(
     growth.looked += found.len() as u64;
 }
 
-/// The radius of a ball whose measure is that of the space, if balls of every size are as they are about the middle of the space: so a
-/// ball of radius r has the share (r / radius)^d of the space. O(1): short motions in many directions are measured.
+/// The radius of a ball whose measure is that of the space, if balls of every size are as they are about the middle of the space:
+/// so a ball of radius r has the share (r / radius)^d of the space. O(1): short motions in many directions are measured.
 ///
-/// The share of a ball of radius r is s^d E[(r g / rho)^d] for points drawn in a cube of side s about the middle, where g is how far
-/// out in the cube a point is, 0 to 1, and rho its distance: along the direction of each point, the ball ends r g / rho out.
+/// The share of a ball of radius r is s^d E[(r g / rho)^d] for points drawn in a cube of side s about the middle, where g is how
+/// far out in the cube a point is, 0 to 1, and rho its distance: along the direction of each point, the ball ends r g / rho out.
 fn radius_of_space<S: Space>(space: &S) -> f64 {
     let (d, middle) = (space.dimension(), space.at(&[0.5; MAX_DIMENSION][..space.dimension()]));
     let mut random = Random::new(0, Stream::Samples);

@@ -133,8 +133,8 @@ macro_rules! registry {
 use registry;
 
 impl PlannerOptions {
-    /// Whether the straight motion is tried before the planner begins. Roadmaps have it as an edge, and a tree that is to grow past its
-    /// goal would have nothing to grow past.
+    /// Whether the straight motion is tried before the planner begins. Roadmaps have it as an edge, and a tree that is to grow
+    /// past its goal would have nothing to grow past.
     fn is_direct(&self) -> bool {
         let grows_on = self.group::<Overgrowth>().is_some_and(|overgrowth| overgrowth.vertices.is_some());
         let is_wanted = self.group::<EdgeOptions>().is_some_and(|edges| edges.direct);

@@ -74,7 +74,8 @@ impl<S: Space> Roadmap<S> {
         vertex
     }
 
-    /// The neighbours that a state is to be connected to by motions in the given direction, nearest first, and one more if `spare`.
+    /// The neighbours that a state is to be connected to by motions in the given direction, nearest first, and one more if
+    /// `spare`.
     pub(super) fn neighbours(
         &mut self,
         space: &S,
@@ -108,8 +109,8 @@ impl<S: Space> Roadmap<S> {
         self.nearest.is_exact()
     }
 
-    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is. In
-    /// a lazy roadmap the edge becomes a candidate.
+    /// Connects two vertices if the motion from the one to the other is proven free; else adds an event. Returns whether it is.
+    /// In a lazy roadmap the edge becomes a candidate.
     pub(super) fn try_edge(&mut self, problem: &Problem<S>, iteration: u32, from: VertexId, to: VertexId) -> bool {
         if self.candidates.is_some() {
             self.add_candidate(problem.space(), [from, to]);
@@ -121,7 +122,8 @@ impl<S: Space> Roadmap<S> {
         is_free
     }
 
-    /// Adds a vertex to a roadmap that is not lazy, and connects it to its neighbours by motions that are proven free. O(k) motions.
+    /// Adds a vertex to a roadmap that is not lazy, and connects it to its neighbours by motions that are proven free. O(k)
+    /// motions.
     pub fn extend(&mut self, problem: &Problem<S>, iteration: u32, state: S::State) {
         let (mut all, mut found) = (Vec::new(), Vec::new());
         for &direction in Direction::all(problem.space()) {
@@ -229,8 +231,8 @@ pub(super) trait Build<S: Space>: MaybeSend {
     /// Does one iteration; returns whether the roadmap is complete.
     fn build(&mut self, roadmap: &mut Roadmap<S>, problem: &Problem<S>, iteration: u32) -> bool;
 
-    /// Begins to add as many vertices again to a complete roadmap that does not connect start and goal; returns whether it does. The
-    /// default is that it has as many as were asked for.
+    /// Begins to add as many vertices again to a complete roadmap that does not connect start and goal; returns whether it does.
+    /// The default is that it has as many as were asked for.
     fn grow(&mut self, roadmap: &mut Roadmap<S>, dimension: usize) -> bool {
         let _ = (roadmap, dimension);
         false

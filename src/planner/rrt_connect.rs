@@ -1,13 +1,13 @@
 //! RRT-Connect: two trees that grow towards each other.
 //!
-//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". One tree grows
-//! one step towards a sample; the other then grows step by step towards the new vertex until it arrives or is refused.
-//! The trees take samples in turn, as in the paper. With a step that is given, the smaller one takes the sample, the start's tree if they
-//! are equal (LaValle 2006, "Planning Algorithms", section 5.5.3), unless it is stuck. If motions have a direction, the goal's tree grows
+//! Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning". One tree grows one step towards
+//! a sample; the other then grows step by step towards the new vertex until it arrives or is refused. The trees take samples in
+//! turn, as in the paper. With a step that is given, the smaller one takes the sample, the start's tree if they are equal
+//! (LaValle 2006, "Planning Algorithms", section 5.5.3), unless it is stuck. If motions have a direction, the goal's tree grows
 //! against it: its motions lead from new vertices to it. Several goals are roots of one forest.
 //!
-//! A tree whose extensions are refused takes every other sample about one of its vertices, as trees of expansive spaces grow (Hsu, Latombe
-//! and Motwani 1999, "Path planning in expansive configuration spaces").
+//! A tree whose extensions are refused takes every other sample about one of its vertices, as trees of expansive spaces grow
+//! (Hsu, Latombe and Motwani 1999, "Path planning in expansive configuration spaces").
 
 use super::groups::{EdgeOptions, Sampling};
 use super::growth::Growth;
@@ -129,8 +129,8 @@ impl<S: Space> RrtConnect<S> {
         self.turn
     }
 
-    /// The next sample of a tree; `None`, with an event, if the sampler found none. Every other one is drawn around a vertex of the tree
-    /// while its extensions are refused: at a start or a goal that is enclosed, few of the others lead anywhere.
+    /// The next sample of a tree; `None`, with an event, if the sampler found none. Every other one is drawn around a vertex of
+    /// the tree while its extensions are refused: at a start or a goal that is enclosed, few of the others lead anywhere.
     pub fn draw(&mut self, problem: &Problem<S>, iteration: u32, tree: usize) -> Option<S::State> {
         if self.strides.adapts() && self.refusals[tree] % 2 == 1 {
             let vertex = self.members[tree][self.random.below(self.members[tree].len() as u64) as usize];
@@ -204,8 +204,8 @@ impl<S: Space> RrtConnect<S> {
         }
     }
 
-    /// The end of one step from a vertex of a tree towards a target, and whether it is the target; `None`, with an event, if the motion
-    /// is not free. Adds nothing.
+    /// The end of one step from a vertex of a tree towards a target, and whether it is the target; `None`, with an event, if the
+    /// motion is not free. Adds nothing.
     pub fn step(
         &mut self,
         problem: &Problem<S>,
@@ -226,7 +226,8 @@ impl<S: Space> RrtConnect<S> {
         None
     }
 
-    /// Grows a tree step by step from one of its vertices towards one of the other tree; returns the vertex next to it on arrival.
+    /// Grows a tree step by step from one of its vertices towards one of the other tree; returns the vertex next to it on
+    /// arrival.
     pub fn connect(
         &mut self,
         problem: &Problem<S>,

@@ -1,7 +1,7 @@
 //! Kinodynamic RRT: a tree of controlled motions.
 //!
-//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No
-//! control leads exactly to a given state, so several are tried, and the one that ends closest becomes an edge; the goal is a region.
+//! LaValle and Kuffner 2001, "Randomized kinodynamic planning"; LaValle 2006, "Planning Algorithms", section 14.4.3. No control
+//! leads exactly to a given state, so several are tried, and the one that ends closest becomes an edge; the goal is a region.
 
 use super::driven_tree::{
     Blocked, ByControls, Drive, DrivenTree, Durations, MOST_STEPS, ROOT, dynamics, straight_reach, up_to_goal,
@@ -249,7 +249,8 @@ impl<S: Space> RrtControl<S> {
     }
 }
 
-/// The iteration at which the last quarter begins, and the durations and the goal bias from then on; `None` if they stay the same.
+/// The iteration at which the last quarter begins, and the durations and the goal bias from then on; `None` if they stay the
+/// same.
 fn late(options: &RrtControlOptions, early: Durations) -> Result<Option<(u32, Durations, GoalBias)>, Error> {
     let RrtControlOptions { late_duration_steps: longest, late_goal_every: every, reaching, .. } = *options;
     if longest.is_none() && every.is_none() {

@@ -153,7 +153,8 @@ impl<S: Space> RrtStar<S> {
         find_near(problem, &mut self.best.growth, &self.index, (direction, state), near, &mut self.found);
     }
 
-    /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless informed.
+    /// Whether a path through a state may be shorter than the best one, if the way to the state has this cost. Always, unless
+    /// informed.
     fn may_help(&self, problem: &Problem<S>, cost: f64, state: &S::State) -> bool {
         let bound = self.best.bound();
         !self.is_informed || bound == f64::INFINITY || cost + problem.distance_to_goal(state) < bound
@@ -164,7 +165,8 @@ impl<S: Space> RrtStar<S> {
         self.best.tree.cost(neighbour.vertex) + neighbour.distance
     }
 
-    /// Takes one sample, as far as the nearest vertex: `None` if the motion from there is not free. Then that of no neighbour is tried.
+    /// Takes one sample, as far as the nearest vertex: `None` if the motion from there is not free. Then that of no neighbour is
+    /// tried.
     fn begin(&mut self, problem: &Problem<S>, iteration: u32) -> Option<Choosing<S::State>> {
         let space = problem.space();
         let bound = if self.is_informed { self.best.bound() } else { f64::INFINITY };
@@ -192,8 +194,8 @@ impl<S: Space> RrtStar<S> {
         Some(Choosing { state, goal, nearest, cheaper: cheaper.into_iter() })
     }
 
-    /// Attaches a new vertex, or the goal, to the cheapest parent whose motion is free. `None` if it cannot be cheaper, is the goal, or if
-    /// too many motions were tried: then that goes on in the next iteration.
+    /// Attaches a new vertex, or the goal, to the cheapest parent whose motion is free. `None` if it cannot be cheaper, is the
+    /// goal, or if too many motions were tried: then that goes on in the next iteration.
     fn choose(
         &mut self,
         problem: &Problem<S>,

@@ -1,8 +1,8 @@
 //! SST: a sparse tree of controlled motions: of vertices near each other only the cheapest may grow.
 //!
 //! Li, Littlefield and Bekris 2016, "Asymptotically optimal sampling-based kinodynamic planning". Witnesses are scattered over
-//! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A
-//! vertex that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
+//! the space as the tree reaches it, no two nearer than the pruning radius; each represents the cheapest vertex near it. A vertex
+//! that is no longer the cheapest does not grow, and is removed with its edge once it has no children. Cost is the length of the
 //! path as results report it, in metres driven; what is near is decided by the metric of the space.
 //!
 //! As in SST* of the same paper, the radii shrink from one stage of iterations to the next, longer one. Here they do so

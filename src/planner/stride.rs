@@ -1,9 +1,10 @@
 //! How far trees grow in one step: by a step that was given, or by steps that adapt to the scene.
 //!
-//! Without a step, each vertex has its own. A step that is refused halves that of its vertex, down to a smallest; one that is free doubles
-//! it, and the new vertex begins with as much. So steps become about as long as free motions are, whatever the size of the scene. To adapt
-//! a length of each vertex by its failures and successes is the idea of Jaillet, Yershova, LaValle and Simeon 2005, "Adaptive tuning of the
-//! sampling domain for dynamic-domain RRTs": there it limits which samples are accepted, here how far the tree grows.
+//! Without a step, each vertex has its own. A step that is refused halves that of its vertex, down to a smallest; one that is
+//! free doubles it, and the new vertex begins with as much. So steps become about as long as free motions are, whatever the size
+//! of the scene. To adapt a length of each vertex by its failures and successes is the idea of Jaillet, Yershova, LaValle and
+//! Simeon 2005, "Adaptive tuning of the sampling domain for dynamic-domain RRTs": there it limits which samples are accepted,
+//! here how far the tree grows.
 
 use super::groups::step_in;
 use crate::error::Error;

@@ -112,8 +112,8 @@ struct Tested<S> {
     visible: Vec<VertexId>,
 }
 
-/// Builds the roadmap. An iteration tries one sample against every guard, or goes on with one that has more to be tested against. Start
-/// and goals are the first guards.
+/// Builds the roadmap. An iteration tries one sample against every guard, or goes on with one that has more to be tested against.
+/// Start and goals are the first guards.
 struct Guarding<S: Space> {
     /// The sample that is not done yet.
     sample: Option<Tested<S::State>>,

@@ -1,7 +1,7 @@
 //! Motions proven free by lower bounds on clearance alone: the collision checker of a robot of one's own.
 //!
-//! A clearance c at a configuration is a ball of radius c about it without collision. A motion is proven free if balls about
-//! some of its configurations cover it: Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple
+//! A clearance c at a configuration is a ball of radius c about it without collision. A motion is proven free if balls about some
+//! of its configurations cover it: Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple
 //! articulated robots in complex environments"; LaValle 2006, "Planning Algorithms", section 5.3.4.
 //!
 //! ```text
@@ -17,17 +17,18 @@
 //!     the motion is free
 //! ```
 //!
-//! **Measure.** The clearance is told in the metric of the space, or in the workspace with the *reach* of each coordinate: a number r such
-//! that no point of the robot moves farther than r |d| while the coordinate changes by d. A motion with the differences d_i then
-//! moves nothing farther than the sum of r_i |d_i|.
+//! **Measure.** The clearance is told in the metric of the space, or in the workspace with the *reach* of each coordinate: a
+//! number r such that no point of the robot moves farther than r |d| while the coordinate changes by d. A motion with the
+//! differences d_i then moves nothing farther than the sum of r_i |d_i|.
 //!
-//! **Slack.** A ball covers less than its clearance, by eta = 1e-12 times the largest coordinates of the motion in the same measure, and a
-//! configuration is free if its clearance exceeds that. It covers the rounding of this file, which stays below ten units in the last place
-//! (2e-15 of the same number): that of the middles, of the distance, and of where balls end. The rest is for rounding in the clearance.
+//! **Slack.** A ball covers less than its clearance, by eta = 1e-12 times the largest coordinates of the motion in the same
+//! measure, and a configuration is free if its clearance exceeds that. It covers the rounding of this file, which stays below ten
+//! units in the last place (2e-15 of the same number): that of the middles, of the distance, and of where balls end. The rest is
+//! for rounding in the clearance.
 //!
 //! **Tolerance.** An open interval whose half is shorter than tau counts as hit: tau = max(10 eta, min(t, half the clearance of
-//! the start and of each goal)), t a fraction of the largest distance in the space. So a motion with a true clearance above tau + eta is
-//! proven if the bounds are exact.
+//! the start and of each goal)), t a fraction of the largest distance in the space. So a motion with a true clearance above tau +
+//! eta is proven if the bounds are exact.
 //!
 //! **Budget.** A motion gets [`BUDGET`] evaluations. One that needs more is refused as not proven, and counted.
 
@@ -64,7 +65,8 @@ const LONGEST_TURN: f64 = PI - 1e-9;
 pub struct ClearanceValidity<S: Space> {
     space: S,
     clearance: Evaluate,
-    /// How far any point of the robot moves at most per unit of each coordinate; `None` if clearances are in the metric of the space.
+    /// How far any point of the robot moves at most per unit of each coordinate; `None` if clearances are in the metric of the
+    /// space.
     reach: Option<[f64; MAX_DIMENSION]>,
     tolerance: f64,
     /// Rows and results of a batch, which batches reuse.
@@ -75,9 +77,9 @@ pub struct ClearanceValidity<S: Space> {
 }
 
 impl<S: Space> ClearanceValidity<S> {
-    /// The checker of a robot by its clearance: 0 or less in collision, infinite where nothing is near. With a `reach`, one number of at
-    /// least 0 for each coordinate, clearances are distances in the workspace, else in the metric of the space, along whose motions
-    /// distances have to grow evenly. `tolerance` is a fraction of the largest distance.
+    /// The checker of a robot by its clearance: 0 or less in collision, infinite where nothing is near. With a `reach`, one
+    /// number of at least 0 for each coordinate, clearances are distances in the workspace, else in the metric of the space,
+    /// along whose motions distances have to grow evenly. `tolerance` is a fraction of the largest distance.
     ///
     /// An evaluation may fail; a result that is not a number is a failure, too, with the code `not-finite`.
     ///
@@ -102,7 +104,8 @@ impl<S: Space> ClearanceValidity<S> {
         validity
     }
 
-    /// The same with a tolerance no coarser than half the clearance of each of these states, so that motions can start and end there.
+    /// The same with a tolerance no coarser than half the clearance of each of these states, so that motions can start and end
+    /// there.
     #[must_use]
     pub fn fitted(mut self, states: &[S::State]) -> Self {
         let mut tolerance = self.tolerance;
@@ -151,8 +154,8 @@ impl<S: Space> ClearanceValidity<S> {
         SLACK * self.measure(|i| from[i].abs().max(to[i].abs())).max(travel)
     }
 
-    /// Evaluates states in batches, and passes the number of each and its clearance on until `go_on` says no. `None` if an evaluation
-    /// fails, or one has failed before.
+    /// Evaluates states in batches, and passes the number of each and its clearance on until `go_on` says no. `None` if an
+    /// evaluation fails, or one has failed before.
     fn evaluate(&self, states: &[S::State], mut go_on: impl FnMut(usize, f64) -> bool) -> Option<()> {
         // Taken, not borrowed: the caller's code runs meanwhile.
         let (mut rows, mut clearances) = self.buffers.take();
@@ -163,7 +166,8 @@ impl<S: Space> ClearanceValidity<S> {
                 }
                 rows.resize(states.len() * self.space.dimension(), 0.0);
                 for (row, state) in rows.chunks_exact_mut(self.space.dimension().max(1)).zip(states) {
-                    // The sum makes -0 a 0, and keeps the compiler from a copy of memory: WebAssembly is slow to copy a few bytes.
+                    // The sum makes -0 a 0, and keeps the compiler from a copy of memory: WebAssembly is slow to copy a few
+                    // bytes.
                     row.iter_mut().zip(self.space.coordinates(state)).for_each(|(to, from)| *to = from + 0.0);
                 }
                 clearances.clear();
@@ -198,7 +202,8 @@ impl<S: Space> ClearanceValidity<S> {
         ))
     }
 
-    /// Whether a clearance is more than what is left for rounding at the state. That is 0 or more: most clearances of samples do not need it.
+    /// Whether a clearance is more than what is left for rounding at the state. That is 0 or more: most clearances of samples do
+    /// not need it.
     fn is_beyond_slack(&self, state: &S::State, clearance: f64) -> bool {
         clearance == f64::INFINITY || (clearance > 0.0 && clearance > self.slack(state, state, 0.0))
     }
@@ -213,8 +218,8 @@ impl<S: Space> ClearanceValidity<S> {
         Some((found, self.is_beyond_slack(state, found)))
     }
 
-    /// The start, as a fraction of the motion, of an interval that cannot be proven free; `None` if all of it is proven. With `wants_first`
-    /// it is the first such interval, and all before it is proven.
+    /// The start, as a fraction of the motion, of an interval that cannot be proven free; `None` if all of it is proven. With
+    /// `wants_first` it is the first such interval, and all before it is proven.
     fn unproven(&self, a: &S::State, b: &S::State, wants_first: bool) -> Option<f64> {
         if self.space.turn(a, b) >= LONGEST_TURN {
             return Some(0.0);

@@ -58,8 +58,8 @@ pub trait Dynamics<S>: MaybeSend {
     /// How many of the first `steps` steps are proven free, each with all before it: `steps` if the whole motion is.
     fn free_steps(&self, from: &S, control: Control, steps: u32) -> u32;
 
-    /// The length of the motion, in metres for a car: what planners by controls minimise, and what results report. At least 0, and
-    /// proportional to its duration.
+    /// The length of the motion, in metres for a car: what planners by controls minimise, and what results report. At least 0,
+    /// and proportional to its duration.
     fn length(&self, motion: Motion) -> f64;
 
     /// An upper bound on the distance between the ends of the motion, in the metric of the space; proportional to its duration.

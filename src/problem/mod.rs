@@ -23,15 +23,15 @@ use crate::space::Space;
 #[cfg(feature = "parallel")]
 use std::num::NonZeroUsize;
 
-/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never leave
-/// their thread.
+/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never
+/// leave their thread.
 #[cfg(not(target_arch = "wasm32"))]
 pub trait MaybeSend: Send {}
 #[cfg(not(target_arch = "wasm32"))]
 impl<T: Send + ?Sized> MaybeSend for T {}
 
-/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never leave
-/// their thread.
+/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never
+/// leave their thread.
 #[cfg(target_arch = "wasm32")]
 pub trait MaybeSend {}
 #[cfg(target_arch = "wasm32")]
@@ -79,8 +79,8 @@ pub struct Problem<S: Space> {
     pub dynamics: Option<Box<dyn Dynamics<S::State>>>,
     /// Whether planners record events, for viewers; the rest of a run is the same without. `true` at first.
     pub records_events: bool,
-    /// Collision checkers for other threads, which give the same results with the same counts of work as [`Problem::validity`]; `None`
-    /// if planners are to use one thread.
+    /// Collision checkers for other threads, which give the same results with the same counts of work as [`Problem::validity`];
+    /// `None` if planners are to use one thread.
     #[cfg(feature = "parallel")]
     pub checkers: Option<Checkers<S::State>>,
     /// How many threads planners may use; 1 at first.
@@ -92,8 +92,8 @@ impl<S: Space> Problem<S> {
     /// The problem of moving from `start` to `goal`.
     ///
     /// # Errors
-    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches, and the nearest free
-    /// state that [`nearest_free`] finds; the error of a checker that has failed.
+    /// `start-in-collision` or `goal-in-collision`, naming every part that touches something and what it touches, and the nearest
+    /// free state that [`nearest_free`] finds; the error of a checker that has failed.
     pub fn new(
         space: S,
         validity: Box<dyn Validity<S::State>>,
@@ -180,7 +180,8 @@ impl<S: Space> Problem<S> {
         self.goals.iter().map(|goal| self.space.distance(state, goal)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The distances from the start to a state and from there to the nearest goal: no path through the state is shorter than their sum.
+    /// The distances from the start to a state and from there to the nearest goal: no path through the state is shorter than
+    /// their sum.
     pub fn distances_by_way_of(&self, state: &S::State) -> [f64; 2] {
         [self.space.distance(&self.start, state), self.distance_to_goal(state)]
     }

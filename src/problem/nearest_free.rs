@@ -1,10 +1,10 @@
 //! The free state nearest to one in collision, found by a bounded search that is the same everywhere.
 //!
-//! States are tried on shells about the given one, from tiny ones outwards, in directions along the coordinates and in others drawn
-//! evenly. From the first shell with a free state the direction is turned, by smaller and smaller angles, as long as the way out gets
-//! shorter: pattern search (Hooke and Jeeves 1961, "Direct search solution of numerical and statistical problems"). Around an
-//! obstacle with one nearest point of its border that is where it ends, but for the tolerance; a pocket smaller than the gaps between the
-//! directions may be missed.
+//! States are tried on shells about the given one, from tiny ones outwards, in directions along the coordinates and in others
+//! drawn evenly. From the first shell with a free state the direction is turned, by smaller and smaller angles, as long as the
+//! way out gets shorter: pattern search (Hooke and Jeeves 1961, "Direct search solution of numerical and statistical problems").
+//! Around an obstacle with one nearest point of its border that is where it ends, but for the tolerance; a pocket smaller than
+//! the gaps between the directions may be missed.
 
 use crate::error::Error;
 use crate::random::{Random, Stream};
@@ -25,8 +25,8 @@ const TURNS: [f64; 2] = [0.5, 1e-4];
 /// The most rounds over the coordinates in which the direction is changed.
 const ROUNDS: u32 = 60;
 
-/// How far beyond the border the state is placed where there is room, as a part of the size of the space: about as far as the default
-/// tolerance of proofs, so that motions can begin there.
+/// How far beyond the border the state is placed where there is room, as a part of the size of the space: about as far as the
+/// default tolerance of proofs, so that motions can begin there.
 const ROOM: f64 = 1e-4;
 
 /// A direction: the change of each coordinate for a unit of distance.
@@ -197,7 +197,8 @@ impl<'a, S: Space> Search<'a, S> {
         best
     }
 
-    /// The state beyond the border, as far as there is room for and no farther than allowed, with few decimal places if those are enough.
+    /// The state beyond the border, as far as there is room for and no farther than allowed, with few decimal places if those are
+    /// enough.
     fn with_room(&self, direction: &Direction, distance: f64, most: f64) -> S::State {
         let room = ROOM * size(self.space);
         let rooms = (0..10).map(|i| distance + room * libm::ldexp(1.0, -i)).filter(|&beyond| beyond <= most);

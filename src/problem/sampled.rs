@@ -1,5 +1,5 @@
-//! Motions tested at a number of configurations, as many planners do, to show what that misses; and for robots of which nothing is known
-//! but whether a configuration is free.
+//! Motions tested at a number of configurations, as many planners do, to show what that misses; and for robots of which nothing
+//! is known but whether a configuration is free.
 
 use super::{Contact, Validity};
 use crate::error::Error;

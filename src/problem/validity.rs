@@ -35,8 +35,8 @@ pub trait Validity<S>: MaybeSend {
         (!contacts.is_empty()).then(|| Contact::sentence(&contacts, &|part| self.part_name(part)))
     }
 
-    /// The error that ended the checks, of a checker whose evaluation can fail; from then on it refuses everything, and a run ends with
-    /// that error. The default is `None`.
+    /// The error that ended the checks, of a checker whose evaluation can fail; from then on it refuses everything, and a run
+    /// ends with that error. The default is `None`.
     fn failure(&self) -> Option<Error> {
         None
     }
@@ -47,9 +47,9 @@ pub trait Validity<S>: MaybeSend {
         if self.is_motion_free(a, b) { None } else { Some(0.0) }
     }
 
-    /// Whether the parabola with these control points is proven free: the quadratic Bezier curve from the first to the third, which
-    /// leaves towards the second and comes from there. No coordinate turns by half a turn along it. The default is false: corners of
-    /// a path stay as they are.
+    /// Whether the parabola with these control points is proven free: the quadratic Bezier curve from the first to the third,
+    /// which leaves towards the second and comes from there. No coordinate turns by half a turn along it. The default is false:
+    /// corners of a path stay as they are.
     fn is_blend_free(&self, blend: &[S; 3]) -> bool {
         let _ = blend;
         false
@@ -61,8 +61,8 @@ pub trait Validity<S>: MaybeSend {
         0
     }
 
-    /// About how long an evaluation takes, in nanoseconds on one core: its part in the work that limits count. The default is that of a
-    /// distance between two simple shapes.
+    /// About how long an evaluation takes, in nanoseconds on one core: its part in the work that limits count. The default is
+    /// that of a distance between two simple shapes.
     fn evaluation_nanoseconds(&self) -> u64 {
         20
     }

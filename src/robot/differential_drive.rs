@@ -1,5 +1,5 @@
-//! A differential drive: two driven wheels on one axle, which turns on the spot if they turn against each other. q' = (v cos theta,
-//! v sin theta, w) under the control (v, w). LaValle 2006, "Planning Algorithms", section 13.1.2.2.
+//! A differential drive: two driven wheels on one axle, which turns on the spot if they turn against each other. q' = (v cos
+//! theta, v sin theta, w) under the control (v, w). LaValle 2006, "Planning Algorithms", section 13.1.2.2.
 
 use super::Part;
 use super::range::{LARGEST, check_limits, check_positive};
@@ -34,7 +34,8 @@ pub struct Round {
 }
 
 impl Footprint {
-    /// The radius of the smallest disc about the middle of the axle that contains the shape, in metres: within it the robot turns on the spot.
+    /// The radius of the smallest disc about the middle of the axle that contains the shape, in metres: within it the robot turns
+    /// on the spot.
     pub fn reach(&self) -> f64 {
         match self {
             Footprint::Disc(Round { radius }) => *radius,
@@ -43,8 +44,8 @@ impl Footprint {
     }
 }
 
-/// A differential drive. A configuration is (x, y, theta), in metres and radians: the middle of the axle and the heading. A control is
-/// (v, w), in metres and radians per second, constant during a time step.
+/// A differential drive. A configuration is (x, y, theta), in metres and radians: the middle of the axle and the heading. A
+/// control is (v, w), in metres and radians per second, constant during a time step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DifferentialDrive {
     shape: Footprint,
@@ -54,12 +55,13 @@ pub struct DifferentialDrive {
 }
 
 impl DifferentialDrive {
-    /// A drive with the least and the greatest speed in metres per second, the least and the greatest turn rate in radians per second, and
-    /// the time step in seconds.
+    /// A drive with the least and the greatest speed in metres per second, the least and the greatest turn rate in radians per
+    /// second, and the time step in seconds.
     ///
     /// # Errors
-    /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a document: a radius or a greatest speed that is not positive, speeds beyond
-    /// 1e6, turn rates beyond 100, a time step outside [0.001, 1], limits of which the lower is not less than the upper.
+    /// `not-finite` or `out-of-range`, with a pointer into the `robot` object of a document: a radius or a greatest speed that is
+    /// not positive, speeds beyond 1e6, turn rates beyond 100, a time step outside [0.001, 1], limits of which the lower is not
+    /// less than the upper.
     pub fn new(shape: Footprint, speed: [f64; 2], turn_rate: [f64; 2], time_step: f64) -> Result<Self, Error> {
         if let Footprint::Disc(Round { radius }) = shape {
             check_positive("/shape/radius", "the radius of the robot", radius, LARGEST)?;

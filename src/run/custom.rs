@@ -1,8 +1,8 @@
 //! Robots of one's own: a space told as a product of circles, intervals and lines, and what is free told by a function.
 //!
 //! The function evaluates configurations in batches, as rows of coordinates. There are two kinds ([`Free`]): a lower bound on
-//! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are sampled
-//! ([`Sampled`]), and the result document says so.
+//! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are
+//! sampled ([`Sampled`]), and the result document says so.
 
 use super::description::{SIZES, SpaceDescription};
 use super::info::RunInfo;
@@ -40,8 +40,8 @@ pub enum Free {
     Samples {
         /// Writes an infinite number for a configuration that is free, a negative one for one in collision.
         margin: Evaluate,
-        /// The largest distance of neighbouring samples, in the metric, 1e-6 to 1e6; by default a hundredth of the largest distance in the
-        /// space.
+        /// The largest distance of neighbouring samples, in the metric, 1e-6 to 1e6; by default a hundredth of the largest
+        /// distance in the space.
         resolution: Option<f64>,
     },
 }
@@ -125,7 +125,8 @@ impl CustomProblem {
         self.space.coordinates.len()
     }
 
-    /// The configuration a fraction `t` in [0, 1] along the motion from `a` to `b`: coordinates change evenly, circles the short way round.
+    /// The configuration a fraction `t` in [0, 1] along the motion from `a` to `b`: coordinates change evenly, circles the short
+    /// way round.
     ///
     /// # Errors
     /// `wrong-dimension`, `not-finite` or `out-of-range`, with the pointer `/a`, `/b` or `/t`.
@@ -147,15 +148,15 @@ impl CustomProblem {
     }
 }
 
-/// Begins a run on a problem of a robot of one's own, by a planner and its options by name. Every planner without controls serves it. The
-/// result document names no scenario and no query. Planning uses one thread. If the function that tells what is free fails, the run
-/// ends with its error: see [`Run::failure`].
+/// Begins a run on a problem of a robot of one's own, by a planner and its options by name. Every planner without controls serves
+/// it. The result document names no scenario and no query. Planning uses one thread. If the function that tells what is free
+/// fails, the run ends with its error: see [`Run::failure`].
 ///
 /// A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues with it.
 ///
 /// # Errors
-/// `unknown-planner`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls and for options of
-/// other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
+/// `unknown-planner`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls and for
+/// options of other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
 ///
 /// # Example
 /// A point in the plane, around a disc:

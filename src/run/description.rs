@@ -1,4 +1,5 @@
-//! A space as a product of circles, intervals and lines, as a user describes it: plain values that are checked when they are read.
+//! A space as a product of circles, intervals and lines, as a user describes it: plain values that are checked when they are
+//! read.
 
 use crate::error::{Code, Error, Number, within};
 use crate::json;
@@ -120,8 +121,8 @@ impl SpaceDescription {
         self
     }
 
-    /// The first field in which another space differs, as a JSON pointer into the description, and its values here and there. Both are
-    /// described in full.
+    /// The first field in which another space differs, as a JSON pointer into the description, and its values here and there.
+    /// Both are described in full.
     pub(super) fn difference(&self, other: &Self) -> Option<(String, [String; 2])> {
         let [count, others] = [self, other].map(|space| space.coordinates.len());
         if count != others {

@@ -16,8 +16,8 @@ const STEPS: u32 = 10;
 #[derive(Debug, Clone)]
 pub(super) struct EmittedPath<S: Space> {
     pub states: Vec<S::State>,
-    /// The length: along controlled motions that of the dynamics, else in the metric of the space, whose curves are measured whole. To
-    /// the bit the cost that planners minimise.
+    /// The length: along controlled motions that of the dynamics, else in the metric of the space, whose curves are measured
+    /// whole. To the bit the cost that planners minimise.
     pub length: f64,
     /// Of a car, from each waypoint to the next.
     pub motions: Option<Vec<Motion>>,

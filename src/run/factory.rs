@@ -33,9 +33,9 @@ pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Bo
     launch(&world, options, planner, None)
 }
 
-/// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario
-/// and no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own. A planner that
-/// goes on to shorter paths ends as `termination` says.
+/// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario and
+/// no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own. A planner
+/// that goes on to shorter paths ends as `termination` says.
 pub fn start_on<S: Space + 'static>(
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
@@ -49,8 +49,8 @@ pub fn start_on<S: Space + 'static>(
     Launch::new(problem, info).with(planner)
 }
 
-/// Begins a run of a planner on a problem whose motions are rolled out: neither proven nor sampled. `names` are those of the world and of
-/// the query, for results.
+/// Begins a run of a planner on a problem whose motions are rolled out: neither proven nor sampled. `names` are those of the
+/// world and of the query, for results.
 pub(crate) fn start_learned<S: Space + 'static>(
     problem: Problem<S>,
     planner: PlannerOptions,

@@ -68,8 +68,8 @@ impl RunInfo {
         Self { wanted, edge_check, limits, ..Self::default() }
     }
 
-    /// Moves a start and goals in collision to the nearest free states that are found, at most so far, and notes which were. Those without
-    /// one stay as they are, to be refused.
+    /// Moves a start and goals in collision to the nearest free states that are found, at most so far, and notes which were.
+    /// Those without one stay as they are, to be refused.
     pub fn move_ends<S: Space>(
         &mut self,
         space: &S,

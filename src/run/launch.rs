@@ -17,7 +17,8 @@ pub(super) type Begin<'a, S> = dyn FnOnce(&Problem<S>, u64) -> Result<Box<dyn Pl
 pub(super) struct Launch<S: Space> {
     pub problem: Problem<S>,
     pub info: RunInfo,
-    /// The document of a roadmap without its vertices, its edges and how they were chosen; `None` if a roadmap of this run cannot be saved.
+    /// The document of a roadmap without its vertices, its edges and how they were chosen; `None` if a roadmap of this run cannot
+    /// be saved.
     pub roadmap: Option<RoadmapDocument>,
     /// `None` if no scenario describes the problem.
     pub reopen: Option<Reopen<S>>,

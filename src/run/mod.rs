@@ -18,21 +18,22 @@
 //! | the collision checker of a robot of one's own has failed | `Failed` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
-//! run, to the bit, as one slice of 1000. An `Exhausted` run has a [`Reason`]. A run that has ended does nothing more. [`Run::finish`] takes the path as it is while
-//! it is being improved.
+//! run, to the bit, as one slice of 1000. An `Exhausted` run has a [`Reason`]. A run that has ended does nothing more.
+//! [`Run::finish`] takes the path as it is while it is being improved.
 //!
 //! # Files
 //! - `options.rs`: typed options; `request.rs`: options by names; `suitable.rs`: which are for which robots;
-//! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target; `own_planner.rs`: the same
-//!   with a planner from outside ([`start_with`]); `custom.rs`: a run of a robot of your own; `description.rs`: its space;
+//! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
+//!   `own_planner.rs`: the same with a planner from outside ([`start_with`]); `custom.rs`: a run of a robot of your own;
+//!   `description.rs`: its space;
 //! - `launch.rs`: what they share, and `info.rs`: what a run knows of how it was launched;
-//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work count;
-//!   `emitted.rs`: paths and edges as they are reported;
+//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work
+//!   count; `emitted.rs`: paths and edges as they are reported;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
-//! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per
-//! slice. A run calls its planner once per iteration, and the planner its collision checker once per check, by virtual calls. Their
-//! cost is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
+//! Inside, planners are generic over the space and compiled for each; outside, a `Box<dyn Run>` costs one virtual call per slice.
+//! A run calls its planner once per iteration, and the planner its collision checker once per check, by virtual calls. Their cost
+//! is small compared with the work that they do. So a planner is compiled once per space, whatever the robot.
 
 mod custom;
 mod description;
@@ -93,17 +94,17 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation. Further methods may be added,
-/// so no other crate can implement it: [`start_on`] makes a run of any planner.
+/// A planning run: a value that is stepped and inspected. Rows are numbered from 0 in the order of creation. Further methods may
+/// be added, so no other crate can implement it: [`start_on`] makes a run of any planner.
 ///
-/// What is new since a row comes as an iterator ([`vertices_since`](#method.vertices_since), `edges_since`, `events_since`), or copied
-/// into a table of numbers ([`Run::vertex_rows`] and its siblings).
+/// What is new since a row comes as an iterator ([`vertices_since`](#method.vertices_since), `edges_since`, `events_since`), or
+/// copied into a table of numbers ([`Run::vertex_rows`] and its siblings).
 pub trait Run: MaybeSend + sealed::Sealed {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
-    /// Lets the planner use so many threads from now on; 1 at first. The result and all counts are the same with any number. Roadmaps
-    /// built in a batch (PRM with `insertion=batch`, PRM*; lazy PRM for its samples) use them.
+    /// Lets the planner use so many threads from now on; 1 at first. The result and all counts are the same with any number.
+    /// Roadmaps built in a batch (PRM with `insertion=batch`, PRM*; lazy PRM for its samples) use them.
     #[cfg(feature = "parallel")]
     fn set_threads(&mut self, threads: std::num::NonZeroUsize);
 
@@ -114,15 +115,16 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// The status of the run.
     fn status(&self) -> Status;
 
-    /// Why the run has ended without a path, or with one before it had done what its options ask for (`improve_iterations`, `vertices`);
-    /// else `None`.
+    /// Why the run has ended without a path, or with one before it had done what its options ask for (`improve_iterations`,
+    /// `vertices`); else `None`.
     fn reason(&self) -> Option<Reason>;
 
-    /// The reason in words, with the limit or the size of the roadmap: "gave up after 1,000 iterations without a path (max_iterations)".
+    /// The reason in words, with the limit or the size of the roadmap: "gave up after 1,000 iterations without a path
+    /// (max_iterations)".
     fn explanation(&self) -> Option<String>;
 
-    /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`]; the same from
-    /// then on. Only a robot of one's own can fail.
+    /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`];
+    /// the same from then on. Only a robot of one's own can fail.
     fn failure(&self) -> Option<Error>;
 
     /// The phase of the run: a planner's, `Improving`, or `Done`.
@@ -138,9 +140,10 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// How many rows are recorded: as many as there are iterations, or 0 if nothing is recorded.
     fn history_count(&self) -> usize;
 
-    /// The rows recorded from row `row` on; empty if nothing is recorded. Row i of the run, from 0, is the state after iteration i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of
-    /// [`Run::stats`], the last one the length of the best path so far, measured as [`Run::length`], infinite while there is
-    /// none; it only ever falls. [`Run::finish`] is not an iteration and adds no row.
+    /// The rows recorded from row `row` on; empty if nothing is recorded. Row i of the run, from 0, is the state after iteration
+    /// i + 1: [`HISTORY_WIDTH`] numbers each, the counts those of [`Run::stats`], the last one the length of the best path so
+    /// far, measured as [`Run::length`], infinite while there is none; it only ever falls. [`Run::finish`] is not an iteration
+    /// and adds no row.
     fn history_since(&self, row: usize) -> Vec<f64>;
 
     /// Iterations made so far, attempts at improving the path included.
@@ -176,8 +179,9 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// The edges from row `row` on: two vertex numbers each.
     fn edge_rows(&self, row: usize) -> Vec<u32>;
 
-    /// The controlled motions along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and duration
-    /// (metres per second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it is driven.
+    /// The controlled motions along the edges from row `row` on, of a car: the number of the edge, speed, steering angle and
+    /// duration (metres per second, radians, seconds) each; an edge of several motions has as many rows, in the order in which it
+    /// is driven.
     fn motion_rows(&self, row: usize) -> Vec<f64>;
 
     /// The shapes of the curved edges from row `row` on: the number of the edge and a configuration on it each,
@@ -191,7 +195,8 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// reach it, in that order. If the planner begins with them as vertices, they are those from 1 on.
     fn goals(&self) -> Vec<Vec<f64>>;
 
-    /// The path from start to goal, with its corners, split so that no step turns a circle joint by more than 3 radians; empty until solved.
+    /// The path from start to goal, with its corners, split so that no step turns a circle joint by more than 3 radians; empty
+    /// until solved.
     fn path(&self) -> Vec<Vec<f64>>;
 
     /// The path as the planner found it, before any improvement, split likewise; empty until it is found. Available while
@@ -219,8 +224,9 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// The result document; seconds are 0.
     fn result(&self) -> ResultDocument;
 
-    /// The roadmap as far as it is built, to be saved: see [`resume`] and [`resume_problem`]. `None` for planners that build none, and for
-    /// runs of [`start_on`]. Vertices that [`Run::query`] has added are part of it; those in collision since [`Run::reopen`] are not. O(size).
+    /// The roadmap as far as it is built, to be saved: see [`resume`] and [`resume_problem`]. `None` for planners that build
+    /// none, and for runs of [`start_on`]. Vertices that [`Run::query`] has added are part of it; those in collision since
+    /// [`Run::reopen`] are not. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Queries the roadmap again, as far as it is built: connects start and goal to their neighbours and searches. The
@@ -229,18 +235,18 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// [`verify`](crate::path::verify()). The tolerance of the proofs is that of the run's own query.
     ///
     /// # Errors
-    /// `unsupported` if the planner builds none, or is not done yet and `keep` is set; with the pointer `/start` or `/goal`: `wrong-dimension`, `not-finite`,
-    /// `out-of-range`, `start-in-collision`, `goal-in-collision`.
+    /// `unsupported` if the planner builds none, or is not done yet and `keep` is set; with the pointer `/start` or `/goal`:
+    /// `wrong-dimension`, `not-finite`, `out-of-range`, `start-in-collision`, `goal-in-collision`.
     fn query(&mut self, start: &[f64], goal: &[f64], keep: bool) -> Result<ResultDocument, Error>;
 
-    /// Begins a run in a world whose obstacles have moved, with the roadmap of this one, which has to be over: the vertices, and the edges
-    /// whose robot cannot meet an obstacle that has changed. It is searched lazily: where an obstacle is new, edges are proven
-    /// again, and where one was, refused motions are tried again, if and when the best path wants them. No vertices are added but start
-    /// and goals of the query of this name, which may be others. This run stays as it is. O(roadmap).
+    /// Begins a run in a world whose obstacles have moved, with the roadmap of this one, which has to be over: the vertices, and
+    /// the edges whose robot cannot meet an obstacle that has changed. It is searched lazily: where an obstacle is new, edges are
+    /// proven again, and where one was, refused motions are tried again, if and when the best path wants them. No vertices are
+    /// added but start and goals of the query of this name, which may be others. This run stays as it is. O(roadmap).
     ///
     /// # Errors
-    /// `unsupported` if the planner builds no roadmap, or is not done yet; `other-scenario` if robot or bounds differ; `unknown-query`;
-    /// `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
+    /// `unsupported` if the planner builds no roadmap, or is not done yet; `other-scenario` if robot or bounds differ;
+    /// `unknown-query`; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error>;
 }
 

@@ -67,8 +67,8 @@ pub fn default_planner(robot: Option<&Robot>) -> PlannerOptions {
     RrtConnectOptions { edges, ..RrtConnectOptions::default() }.into()
 }
 
-/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves might
-/// overflow.
+/// The turning radii of steered cars, in metres: far beyond all worlds on either side. Outside, lengths and durations of curves
+/// might overflow.
 pub(super) const TURNING_RADII: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 /// The least allowed top speed of a steered car, in metres per second, for the same reason.
 pub(super) const SLOWEST: f64 = 1e-9;

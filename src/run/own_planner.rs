@@ -39,13 +39,13 @@ impl Default for OwnPlanner {
     }
 }
 
-/// Begins a run of a planner of your own for the robot of a scenario, in the space of its configurations: states are `N` numbers, of
-/// which those beyond the robot's dimension are 0. Everything but the planner is as for the planners of this crate: motions are
-/// proven, limits hold, the path is improved, slices do not change the result.
+/// Begins a run of a planner of your own for the robot of a scenario, in the space of its configurations: states are `N` numbers,
+/// of which those beyond the robot's dimension are 0. Everything but the planner is as for the planners of this crate: motions
+/// are proven, limits hold, the path is improved, slices do not change the result.
 ///
 /// # Errors
-/// `unsupported` if a configuration has more than `N` numbers; those of [`start`](super::start) about the query, options and ends;
-/// those of `begin`.
+/// `unsupported` if a configuration has more than `N` numbers; those of [`start`](super::start) about the query, options and
+/// ends; those of `begin`.
 ///
 /// # Example
 /// A planner that goes straight to the goal or, where that is not free, on to a sample:

@@ -20,8 +20,8 @@ pub(super) struct Kept<'a, S: Space> {
 type MayMeet<'a, T> = dyn Fn(&T, &T, &[Aabb]) -> bool + 'a;
 
 impl<S: Space + 'static> Kept<'_, S> {
-    /// The planner of a run on the roadmap, whose own proofs have this tolerance. `may_meet` tells whether the robot may touch something in
-    /// one of some boxes on a motion.
+    /// The planner of a run on the roadmap, whose own proofs have this tolerance. `may_meet` tells whether the robot may touch
+    /// something in one of some boxes on a motion.
     pub fn reopened(
         &self,
         problem: &Problem<S>,
@@ -48,8 +48,8 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    /// The changes from one scenario to another. Obstacles are compared in their order, without those at the beginning and at the end
-    /// that are the same. O(n) comparisons.
+    /// The changes from one scenario to another. Obstacles are compared in their order, without those at the beginning and at the
+    /// end that are the same. O(n) comparisons.
     ///
     /// # Errors
     /// `other-scenario` if robots or bounds differ.

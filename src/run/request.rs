@@ -52,12 +52,13 @@ impl Request {
         Ok(options)
     }
 
-    /// The options for [`resume`](super::resume()) and [`resume_problem`](super::resume_problem) with this roadmap. Parameters that the document holds (`metric`,
-    /// `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
+    /// The options for [`resume`](super::resume()) and [`resume_problem`](super::resume_problem) with this roadmap. Parameters
+    /// that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
+    /// again.
     ///
     /// # Errors
-    /// Those of [`PlannerOptions::read`]; `invalid-roadmap`; `out-of-range` if another planner or another value of what the document holds
-    /// is given, `unsupported` for parameters of a growth that is over.
+    /// Those of [`PlannerOptions::read`]; `invalid-roadmap`; `out-of-range` if another planner or another value of what the
+    /// document holds is given, `unsupported` for parameters of a growth that is over.
     pub fn for_roadmap(&self, document: &RoadmapDocument) -> Result<Options, Error> {
         document.check()?;
         let planner = resume::settings(self.planner.as_deref(), &self.parameters, document)?;

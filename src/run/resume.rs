@@ -1,4 +1,5 @@
-//! Continuing with a saved roadmap: whether it fits the scenario, or the space of a robot of one's own, whether all of it is free, and which options it admits.
+//! Continuing with a saved roadmap: whether it fits the scenario, or the space of a robot of one's own, whether all of it is
+//! free, and which options it admits.
 
 use super::custom::{CustomProblem, launch_problem};
 use super::factory::{launch, only_metric};
@@ -15,13 +16,13 @@ use crate::space::steering::Steering;
 use crate::world::PlanningWorld;
 
 /// Begins a run of the planner that built the roadmap, with the roadmap as it was saved: start and goals of the query are its
-/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. The
-/// roadmap is not extended, even if it was saved unfinished. First every vertex is checked and every edge proven again; a roadmap whose edges were
-/// sampled is sampled again, and still named as such.
+/// first vertices, connected to their neighbours unless the roadmap has them already, and it is searched. The roadmap is not
+/// extended, even if it was saved unfinished. First every vertex is checked and every edge proven again; a roadmap whose edges
+/// were sampled is sampled again, and still named as such.
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
-/// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
-/// again.
+/// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be
+/// given again.
 ///
 /// # Errors
 /// `other-scenario` if world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
@@ -67,13 +68,15 @@ pub fn resume(
     launch(&world, options, planner, Some(document))
 }
 
-/// The same for a robot of one's own: its function proves or samples all of the roadmap again, whatever function it was built with. So a
-/// roadmap can be continued after obstacles have moved, as long as all of it is still free. Start and goals are those of the problem.
+/// The same for a robot of one's own: its function proves or samples all of the roadmap again, whatever function it was built
+/// with. So a roadmap can be continued after obstacles have moved, as long as all of it is still free. Start and goals are those
+/// of the problem.
 ///
 /// # Errors
-/// `other-scenario` with a pointer into the JSON form if the roadmap was built in another space (other coordinates, limits or weights, or
-/// another metric), or if edges were sampled by `Free::Samples` and are to be proven, or the reverse; `invalid-roadmap`, `out-of-range`
-/// and `unsupported` as [`resume`]; those of [`start_problem`](super::start_problem); the error of the function.
+/// `other-scenario` with a pointer into the JSON form if the roadmap was built in another space (other coordinates, limits or
+/// weights, or another metric), or if edges were sampled by `Free::Samples` and are to be proven, or the reverse;
+/// `invalid-roadmap`, `out-of-range` and `unsupported` as [`resume`]; those of [`start_problem`](super::start_problem); the error
+/// of the function.
 pub fn resume_problem(
     problem: &CustomProblem,
     options: &Options,
@@ -141,8 +144,8 @@ fn check_curves(car: &Car, document: &RoadmapDocument) -> Result<(), Error> {
     Err(damaged("/metric", format!("the metric of this car is {known}, not {}", document.metric)))
 }
 
-/// The planner of a run on the roadmap, whose id may be given: with the options that the document holds, and of those given by name those
-/// that may still be chosen.
+/// The planner of a run on the roadmap, whose id may be given: with the options that the document holds, and of those given by
+/// name those that may still be chosen.
 pub(super) fn settings(
     named: Option<&str>,
     given: &[(String, Value)],

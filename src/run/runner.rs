@@ -134,10 +134,10 @@ impl<S: Space> Runner<S> {
         }
     }
 
-    /// Whether the run goes on although a limit is spent: limits hold while there is no path. A planner that goes on to shorter paths ends
-    /// as its conditions say; where these may never hold, once a limit is spent without a shorter path. A tree that grows past its goal
-    /// ends once a limit is spent without a new vertex, and a planner that ends by itself, with the samples that it was given, once the
-    /// default limit is.
+    /// Whether the run goes on although a limit is spent: limits hold while there is no path. A planner that goes on to shorter
+    /// paths ends as its conditions say; where these may never hold, once a limit is spent without a shorter path. A tree that
+    /// grows past its goal ends once a limit is spent without a new vertex, and a planner that ends by itself, with the samples
+    /// that it was given, once the default limit is.
     fn goes_on(&mut self) -> bool {
         let (vertices, has_path) = (self.vertex_count(), self.has_path());
         let gained = match &self.progress {
@@ -256,7 +256,8 @@ impl<S: Space> Runner<S> {
         Some(Approximate { path: self.rows(&path.states), motions: path.motions, goal_distance })
     }
 
-    /// The goal of a path with this end, if it was moved; without a path, and where it ends in a region about its goal, the first.
+    /// The goal of a path with this end, if it was moved; without a path, and where it ends in a region about its goal, the
+    /// first.
     fn moved_goal(&self, end: Option<&Vec<f64>>) -> Option<&Vec<f64>> {
         let moved = &self.info.moved_goals;
         let reached = end.filter(|_| self.problem.goals().len() > 1);

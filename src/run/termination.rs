@@ -1,6 +1,8 @@
-//! When a run ends whose planner goes on to shorter paths: by conditions that have names, of which one is enough or all must hold.
+//! When a run ends whose planner goes on to shorter paths: by conditions that have names, of which one is enough or all must
+//! hold.
 //!
-//! They are evaluated after each iteration of the planner, from counts alone, so where a run ends depends on no clock and no slicing.
+//! They are evaluated after each iteration of the planner, from counts alone, so where a run ends depends on no clock and no
+//! slicing.
 
 use crate::planner::{Limits, Reason, StopWhen, Termination};
 
@@ -28,7 +30,8 @@ impl Progress {
         Self { termination, least, is_shortest: false, falls: Vec::new() }
     }
 
-    /// Notes the path after an iteration, if it is shorter than all before: its length, and its cost as the planner counts it. O(1).
+    /// Notes the path after an iteration, if it is shorter than all before: its length, and its cost as the planner counts it.
+    /// O(1).
     pub fn note(&mut self, iteration: u32, length: f64, cost: f64) {
         self.is_shortest |= cost <= SHORTEST * self.least;
         if self.falls.last().is_none_or(|&(_, least)| length < least) {

@@ -1,8 +1,8 @@
 //! The work of a run: one number, from its counts alone, that grows as the time on one core does.
 //!
-//! A unit is about a microsecond on a core of the present kind. The weights, in nanoseconds, were set by hand from the times of some
-//! thirty runs of different planners and robots: a sum of counts is a rough measure. `cargo bench --bench planning -- steps` prints the
-//! work and the time of each planner.
+//! A unit is about a microsecond on a core of the present kind. The weights, in nanoseconds, were set by hand from the times of
+//! some thirty runs of different planners and robots: a sum of counts is a rough measure. `cargo bench --bench planning -- steps`
+//! prints the work and the time of each planner.
 
 use crate::planner::Growth;
 use crate::problem::{Problem, Stats};

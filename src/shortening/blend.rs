@@ -1,13 +1,13 @@
 //! Blends: corners of a path rounded by parabolas, each proven free or left out.
 //!
-//! With d the distance at which the blend of a corner b begins, before = d / |ab| and after = d / |bc| are its shares of the edges to b
-//! and from it. The blend is the quadratic Bezier curve with the control points b + before (a - b), b, b + after (c - b). A robot that
-//! follows edges at speed v, in the metric of the space, and is at u = t v / (2 d) of a blend after t seconds, never changes its
-//! velocity by a jump: the timed path is C1, and its curve has a tangent everywhere.
+//! With d the distance at which the blend of a corner b begins, before = d / |ab| and after = d / |bc| are its shares of the
+//! edges to b and from it. The blend is the quadratic Bezier curve with the control points b + before (a - b), b, b + after (c -
+//! b). A robot that follows edges at speed v, in the metric of the space, and is at u = t v / (2 d) of a blend after t seconds,
+//! never changes its velocity by a jump: the timed path is C1, and its curve has a tangent everywhere.
 //!
-//! Parabolas between straight motions, proven one by one: Hauser and Ng-Thow-Hing 2010, "Fast smoothing of manipulator trajectories
-//! using optimal bounded-acceleration shortcuts"; where they begin: Kunz and Stilman 2012, "Time-optimal trajectory generation for
-//! path following with bounded acceleration and velocity", with circular arcs in place of parabolas.
+//! Parabolas between straight motions, proven one by one: Hauser and Ng-Thow-Hing 2010, "Fast smoothing of manipulator
+//! trajectories using optimal bounded-acceleration shortcuts"; where they begin: Kunz and Stilman 2012, "Time-optimal trajectory
+//! generation for path following with bounded acceleration and velocity", with circular arcs in place of parabolas.
 
 use crate::problem::Problem;
 use crate::space::Space;

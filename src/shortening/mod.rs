@@ -1,6 +1,6 @@
-//! The improvement of a path, one attempt at a time: first its vertices are reduced, then come shortcuts, then shortcuts
-//! of one coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never gets longer,
-//! and is valid at any time.
+//! The improvement of a path, one attempt at a time: first its vertices are reduced, then come shortcuts, then shortcuts of one
+//! coordinate alone; at last its corners are rounded. Every new motion is checked like an edge; the path never gets longer, and
+//! is valid at any time.
 
 mod blend;
 mod reduce;

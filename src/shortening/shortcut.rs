@@ -1,6 +1,6 @@
 //! Shortcuts: random detours of a path replaced by straight motions that are proven free. Partial shortcuts: between two
-//! positions of a path one coordinate goes straight, the others as before. This removes needless motion of one joint if all joints
-//! together cannot go straight.
+//! positions of a path one coordinate goes straight, the others as before. This removes needless motion of one joint if all
+//! joints together cannot go straight.
 //!
 //! Geraerts and Overmars 2007, "Creating high-quality paths for motion planning".
 

@@ -14,11 +14,11 @@ pub fn gap<T: Lanes>(a: T, b: T, period: T) -> T {
     (period - straight).lesser(straight)
 }
 
-/// The least [`gap`] between a number and any in an interval, given by how far the number lies below the interval and how far above
-/// it, each less than 0 if it does not; 0 if it lies inside. O(1).
+/// The least [`gap`] between a number and any in an interval, given by how far the number lies below the interval and how far
+/// above it, each less than 0 if it does not; 0 if it lies inside. O(1).
 ///
-/// Exact in floating point, so that it never exceeds a gap that it bounds: the number is at least as far from all others as from the
-/// nearer end, and the other way round at least as far as from the farther end; rounding keeps that order.
+/// Exact in floating point, so that it never exceeds a gap that it bounds: the number is at least as far from all others as from
+/// the nearer end, and the other way round at least as far as from the farther end; rounding keeps that order.
 #[inline(always)]
 pub fn gap_to_interval<T: Lanes>(below: T, above: T, period: T) -> T {
     let around = period + below.lesser(above);

@@ -3,8 +3,8 @@
 use std::ops::{Add, Mul, Sub};
 use wide::{f32x4, f32x8, f64x2};
 
-/// A number, or several in the lanes of a vector, in double or in single precision. Each lane has the bits that a single number of
-/// its precision would have.
+/// A number, or several in the lanes of a vector, in double or in single precision. Each lane has the bits that a single number
+/// of its precision would have.
 pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// The number in every lane.
     fn splat(number: f64) -> Self;

@@ -164,8 +164,9 @@ pub trait Space: Clone + Send + Sync {
         self.distance(a, b)
     }
 
-    /// How far apart two states are if curves do not matter: symmetric, finite, and 0 for equal states. The default is the distance; a
-    /// space of curves returns the metric of its coordinates. By it the free state nearest to one in collision is found.
+    /// How far apart two states are if curves do not matter: symmetric, finite, and 0 for equal states. The default is the
+    /// distance; a space of curves returns the metric of its coordinates. By it the free state nearest to one in collision is
+    /// found.
     fn straight_distance(&self, a: &Self::State, b: &Self::State) -> f64 {
         self.distance(a, b)
     }
@@ -182,8 +183,8 @@ pub trait Space: Clone + Send + Sync {
     /// Whether the state lies within the limits of the space.
     fn contains(&self, state: &Self::State) -> bool;
 
-    /// The largest distance between two states that are drawn, or a finite bound on it: it limits the steps of a greedy connection, and
-    /// default step lengths are fractions of it.
+    /// The largest distance between two states that are drawn, or a finite bound on it: it limits the steps of a greedy
+    /// connection, and default step lengths are fractions of it.
     fn extent(&self) -> f64;
 
     /// A state drawn uniformly.
@@ -213,9 +214,9 @@ pub trait Space: Clone + Send + Sync {
     }
 
     /// The metric as a function of the coordinates' gaps, for as many pairs of states at once as there are lanes: `gap(i)`
-    /// returns those of coordinate `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit, or, if
-    /// [`Space::is_norm_exact`] is false, a lower bound on it in either direction. It must not decrease when a gap grows, in
-    /// floating point too, which holds for sums, products and roots of numbers that are not negative. So with
+    /// returns those of coordinate `i`. With [`gap()`] between the coordinates of two states it is their `distance`, to the bit,
+    /// or, if [`Space::is_norm_exact`] is false, a lower bound on it in either direction. It must not decrease when a gap grows,
+    /// in floating point too, which holds for sums, products and roots of numbers that are not negative. So with
     /// [`gap_to_interval`] it is a lower bound on the distance to every state in a box. O(lanes x dimension).
     ///
     /// It must be a norm, subadditive and proportional to the gaps: an index computes it in single precision, bounds the error
@@ -247,8 +248,8 @@ pub trait Space: Clone + Send + Sync {
         None
     }
 
-    /// By how much the parabola with these control points is shorter than the straight motions from the first to the second and on to
-    /// the third. The default is 0, a lower bound.
+    /// By how much the parabola with these control points is shorter than the straight motions from the first to the second and
+    /// on to the third. The default is 0, a lower bound.
     fn blend_saving(&self, blend: &[Self::State; 3]) -> f64 {
         let _ = blend;
         0.0

@@ -1,9 +1,9 @@
 //! Whether two trajectories share a point: closed forms for points, segments and arcs, halving for the rest.
 //!
-//! **Closed forms.** Two closed curves of constant curvature are nearest to each other at an end of one of them, or on their
-//! line of centres (for a segment: on the normal through the centre), or at an intersection of their circles. So few candidates
-//! decide: those on the smaller circle that the arc contains, each tested against the other curve, and the ends of both. The curves
-//! cross if a candidate comes within the slack of the other curve.
+//! **Closed forms.** Two closed curves of constant curvature are nearest to each other at an end of one of them, or on their line
+//! of centres (for a segment: on the normal through the centre), or at an intersection of their circles. So few candidates
+//! decide: those on the smaller circle that the arc contains, each tested against the other curve, and the ends of both. The
+//! curves cross if a candidate comes within the slack of the other curve.
 //!
 //! **Why rounding cannot hide a crossing.** An intersection is found along the smaller circle, of radius r, from its angle
 //! to the line of centres, whose cosine is ((d - R)(d + R) + r^2) / (2 d r). The factor d - R has an error of some units in the

@@ -1,10 +1,10 @@
 //! Whether two trajectories share a point, for any motion with bounded acceleration: by halving both until their chords decide.
 //!
-//! Over an interval of h seconds with an acceleration of at most A, a trajectory departs from its chord, driven at constant speed,
-//! by at most A h^2 / 8. Two intervals whose chords are farther apart than both departures and the slack are apart. Else the
-//! interval that departs more is halved, which divides its departure by four. Pairs whose departures together are below the
-//! slack and that are still not proven apart count as crossing. So apart is proven, and the only trajectories refused
-//! without a crossing are within two slacks of each other, or exceed the budget.
+//! Over an interval of h seconds with an acceleration of at most A, a trajectory departs from its chord, driven at constant
+//! speed, by at most A h^2 / 8. Two intervals whose chords are farther apart than both departures and the slack are apart. Else
+//! the interval that departs more is halved, which divides its departure by four. Pairs whose departures together are below the
+//! slack and that are still not proven apart count as crossing. So apart is proven, and the only trajectories refused without a
+//! crossing are within two slacks of each other, or exceed the budget.
 //!
 //! Most crossings are found earlier: if the ends of each chord lie on different sides of the other's line, farther from it than
 //! the other departs, each interval leads through the strip about the other chord from side to side. In the parallelogram that

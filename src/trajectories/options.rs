@@ -19,7 +19,8 @@ crate::choice! {
 crate::options! {
     /// Options of many trajectories.
     pub struct TrajectoryOptions for &[];
-    /// How a particle moves: on a circular arc, or on the spiral whose points are v t away from the start in direction theta + w t.
+    /// How a particle moves: on a circular arc, or on the spiral whose points are v t away from the start in direction theta + w
+    /// t.
     model: Model = Model::Arc, "Motion";
     /// Number of mutually non-crossing trajectories to find.
     count: usize = 1000, in 1.0..=100_000.0, "Trajectories";

@@ -59,8 +59,8 @@ impl Particle {
         Ok(())
     }
 
-    /// Its position at `time` seconds. Exact except for rounding: the arc is computed by its chord, and nothing cancels if the turn
-    /// is small.
+    /// Its position at `time` seconds. Exact except for rounding: the arc is computed by its chord, and nothing cancels if the
+    /// turn is small.
     #[inline(never)]
     pub fn position(&self, time: f64) -> Point {
         let Self { start, theta, speed, turn_rate, .. } = *self;

@@ -106,7 +106,8 @@ impl Trajectories {
         }
     }
 
-    /// A random trajectory. Every number is drawn even if its range is a point, so that changing one range does not affect the others.
+    /// A random trajectory. Every number is drawn even if its range is a point, so that changing one range does not affect the
+    /// others.
     fn draw(&mut self) -> Particle {
         let random = &mut self.random;
         let mut between = |low: f64, high: f64| low + random.uniform() * (high - low) + 0.0;
@@ -153,8 +154,8 @@ impl Trajectories {
         self.tally
     }
 
-    /// 64-bit FNV-1a over everything tried, in order: 0 and the six numbers of an accepted trajectory, 1 and the nine of a refused
-    /// one. It does not depend on the index.
+    /// 64-bit FNV-1a over everything tried, in order: 0 and the six numbers of an accepted trajectory, 1 and the nine of a
+    /// refused one. It does not depend on the index.
     pub fn fingerprint(&self) -> u64 {
         self.fingerprint.value()
     }

@@ -75,9 +75,9 @@ pub(super) struct Arc {
     pub end: Point,
     /// The direction from the centre to the middle of the arc.
     middle: Vector,
-    /// The arc contains the directions within this distance of the middle, as the square of a chord of the unit circle, if it is at
-    /// most half the circle; else those at least this far from the opposite of the middle. So the chord is never near a diameter,
-    /// which would separate directions badly.
+    /// The arc contains the directions within this distance of the middle, as the square of a chord of the unit circle, if it is
+    /// at most half the circle; else those at least this far from the opposite of the middle. So the chord is never near a
+    /// diameter, which would separate directions badly.
     chord_squared: f64,
     extent: Extent,
 }
@@ -120,8 +120,8 @@ impl Arc {
         }
     }
 
-    /// The distance from the point to the arc, in metres: along the ray from the centre if the arc has a point on it, otherwise to
-    /// the nearer end.
+    /// The distance from the point to the arc, in metres: along the ray from the centre if the arc has a point on it, otherwise
+    /// to the nearer end.
     pub fn distance(&self, p: Point) -> f64 {
         let from_center = p - self.center;
         let away = from_center.norm();

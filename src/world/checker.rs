@@ -36,7 +36,8 @@ impl<const N: usize> Checker<N> {
         }
     }
 
-    /// The same with a tolerance no coarser than half the clearance of either configuration, so that motions can start and end there.
+    /// The same with a tolerance no coarser than half the clearance of either configuration, so that motions can start and end
+    /// there.
     #[must_use]
     pub(crate) fn fitted(self, start: &[f64; N], goal: &[f64; N]) -> Self {
         match self {

@@ -79,8 +79,8 @@ impl PlanningWorld {
         self.scenario().world().bounds.as_ref().expect("only an arm does without bounds")
     }
 
-    /// In a sentence, why samples are hardly ever free although free configurations exist: a disc that fills its world from side to side
-    /// can move on a line only. `None` for any other robot, and where the disc has a billionth of the width to spare.
+    /// In a sentence, why samples are hardly ever free although free configurations exist: a disc that fills its world from side
+    /// to side can move on a line only. `None` for any other robot, and where the disc has a billionth of the width to spare.
     pub fn without_width(&self) -> Option<String> {
         let Robot::Disc(disc) = self.robot() else { return None };
         let Aabb { min, max } = self.bounds();

@@ -1,7 +1,7 @@
 //! Rows as a log of OMPL's benchmarks, which `ompl_benchmark_statistics` and Planner Arena read.
 //!
-//! A log is about one problem. Here worlds, queries and seeds are properties of runs, so that one file has the whole experiment. OMPL's
-//! own planners run until a time is over; ours have a budget of work, so the limits of time and memory are infinite.
+//! A log is about one problem. Here worlds, queries and seeds are properties of runs, so that one file has the whole experiment.
+//! OMPL's own planners run until a time is over; ours have a budget of work, so the limits of time and memory are infinite.
 
 use super::rows::{Row, Rows};
 use crate::output::Output;

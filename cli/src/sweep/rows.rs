@@ -1,8 +1,8 @@
 //! The files of a sweep: rows of trials as CSV or as lines of JSON, and beside them their times.
 //!
-//! Rows come in the order of trials. Each begins with the fingerprint of its experiment and the number of its trial, so a file tells
-//! what it belongs to; only the first shard begins with the names of columns. So the files of all shards, one after another, are the
-//! file of one run. Times differ between runs and have a file of their own.
+//! Rows come in the order of trials. Each begins with the fingerprint of its experiment and the number of its trial, so a file
+//! tells what it belongs to; only the first shard begins with the names of columns. So the files of all shards, one after
+//! another, are the file of one run. Times differ between runs and have a file of their own.
 
 use super::shard::Shard;
 use crate::files::{failed, would_overwrite};

@@ -1,8 +1,8 @@
 //! The independent verifier of certificates.
 //!
-//! It shares no code with the subdivision but cells, shapes, exact convex pieces and union-find. It computes places and distances by itself, and
-//! where a cell of the document is not confirmed as it is, it halves it. [`separation`] decides without a quadtree whether the wall
-//! separates start and goal. An obstacle within 2e-12 times the largest coordinate plus the reach is touched.
+//! It shares no code with the subdivision but cells, shapes, exact convex pieces and union-find. It computes places and distances
+//! by itself, and where a cell of the document is not confirmed as it is, it halves it. [`separation`] decides without a quadtree
+//! whether the wall separates start and goal. An obstacle within 2e-12 times the largest coordinate plus the reach is touched.
 
 mod separation;
 
@@ -39,7 +39,8 @@ type Ranges = [[f64; 2]; 2];
 /// `unsupported` for a robot or a query that has no certificates.
 ///
 /// # Complexity
-/// O(cells x obstacles) for a channel; O(cells log cells) for a wall, and as much again for each line that meets many of its cells.
+/// O(cells x obstacles) for a channel; O(cells log cells) for a wall, and as much again for each line that meets many of its
+/// cells.
 pub fn verify(scenario: &Scenario, certificate: &Certificate) -> Result<Option<String>, Error> {
     if certificate.scenario != scenario.name() {
         let (given, name) = (&certificate.scenario, scenario.name());
@@ -132,8 +133,8 @@ impl<'a> Verifier<'a> {
         Ok(Self { scenario, arm, radius, ranges, wraps, slack, rounded, examined: 0 })
     }
 
-    /// A configuration within the ranges: angles are turned into them. A disc may be outside its range by the slack, as contact with the
-    /// bounds is allowed; `None` if it is farther outside.
+    /// A configuration within the ranges: angles are turned into them. A disc may be outside its range by the slack, as contact
+    /// with the bounds is allowed; `None` if it is farther outside.
     fn placed(&self, q: &[f64]) -> Option<[f64; 2]> {
         let at = [0, 1].map(|axis| if self.wraps { libm::remainder(q[axis], TAU) } else { q[axis] });
         let within = [0, 1].map(|axis| at[axis].clamp(self.ranges[axis][0], self.ranges[axis][1]));
@@ -205,8 +206,8 @@ impl<'a> Verifier<'a> {
         Ok(())
     }
 
-    /// Whether the point stays within `most` of the last shape, or of one of the convex ones before it that are contained in it; without
-    /// shapes, whether it stays outside the bounds. The ranges are halved at most so often.
+    /// Whether the point stays within `most` of the last shape, or of one of the convex ones before it that are contained in it;
+    /// without shapes, whether it stays outside the bounds. The ranges are halved at most so often.
     fn stays_near(&mut self, blocked: &Blocked, shapes: &[Obstacle], ranges: Ranges, most: f64, halvings: u32) -> bool {
         self.examined += 1;
         let [[a, b], [c, d]] = ranges;
@@ -278,7 +279,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the robot keeps more than the clearance over the ranges, which are halved at most so often, and stays within the bounds.
+    /// Whether the robot keeps more than the clearance over the ranges, which are halved at most so often, and stays within the
+    /// bounds.
     fn is_clear(&mut self, ranges: Ranges, clearance: f64, halvings: u32) -> bool {
         self.examined += 1;
         let [[a, b], [c, d]] = ranges;
@@ -317,8 +319,8 @@ impl<'a> Verifier<'a> {
                 && quarters(ranges).into_iter().all(|part| self.is_clear(part, clearance, halvings - 1)))
     }
 
-    /// How far a point of a part can leave the hull of its places at the corners of the ranges: a function differs from its bilinear
-    /// interpolation by the squares of the sides times its second derivatives, over 8.
+    /// How far a point of a part can leave the hull of its places at the corners of the ranges: a function differs from its
+    /// bilinear interpolation by the squares of the sides times its second derivatives, over 8.
     fn bulge(&self, [[a, b], [c, d]]: Ranges, part: usize, along: f64) -> f64 {
         self.arm.map_or(0.0, |(_, [inner, outer])| {
             let (first, second) = if part == 0 { (inner * along, 0.0) } else { (inner, outer * along) };

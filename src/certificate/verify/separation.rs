@@ -1,7 +1,7 @@
 //! Whether closed cells separate two points of the square: by sweeping a line over it, not by the quadtree.
 //!
-//! The ends of all cells along the first axis cut the square into slabs. In a slab the gaps between cells are intervals of the second
-//! axis. What the cells leave open is connected through gaps of neighbouring slabs that overlap.
+//! The ends of all cells along the first axis cut the square into slabs. In a slab the gaps between cells are intervals of the
+//! second axis. What the cells leave open is connected through gaps of neighbouring slabs that overlap.
 
 use crate::certificate::cell::{Cell, SIDE};
 use crate::graph::UnionFind;
@@ -10,8 +10,8 @@ use crate::graph::UnionFind;
 type Gap = ([u64; 2], usize);
 
 /// Whether every path in the square, of which axes may wrap, from one point to the other meets a cell. Points are in sides of the
-/// smallest cells, and so is how far rounding may have moved them along each axis out of a cell. O(n log n) for n cells, and O(m) for
-/// each slab with m cells.
+/// smallest cells, and so is how far rounding may have moved them along each axis out of a cell. O(n log n) for n cells, and O(m)
+/// for each slab with m cells.
 pub(super) fn separates(cells: &[Cell], wraps: [bool; 2], points: [[f64; 2]; 2], rounded: [f64; 2]) -> bool {
     let mut spans: Vec<[[u64; 2]; 2]> = cells.iter().map(Cell::spans).collect();
     let is_in = |span: [u64; 2], x: f64| span[0] as f64 <= x && x <= span[1] as f64;

@@ -1,15 +1,15 @@
 //! A moving body, for the driver of the proof: convex pieces on a straight motion or an arc.
 //!
-//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is accumulated along a motion: every middle is
-//! computed from the start. The heading there is the product of that at the start and of the turn since, each off by 1.4e-14 (see
-//! `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken twice: 4.5e-14
-//! in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which is 9 S at most; a
-//! chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the diameter
-//! of the arc. As long as all before has been within the bounds, chords are no longer than 3 S; and where more than 0.4
-//! radians of half a turn are behind, so that the sine is not from the bare series, the diameter is at most 3 S / sin 0.4 =
-//! 7.8 S: 2.1e-13 S in all. A normal of the body is of unit length to 4.5e-14, its terms sum to no more than 2 S where a test
-//! passes: 9e-14 S. With no cancelling terms in W, each of the roughly 30 roundings of a test costs less than 8 S times
-//! 2^-53: 3e-14 S. Together that is below 4e-13 S.
+//! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is accumulated along a motion: every
+//! middle is computed from the start. The heading there is the product of that at the start and of the turn since, each off by
+//! 1.4e-14 (see `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken
+//! twice: 4.5e-14 in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which
+//! is 9 S at most; a chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the
+//! diameter of the arc. As long as all before has been within the bounds, chords are no longer than 3 S; and where more than 0.4
+//! radians of half a turn are behind, so that the sine is not from the bare series, the diameter is at most 3 S / sin 0.4 = 7.8
+//! S: 2.1e-13 S in all. A normal of the body is of unit length to 4.5e-14, its terms sum to no more than 2 S where a test passes:
+//! 9e-14 S. With no cancelling terms in W, each of the roughly 30 roundings of a test costs less than 8 S times 2^-53: 3e-14 S.
+//! Together that is below 4e-13 S.
 
 use super::driver::{Interval, Moving};
 use super::motion_bound::{Middle, MotionBound};

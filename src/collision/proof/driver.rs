@@ -133,9 +133,10 @@ impl<M: Moving> Prover<M> {
         Self { moving, pairs: Vec::new(), intervals: Vec::new(), states: Vec::new(), evaluations: 0, unproven: 0 }
     }
 
-    /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None`
-    /// if all of the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven
-    /// free, and of a motion of steps only the step of the result is that of the first interval. `state` is the state in the middle of the whole motion.
+    /// The start, as a fraction of the motion, of the first interval, in this order, that cannot be proven free; `None` if all of
+    /// the motion is proven free, ends included. With [`Order::FrontFirst`] everything before that is proven free, and of a
+    /// motion of steps only the step of the result is that of the first interval. `state` is the state in the middle of the whole
+    /// motion.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn first_unproven(&mut self, scene: &Scene, state: M::State, order: Order) -> Option<f64> {
@@ -186,8 +187,8 @@ impl<M: Moving> Prover<M> {
         None
     }
 
-    /// Whether the robot may touch something in one of the boxes on its motion, or come within the slack of it: whether a box around a
-    /// part of it, on the whole motion, meets one of them. `state` is the state in the middle of the motion.
+    /// Whether the robot may touch something in one of the boxes on its motion, or come within the slack of it: whether a box
+    /// around a part of it, on the whole motion, meets one of them. `state` is the state in the middle of the motion.
     pub fn may_meet(&mut self, boxes: &[Aabb], state: M::State) -> bool {
         let parts = self.moving.parts();
         self.moving.place(&Interval::WHOLE, &state, parts);
@@ -431,8 +432,8 @@ impl<M: Moving> Proof<'_, M> {
         self.refused & 1 != 0 || (self.refused != 0 && self.order == Order::MiddleFirst)
     }
 
-    /// Whether it is known well enough where the hit is if the robot touches something in the middle of a half: in the step in which
-    /// that half begins, if all before it is free.
+    /// Whether it is known well enough where the hit is if the robot touches something in the middle of a half: in the step in
+    /// which that half begins, if all before it is free.
     #[inline(always)]
     fn is_located(&self, interval: &Interval, half: usize) -> bool {
         match self.order {

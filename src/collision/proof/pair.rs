@@ -185,9 +185,9 @@ pub(in crate::collision) fn separate_from_disc(part: &impl Part, disc: &Disc, ma
     Separated { apart, ahead: length - radius, hints: Halves::splat(f64::from(NO_HINT)) }
 }
 
-/// The vector from the obstacle to the part in the middle of a half, between their nearest points, and their distance; for a polygon and a part
-/// that do not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if a disc's
-/// centre is inside the part.
+/// The vector from the obstacle to the part in the middle of a half, between their nearest points, and their distance; for a
+/// polygon and a part that do not overlap. The distance is negative if the nearest point is inside a disc, and no more than 0 if
+/// a disc's centre is inside the part.
 pub(in crate::collision) fn offset(
     part: &impl Part,
     half: usize,

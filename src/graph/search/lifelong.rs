@@ -1,8 +1,8 @@
 //! Lifelong planning A*: a best-first search that goes on where it was when edges come and go, instead of beginning again.
 //!
-//! Koenig, Likhachev and Furcy 2004, "Lifelong planning A*". Edges are assumed to be there until they are refused, as in Dellin and
-//! Srinivasa 2016, "A unifying formalism for shortest path problems with expensive edge evaluations via lazy best-first search over
-//! paths with edge selectors": the caller tries the assumed edges of the best path, one after the other.
+//! Koenig, Likhachev and Furcy 2004, "Lifelong planning A*". Edges are assumed to be there until they are refused, as in Dellin
+//! and Srinivasa 2016, "A unifying formalism for shortest path problems with expensive edge evaluations via lazy best-first
+//! search over paths with edge selectors": the caller tries the assumed edges of the best path, one after the other.
 
 use super::{Expansion, Goals};
 use crate::graph::{Ordered, VertexId, append};
@@ -259,7 +259,8 @@ impl Lifelong {
         self.wait(vertex);
     }
 
-    /// The cheapest way to a vertex: its cost, the vertex before, the edge; and how many edges lead to it. Ties go to the lower vertex.
+    /// The cheapest way to a vertex: its cost, the vertex before, the edge; and how many edges lead to it. Ties go to the lower
+    /// vertex.
     fn before(&self, vertex: VertexId) -> (Option<(Cost, VertexId, u32)>, u64) {
         let mut looked = 0;
         let into = self.half_edges(vertex, self.list(1)).map(|half| {

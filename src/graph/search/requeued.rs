@@ -10,8 +10,8 @@ use crate::graph::VertexId;
 /// The most entries of the queues; the copies of a vertex may double with every level.
 const MOST_ENTRIES: usize = 4_000_000;
 
-/// Breadth-first search from both ends, a vertex of each in turn; costs and heuristic are ignored. It gives up after four million entries
-/// of its queues.
+/// Breadth-first search from both ends, a vertex of each in turn; costs and heuristic are ignored. It gives up after four million
+/// entries of its queues.
 #[derive(Debug, Clone)]
 pub struct Requeued {
     /// From the start, then from the goal.

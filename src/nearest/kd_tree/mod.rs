@@ -1,14 +1,15 @@
 //! The kd-tree: states halved recursively, each part in its tight bounding box, so that a query skips boxes that are too far.
 //!
-//! Bentley 1975, "Multidimensional binary search trees used for associative searching"; with buckets as leaves;
-//! unbalanced subtrees are rebuilt (Galperin and Rivest 1993, "Scapegoat trees"). Circles need no copies of the states and
-//! no second query: boxes are intervals of plain numbers, and [`gap_to_interval`](crate::space::gap_to_interval) takes the shorter direction round.
+//! Bentley 1975, "Multidimensional binary search trees used for associative searching"; with buckets as leaves; unbalanced
+//! subtrees are rebuilt (Galperin and Rivest 1993, "Scapegoat trees"). Circles need no copies of the states and no second query:
+//! boxes are intervals of plain numbers, and [`gap_to_interval`](crate::space::gap_to_interval) takes the shorter direction
+//! round.
 //!
 //! Results equal the linear scan's bit for bit. States, splits and boxes are in single precision. The bound of a box is the
-//! metric's own expression on gaps that are, in floating point, no wider than those to any state inside; rounded sums, products and
-//! roots keep that order, so the bound never exceeds an approximate distance. Boxes are pruned only if the bound is
-//! *greater* than that of any candidate (see `packs.rs`), so every tie is seen and decided by the exact distance and the vertex
-//! number. The shape of the tree changes the time but never the result.
+//! metric's own expression on gaps that are, in floating point, no wider than those to any state inside; rounded sums, products
+//! and roots keep that order, so the bound never exceeds an approximate distance. Boxes are pruned only if the bound is *greater*
+//! than that of any candidate (see `packs.rs`), so every tie is seen and decided by the exact distance and the vertex number. The
+//! shape of the tree changes the time but never the result.
 
 mod grow;
 
@@ -90,8 +91,8 @@ pub struct KdTree {
 }
 
 impl KdTree {
-    /// The `k` nearest states if the norm of the space is a lower bound on their distances, into `found`: `distance` returns that of
-    /// a vertex if it is at most a number, else any greater number. A few candidates are ranked by their bounds first, so that
+    /// The `k` nearest states if the norm of the space is a lower bound on their distances, into `found`: `distance` returns that
+    /// of a vertex if it is at most a number, else any greater number. A few candidates are ranked by their bounds first, so that
     /// the search for all others begins with a low bar. Returns how many vertices were visited.
     pub(super) fn k_nearest_ranked<S: Space>(
         &self,

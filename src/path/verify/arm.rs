@@ -1,7 +1,7 @@
 //! An arm: its links, each between two joints.
 //!
-//! The absolute angle of link m is linear in t in [0, 1] along an edge, quadratic along a blend. With w_m its greatest rate and v_m the
-//! change of that, the acceleration of joint k is at most the sum over m <= k of L_m (w_m^2 + |v_m|).
+//! The absolute angle of link m is linear in t in [0, 1] along an edge, quadratic along a blend. With w_m its greatest rate and
+//! v_m the change of that, the acceleration of joint k is at most the sum over m <= k of L_m (w_m^2 + |v_m|).
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
@@ -29,8 +29,8 @@ pub(super) fn check(
     });
     let blends = blends.iter().map(|(waypoint, motion)| (Stretch::Blend(*waypoint), motion.clone()));
     for (i, (stretch, motion)) in edges.chain(blends).enumerate() {
-        // The absolute angle of each link at the start, its rate there, and its bend; of each joint, from the base outwards, the bounds
-        // of the motion.
+        // The absolute angle of each link at the start, its rate there, and its bend; of each joint, from the base outwards, the
+        // bounds of the motion.
         let (mut links, mut travel, mut bulge) = (Vec::new(), vec![0.0], vec![0.0]);
         let (mut angle, mut rate, mut bend) = (0.0, 0.0, 0.0);
         for (k, &length) in arm.links().iter().enumerate() {

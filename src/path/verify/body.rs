@@ -1,9 +1,9 @@
 //! A rigid body or a car: the edges of its outline. An obstacle gets inside only across them; so the start of each leg is
 //! checked for obstacles inside, and all of it for contact.
 //!
-//! With w the turn and s the length of an arc along a leg, no point accelerates by more than |w| (|s| + |w| r), r the
-//! distance of the farthest vertex from the origin of the body's frame; on a straight leg by no more than w^2 r; on a blend, w its
-//! greatest turn rate, by no more than that, the acceleration of the origin, and r times that of the turn.
+//! With w the turn and s the length of an arc along a leg, no point accelerates by more than |w| (|s| + |w| r), r the distance of
+//! the farthest vertex from the origin of the body's frame; on a straight leg by no more than w^2 r; on a blend, w its greatest
+//! turn rate, by no more than that, the acceleration of the origin, and r times that of the turn.
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};

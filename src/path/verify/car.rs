@@ -79,8 +79,8 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
     body::check(world, car.shape(), legs, scale)
 }
 
-/// How far the lengths of the motions may differ from those of the curves that they follow, in metres: a curve ends beside its goal by
-/// the rounding of its radius and of the coordinates.
+/// How far the lengths of the motions may differ from those of the curves that they follow, in metres: a curve ends beside its
+/// goal by the rounding of its radius and of the coordinates.
 fn rounding(car: &Car, path: &[Vec<f64>]) -> f64 {
     let radius = car.turning_radius().map_or(0.0, |(radius, _)| radius);
     let largest = path.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));

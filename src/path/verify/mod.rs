@@ -57,7 +57,8 @@ const MOST_REFINEMENTS: u64 = 10_000_000;
 /// The verdict on a path.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
-    /// The path leads from the start to the goal of its query, or from and to what the result says they were moved to, clear of everything.
+    /// The path leads from the start to the goal of its query, or from and to what the result says they were moved to, clear of
+    /// everything.
     Valid {
         /// The number of waypoints.
         waypoints: usize,
@@ -99,9 +100,9 @@ struct Scale {
 /// Verifies a result against its scenario.
 ///
 /// # Errors
-/// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, or (pointer into `/blends`) if its blends are too many,
-/// too few, out of range, or those of a car; `unknown-query` (pointer `/query`) if the scenario has no query of that name. Everything
-/// else that is wrong is a [`Verdict::Invalid`].
+/// `invalid-result` (pointer `/scenario`) if the result belongs to another scenario, or (pointer into `/blends`) if its blends
+/// are too many, too few, out of range, or those of a car; `unknown-query` (pointer `/query`) if the scenario has no query of
+/// that name. Everything else that is wrong is a [`Verdict::Invalid`].
 ///
 /// # Complexity
 /// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
@@ -199,8 +200,8 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if paths of this robot are not measured as the result says. One that was planned for in a space of one's own may have
-/// either metric of an arm.
+/// Returns an error if paths of this robot are not measured as the result says. One that was planned for in a space of one's own
+/// may have either metric of an arm.
 fn check_measure(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
     use LengthMeasure::{EuclideanOfJoints, Metres, Space, SumOfJoints, Weighted};
     let own: &[LengthMeasure] = match robot {
@@ -233,7 +234,8 @@ fn check_moved(scenario: &Scenario, query: &Query, result: &ResultDocument) -> R
     Ok(())
 }
 
-/// Whether a configuration is free by more than planners and verifier may differ: ten times the slack of planners, and inside the bounds.
+/// Whether a configuration is free by more than planners and verifier may differ: ten times the slack of planners, and inside the
+/// bounds.
 fn is_clearly_free(scenario: &Scenario, q: &[f64]) -> bool {
     let (world, robot) = (scenario.world(), scenario.robot());
     let scale = Scale::of(world, robot);
@@ -285,8 +287,8 @@ fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
     }
 }
 
-/// Returns an error if the path does not lead from the start to the goal of the query, or into its region; or from and to what the result
-/// says that they were moved to.
+/// Returns an error if the path does not lead from the start to the goal of the query, or into its region; or from and to what
+/// the result says that they were moved to.
 fn check_ends(robot: &Robot, query: &Query, result: &ResultDocument) -> Result<(), String> {
     let path = &result.path;
     let last = &path[path.len() - 1];
@@ -356,8 +358,8 @@ fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if the given length is not the sum of the steps, by the metric of an arm that the result names or else by either, by the
-/// weighted one of a body; or if that along the blends, in the same metric, is not less by what they save.
+/// Returns an error if the given length is not the sum of the steps, by the metric of an arm that the result names or else by
+/// either, by the weighted one of a body; or if that along the blends, in the same metric, is not less by what they save.
 fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadratic)]) -> Result<(), String> {
     let path = &result.path;
     let length = |step: &[f64]| step.iter().map(|d| d * d).sum::<f64>().sqrt();

@@ -1,9 +1,9 @@
 //! A batch computed ahead by several threads. Samples are checked and vertices connected in blocks, and each iteration takes its
-//! result, and the counts of the work behind it, in turn. So graph, events and counts are those of one thread after every iteration,
-//! whatever the number of threads.
+//! result, and the counts of the work behind it, in turn. So graph, events and counts are those of one thread after every
+//! iteration, whatever the number of threads.
 //!
-//! Motions are tried in one direction or both, as on one thread. Samplers that check for collisions draw on one thread, and the last
-//! few samples and vertices are left to it.
+//! Motions are tried in one direction or both, as on one thread. Samplers that check for collisions draw on one thread, and the
+//! last few samples and vertices are left to it.
 
 use super::connect::{Connect, candidates};
 use crate::graph::{EventKind, VertexId};

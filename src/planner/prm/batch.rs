@@ -111,14 +111,14 @@ impl<S: Space> Build<S> for Batch<S> {
     }
 }
 
-/// How a roadmap grows while its number of samples is not given: the number of neighbours for so many vertices in so many dimensions, or
-/// `None` if it stays.
+/// How a roadmap grows while its number of samples is not given: the number of neighbours for so many vertices in so many
+/// dimensions, or `None` if it stays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Growing(pub Option<fn(usize, usize) -> usize>);
 
 impl Growing {
-    /// The vertices of the roadmap that comes after this one, which is given the number of neighbours for it: twice as many. `None` if it
-    /// would try too many motions.
+    /// The vertices of the roadmap that comes after this one, which is given the number of neighbours for it: twice as many.
+    /// `None` if it would try too many motions.
     pub fn more<S: Space>(self, roadmap: &mut Roadmap<S>, dimension: usize) -> Option<usize> {
         let vertices = 2 * roadmap.len();
         let k = self.0.map_or(roadmap.connection.k(), |k| k(vertices, dimension));
@@ -130,10 +130,10 @@ impl Growing {
     }
 }
 
-/// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches. A
-/// vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these
-/// ends, in their order. If the roadmap `is_lazy`, all vertices have candidate edges to their neighbours. O(states + edges), and the
-/// index of neighbours.
+/// A planner whose roadmap exists and is proven: it draws no samples, connects start and goals to their neighbours and searches.
+/// A vertex of the roadmap that is the start or a goal becomes that end and keeps its edges; all others come after these ends, in
+/// their order. If the roadmap `is_lazy`, all vertices have candidate edges to their neighbours. O(states + edges), and the index
+/// of neighbours.
 ///
 /// # Panics
 /// If an edge names a vertex that does not exist.
@@ -168,10 +168,10 @@ pub fn resume<S: Space + 'static>(
     Box::new(RoadmapPlanner::new(problem, roadmap, builder, is_complete))
 }
 
-/// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two states
-/// whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former are to be
-/// proven again, motions that were refused and may touch the latter are candidates again, and all others stay as they are. Former ends
-/// that are ends no longer are no vertices any more. O(states + edges), and the index of neighbours.
+/// A planner that searches a roadmap lazily after obstacles have moved: `added` and `removed` tell of the motion between two
+/// states whether it may touch an obstacle that is only in the new world, or only in the old one. Edges that may touch the former
+/// are to be proven again, motions that were refused and may touch the latter are candidates again, and all others stay as they
+/// are. Former ends that are ends no longer are no vertices any more. O(states + edges), and the index of neighbours.
 pub fn reopen<S: Space + 'static>(
     problem: &Problem<S>,
     kept: &Roadmap<S>,
@@ -216,8 +216,8 @@ pub fn reopen<S: Space + 'static>(
     Box::new(LazyPlanner::new(roadmap, Box::new(builder), is_complete, false))
 }
 
-/// Adds vertices to a roadmap of start and goals alone; one that is an end becomes that end. Returns the vertex of each state, and the
-/// ends that are none of them.
+/// Adds vertices to a roadmap of start and goals alone; one that is an end becomes that end. Returns the vertex of each state,
+/// and the ends that are none of them.
 fn add_vertices<'a, S: Space + 'a>(
     roadmap: &mut Roadmap<S>,
     space: &S,

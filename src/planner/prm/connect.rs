@@ -94,8 +94,8 @@ impl Connect {
     }
 }
 
-/// The list of a vertex's own motions in a direction, and that of the same motions from the other side: a motion out of one vertex
-/// leads into the other.
+/// The list of a vertex's own motions in a direction, and that of the same motions from the other side: a motion out of one
+/// vertex leads into the other.
 fn lists<S: Space>(space: &S, direction: Direction) -> [usize; 2] {
     match direction {
         _ if space.is_symmetric() => [0, 0],

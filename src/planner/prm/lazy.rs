@@ -1,7 +1,7 @@
 //! Lazy PRM: the vertices and the neighbours of PRM, but an edge is proven only when the best path wants it.
 //!
-//! Bohlin and Kavraki 2000, "Path planning using lazy PRM". Unlike there, samples are checked when they are drawn: the vertices are those
-//! of PRM, and so is the length of the path. Where there is no path, no vertices are added; lazy PRM* does that.
+//! Bohlin and Kavraki 2000, "Path planning using lazy PRM". Unlike there, samples are checked when they are drawn: the vertices
+//! are those of PRM, and so is the length of the path. Where there is no path, no vertices are added; lazy PRM* does that.
 
 use super::batch::{Batch, Growing};
 use super::{DEFAULT_K, DEFAULT_SAMPLES, check_motions, needed_by_batch};

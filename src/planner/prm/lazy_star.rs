@@ -1,8 +1,8 @@
 //! Lazy PRM*: a lazy roadmap that grows sample by sample, and whose best path is proven again whenever it gets shorter.
 //!
-//! Hauser 2015, "Lazy collision checking in asymptotically-optimal motion planning". A sample has candidate edges to its k nearest among
-//! the vertices before it, with the k of Karaman and Frazzoli 2011. Once there is a path, samples that cannot shorten it are discarded
-//! (Gammell, Srinivasa and Barfoot 2014, "Informed RRT*").
+//! Hauser 2015, "Lazy collision checking in asymptotically-optimal motion planning". A sample has candidate edges to its k
+//! nearest among the vertices before it, with the k of Karaman and Frazzoli 2011. Once there is a path, samples that cannot
+//! shorten it are discarded (Gammell, Srinivasa and Barfoot 2014, "Informed RRT*").
 
 use super::lazy::{BEST, EXPAND, PROVE, REFUSE};
 use super::one_by_one::neighbours;

@@ -96,8 +96,8 @@ impl Boundary {
 }
 
 impl Inspector {
-    /// The distance from the robot at `q` to the nearest obstacle; `None` if it touches something, or if there are no obstacles. The
-    /// bounds do not count. O(edges of the robot times edges of the obstacles).
+    /// The distance from the robot at `q` to the nearest obstacle; `None` if it touches something, or if there are no obstacles.
+    /// The bounds do not count. O(edges of the robot times edges of the obstacles).
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].

@@ -108,9 +108,9 @@ impl Inspector {
         Ok(space.coordinates(&space.interpolate(&space.state(a), &space.state(b), t)).to_vec())
     }
 
-    /// A faulty interpolation of a course report, for comparison: each angle turns as far as on the short way, but in the direction of
-    /// the plain difference of the numbers given. Where they differ by more than half a turn, that is the wrong one, and the motion ends
-    /// elsewhere than in `b`.
+    /// A faulty interpolation of a course report, for comparison: each angle turns as far as on the short way, but in the
+    /// direction of the plain difference of the numbers given. Where they differ by more than half a turn, that is the wrong one,
+    /// and the motion ends elsewhere than in `b`.
     ///
     /// # Errors
     /// As of [`Inspector::interpolate`].

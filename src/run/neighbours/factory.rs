@@ -14,8 +14,8 @@ use crate::world::{Configurations, PlanningWorld, SMALL};
 /// parameters of [`super::indexes`]. The same planes follow from the same seed.
 ///
 /// # Errors
-/// `out-of-range` with the pointer `/index` for another id; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` and
-/// `out-of-range` of the parameters, with their pointers: the metric of a body or a car is its scenario's, that of a disc is
+/// `out-of-range` with the pointer `/index` for another id; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite`
+/// and `out-of-range` of the parameters, with their pointers: the metric of a body or a car is its scenario's, that of a disc is
 /// euclidean.
 pub fn index(
     scenario: impl Into<PlanningWorld>,

@@ -1,10 +1,10 @@
 //! The binary form: little-endian, numbers by their bits, a checksum at the end.
 //!
-//! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32), checks
-//! per edge (u32; 0 if edges are proven, all bits set if only vertices are checked, all but the lowest if straight lines of joints are,
-//! all but the second lowest if edges are sampled at the resolution of a problem), radius and tolerance (f64), then scenario, planner
-//! and metric as in JSON (u32 length, UTF-8), the counts of vertices and edges (u32), the vertices (f64 rows), the edges (u32 pairs),
-//! and FNV-1a over all of that (u64). About 8 bytes per coordinate and 8 per edge.
+//! Magic (8 bytes), version (u32), dimension (u32) and a byte for each coordinate that is a circle, fingerprint (u64), k (u32),
+//! checks per edge (u32; 0 if edges are proven, all bits set if only vertices are checked, all but the lowest if straight lines
+//! of joints are, all but the second lowest if edges are sampled at the resolution of a problem), radius and tolerance (f64),
+//! then scenario, planner and metric as in JSON (u32 length, UTF-8), the counts of vertices and edges (u32), the vertices (f64
+//! rows), the edges (u32 pairs), and FNV-1a over all of that (u64). About 8 bytes per coordinate and 8 per edge.
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
 use crate::error::Error;

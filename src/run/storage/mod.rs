@@ -1,8 +1,8 @@
 //! Saved roadmaps: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
 //!
-//! It holds a fingerprint of the world and the robot, how it was built, its vertices and its edges, and
-//! ends with a checksum. Of a robot of one's own it holds the space; what is free there is known to a function alone. Reading refuses
-//! damaged documents; whether edges are free is proven again by [`run::resume`](crate::run::resume) and
+//! It holds a fingerprint of the world and the robot, how it was built, its vertices and its edges, and ends with a checksum. Of
+//! a robot of one's own it holds the space; what is free there is known to a function alone. Reading refuses damaged documents;
+//! whether edges are free is proven again by [`run::resume`](crate::run::resume) and
 //! [`run::resume_problem`](crate::run::resume_problem), since a file proves nothing.
 
 mod binary;
@@ -75,8 +75,8 @@ impl RoadmapDocument {
         }
     }
 
-    /// The same with these vertices and edges: rows, and pairs of vertex numbers; without the vertices that are not kept. Compiled once
-    /// for all spaces.
+    /// The same with these vertices and edges: rows, and pairs of vertex numbers; without the vertices that are not kept.
+    /// Compiled once for all spaces.
     #[inline(never)]
     pub(crate) fn filled(&self, vertices: Vec<f64>, edges: &[u32], kept: &[bool]) -> Self {
         let mut count = 0;

@@ -1,9 +1,10 @@
 //! Clutter and discs: convex polygons or discs scattered over a box of 2 m by 2 m, for a robot that crosses it or an arm
 //! whose base is in its middle.
 //!
-//! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. By default nearly all
-//! worlds have a path: an arm reaches much of the box, so it has fewer obstacles, and smaller polygons. A path need not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are
-//! still apart, and too small to cut off a corner of the box.
+//! The corners of a polygon lie on a circle, evenly spaced but for a random shift of up to a fifth of their spacing. By default
+//! nearly all worlds have a path: an arm reaches much of the box, so it has fewer obstacles, and smaller polygons. A path need
+//! not exist, except for a disc among discs that are apart by at least twice its radius: grown by that radius they are still
+//! apart, and too small to cut off a corner of the box.
 
 use super::free::{are_apart, is_clear_of, polygon};
 use super::robots::{RobotChoice, SIDE, check_given};

@@ -46,8 +46,8 @@ impl Unit {
         Self { cos: self.cos * factor, sin: self.sin * factor }
     }
 
-    /// A lower bound on the angle by the shorter way: acos(1 - z) is sqrt(2 z) (1 + z / 12 + 3 z^2 / 160 + 5 z^3 / 896 + ...) with
-    /// no negative term. 0.3 % below at a quarter of a turn, 18 % at a half.
+    /// A lower bound on the angle by the shorter way: acos(1 - z) is sqrt(2 z) (1 + z / 12 + 3 z^2 / 160 + 5 z^3 / 896 + ...)
+    /// with no negative term. 0.3 % below at a quarter of a turn, 18 % at a half.
     pub fn least(self) -> f64 {
         let z = (1.0 - self.cos).max(0.0);
         (z + z).sqrt() * (1.0 + z * (1.0 / 12.0 + z * (3.0 / 160.0 + z * (5.0 / 896.0))))
@@ -137,10 +137,10 @@ impl Goal {
         )
     }
 
-    /// A lower bound on the length of every curve that leads there, in reverse or not, in radii: the distance, the turn, and what the
-    /// goal is aside takes. After a length s of L the heading is within s of 0 and within L - s of the goal's, h, so its sine is at
-    /// most the lesser of s and |h| + L - s, and the car is aside by at most the integral, ((L + |h|)^2 - 2 h^2) / 4. The same
-    /// holds for the start seen from the goal. A curve may end aside of its goal by rounding, which costs the root of that.
+    /// A lower bound on the length of every curve that leads there, in reverse or not, in radii: the distance, the turn, and what
+    /// the goal is aside takes. After a length s of L the heading is within s of 0 and within L - s of the goal's, h, so its sine
+    /// is at most the lesser of s and |h| + L - s, and the car is aside by at most the integral, ((L + |h|)^2 - 2 h^2) / 4. The
+    /// same holds for the start seen from the goal. A curve may end aside of its goal by rounding, which costs the root of that.
     fn least(&self) -> f64 {
         let Unit { cos, sin } = self.facing;
         let aside = self.y.abs().max((self.y * cos - self.x * sin).abs()) - 4.0 * self.slack;
@@ -154,9 +154,10 @@ impl Goal {
     }
 
     /// Whether certainly every curve forwards is longer than `most` radii. After a length s of L the heading is within s of 0 and
-    /// within L - s of the goal's, h, if L + |h| is less than a whole turn; so in the direction of the start a curve leads ahead by at
-    /// least the integral of the cosine of the lesser of s and |h| + L - s, 2 sin((L + |h|) / 2) - sin |h|. The same holds in the
-    /// direction of the goal. L is at least the distance and the turn; between two lengths the bound is least at one of them.
+    /// within L - s of the goal's, h, if L + |h| is less than a whole turn; so in the direction of the start a curve leads ahead
+    /// by at least the integral of the cosine of the lesser of s and |h| + L - s, 2 sin((L + |h|) / 2) - sin |h|. The same holds
+    /// in the direction of the goal. L is at least the distance and the turn; between two lengths the bound is least at one of
+    /// them.
     pub fn is_behind(&self, most: f64) -> bool {
         let turn = self.heading.abs();
         // The first terms of the series, below the sine.
@@ -208,12 +209,13 @@ pub(super) struct Shortest<'a> {
 }
 
 impl Shortest<'_> {
-    /// The shortest of the words to a goal that `offer_all` offers, in metres, given the goal as it is and in the mirror; `None` if none
-    /// leads there. The shortest alone is driven; if it does not end at the goal, which rounding hardly ever causes, all are.
+    /// The shortest of the words to a goal that `offer_all` offers, in metres, given the goal as it is and in the mirror; `None`
+    /// if none leads there. The shortest alone is driven; if it does not end at the goal, which rounding hardly ever causes, all
+    /// are.
     ///
     /// If the shortest is longer than `most` metres, the result is `None` or any longer curve. Words well above are not taken.
-    /// This changes no other result: there are fewer than 100 words, so somewhere in the 100 ties above `most` there is a gap of a
-    /// tie between their lengths, and the first word below the gap is taken whatever was taken before it.
+    /// This changes no other result: there are fewer than 100 words, so somewhere in the 100 ties above `most` there is a gap of
+    /// a tie between their lengths, and the first word below the gap is taken whatever was taken before it.
     pub fn find(
         goal: &Goal,
         radius: f64,

@@ -4,12 +4,11 @@
 //! [`reeds_shepp()`] of one that may also reverse. Lengths are metres, angles radians, counter-clockwise.
 //!
 //! # How curves are found, and what holds for them
-//! The goal is seen from the start, in radii. Every word (a sequence of turns) has a closed solution; the candidates are
-//! driven before one is taken, and one that misses the goal is dropped. A curve that is returned ends within
-//! 2e-13 (radius + distance + largest coordinate) of the goal and within 2e-13 of its heading. Words of one and two segments
-//! have to fit that closely only: rounding of a pose on a curve adds neither a loop nor a change of gear. Of curves as long as each
-//! other, to 1e-12, the first in the order of the words is taken. There is always a curve: one turn, a straight line and another
-//! turn lead to every pose.
+//! The goal is seen from the start, in radii. Every word (a sequence of turns) has a closed solution; the candidates are driven
+//! before one is taken, and one that misses the goal is dropped. A curve that is returned ends within 2e-13 (radius + distance +
+//! largest coordinate) of the goal and within 2e-13 of its heading. Words of one and two segments have to fit that closely only:
+//! rounding of a pose on a curve adds neither a loop nor a change of gear. Of curves as long as each other, to 1e-12, the first
+//! in the order of the words is taken. There is always a curve: one turn, a straight line and another turn lead to every pose.
 //!
 //! Before a word is solved, its length is bounded from below without trigonometric functions, from the cosines of its
 //! angles. A word whose bound exceeds the shortest length so far, or a limit that the caller gives
@@ -64,8 +63,8 @@ impl Steering {
         }
     }
 
-    /// The length of the [`shortest`](Self::shortest) curve, to the bit, if it is at most `most` metres; else any number greater than
-    /// `most`, found the faster the less `most` is.
+    /// The length of the [`shortest`](Self::shortest) curve, to the bit, if it is at most `most` metres; else any number greater
+    /// than `most`, found the faster the less `most` is.
     pub fn length_within(self, from: Pose, to: Pose, radius: f64, most: f64) -> f64 {
         let curve = match self {
             Steering::Dubins => dubins::within(from, to, radius, most),

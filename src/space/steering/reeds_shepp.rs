@@ -9,8 +9,8 @@
 //! word that the paper has; so a few equations cover all its words, and any other words that they cover lead to the goal too.
 //!
 //! # The equations
-//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From the
-//! centre of the circle left of the start to that left (right) of the goal the vector is, for arcs t, u, v and a line s,
+//! Points are complex numbers, e(h) the heading h, n(h) = e(h - pi/2) the vector from a left circle's centre to a car on it. From
+//! the centre of the circle left of the start to that left (right) of the goal the vector is, for arcs t, u, v and a line s,
 //! - LSL: s e(t); LSR: (s - 2i) e(t);
 //! - LRL: 2 n(t) - 2 n(t - u) = 4 sin(u/2) e(t - u/2);
 //! - LRLR with arcs t, u, -u: 2 (2 cos u - 1) n(t - u), and with t, u, u: 2 (2 - e(-u)) n(t);

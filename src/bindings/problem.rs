@@ -1,4 +1,4 @@
-//! A problem of a robot of one's own, for JavaScript: what is free is told by a function of the caller's.
+//! A problem of a robot of your own, for JavaScript: what is free is told by a function of the caller's.
 
 use super::arguments::{Fields, fields, finite, row, text_or_bytes};
 use super::clock::Thrown;

@@ -17,7 +17,7 @@ pub enum Status {
     Solved,
     /// No path, for a [`Reason`].
     Exhausted,
-    /// The collision checker of a robot of one's own has failed: see [`Validity::failure`](super::Validity::failure).
+    /// The collision checker of a robot of your own has failed: see [`Validity::failure`](super::Validity::failure).
     Failed,
 }
 

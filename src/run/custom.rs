@@ -1,4 +1,4 @@
-//! Robots of one's own: a space told as a product of circles, intervals and lines, and what is free told by a function.
+//! Robots of your own: a space told as a product of circles, intervals and lines, and what is free told by a function.
 //!
 //! The function evaluates configurations in batches, as rows of coordinates. There are two kinds ([`Free`]): a lower bound on
 //! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are
@@ -78,7 +78,7 @@ impl Free {
     }
 }
 
-/// A planning problem of a robot of one's own: see [`start_problem`].
+/// A planning problem of a robot of your own: see [`start_problem`].
 #[derive(Clone)]
 pub struct CustomProblem {
     space: SpaceDescription,
@@ -148,15 +148,15 @@ impl CustomProblem {
     }
 }
 
-/// Begins a run on a problem of a robot of one's own, by a planner and its options by name. Every planner without controls serves
+/// Begins a run on a problem of a robot of your own. Every planner without controls serves
 /// it. The result document names no scenario and no query. Planning uses one thread. If the function that tells what is free
 /// fails, the run ends with its error: see [`Run::failure`].
 ///
 /// A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues with it.
 ///
 /// # Errors
-/// `unknown-planner`, `unknown-parameter`, and the errors of parameter values; `unsupported` for planners by controls and for
-/// options of other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
+/// `not-finite` and `out-of-range` for values of options; `unsupported` and `out-of-range` for planners by controls and for options of
+/// other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
 ///
 /// # Example
 /// A point in the plane, around a disc:
@@ -195,7 +195,7 @@ pub(super) fn launch_problem(
     let unsupported = |pointer: &str, sentence: &str| Err(Error::new(Code::Unsupported, pointer, sentence));
     check_use(&planner, OWN)?;
     if options.query.is_some() {
-        return unsupported("/query", "a problem of one's own has no queries by name");
+        return unsupported("/query", "a problem of your own has no queries by name");
     }
     let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
     let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..RunInfo::of(&planner, options.seed) };

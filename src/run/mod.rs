@@ -15,7 +15,7 @@
 //! | then the conditions of [`Termination`](crate::planner::Termination) hold, or it has as many `vertices` as were asked for | as if it had just found the path |
 //! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path, or the graph is full | the same, with a reason |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
-//! | the collision checker of a robot of one's own has failed | `Failed` |
+//! | the collision checker of a robot of your own has failed | `Failed` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. An `Exhausted` run has a [`Reason`]. A run that has ended does nothing more.
@@ -124,7 +124,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn explanation(&self) -> Option<String>;
 
     /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`];
-    /// the same from then on. Only a robot of one's own can fail.
+    /// the same from then on. Only a robot of your own can fail.
     fn failure(&self) -> Option<Error>;
 
     /// The phase of the run: a planner's, `Improving`, or `Done`.

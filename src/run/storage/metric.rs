@@ -36,7 +36,7 @@ pub enum RoadmapMetric {
         /// The turning radius, in metres.
         radius: f64,
     },
-    /// Of a robot of one's own: its space, with every weight and the metric.
+    /// Of a robot of your own: its space, with every weight and the metric.
     Space(SpaceDescription),
 }
 

@@ -155,8 +155,8 @@ impl CustomProblem {
 /// A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues with it.
 ///
 /// # Errors
-/// `not-finite` and `out-of-range` for values of options; `unsupported` and `out-of-range` for planners by controls and for options of
-/// other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
+/// `not-finite` and `out-of-range` for values of options; `unsupported` and `out-of-range` for planners by controls and for
+/// options of other robots; `start-in-collision`, or `goal-in-collision` with the pointer `/goals/i`; the error of the function.
 ///
 /// # Example
 /// A point in the plane, around a disc:

@@ -23,8 +23,8 @@ use crate::world::{PlanningWorld, SMALL};
 /// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
 ///
 /// # Errors
-/// `unknown-query`; `not-finite` and `out-of-range` for values of options, `unsupported` and `out-of-range` for options of other robots,
-/// with a pointer into the options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
+/// `unknown-query`; `not-finite` and `out-of-range` for values of options, `unsupported` and `out-of-range` for options of other
+/// robots, with a pointer into the options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
 pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
     let planner = options.planner_for(Some(world.robot()));

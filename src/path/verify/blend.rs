@@ -1,9 +1,9 @@
 //! Blends of a path: their motion as a polynomial of the fraction t, and their length.
 //!
-//! With u = before (a - b) and v = after (c - b), the blend of the corner b between a and c is b + (1 - t)^2 u + t^2 v: a start b
-//! + u, a rate -2 u and a bend u + v. Its length in any norm lies between those of its chord and of its control polygon; halved
-//! until these agree, it is two thirds of the chord and a third of the polygon but for terms of fourth order: Gravesen 1997,
-//! "Adaptive subdivision and the length and energy of Bezier curves".
+//! With u = before (a - b) and v = after (c - b), the blend of the corner b between a and c is b + (1 - t)^2 u + t^2 v. It starts
+//! at b + u with the rate -2 u and has the bend u + v. Its length in any norm lies between those of its chord and of its control
+//! polygon; halved until these agree, it is two thirds of the chord and a third of the polygon but for terms of fourth order:
+//! Gravesen 1997, "Adaptive subdivision and the length and energy of Bezier curves".
 
 use super::difference;
 use crate::error::{Code, Error};

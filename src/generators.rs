@@ -20,6 +20,7 @@ pub trait Generator: Options {
     /// `out-of-range` or `not-finite` with the pointer of the option, also where options do not fit each other or leave no room.
     fn generate(&self) -> Result<Self::Made, Error>;
 
+    #[doc(hidden)]
     /// Refuses options that may not be given together.
     ///
     /// # Errors

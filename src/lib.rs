@@ -17,6 +17,7 @@
 //!   space;
 //! - [`run::storage`] saves a roadmap, [`run::resume`] continues with it, [`run::inspect`] answers a viewer's questions,
 //!   [`run::neighbours`] indexes configurations;
+//! - [`problem::Stepped`] steps what is not a `Run` (fleets, inverse kinematics, certificates, trainings): import it for `step`;
 //! - [`path::verify()`] checks a finished path by an independent method;
 //! - [`fleet::FleetPlanner`] plans for several robots at once, and [`fleet::verify`] checks its plans;
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;

@@ -89,7 +89,7 @@ members! { Experiment(self): wasm_bindgen(getter);
 #[wasm_bindgen]
 pub struct Trial(RefCell<Timed<TrialRun>>);
 
-/// A trial may end while its run is still running: its budget is spent.
+/// A trial may end while its status is still `Running`, once its budget is spent: `is_over` tells, never the status.
 impl Stepped for TrialRun {
     fn iterate(&mut self) {
         self.step(1);

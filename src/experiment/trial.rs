@@ -149,7 +149,7 @@ pub struct TrialRun {
 }
 
 impl TrialRun {
-    /// Makes at most so many iterations; whether the trial goes on. Where a trial ends does not depend on how it is stepped.
+    /// Makes at most this many iterations; whether the trial goes on. Where a trial ends does not depend on how it is stepped.
     pub fn step(&mut self, iterations: u64) -> bool {
         match self.experiment.budget {
             Budget::Own | Budget::Iterations(_) => self.is_over = self.run.step(iterations) != Status::Running,

@@ -42,6 +42,9 @@ fn huge_number_at<'a>(text: &'a str, error: &serde_json::Error) -> Option<&'a st
     let before = before.trim_end_matches(is_other);
     let start = before.len() - before.rsplit(is_other).next().map_or(0, str::len);
     let number = line[start..].split(is_other).next().unwrap_or_default();
+    if before[..start].ends_with('"') {
+        return None;
+    }
     number.parse().is_ok_and(f64::is_infinite).then(|| number.get(..60).unwrap_or(number))
 }
 

@@ -40,7 +40,8 @@ impl NavigationResult {
     }
 }
 
-/// Plans for a query with edges that a policy drives reliably, as [`start`] does, and executes the path so many times with noise.
+/// Plans for a query with edges that a policy drives reliably, as [`start`] does, and executes the path `trials` times with
+/// noise.
 ///
 /// # Errors
 /// Those of [`start`].

@@ -7,8 +7,8 @@
 //! that keeps within it. A new vertex gets cheaper parents by further random costs as long as their motions are free. Each path
 //! found is shortened before the next search.
 //!
-//! Differences: a search reuses the roots of the one before; vertices of former searches that are on no path are told as removed;
-//! the path is shortened by removing vertices and by random shortcuts, one attempt per iteration.
+//! Differences: a search reuses the roots of the one before; vertices of former searches that are on no path are reported as
+//! removed; the path is shortened by removing vertices and by random shortcuts, one attempt per iteration.
 
 use super::groups::Termination;
 use super::growth::{Growth, START};
@@ -157,7 +157,7 @@ impl<S: Space> Aorrtc<S> {
 
     /// The distances of a state from the root of a tree and to that of the other one: the least costs.
     fn least_costs(problem: &Problem<S>, tree: usize, state: &S::State) -> [f64; 2] {
-        let mut both = problem.distances_by_way_of(state);
+        let mut both = problem.distances_through(state);
         both.rotate_left(tree);
         both
     }

@@ -101,17 +101,17 @@ struct Node {
 impl Node {
     /// A vertex or a sample in this state, which is new.
     fn of<S: Space>(problem: &Problem<S>, state: &S::State) -> Self {
-        let [from_start, to_goal] = problem.distances_by_way_of(state);
+        let [from_start, to_goal] = problem.distances_through(state);
         Self { from_start, to_goal, is_expanded: false, is_useful: true }
     }
 
-    /// The least cost of a path by way of it.
+    /// The least cost of a path through it.
     fn least(self) -> f64 {
         self.from_start + self.to_goal
     }
 }
 
-/// An entry of the queue: the least cost of a path by way of it, the cost of reaching its end, the vertex, and of an edge the
+/// An entry of the queue: the least cost of a path through it, the cost of reaching its end, the vertex, and of an edge the
 /// vertex that it leads to with its length. The least comes first.
 type Entry = Reverse<(Ordered, Ordered, VertexId, Option<(VertexId, Ordered)>)>;
 
@@ -130,7 +130,7 @@ struct BitStar<S: Space> {
     nodes: Vec<Node>,
     /// How many samples were drawn in all, free or not.
     draws: usize,
-    /// Of each of them that may help, the least cost of a path by way of it.
+    /// Of each of them that may help, the least cost of a path through it.
     useful: Vec<f64>,
     /// The neighbours of a vertex in this batch.
     neighbourhood: Neighbourhood,

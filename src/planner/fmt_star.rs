@@ -160,7 +160,7 @@ impl<S: Space> FmtStar<S> {
         }
     }
 
-    /// The open neighbour by way of which a state costs least; `from` counts as one.
+    /// The open neighbour through which a state costs least; `from` counts as one.
     fn parent(
         &mut self,
         problem: &Problem<S>,

@@ -127,7 +127,7 @@ impl<S: Space> Growth<S> {
         Some(state)
     }
 
-    /// The first of a few draws by way of which a path from start to goal may be shorter than `bound`; `None`, with an event, if
+    /// The first of a few draws through which a path from start to goal may be shorter than `bound`; `None`, with an event, if
     /// there is none. A draw that finds nothing is the last.
     pub fn draw_within(
         &mut self,
@@ -144,7 +144,7 @@ impl<S: Space> Growth<S> {
             }
             self.looked += 1;
             self.note_visited(problem.space(), 2);
-            if problem.distances_by_way_of(&target).iter().sum::<f64>() < bound {
+            if problem.distances_through(&target).iter().sum::<f64>() < bound {
                 return Some(target);
             }
             useless = Some(target);

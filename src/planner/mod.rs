@@ -32,6 +32,7 @@ mod visibility_prm;
 
 pub use aorrtc::AorrtcOptions;
 pub use bit_star::BitStarOptions;
+pub(crate) use direct::Direct;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use fmt_star::FmtStarOptions;
 pub use groups::{

@@ -99,7 +99,7 @@ impl<S: Space> Roadmap<S> {
         spare: bool,
         found: &mut Vec<Neighbour>,
     ) -> usize {
-        let wanted = self.connection.with_k(self.connection.k() + usize::from(spare));
+        let wanted = self.connection.with_k(self.connection.k().saturating_add(usize::from(spare)));
         let query = nearest::Query { space, states: self.growth.graph.states(), direction, from: state };
         self.nearest.find(query, wanted, found)
     }

@@ -239,7 +239,7 @@ impl<S: Space> RrtStar<S> {
         Some(Offering { vertex, found: std::mem::take(&mut self.found).into_iter() })
     }
 
-    /// Makes a new vertex the parent of a vertex, if the path by way of it is cheaper and the motion free.
+    /// Makes a new vertex the parent of a vertex, if the path through it is cheaper and the motion free.
     fn offer(&mut self, problem: &Problem<S>, iteration: u32, new: VertexId, to: Neighbour) {
         if self.cost_by(Neighbour { vertex: new, ..to }) < self.best.tree.cost(to.vertex) {
             self.best.try_parent(problem, iteration, to.vertex, Neighbour { vertex: new, ..to });

@@ -17,7 +17,7 @@
 //!     the motion is free
 //! ```
 //!
-//! **Measure.** The clearance is told in the metric of the space, or in the workspace with the *reach* of each coordinate: a
+//! **Measure.** The clearance is given in the metric of the space, or in the workspace with the *reach* of each coordinate: a
 //! number r such that no point of the robot moves farther than r |d| while the coordinate changes by d. A motion with the
 //! differences d_i then moves nothing farther than the sum of r_i |d_i|.
 //!

@@ -182,7 +182,7 @@ impl<S: Space> Problem<S> {
 
     /// The distances from the start to a state and from there to the nearest goal: no path through the state is shorter than
     /// their sum.
-    pub fn distances_by_way_of(&self, state: &S::State) -> [f64; 2] {
+    pub fn distances_through(&self, state: &S::State) -> [f64; 2] {
         [self.space.distance(&self.start, state), self.distance_to_goal(state)]
     }
 

@@ -1,4 +1,4 @@
-//! Robots of your own: a space told as a product of circles, intervals and lines, and what is free told by a function.
+//! Robots of your own: a space, described as a product of circles, intervals and lines, and a function that decides what is free.
 //!
 //! The function evaluates configurations in batches, as rows of coordinates. There are two kinds ([`Free`]): a lower bound on
 //! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are

@@ -200,7 +200,8 @@ impl<'a> Setup<'a> {
         let before = self.world.clone();
         let launch = Launch { problem, info: self.info, roadmap, reopen: None };
         let (again, saved, kept) = match source {
-            Source::Own(begin) => return launch.run(begin),
+            // The id of its planner is not one that a saved roadmap can be continued by.
+            Source::Own(begin) => return Launch { roadmap: None, ..launch }.run(begin),
             Source::Named(again, saved, kept) => (again, saved, kept),
         };
         let Again { options, planner } = *again;

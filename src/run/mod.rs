@@ -103,7 +103,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
     fn step(&mut self, iterations: u64) -> Status;
 
-    /// Lets the planner use so many threads from now on; 1 at first. The result and all counts are the same with any number.
+    /// Lets the planner use this many threads from now on; 1 at first. The result and all counts are the same with any number.
     /// Roadmaps built in a batch (PRM with `insertion=batch`, PRM*; lazy PRM for its samples) use them.
     #[cfg(feature = "parallel")]
     fn set_threads(&mut self, threads: std::num::NonZeroUsize);
@@ -225,8 +225,8 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn result(&self) -> ResultDocument;
 
     /// The roadmap as far as it is built, to be saved: see [`resume`] and [`resume_problem`]. `None` for planners that build
-    /// none, and for runs of [`start_on`]. Vertices that [`Run::query`] has added are part of it; those in collision since
-    /// [`Run::reopen`] are not. O(size).
+    /// none, and for runs of [`start_on`] and [`start_with`]. Vertices that [`Run::query`] has added are part of it; those in
+    /// collision since [`Run::reopen`] are not. O(size).
     fn roadmap(&self) -> Option<RoadmapDocument>;
 
     /// Queries the roadmap again, as far as it is built: connects start and goal to their neighbours and searches. The
@@ -245,8 +245,9 @@ pub trait Run: MaybeSend + sealed::Sealed {
     /// added but start and goals of the query of this name, which may be others. This run stays as it is. O(roadmap).
     ///
     /// # Errors
-    /// `unsupported` if the planner builds no roadmap, or is not done yet; `other-scenario` if robot or bounds differ;
-    /// `unknown-query`; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
+    /// `unsupported` if the planner builds no roadmap, is not done yet, or was not begun by [`start`] or [`resume`];
+    /// `other-scenario` if robot or bounds differ; `unknown-query`; `start-in-collision` or `goal-in-collision` with a pointer
+    /// into the scenario.
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error>;
 }
 

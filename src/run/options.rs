@@ -19,7 +19,8 @@ const SHORTCUTS: u64 = 200;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The planner with its options; by default the one that built the roadmap to continue with, or [`default_planner`].
+    /// The planner with its options; by default the one that built the roadmap to continue with, or [`default_planner`]; for
+    /// learned edges lazy PRM.
     pub planner: Option<PlannerOptions>,
     /// The name of the query; by default the first of the scenario.
     pub query: Option<String>,

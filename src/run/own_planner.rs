@@ -6,7 +6,7 @@ use super::info::RunInfo;
 use super::suitable::check_options;
 use crate::error::{Code, Error};
 use crate::options::Options as _;
-use crate::planner::{EdgeOptions, Planner, Termination};
+use crate::planner::{Direct, EdgeOptions, Planner, Termination};
 use crate::problem::Problem;
 use crate::random::check_seed;
 use crate::space::MotionSpace;
@@ -40,8 +40,10 @@ impl Default for OwnPlanner {
 }
 
 /// Begins a run of a planner of your own for the robot of a scenario, in the space of its configurations: states are `N` numbers,
-/// of which those beyond the robot's dimension are 0. Everything but the planner is as for the planners of this crate: motions
-/// are proven, limits hold, the path is improved, slices do not change the result.
+/// of which those beyond the robot's dimension are 0. With `N` = 4 it plans for discs, bodies, cars and arms of up to four links,
+/// with [`MAX_DIMENSION`](crate::space::MAX_DIMENSION) for every robot. Everything but the planner is as for the planners of this
+/// crate: motions are proven, limits hold, the path is improved, slices do not change the result. Its roadmap, if it builds one,
+/// can be queried, but neither saved nor reopened.
 ///
 /// # Errors
 /// `unsupported` if a configuration has more than `N` numbers; those of [`start`](super::start) about the query, options and
@@ -129,5 +131,10 @@ pub fn start_with<const N: usize>(
     let info = RunInfo { planner: planner.id, seed: planner.seed, termination, ..RunInfo::of_edges(&planner.edges) };
     let mut setup = Setup::new(&world, info, Some(planner.edges), planner.query.as_deref())?;
     (setup.events, setup.needs_symmetry) = (planner.events, planner.needs_symmetry);
-    setup.run(Source::Own(Box::new(begin)))
+    let (is_direct, goes_on) = (planner.edges.direct, termination.is_some());
+    setup.run(Source::Own(Box::new(move |problem, seed| {
+        let begun = begin(problem, seed)?;
+        // As for the planners of this crate: a roadmap has the straight motion as an edge.
+        Ok(if is_direct && begun.roadmap().is_none() { Box::new(Direct::first(begun, goes_on)) } else { begun })
+    })))
 }

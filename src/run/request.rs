@@ -8,10 +8,11 @@ use crate::error::Error;
 use crate::planner::PlannerOptions;
 use crate::scenario::Robot;
 
-/// Options of a run by names, as a command line, a document or a page has them. One of its methods reads them.
+/// Options of a run by names, as a command line, a document or a page has them. One of its methods reads
+/// them, or for learned edges [`navigation::read_options`](crate::navigation::read_options).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// The id of the planner; that of [`default_planner`] if there is none.
+    /// The id of the planner; by default as in [`Options`].
     pub planner: Option<String>,
     /// As in [`Options`].
     pub query: Option<String>,

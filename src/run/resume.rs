@@ -22,7 +22,8 @@ use crate::world::PlanningWorld;
 ///
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
 /// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be
-/// given again.
+/// given again. An option with its default counts as not given: the value of the document holds.
+/// [`Request::for_roadmap`](super::Request::for_roadmap) knows which parameters were given by name, and refuses those too.
 ///
 /// # Errors
 /// `other-scenario` if world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into

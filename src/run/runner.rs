@@ -570,7 +570,9 @@ impl<S: Space> Run for Runner<S> {
     fn reopen(&self, world: &PlanningWorld) -> Result<Box<dyn Run>, Error> {
         let unsupported = |sentence| Err(Error::new(Code::Unsupported, "", sentence));
         let Some(reopen) = self.reopen.as_ref() else {
-            return unsupported("a run that no scenario describes cannot be reopened in one".to_owned());
+            return unsupported(
+                "only runs of this crate's planners in a scenario can be reopened in another world".to_owned(),
+            );
         };
         let Some(roadmap) = self.planner.roadmap() else {
             return unsupported(format!("{} builds no roadmap to reopen", self.info.planner));

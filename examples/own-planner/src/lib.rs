@@ -28,7 +28,7 @@ use planarium::space::Space;
 /// The longest step, as a fraction of the largest distance in the space.
 const STEP: f64 = 0.1;
 
-/// Of so many vertices, drawn at random, the one that has grown least often grows.
+/// The number of vertices that are drawn at random; the one among them that has grown least often grows.
 const DRAWN: u64 = 8;
 
 /// The planner: a value that is stepped.

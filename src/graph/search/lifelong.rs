@@ -48,7 +48,7 @@ const NONE: u32 = u32::MAX;
 struct Node {
     /// The cost of the path to it when it was last expanded: g.
     cost: Cost,
-    /// The least cost by way of a vertex before it: rhs. The vertex waits to be expanded while the two differ.
+    /// The least cost through a vertex before it: rhs. The vertex waits to be expanded while the two differ.
     ahead: Cost,
     /// An estimate of the cost from it to the goal, which no edge lowers by more than its own cost.
     estimate: f64,
@@ -175,7 +175,7 @@ impl Lifelong {
         let Some((.., vertex)) = next else { return Expansion::Nothing };
         self.frontier.pop();
         let Node { cost, ahead, .. } = &mut self.nodes[vertex.index()];
-        // A vertex that has lost its path is out of reach at first, with all that is reached by way of it.
+        // A vertex that has lost its path is out of reach at first, with all that is reached through it.
         let former = std::mem::replace(cost, if *ahead < *cost { *ahead } else { UNREACHED });
         let mut next = self.half_edges(vertex, 0).next();
         while let Some(half) = next {

@@ -85,7 +85,7 @@ impl<S: Space> Sampled<S> {
             let sample = roadmap.growth.draw(problem, iteration, &mut *self.sampler)?;
             roadmap.growth.looked += 1;
             roadmap.growth.note_visited(problem.space(), 2);
-            if problem.distances_by_way_of(&sample.state).iter().sum::<f64>() < bound {
+            if problem.distances_through(&sample.state).iter().sum::<f64>() < bound {
                 return roadmap.growth.if_free(problem, iteration, sample);
             }
             useless = Some(sample.state);

@@ -1,6 +1,6 @@
 //! Options of planners, generators and other methods: a typed struct and its table in one declaration.
 //!
-//! [`options!`](crate::options!) declares a struct whose fields are options. Each field is given by its type, its default, its
+//! `options!` declares a struct whose fields are options. Each field is given by its type, its default, its
 //! range, its title and, as its documentation, its meaning. From that follow the struct itself, its defaults, reading
 //! values by name ([`Options::read`]) and the table that help texts and controls are made from ([`Options::table`]). A field
 //! whose type is another such struct contributes all options of it: a group that several tables share. Reading values
@@ -191,7 +191,7 @@ pub fn is_for(robots: &[&str], robot: &str) -> bool {
     robots == ALL || robots.contains(&robot)
 }
 
-/// A struct of options, as [`options!`](crate::options!) declares it.
+/// A struct of options, as `options!` declares it.
 pub trait Options: Field + Default + Copy {
     /// The robots that they are for, by their types in documents; empty if there is no robot.
     const ROBOTS: &'static [&'static str];

@@ -46,7 +46,8 @@ impl<S: Space> Growth<S> {
         }
     }
 
-    /// The vertex of a tree that is nearest to the state by motions in the given direction.
+    /// The vertex of a tree that is nearest to the state by motions in the given direction: `In` for a tree that grows from the
+    /// start.
     ///
     /// # Panics
     /// If the index is empty.

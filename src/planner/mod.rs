@@ -32,7 +32,6 @@ mod visibility_prm;
 
 pub use aorrtc::AorrtcOptions;
 pub use bit_star::BitStarOptions;
-pub(crate) use direct::Direct;
 pub use driven_tree::{Blocked, ByControls, Durations, GoalTest, IntegrationKind};
 pub use fmt_star::FmtStarOptions;
 pub use groups::{
@@ -65,6 +64,9 @@ use crate::problem::{MaybeSend, Problem};
 use crate::space::Space;
 
 /// A planner over a space: a value that is stepped.
+///
+/// The start is its first vertex, added in iteration 0. [`path`](Planner::path) leads from it to a goal, by vertices that edges
+/// join. [`Status::Solved`] with a path ends the planner's part of a run.
 pub trait Planner<S: Space>: MaybeSend {
     /// Does one iteration, number `iteration` (from 1): a sample tried, a vertex connected, a vertex expanded, with a bounded
     /// number of motion checks. Called only while the status is `Running`.

@@ -24,7 +24,9 @@ use std::sync::Arc;
 /// The default resolution of sampled motions, as a fraction of the largest distance in the space.
 const DEFAULT_RESOLUTION: f64 = 0.01;
 
-/// What is free.
+/// What is free. A function is given any number of configurations as rows of coordinates, one after another, and writes one
+/// number, or one answer, for each. Whatever error it returns, such as one with [`Code::CallbackFailed`], begins no run, or ends
+/// it as `Failed`: see [`Run::failure`].
 #[derive(Clone)]
 #[non_exhaustive]
 pub enum Free {
@@ -47,7 +49,8 @@ pub enum Free {
 }
 
 impl Free {
-    /// By lower bounds on clearance in the metric of the space.
+    /// By lower bounds on clearance in the metric of the space: 0 or less in collision, infinity where nothing is near. That a
+    /// bound is too large cannot be noticed.
     pub fn by_clearance(
         clearance: impl Fn(&[f64], &mut [f64]) -> Result<(), Error> + MaybeSend + MaybeSync + 'static,
     ) -> Self {
@@ -152,7 +155,9 @@ impl CustomProblem {
 /// it. The result document names no scenario and no query. Planning uses one thread. If the function that tells what is free
 /// fails, the run ends with its error: see [`Run::failure`].
 ///
-/// A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues with it.
+/// [`path::verify`](crate::path::verify()) is for scenarios; check such a path by your function along
+/// [`CustomProblem::interpolate`]. A roadmap can be queried again, and saved: [`resume_problem`](super::resume_problem) continues
+/// with it.
 ///
 /// # Errors
 /// `not-finite` and `out-of-range` for values of options; `unsupported` and `out-of-range` for planners by controls and for

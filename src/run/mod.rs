@@ -99,8 +99,13 @@ mod sealed {
 ///
 /// What is new since a row comes as an iterator ([`vertices_since`](#method.vertices_since), `edges_since`, `events_since`), or
 /// copied into a table of numbers ([`Run::vertex_rows`] and its siblings).
+///
+/// Natively a `Box<dyn Run>` is `Send`, and not `Sync`: threads share a [`PlanningWorld`], and each starts or steps runs. A
+/// function of runs takes a `&dyn Run`.
 pub trait Run: MaybeSend + sealed::Sealed {
-    /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`.
+    /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`. A run without a path ends by
+    /// itself, by default after 5,000,000 units of work ([`Limits`]), about a microsecond each in a release build; so
+    /// `step(u64::MAX)` runs it to its end.
     fn step(&mut self, iterations: u64) -> Status;
 
     /// Lets the planner use this many threads from now on; 1 at first. The result and all counts are the same with any number.
@@ -260,12 +265,19 @@ pub trait Run: MaybeSend + sealed::Sealed {
 ///
 /// let scenario = generate("maze", &serde_json::json!({}))?;
 /// let mut run = start(&scenario, &Options::new(RrtOptions::default()))?;
-/// let mut drawn = 0;
-/// while run.step(100) == Status::Running {
-///     for q in run.vertices_since(drawn) {
+/// let (mut vertices, mut edges) = (0, 0);
+/// loop {
+///     let status = run.step(100);
+///     for q in run.vertices_since(vertices) {
 ///         assert_eq!(q.len(), 2);
 ///     }
-///     drawn = run.vertex_count();
+///     for [from, to] in run.edges_since(edges) {
+///         assert_ne!(from, to);
+///     }
+///     (vertices, edges) = (run.vertex_count(), run.edge_count());
+///     if status != Status::Running {
+///         break;
+///     }
 /// }
 /// # Ok::<(), planarium::Error>(())
 /// ```

@@ -7,7 +7,8 @@ use crate::scenario::Robot;
 /// How many shortcuts are tried on the path of a planner that was not named.
 const SHORTCUTS: u64 = 200;
 
-/// Planner, query and seed of a run.
+/// Planner, query and seed of a run. The path of a planner that is named is improved only if its options say so
+/// (`edges.improving`: see [`Improving`]).
 ///
 /// # Example
 /// ```

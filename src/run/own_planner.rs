@@ -6,7 +6,7 @@ use super::info::RunInfo;
 use super::suitable::check_options;
 use crate::error::{Code, Error};
 use crate::options::Options as _;
-use crate::planner::{Direct, EdgeOptions, Planner, Termination};
+use crate::planner::{EdgeOptions, Planner, Termination};
 use crate::problem::Problem;
 use crate::random::check_seed;
 use crate::space::MotionSpace;
@@ -23,7 +23,8 @@ pub struct OwnPlanner {
     pub seed: u64,
     /// Whether events are recorded.
     pub events: bool,
-    /// How motions are checked and measured, the limits of the run, and how its path is improved.
+    /// How motions are checked and measured, the limits of the run, and how its path is improved. `direct` is of no effect: your
+    /// planner decides whether it tries the straight motion.
     pub edges: EdgeOptions,
     /// When a planner that goes on to shorter paths ends; `None` if its first path stays.
     pub termination: Option<Termination>,
@@ -110,7 +111,7 @@ impl Default for OwnPlanner {
 ///     Ok(Box::new(Walk { growth, samples, walked, is_over: false }))
 /// })?;
 /// assert_eq!(run.step(10_000), Status::Solved);
-/// planarium::path::verify(&scenario, &run.result())?;
+/// assert!(planarium::path::verify(&scenario, &run.result())?.is_valid());
 /// # Ok::<(), planarium::Error>(())
 /// ```
 pub fn start_with<const N: usize>(
@@ -131,10 +132,5 @@ pub fn start_with<const N: usize>(
     let info = RunInfo { planner: planner.id, seed: planner.seed, termination, ..RunInfo::of_edges(&planner.edges) };
     let mut setup = Setup::new(&world, info, Some(planner.edges), planner.query.as_deref())?;
     (setup.events, setup.needs_symmetry) = (planner.events, planner.needs_symmetry);
-    let (is_direct, goes_on) = (planner.edges.direct, termination.is_some());
-    setup.run(Source::Own(Box::new(move |problem, seed| {
-        let begun = begin(problem, seed)?;
-        // As for the planners of this crate: a roadmap has the straight motion as an edge.
-        Ok(if is_direct && begun.roadmap().is_none() { Box::new(Direct::first(begun, goes_on)) } else { begun })
-    })))
+    setup.run(Source::Own(Box::new(begin)))
 }

@@ -54,8 +54,9 @@ const EDGE_CHECKS: [&str; 4] = ["sampled", "none", "joint-lines", "rollouts"];
 /// The most samples in between that may be taken for one path.
 const MOST_REFINEMENTS: u64 = 10_000_000;
 
-/// The verdict on a path.
+/// The verdict on a path. That there is one does not mean that the path is valid.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use = "the path may be invalid"]
 pub enum Verdict {
     /// The path leads from the start to the goal of its query, or from and to what the result says they were moved to, clear of
     /// everything.
@@ -77,6 +78,13 @@ pub enum Verdict {
         /// The reason, naming waypoint or edge and obstacle, counted from 0, and the link, counted from 1.
         why: String,
     },
+}
+
+impl Verdict {
+    /// Whether the path is valid.
+    pub fn is_valid(&self) -> bool {
+        matches!(self, Verdict::Valid { .. })
+    }
 }
 
 /// The samples so far, and the smallest clearance among them.

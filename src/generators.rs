@@ -2,7 +2,7 @@
 //! refused.
 
 use crate::error::{Code, Error, quoted};
-use crate::options::{Info, OptionInfo, Options, Range, Value};
+use crate::options::{Options, Range, Value};
 use crate::random::MAX_SEED;
 use serde_json::Value as Json;
 
@@ -31,54 +31,51 @@ pub trait Generator: Options {
 }
 
 /// Reads options given by name, and generates; the second argument has names that are known elsewhere.
-type Make<T> = fn(&[(String, Value)], &[&'static str]) -> Result<T, Error>;
+pub type Make<T> = fn(&[(String, Value)], &[&'static str]) -> Result<T, Error>;
 
-/// A generator in a table.
-pub struct Entry<T> {
-    id: &'static str,
-    title: &'static str,
-    summary: &'static str,
-    options: fn() -> Vec<OptionInfo>,
-    make: Make<T>,
-}
+/// Declares the generators of one type of document, each with its id, its title and its summary: `MAKERS`, which generates, and
+/// `descriptions`. They are apart so that a program which only generates holds no texts.
+macro_rules! generators {
+    ($Made:ty: $($Options:ty => $id:literal, $title:literal, $summary:literal;)+) => {
+        /// The generators by their ids.
+        const MAKERS: &[(&str, $crate::generators::Make<$Made>)] = &[$(($id, $crate::generators::make::<$Options>)),+];
 
-impl<T> Entry<T> {
-    /// A generator with its id, its title and its summary.
-    pub const fn new<G: Generator<Made = T>>(id: &'static str, title: &'static str, summary: &'static str) -> Self {
-        Self { id, title, summary, options: G::table, make: make::<G> }
-    }
-}
-
-/// The generators of one type of document.
-pub struct Generators<T: 'static>(pub &'static [Entry<T>]);
-
-impl<T> Generators<T> {
-    /// Their descriptions.
-    pub fn infos(&self) -> Vec<Info> {
-        let info = |entry: &Entry<T>| {
-            let &Entry { id, title, summary, options, .. } = entry;
-            Info { id, title, summary, options: options() }
-        };
-        self.0.iter().map(info).collect()
-    }
-
-    /// Generates by the id of a generator, with options given by name and `seed`; the rest take their defaults. `others` are
-    /// options that the caller takes from the same list: a refusal names them as known.
-    ///
-    /// # Errors
-    /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
-    /// `not-finite`, `out-of-range`.
-    pub fn generate(&self, id: &str, given: &[(String, Value)], others: &[&'static str]) -> Result<T, Error> {
-        if let Some(entry) = self.0.iter().find(|entry| entry.id == id) {
-            return (entry.make)(given, others);
+        /// The descriptions of the generators.
+        fn descriptions() -> Vec<$crate::options::Info> {
+            vec![$({
+                let options = <$Options as $crate::options::Options>::table();
+                $crate::options::Info { id: $id, title: $title, summary: $summary, options }
+            }),+]
         }
-        let ids: Vec<&str> = self.0.iter().map(|entry| entry.id).collect();
-        let sentence = format!("there is no generator {}; there are {}", quoted(id), ids.join(", "));
-        Err(Error::new(Code::UnknownGenerator, "", sentence))
+    };
+}
+pub(crate) use generators;
+
+/// Generates by the id of a generator, with options given by name and `seed`; the rest take their defaults. `others` are options
+/// that the caller takes from the same list: a refusal names them as known.
+///
+/// # Errors
+/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
+/// `not-finite`, `out-of-range`.
+pub fn generate<T>(
+    makers: &[(&str, Make<T>)],
+    id: &str,
+    given: &[(String, Value)],
+    others: &[&'static str],
+) -> Result<T, Error> {
+    if let Some((_, make)) = makers.iter().find(|(known, _)| *known == id) {
+        return make(given, others);
     }
+    let ids: Vec<&str> = makers.iter().map(|(known, _)| *known).collect();
+    let sentence = format!("there is no generator {}; there are {}", quoted(id), ids.join(", "));
+    Err(Error::new(Code::UnknownGenerator, "", sentence))
 }
 
-fn make<G: Generator>(given: &[(String, Value)], others: &[&'static str]) -> Result<G::Made, Error> {
+/// Reads options given by name, and generates.
+///
+/// # Errors
+/// As [`generate()`].
+pub fn make<G: Generator>(given: &[(String, Value)], others: &[&'static str]) -> Result<G::Made, Error> {
     let options = G::read_among(given, others).map_err(|error| match (error.code(), error.pointer()) {
         // A robot is a type, as in a scenario.
         (Code::OutOfRange, "/robot") => Error::new(Code::UnknownType, "/robot", error.message()),

@@ -2,7 +2,7 @@
 
 use super::document::{Fleet, FleetRobot};
 use crate::error::Error;
-use crate::generators::{Entry, Generator, Generators, SEEDS, given};
+use crate::generators::{self, Generator, SEEDS, generators, given};
 use crate::geometry::{Aabb, Disc, Point, Polygon};
 use crate::options::{Info, Value, out_of_range};
 use crate::random::{Random, Stream};
@@ -112,34 +112,18 @@ crate::options! {
     seed: u64 = 0, in SEEDS;
 }
 
-/// The generators, each by the type of its options.
-const GENERATORS: Generators<Fleet> = Generators(&[
-    Entry::new::<SwapOptions>("swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other."),
-    Entry::new::<CorridorOptions>(
-        "corridor",
-        "Corridor",
-        "Two rooms and a corridor between them that lets one robot pass.",
-    ),
-    Entry::new::<CrossroadsOptions>(
-        "crossroads",
-        "Crossroads",
-        "Two streets that cross; robots come from four sides and go straight on.",
-    ),
-    Entry::new::<RingOptions>(
-        "ring",
-        "Ring",
-        "Robots on a circle, each to the other side of it or to the place of the next.",
-    ),
-    Entry::new::<HallOptions>(
-        "hall",
-        "Hall",
-        "Robots in an open hall, from anywhere to anywhere or from side to side.",
-    ),
-]);
+generators! {
+    Fleet:
+    SwapOptions => "swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other.";
+    CorridorOptions => "corridor", "Corridor", "Two rooms and a corridor between them that lets one robot pass.";
+    CrossroadsOptions => "crossroads", "Crossroads", "Two streets that cross; robots come from four sides and go straight on.";
+    RingOptions => "ring", "Ring", "Robots on a circle, each to the other side of it or to the place of the next.";
+    HallOptions => "hall", "Hall", "Robots in an open hall, from anywhere to anywhere or from side to side.";
+}
 
 /// The generators of fleets with their options.
 pub fn fleet_generators() -> Vec<Info> {
-    GENERATORS.infos()
+    descriptions()
 }
 
 /// Generates a fleet by the generator's id, with options given by name: those of [`fleet_generators`] and `seed`; the rest
@@ -149,7 +133,7 @@ pub fn fleet_generators() -> Vec<Info> {
 /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
 /// `out-of-range`.
 pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Fleet, Error> {
-    GENERATORS.generate(id, options, &[])
+    generators::generate(MAKERS, id, options, &[])
 }
 
 /// The same with the options as an object (`{}` for all defaults).

@@ -5,7 +5,7 @@ use super::episode;
 use super::floor::Floor;
 use super::sensor::Sensor;
 use crate::error::Error;
-use crate::generators::{Entry, Generator, Generators, SEEDS, given};
+use crate::generators::{self, Generator, SEEDS, generators, given};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
 use crate::options::{Info, Value, out_of_range};
 use crate::random::{Random, Stream};
@@ -86,23 +86,15 @@ crate::options! {
     seed: u64 = 0, in SEEDS;
 }
 
-/// The generators, each by the type of its options.
-const GENERATORS: Generators<Navigation> = Generators(&[
-    Entry::new::<RoomsOptions>(
-        "rooms",
-        "Rooms",
-        "An office of rooms with doors and furniture, for a differential drive.",
-    ),
-    Entry::new::<FurnishedOptions>(
-        "furnished",
-        "Furnished",
-        "A floor with furniture and pieces of walls, for a differential drive.",
-    ),
-]);
+generators! {
+    Navigation:
+    RoomsOptions => "rooms", "Rooms", "An office of rooms with doors and furniture, for a differential drive.";
+    FurnishedOptions => "furnished", "Furnished", "A floor with furniture and pieces of walls, for a differential drive.";
+}
 
 /// The generators of navigation tasks with their options.
 pub fn navigation_generators() -> Vec<Info> {
-    GENERATORS.infos()
+    descriptions()
 }
 
 /// Generates a task by the generator's id, with options given by name: those of [`navigation_generators`] and `seed`; the rest
@@ -112,7 +104,7 @@ pub fn navigation_generators() -> Vec<Info> {
 /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
 /// `out-of-range`.
 pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Navigation, Error> {
-    GENERATORS.generate(id, options, &[])
+    generators::generate(MAKERS, id, options, &[])
 }
 
 /// The same with the options as an object (`{}` for all defaults).

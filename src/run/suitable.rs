@@ -23,7 +23,7 @@ fn whose(robot: &str) -> String {
     match robot {
         OWN => "a robot of your own".to_owned(),
         LEARNED => "learned edges, which are checked by rollouts in the plane".to_owned(),
-        kind => format!("the robot {kind}"),
+        kind => kind.to_owned(),
     }
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn check_use(planner: &PlannerOptions, robot: &str) -> Result<(), Err
         let fitting: Vec<&str> =
             planners().into_iter().filter(|other| other.is_for(robot)).map(|other| other.id()).collect();
         let (id, own, fitting) = (planner.id(), planner.robots().join(", "), fitting.join(", "));
-        let sentence = format!("{id} plans for robots of type {own}, not for {whose}; planners for it are {fitting}");
+        let sentence = format!("{id} plans for robots of type {own}, not {whose}; planners for it are {fitting}");
         return Err(Error::new(Code::Unsupported, "/algorithm", sentence));
     }
     check_options(&planner.changes(), planner.group::<EdgeOptions>(), robot)
@@ -53,7 +53,7 @@ pub(super) fn check_options(changes: &[Change], edges: Option<&EdgeOptions>, rob
             let code = if robot == LEARNED || *name == "blend" { Code::Unsupported } else { Code::OutOfRange };
             let sentence = match is_for(robots, robot) {
                 true => format!("{name} is not for {whose}"),
-                false => format!("{name} = {value} is for robots of type {}, not for {whose}", robots.join(", ")),
+                false => format!("{name} = {value} is for robots of type {}, not {whose}", robots.join(", ")),
             };
             return Err(refusal(code, name, sentence));
         }

@@ -329,9 +329,9 @@ test("what is not for a robot, or beyond a car, is refused where it stands", () 
     fails(() => cars.planner(asOptions({ algorithm, durationSteps: 0 })), "out-of-range", "/durationSteps");
     fails(() => cars.planner(asOptions({ algorithm, integration: "heun" })), "out-of-range", "/integration", /heun/);
   }
-  fails(() => bodies.planner({ steering: "dubins" }), "out-of-range", "/steering", /only a car is steered/);
+  fails(() => bodies.planner({ steering: "dubins" }), "out-of-range", "/steering", /steering = "dubins" is for robots of type car, not rigid_body/);
   fails(() => cars.planner(asOptions({ algorithm: "rrt", steering: "straight" })), "out-of-range", "/steering", /straight/);
-  for (const scenario of [bodies, cars]) fails(() => scenario.planner({ algorithm: "rrt", metric: "euclidean" }), "out-of-range", "/metric", /scenario's/);
+  for (const scenario of [bodies, cars]) fails(() => scenario.planner({ algorithm: "rrt", metric: "euclidean" }), "out-of-range", "/metric", /is for robots of type arm, disc/);
   fails(() => cars.planner({ algorithm: "visibility-prm", steering: "dubins" }), "unsupported", "/steering", /use steering = reeds-shepp/);
   fails(() => other({ speed: [0, 0.5] }).planner({ algorithm: "rrt", steering: "reeds-shepp" }), "unsupported", "/steering", /speed range does not allow/);
   fails(() => other({ speed: [-0.5, 0] }).planner({ algorithm: "rrt", steering: "dubins" }), "unsupported", "/steering");

@@ -18,40 +18,24 @@ pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
 use super::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::Error;
-use crate::generators::{Entry, Generators, SEEDS, given};
+use crate::generators::{self, SEEDS, generators, given};
 use crate::geometry::{Aabb, Point};
 use crate::options::{Info, Value, out_of_range};
 use serde_json::Value as Json;
 
-/// The generators, each by the type of its options.
-const GENERATORS: Generators<Scenario> = Generators(&[
-    Entry::new::<ForestOptions>("forest", "Forest", "An arm of unit links among equal triangles on a grid."),
-    Entry::new::<ClutterOptions>(
-        "clutter",
-        "Clutter",
-        "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.",
-    ),
-    Entry::new::<DiscsOptions>(
-        "discs",
-        "Discs",
-        "Discs scattered over a box, for a robot that crosses it or an arm in its middle.",
-    ),
-    Entry::new::<MazeOptions>(
-        "maze",
-        "Maze",
-        "A maze of walls for a disc, a body or a car, from corner to corner; there is always a path.",
-    ),
-    Entry::new::<GapOptions>(
-        "gap",
-        "Gap",
-        "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.",
-    ),
-    Entry::new::<BugTrapOptions>("bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards."),
-]);
+generators! {
+    Scenario:
+    ForestOptions => "forest", "Forest", "An arm of unit links among equal triangles on a grid.";
+    ClutterOptions => "clutter", "Clutter", "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
+    DiscsOptions => "discs", "Discs", "Discs scattered over a box, for a robot that crosses it or an arm in its middle.";
+    MazeOptions => "maze", "Maze", "A maze of walls for a disc, a body or a car, from corner to corner; there is always a path.";
+    GapOptions => "gap", "Gap", "A wall across a box with one gap, for a robot that goes through it or an arm that reaches through it.";
+    BugTrapOptions => "bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards.";
+}
 
 /// The generators with their options.
 pub fn generators() -> Vec<Info> {
-    GENERATORS.infos()
+    descriptions()
 }
 
 /// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest
@@ -71,7 +55,7 @@ pub(crate) fn generate_among(
     options: &[(String, Value)],
     others: &[&'static str],
 ) -> Result<Scenario, Error> {
-    GENERATORS.generate(id, options, others)
+    generators::generate(MAKERS, id, options, others)
 }
 
 /// The same with the options as an object (`{}` for all defaults).

@@ -30,8 +30,7 @@ pub enum Code {
     OutOfRange,
     /// A configuration or a list of limits with the wrong number of entries.
     WrongDimension,
-    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate too near to
-    /// 0.
+    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate near 0.
     DegeneratePolygon,
     /// Two queries, worlds or planners share a name, or two rows that differ a trial.
     DuplicateName,

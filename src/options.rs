@@ -221,11 +221,16 @@ pub trait Options: Field + Default + Copy {
         given.finish(others).map(|()| options)
     }
 
+    /// The names of its options, in order. Unlike the table, they bring no texts along.
+    fn names() -> Vec<&'static str> {
+        let mut names = Vec::new();
+        Self::default().visit("", Self::ROBOTS, &mut |name, _, _| names.push(name));
+        names
+    }
+
     /// Whether there is an option of this name.
     fn has(name: &str) -> bool {
-        let mut is_found = false;
-        Self::default().visit("", Self::ROBOTS, &mut |other, _, _| is_found |= other == name);
-        is_found
+        Self::names().contains(&name)
     }
 
     /// The options that differ from their defaults: their names, the robots that they are for, and their values.

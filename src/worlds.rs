@@ -97,8 +97,7 @@ pub(crate) fn split(options: &[(String, Value)]) -> Result<(Vec<(String, Value)>
 /// Those of [`generate_with`].
 pub(crate) fn draw(id: &str, options: &[(String, Value)]) -> Result<(Scenario, u64), Error> {
     let (rest, EnsureOptions { ensure, draws }) = split(options)?;
-    let ours: Vec<&str> = EnsureOptions::table().iter().map(|option| option.name).collect();
-    let first = seeded::generate_among(id, &rest, &ours)?;
+    let first = seeded::generate_among(id, &rest, &EnsureOptions::names())?;
     let at = rest.iter().position(|(name, _)| name == "seed");
     let seed = match at.map(|at| &rest[at].1) {
         Some(Value::Number(seed)) => *seed as u64,

@@ -89,7 +89,7 @@ members! { Experiment(self): wasm_bindgen(getter);
 #[wasm_bindgen]
 pub struct Trial(RefCell<Timed<TrialRun>>);
 
-/// A trial may end while its status is still `Running`, once its budget is spent: `is_over` tells, never the status.
+/// A trial may end while its status is still `Running`, once its budget is spent: ask `is_over`, not the status.
 impl Stepped for TrialRun {
     fn iterate(&mut self) {
         self.step(1);

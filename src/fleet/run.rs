@@ -78,14 +78,13 @@ enum Algorithm {
 impl Stepped for FleetPlanner {
     fn iterate(&mut self) {
         self.iterations += 1;
-        let most = self.most;
-        let status = match &mut self.algorithm {
-            Algorithm::Pbs(planner) => planner.iterate(&self.setup),
-            Algorithm::Prioritized(planner) => planner.iterate(&self.setup),
-            Algorithm::Composite(planner) => planner.iterate(&self.setup, most as u32),
+        let (status, most) = match &mut self.algorithm {
+            Algorithm::Pbs(planner) => (planner.iterate(&self.setup), Some(self.most)),
+            Algorithm::Prioritized(planner) => (planner.iterate(&self.setup), Some(self.most)),
+            // It limits its planner itself, and not the improvement of the path.
+            Algorithm::Composite(planner) => (planner.iterate(&self.setup, self.most as u32), None),
         };
-        let has_limit = matches!(self.algorithm, Algorithm::Composite(_));
-        let is_over = !has_limit && status == Status::Running && self.iterations == most;
+        let is_over = status == Status::Running && most == Some(self.iterations);
         self.status = if is_over { Status::Exhausted } else { status };
         if self.status == Status::Solved && self.is_too_late() {
             (self.status, self.is_refused) = (Status::Exhausted, true);

@@ -187,17 +187,17 @@ pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<d
     let planner = options.planner_for(None);
     check_seed(options.seed)?;
     planner.check()?;
-    launch_problem(problem, options, planner, None)
+    launch_problem(problem, options, None)
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap of the same space.
 pub(super) fn launch_problem(
     problem: &CustomProblem,
     options: &Options,
-    planner: PlannerOptions,
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
     let unsupported = |pointer: &str, sentence: &str| Err(Error::new(Code::Unsupported, pointer, sentence));
+    let planner = options.planner_for(None);
     check_use(&planner, OWN)?;
     if options.query.is_some() {
         return unsupported("/query", "a problem of your own has no queries by name");

@@ -30,7 +30,7 @@ pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Bo
     let planner = options.planner_for(Some(world.robot()));
     check_seed(options.seed)?;
     planner.check()?;
-    launch(&world, options, planner, None)
+    launch(&world, options.clone(), None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario and
@@ -67,30 +67,22 @@ pub(crate) fn start_learned<S: Space + 'static>(
 /// Begins a run of a planner, from nothing or with a saved roadmap.
 pub(super) fn launch(
     world: &PlanningWorld,
-    options: &Options,
-    planner: PlannerOptions,
+    options: Options,
     saved: Option<&RoadmapDocument>,
 ) -> Result<Box<dyn Run>, Error> {
-    let setup = Setup::of(world, options, &planner)?;
-    let again = Box::new(Again { options: options.clone(), planner });
+    let setup = Setup::of(world, &options)?;
+    let options = Box::new(options);
     if world.robot().dimension() <= SMALL {
-        setup.run::<SMALL>(Source::Named(again, saved, None))
+        setup.run::<SMALL>(Source::Named(options, saved, None))
     } else {
-        setup.run::<MAX_DIMENSION>(Source::Named(again, saved, None))
+        setup.run::<MAX_DIMENSION>(Source::Named(options, saved, None))
     }
-}
-
-/// What a run is begun with again, in a world whose obstacles have moved.
-#[derive(Clone)]
-pub(super) struct Again {
-    options: Options,
-    planner: PlannerOptions,
 }
 
 /// The planner of a run over states of `N` numbers.
 pub(super) enum Source<'a, const N: usize> {
     /// One of this crate, from nothing, with a saved roadmap, or with the roadmap of a run in another world.
-    Named(Box<Again>, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
+    Named(Box<Options>, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
     /// One of the caller.
     Own(Box<Begin<'a, MotionSpace<N>>>),
 }
@@ -117,11 +109,12 @@ pub(super) struct Setup<'a> {
 
 impl<'a> Setup<'a> {
     /// For a planner of this crate.
-    fn of(world: &'a PlanningWorld, options: &'a Options, planner: &PlannerOptions) -> Result<Self, Error> {
-        world.scenario().find_query(options.query.as_deref())?;
-        check_use(planner, world.robot().kind())?;
+    fn of(world: &'a PlanningWorld, options: &Options) -> Result<Self, Error> {
+        let query = world.scenario().find_query(options.query.as_deref())?;
+        let planner = options.planner_for(Some(world.robot()));
+        check_use(&planner, world.robot().kind())?;
         let edges = planner.group::<EdgeOptions>().copied();
-        let setup = Self::new(world, RunInfo::of(planner, options.seed), edges, options.query.as_deref())?;
+        let setup = Self::new(world, RunInfo::of(&planner, options.seed), edges, query)?;
         Ok(Self { events: options.events, needs_symmetry: planner.needs_symmetry(), ..setup })
     }
 
@@ -130,10 +123,9 @@ impl<'a> Setup<'a> {
         world: &'a PlanningWorld,
         info: RunInfo,
         edges: Option<EdgeOptions>,
-        query: Option<&str>,
+        (index, query): (usize, &'a Query),
     ) -> Result<Self, Error> {
         let scenario = world.scenario();
-        let (index, query) = scenario.find_query(query)?;
         // A path of controlled motions ends near its goal, never exactly there.
         if info.is_driven && query.goal_tolerance.is_none() {
             let sentence = format!("{} needs a goal_tolerance in the query", info.planner);
@@ -199,17 +191,16 @@ impl<'a> Setup<'a> {
         let roadmap = Some(self.empty_document(&space));
         let before = self.world.clone();
         let launch = Launch { problem, info: self.info, roadmap, reopen: None };
-        let (again, saved, kept) = match source {
+        let (options, saved, kept) = match source {
             // The id of its planner is not one that a saved roadmap can be continued by.
             Source::Own(begin) => return Launch { roadmap: None, ..launch }.run(begin),
-            Source::Named(again, saved, kept) => (again, saved, kept),
+            Source::Named(options, saved, kept) => (options, saved, kept),
         };
-        let Again { options, planner } = *again;
+        let planner = options.planner_for(Some(robot));
         let reopen: Reopen<_> = Box::new(move |world, roadmap| {
             let changes = Changes::between(before.scenario(), world.scenario())?;
-            let again = Box::new(Again { options: options.clone(), planner });
             let kept = Kept { roadmap, changes, tolerance };
-            Setup::of(world, &options, &planner)?.run(Source::Named(again, None, Some(kept)))
+            Setup::of(world, &options)?.run(Source::Named(options.clone(), None, Some(kept)))
         });
         let mut launch = Launch { reopen: Some(reopen), ..launch };
         match (kept, saved) {

@@ -130,7 +130,8 @@ pub fn start_with<const N: usize>(
     check_options(&planner.edges.changes(), Some(&planner.edges), kind)?;
     let termination = planner.termination.map(|termination| termination.check().map(|()| termination)).transpose()?;
     let info = RunInfo { planner: planner.id, seed: planner.seed, termination, ..RunInfo::of_edges(&planner.edges) };
-    let mut setup = Setup::new(&world, info, Some(planner.edges), planner.query.as_deref())?;
+    let query = world.scenario().find_query(planner.query.as_deref())?;
+    let mut setup = Setup::new(&world, info, Some(planner.edges), query)?;
     (setup.events, setup.needs_symmetry) = (planner.events, planner.needs_symmetry);
     setup.run(Source::Own(Box::new(begin)))
 }

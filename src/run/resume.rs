@@ -65,8 +65,7 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    let planner = continued(options, document)?;
-    launch(&world, options, planner, Some(document))
+    launch(&world, continued(options, document)?, Some(document))
 }
 
 /// The same for a robot of your own: its function proves or samples all of the roadmap again, whatever function it was built
@@ -103,8 +102,7 @@ pub fn resume_problem(
             .map(|is_sampled| if is_sampled { "whether a configuration is free" } else { "a bound on clearance" });
         return other("/edge_check", format!("the roadmap was built with {there}, and the problem tells {here}"));
     }
-    let planner = continued(options, document)?;
-    launch_problem(problem, options, planner, Some(document))
+    launch_problem(problem, &continued(options, document)?, Some(document))
 }
 
 /// The planner that built the roadmap.
@@ -123,13 +121,18 @@ fn builder(named: Option<&str>, document: &RoadmapDocument) -> Result<PlannerOpt
     Ok(planner)
 }
 
-/// The planner of a run on the roadmap. What differs from its default in the options has been chosen.
-fn continued(options: &Options, document: &RoadmapDocument) -> Result<PlannerOptions, Error> {
+/// The options of a run on the roadmap. What differs from its default in those given has been chosen.
+fn continued(options: &Options, document: &RoadmapDocument) -> Result<Options, Error> {
     check_seed(options.seed)?;
-    let Some(planner) = options.planner else { return settings(None, &[], document) };
-    planner.check()?;
-    let changes = planner.changes().into_iter().map(|change| (change.name.to_owned(), change.value));
-    settings(Some(planner.id()), &changes.collect::<Vec<_>>(), document)
+    let planner = match options.planner {
+        None => settings(None, &[], document)?,
+        Some(planner) => {
+            planner.check()?;
+            let changes = planner.changes().into_iter().map(|change| (change.name.to_owned(), change.value));
+            settings(Some(planner.id()), &changes.collect::<Vec<_>>(), document)?
+        }
+    };
+    Ok(Options { planner: Some(planner), ..options.clone() })
 }
 
 /// Refuses a roadmap that was not built with curves of this car.

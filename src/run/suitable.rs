@@ -19,11 +19,11 @@ pub(crate) const LEARNED: &str = "learned";
 const NOT_LEARNED: [&str; 3] = ["edge_check", "edge_samples", "free_ends"];
 
 /// A robot by its type, in words.
-fn whose(robot: &str) -> String {
+fn whose(robot: &str) -> &str {
     match robot {
-        OWN => "a robot of your own".to_owned(),
-        LEARNED => "learned edges, which are checked by rollouts in the plane".to_owned(),
-        kind => kind.to_owned(),
+        OWN => "a robot of your own",
+        LEARNED => "learned edges, which are checked by rollouts in the plane",
+        kind => kind,
     }
 }
 

@@ -133,7 +133,7 @@ impl Error {
     /// The same error with the free configuration nearest to the offending one, and their distance.
     #[must_use]
     pub(crate) fn with_nearest(mut self, nearest: &[f64], distance: f64) -> Self {
-        let distance = Number(format!("{distance:.3e}").parse().unwrap_or(distance));
+        let distance = Number(serde_json::from_str(&format!("{distance:.3e}")).unwrap_or(distance));
         self.0.message += &format!("; the nearest free configuration found is {nearest:?}, {distance} away");
         self.0.nearest = Some(nearest.iter().map(|x| x.to_bits()).collect());
         self

@@ -13,7 +13,7 @@
 use super::cell::{Cell, Square};
 use crate::collision::{Obstacles, Tolerance, largest_coordinate};
 use crate::error::{Code, Error};
-use crate::geometry::{Aabb, Point, Segment, Vector, convex_pieces, signed_distance_point_polygon};
+use crate::geometry::{Aabb, Point, Segment, Vector, convex_pieces, signed_distance_point_polygon, sort_numbers};
 use crate::problem::Touched;
 use crate::robot::Arm;
 use crate::scenario::{Obstacle, Robot};
@@ -222,11 +222,11 @@ impl Clearances {
         let reach = |best: f64| (best + self.radius).max(0.0) + self.eta;
         let mut near = Vec::new();
         pieces.any_near(&around[0].grown(reach(best.1)), |piece| {
-            near.push(piece);
+            near.push(piece as u32);
             false
         });
-        near.sort_unstable();
-        for piece in near {
+        sort_numbers(&mut near, &|i, j| i.cmp(&j));
+        for piece in near.into_iter().map(|piece| piece as usize) {
             let is_near = |axis: &Aabb| axis.gap_squared(pieces.aabb(piece)) <= reach(best.1) * reach(best.1);
             if around.iter().all(is_near) {
                 let found = least(is_disc, |along| by_corners(along, pieces.shape(piece)));

@@ -82,7 +82,7 @@ impl Subdivision {
             is_open.fill(true);
             wall.iter().for_each(|&cell| is_open[cell as usize] = false);
         }
-        wall.sort_unstable();
+        sort_numbers(&mut wall, &|i, j| i.cmp(&j));
         wall
     }
 

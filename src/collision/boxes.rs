@@ -8,7 +8,7 @@
 //! their common box; then every eight neighbours make a group, the boxes around every eight groups the next level's
 //! groups, and so on.
 
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, sort_numbers};
 use wide::i16x8;
 
 /// How many boxes a group holds.
@@ -198,7 +198,7 @@ fn union(boxes: &[Cells]) -> Cells {
 /// ordered likewise. The first half is eight times a power of two, so that groups of groups are compact too.
 fn arrange(order: &mut [u32], boxes: &[Aabb]) {
     if order.len() <= LANES {
-        order.sort_unstable();
+        sort_numbers(order, &|i, j| i.cmp(&j));
         return;
     }
     // Twice the middle; coordinates are at most 1e6.

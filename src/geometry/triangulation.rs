@@ -1,7 +1,6 @@
 //! Triangulation of a simple polygon by ear clipping.
 
 use super::{Aabb, Point, Polygon, orientation};
-use std::collections::BTreeSet;
 
 /// Triangles between vertices of the polygon that cover it without overlap: three indices each, counter-clockwise, two fewer
 /// than there are vertices, none flat. Decided exactly.
@@ -29,20 +28,18 @@ pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
     // to check the vertices that are not convex at the beginning.
     let concave = Tree::new((0..n).filter(|&i| !is_convex(corner(&before, &after, i))).map(|i| vertices[i as usize]));
     // Corners that may be ears. A corner that is not an ear cannot become one until a neighbour is cut off.
-    let mut candidates = BTreeSet::new();
-    candidates.extend(0..n);
+    let mut candidates = Candidates::all(n);
     let mut triangles = Vec::with_capacity(vertices.len() - 2);
     let mut at = 0;
     while triangles.len() + 3 < vertices.len() {
         // Continuing after the last ear, instead of at the start, avoids a fan of slivers.
-        let next = candidates.range(at..).next().or(candidates.first());
-        let tip = *next.expect("a simple polygon has ears");
+        let tip = candidates.take_from(at).or_else(|| candidates.take_from(0)).expect("a simple polygon has ears");
         let ear @ [a, _, c] = corner(&before, &after, tip);
-        candidates.remove(&tip);
         if is_convex(ear) && !concave.meets(ear.map(|v| vertices[v as usize])) {
             triangles.push(ear);
             (after[a as usize], before[c as usize]) = (c, a);
-            candidates.extend([a, c]);
+            candidates.add(a);
+            candidates.add(c);
             at = after[c as usize];
         }
     }
@@ -50,6 +47,39 @@ pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
     last.sort_unstable();
     triangles.push(last);
     triangles
+}
+
+/// A set of numbers, a bit for each.
+struct Candidates(Vec<u64>);
+
+impl Candidates {
+    /// The numbers below `n`.
+    fn all(n: u32) -> Self {
+        let mut words = vec![u64::MAX; n.div_ceil(64) as usize];
+        if let Some(last) = words.last_mut().filter(|_| n % 64 > 0) {
+            *last = (1 << (n % 64)) - 1;
+        }
+        Self(words)
+    }
+
+    fn add(&mut self, number: u32) {
+        self.0[number as usize / 64] |= 1 << (number % 64);
+    }
+
+    /// Takes the first number that is not below another out of the set.
+    fn take_from(&mut self, number: u32) -> Option<u32> {
+        let first = number as usize / 64;
+        let mut mask = u64::MAX << (number % 64);
+        for (at, word) in self.0.iter_mut().enumerate().skip(first) {
+            let found = *word & mask;
+            if found != 0 {
+                *word ^= found & found.wrapping_neg();
+                return Some(at as u32 * 64 + found.trailing_zeros());
+            }
+            mask = u64::MAX;
+        }
+        None
+    }
 }
 
 /// Points in a balanced tree: the median of a range splits it, along the longer side of its box.

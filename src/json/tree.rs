@@ -2,7 +2,7 @@
 
 use super::{MAX_DEPTH, MAX_TEXT, push_field};
 use crate::error::{Code, Error, quoted};
-use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::map::Entry;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -45,7 +45,8 @@ fn huge_number_at<'a>(text: &'a str, error: &serde_json::Error) -> Option<&'a st
     if before[..start].ends_with('"') {
         return None;
     }
-    number.parse().is_ok_and(f64::is_infinite).then(|| number.get(..60).unwrap_or(number))
+    let is_number = serde_json::from_str::<IgnoredAny>(number).is_ok();
+    (is_number && serde_json::from_str::<f64>(number).is_err()).then(|| number.get(..60).unwrap_or(number))
 }
 
 /// A number as JavaScript writes it, if it is not finite.

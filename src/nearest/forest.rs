@@ -9,6 +9,7 @@
 
 use super::packs::weight;
 use super::{Nearest, Neighbour, Query};
+use crate::geometry::sort_numbers;
 use crate::graph::{Ordered, VertexId};
 use crate::random::below;
 use crate::space::Space;
@@ -100,10 +101,7 @@ impl Forest {
         let along = |&member: &u32| projection(&direction, self.point(member));
         let projections: Vec<f64> = members.iter().map(along).collect();
         let mut order: Vec<u32> = (0..members.len() as u32).collect();
-        order.sort_unstable_by(|&a, &b| {
-            let (a, b) = (a as usize, b as usize);
-            projections[a].total_cmp(&projections[b]).then(members[a].cmp(&members[b]))
-        });
+        sort_numbers(&mut order, &|a, b| projections[a].total_cmp(&projections[b]).then(members[a].cmp(&members[b])));
         let middle = order.len() / 2;
         let threshold = projections[order[middle] as usize];
         members = order.iter().map(|&at| members[at as usize]).collect();
@@ -147,7 +145,7 @@ impl Forest {
             }
             if depth > self.deepest(members.len()) {
                 self.spare[tree].append(&mut free);
-                members.sort_unstable();
+                sort_numbers(&mut members, &|i, j| i.cmp(&j));
                 return self.build(tree, top, members);
             }
         }

@@ -3,6 +3,7 @@
 //! of ever closer lines around its corners: where the metric is a sum, a shortest path keeps to the lines through the points that
 //! it touches.
 
+use crate::geometry::sort_stably;
 use crate::graph::search::{BestFirst, Expansion, View, Walker};
 use crate::graph::{Adjacency, VertexId};
 use crate::path::{Improvement, Wanted, length};
@@ -52,7 +53,7 @@ impl<const N: usize> Grid<N> {
             };
             let lines = path.iter().flat_map(|state| (-BESIDE..=BESIDE).map(move |line| beside(state, line)));
             let mut lines: Vec<f64> = lines.filter(|line| (low..=high).contains(line)).collect();
-            lines.sort_unstable_by(f64::total_cmp);
+            sort_stably(&mut lines, f64::total_cmp);
             lines.dedup_by(|next, line| *next - *line < 0.5 * spacing[i]);
             lines
         })
@@ -64,7 +65,7 @@ impl<const N: usize> Grid<N> {
         let lines = [0, 1].map(|i| {
             let mut lines = lines(i);
             lines.extend([start[i], goal[i]]);
-            lines.sort_unstable_by(f64::total_cmp);
+            sort_stably(&mut lines, f64::total_cmp);
             lines.dedup();
             lines
         });

@@ -9,7 +9,6 @@ use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, RigidBody, Target, Weights};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
-use std::collections::BTreeSet;
 
 /// The default step of integration, in seconds.
 const INTEGRATION_STEP: f64 = 0.01;
@@ -202,10 +201,11 @@ fn checked_weights(metric: Option<document::Metric>) -> Result<Weights, Error> {
 }
 
 fn checked_queries(queries: Vec<document::Query>, robot: &Robot) -> Result<Vec<Query>, Error> {
-    let (mut checked, mut names) = (Vec::with_capacity(queries.len()), BTreeSet::new());
+    // The map of the JSON reader, which is linked in any case.
+    let (mut checked, mut names) = (Vec::with_capacity(queries.len()), serde_json::Map::new());
     for (i, query) in queries.into_iter().enumerate() {
         let query = checked_query(query, robot).map_err(|error| error.under(&format!("/queries/{i}")))?;
-        if !names.insert(query.name.clone()) {
+        if names.insert(query.name.clone(), Value::Null).is_some() {
             let sentence = format!("another query has the name {}, too", quoted(&query.name));
             return Err(Error::new(Code::DuplicateName, format!("/queries/{i}/name"), sentence));
         }

@@ -56,6 +56,8 @@ pub enum Stream {
     Growth = 15,
     /// The order in which joint moves of a fleet are tried.
     Moves = 16,
+    /// Which values of a sample are drawn again, for an interval.
+    Resamples = 17,
 }
 
 /// A stream of random numbers.

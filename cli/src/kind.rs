@@ -31,7 +31,7 @@ impl Kind {
         Self::fields("a plan of a fleet", &["fleet", "planner", "robots", "makespan", "stats"]);
     pub const NAVIGATION_PLAN: Self =
         Self::fields("a result of this command", &["scenario", "query", "path", "policy", "rollouts", "reached"]);
-    pub const COMPARISON: Self = Self::fields("a comparison", &["method", "reached", "collisions", "planned"]);
+    pub const COMPARISON: Self = Self::fields("a comparison", &["comparisons", "methods"]);
     pub const REACH: Self = Self::fields("a result of this command", &["scenario", "method", "target", "solutions"]);
     pub const OPTIMUM: Self = Self::fields("a shortest path", &["length", "path", "method", "exact"]);
     pub const CERTIFICATE: Self = Self::format("a certificate", "planarium-certificate-1");

@@ -11,10 +11,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
-use planarium::navigation::{self, Comparison, Method, Navigation, Policy};
+use planarium::navigation::{self, Comparison, Method, MethodOverall, MethodSummary, Navigation, Policy};
 use planarium::problem::{Status, Stepped};
 use planarium::run::Request;
+use serde::Serialize;
 use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// How far the goals are on which a policy is assessed, in metres.
@@ -58,8 +61,7 @@ pub fn train(arguments: &Train) -> Answer {
         Some(file) => Navigation::parse(&files::read(file)?)?,
         None => navigation::generate_with("furnished", &[])?,
     };
-    let cores = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let threads = arguments.threads.unwrap_or(cores);
+    let threads = arguments.threads.unwrap_or_else(cores);
     let begun = Instant::now();
     let bar = ProgressBar::new(0);
     if let Ok(style) = ProgressStyle::with_template("generation {pos} of {len}, {msg} {bar:30} {eta} left") {
@@ -167,14 +169,17 @@ pub fn navigate(arguments: &Navigate) -> Answer {
 
 #[derive(Args)]
 #[command(after_help = "\
-`planarium list` describes the options. Intervals have a confidence of 95 %.
+`planarium list` describes the options. Intervals have a confidence of 95 %. With several floors they are over the floors, with one
+floor over the runs, and with one run over the executions.
 
 Examples:
   planarium compare rooms.json --policy policy.json --seed 1
-  planarium compare rooms.json --policy policy.json --set queries=50 --set trials=10 --set margin=0.15")]
+  planarium compare rooms.json --policy policy.json --set queries=50 --set trials=10 --set margin=0.15
+  planarium compare rooms-*.json --policy policy.json --runs 3")]
 pub struct Compare {
-    /// The navigation task, a JSON file; - reads it from standard input
-    file: String,
+    /// The navigation tasks, JSON files, each with a floor; - reads one from standard input
+    #[arg(required = true)]
+    files: Vec<String>,
 
     /// The policy, a JSON file; - reads it from standard input
     #[arg(long, value_name = "FILE")]
@@ -182,6 +187,14 @@ pub struct Compare {
 
     #[command(flatten)]
     given: Given,
+
+    /// How often each floor is compared, every time with queries, roadmaps and noise of another seed, from `--seed` on
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    runs: u64,
+
+    /// The threads to use; the result is the same with any number [default: one per core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
+    threads: Option<NonZeroUsize>,
 
     /// Write the summary to this file instead of standard output
     #[arg(long, value_name = "FILE")]
@@ -192,32 +205,112 @@ pub struct Compare {
     force: bool,
 }
 
-/// Compares three ways to drive and prints how each did.
+/// What `compare` writes.
+#[derive(Serialize)]
+struct Compared {
+    /// Of every floor and run.
+    comparisons: Vec<ComparedFloor>,
+    /// Over all of them.
+    methods: Vec<MethodOverall>,
+}
+
+/// A comparison on one floor.
+#[derive(Serialize)]
+struct ComparedFloor {
+    task: String,
+    seed: u64,
+    methods: Vec<MethodSummary>,
+}
+
+/// Compares ways to drive and prints how each did.
 pub fn compare(arguments: &Compare) -> Answer {
-    let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
-    let out = outputs.add(arguments.out.as_deref(), Kind::COMPARISON)?;
-    let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
+    let Compare { files, policy, given, runs, .. } = arguments;
+    let read = files.iter().chain([policy]).map(String::as_str);
+    let out = Outputs::beside(read, arguments.force).add(arguments.out.as_deref(), Kind::COMPARISON)?;
+    if files.iter().chain([policy]).filter(|file| *file == "-").count() > 1 {
+        return Err(Error::new(Code::Usage, "", "only one file can come from standard input"));
+    }
+    let policy = Policy::parse(&files::read(policy)?)?;
+    let tasks: Vec<Navigation> =
+        files.iter().map(|file| Navigation::parse(&files::read(file)?)).collect::<Result<_, _>>()?;
     let begun = Instant::now();
-    let mut comparison = Comparison::new(&task, &policy, &arguments.given.set, arguments.given.seed)?;
-    comparison.step(u64::MAX);
-    let summary = comparison.summary();
-    out.write(&json::to_string(&summary))?;
-    for one in &summary {
-        let name = match one.method {
+    let wanted: Vec<(&Navigation, u64)> =
+        tasks.iter().flat_map(|task| (0..*runs).map(move |run| (task, given.seed.saturating_add(run)))).collect();
+    let comparisons = in_threads(arguments.threads.unwrap_or_else(cores), &wanted, |&(task, seed)| {
+        let mut comparison = Comparison::new(task, &policy, &given.set, seed)?;
+        comparison.step(u64::MAX);
+        Ok(ComparedFloor { task: task.name().to_owned(), seed, methods: comparison.summary() })
+    })?;
+    let of_floors = comparisons.chunks(if tasks.len() > 1 { *runs as usize } else { 1 });
+    let groups: Vec<Vec<Vec<MethodSummary>>> =
+        of_floors.map(|group| group.iter().map(|one| one.methods.clone()).collect()).collect();
+    let methods = navigation::overall(&groups);
+    let compared = Compared { comparisons, methods };
+    out.write(&json::to_string(&compared))?;
+    say_compared(&compared, tasks.len(), groups.len());
+    let executions: u64 = compared.comparisons.iter().flat_map(|one| &one.methods).map(|one| one.reached.n).sum();
+    files::say(&format!("{executions} executions, {:.1} s", begun.elapsed().as_secs_f64()));
+    Ok(true)
+}
+
+/// A line for every method: over the executions of one comparison, or over several.
+fn say_compared(Compared { comparisons, methods }: &Compared, floors: usize, groups: usize) {
+    let percent = |value: Option<f64>| 100.0 * value.unwrap_or(0.0);
+    for (i, all) in methods.iter().enumerate() {
+        let name = match all.method {
             Method::Policy => "policy alone",
-            Method::Straight => "straight edges",
+            Method::Straight => "straight edges, no rays",
+            Method::StraightMargin => "straight edges with a margin, no rays",
+            Method::StraightPolicy => "straight edges, policy",
+            Method::StraightMarginPolicy => "straight edges with a margin, policy",
             _ => "PRM-RL",
         };
-        let percent = |value: Option<f64>| 100.0 * value.unwrap_or(0.0);
+        let one = &comparisons[0].methods[i];
+        let (reached, low, high, least) = match groups {
+            1 => (one.reached.share, one.reached.low, one.reached.high, String::new()),
+            _ => {
+                let what = if floors > 1 { "floors" } else { "runs" };
+                let least = format!(" over {groups} {what}, at least {:.1} %", 100.0 * all.least);
+                (all.reached.mean, all.reached.low, all.reached.high, least)
+            }
+        };
         files::say(&format!(
-            "{name:<14} {:>5.1} % reached [{:.1}, {:.1}], {:.1} % in collision, {:.1} % of the queries have a path",
-            percent(one.reached.share),
-            percent(one.reached.low),
-            percent(one.reached.high),
-            percent(one.collisions.share),
-            percent(one.planned.share)
+            "{name:<37} {:>5.1} % reached [{:.1}, {:.1}]{least}, {:.1} % of the queries have a path",
+            percent(reached),
+            percent(low),
+            percent(high),
+            percent(all.planned.mean)
         ));
     }
-    files::say(&format!("{} executions, {:.1} s", comparison.executions().len(), begun.elapsed().as_secs_f64()));
-    Ok(true)
+}
+
+fn cores() -> NonZeroUsize {
+    std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN)
+}
+
+/// Calls with each item, on several threads; the results are in the order of the items.
+///
+/// # Errors
+/// That of the first item which has one.
+fn in_threads<T: Sync, R: Send>(
+    threads: NonZeroUsize,
+    items: &[T],
+    call: impl Fn(&T) -> Result<R, Error> + Sync,
+) -> Result<Vec<R>, Error> {
+    let (next, results) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..threads.get().min(items.len()) {
+            scope.spawn(|| {
+                while let Some((i, item)) =
+                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|i| Some((i, items.get(i)?)))
+                {
+                    let result = call(item);
+                    results.lock().unwrap_or_else(PoisonError::into_inner).push((i, result));
+                }
+            });
+        }
+    });
+    let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    results.sort_by_key(|(i, _)| *i);
+    results.into_iter().map(|(_, result)| result).collect()
 }

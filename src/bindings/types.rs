@@ -157,7 +157,7 @@ export type RoadmapFormat = "json" | "binary" | "graphml";
 export type DriveOutcome = "reached" | "collision" | "timeout";
 
 /** A way to drive far: the policy alone, straight edges tracked by a simple controller, or PRM-RL. */
-export type NavigationMethod = "policy" | "straight" | "prm-rl";
+export type NavigationMethod = "policy" | "straight" | "straight-margin" | "straight-policy" | "straight-margin-policy" | "prm-rl";
 
 /** The shape of a differential drive about the middle of its axle; x is forward. */
 export type FootprintDocument = { type: "disc"; /** In metres. */ radius: number } | { type: "polygon"; /** The corners, in metres. */ vertices: Point[] };

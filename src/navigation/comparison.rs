@@ -1,5 +1,6 @@
-//! Three ways to drive a long way, compared on the same floor with the same queries: the policy alone, straight edges of a
-//! roadmap that are proven free and tracked by a simple controller, and PRM-RL.
+//! Ways to drive far, compared on the same floor with the same queries: the policy alone, straight edges of a roadmap that are
+//! proven free, with and without a margin, and PRM-RL. Straight edges are driven twice, by a controller that looks at no rays
+//! and by the policy: what PRM-RL gains over the latter is due to its edges alone.
 //!
 //! An iteration is one of a roadmap's planner, or one execution. Queries are drawn from the seed; every execution has noise of
 //! its own.
@@ -17,7 +18,7 @@ use crate::options::{Options as _, Value};
 use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
-use crate::statistics::{Mean, Share, mean, share};
+use crate::statistics::{Mean, Share, mean, resampled, share};
 use serde::Serialize;
 
 crate::options! {
@@ -30,11 +31,11 @@ crate::options! {
     /// Starts and goals are at least this far apart.
     least_distance: f64 = 10.0, in 0.0..=1000.0, "Least distance", unit "m";
     /// Number of free samples of a roadmap.
-    samples: usize = 800, in 0.0..=100_000.0, "Samples";
+    samples: usize = 2500, in 0.0..=100_000.0, "Samples";
     /// Number of neighbours that a vertex is connected to.
     k: usize = 20, in 1.0..=100.0, "Neighbours";
-    /// By what the robot is larger while straight edges are proven: room for errors of the controller.
-    margin: f64 = 0.0, in 0.0..=1.0, "Margin", unit "m";
+    /// By what the robot is larger while straight edges with a margin are proven: room for errors of the driver.
+    margin: f64 = 0.1, in 0.0..=1.0, "Margin", unit "m";
     /// When an edge is driven reliably.
     rollouts: RolloutOptions;
 }
@@ -46,15 +47,43 @@ crate::options! {
 pub enum Method {
     /// The policy drives to the goal, without a plan.
     Policy,
-    /// A roadmap of straight edges, proven free, tracked by a simple controller.
+    /// A roadmap of straight edges, proven free, tracked by a controller that looks at no rays.
     Straight,
+    /// The same with edges that are proven for a larger robot.
+    StraightMargin,
+    /// A roadmap of straight edges, proven free, driven by the policy.
+    StraightPolicy,
+    /// The same with edges that are proven for a larger robot.
+    StraightMarginPolicy,
     /// A roadmap of edges that the policy drives reliably, driven by it.
     PrmRl,
 }
 
 impl Method {
     /// All, in the order in which they are tried.
-    pub const ALL: [Method; 3] = [Method::Policy, Method::Straight, Method::PrmRl];
+    pub const ALL: [Method; 6] = [
+        Method::Policy,
+        Method::Straight,
+        Method::StraightMargin,
+        Method::StraightPolicy,
+        Method::StraightMarginPolicy,
+        Method::PrmRl,
+    ];
+
+    /// The index of its roadmap, if it has one: of straight edges, of those with a margin, of learned edges.
+    fn roadmap(self) -> Option<usize> {
+        match self {
+            Method::Policy => None,
+            Method::Straight | Method::StraightPolicy => Some(0),
+            Method::StraightMargin | Method::StraightMarginPolicy => Some(1),
+            Method::PrmRl => Some(2),
+        }
+    }
+
+    /// Whether the policy drives.
+    fn is_by_policy(self) -> bool {
+        !matches!(self, Method::Straight | Method::StraightMargin)
+    }
 }
 
 /// One execution.
@@ -100,11 +129,12 @@ pub struct Comparison {
     seed: u64,
     time_step: f64,
     queries: Vec<NavigationQuery>,
-    /// Of straight edges and of PRM-RL.
-    roadmaps: [Box<dyn Run>; 2],
+    /// Of straight edges, of those with a margin, and of PRM-RL.
+    roadmaps: [Box<dyn Run>; 3],
+    /// Of the controller that looks at no rays, and of the policy.
     executors: [Executor; 2],
-    /// The paths of the present query, by method.
-    paths: Vec<Vec<[f64; 2]>>,
+    /// The paths of the present query, by roadmap; empty if there is none.
+    paths: [Vec<[f64; 2]>; 3],
     executions: Vec<Execution>,
     iterations: u64,
 }
@@ -152,17 +182,17 @@ impl Comparison {
         };
         let lazy_prm = LazyPrmOptions { samples: Some(samples), k, ..LazyPrmOptions::default() };
         let of = |planner: PlannerOptions| Options { seed, events: false, ..Options::new(planner) };
-        let grown = task.disc_scenario(options.margin)?;
-        let straight = run::start(&grown, &of(prm.into()))?;
+        let straight = |margin| run::start(&task.disc_scenario(margin)?, &of(prm.into()));
+        let [straight, with_margin] = [straight(0.0)?, straight(options.margin)?];
         let learned = roadmap::start(&task, policy, &rollouts, &of(lazy_prm.into()))?;
         Ok(Self {
             options,
             seed,
             time_step: task.robot().drive.time_step(),
             queries,
-            roadmaps: [straight, learned],
+            roadmaps: [straight, with_margin, learned],
             executors: [Executor::new(&task, None)?, Executor::new(&task, Some(policy))?],
-            paths: Vec::new(),
+            paths: Default::default(),
             executions: Vec::new(),
             iterations: 0,
         })
@@ -187,23 +217,22 @@ impl Comparison {
     fn execute(&mut self) {
         let (trials, number) = (self.options.trials as usize, self.executions.len());
         let (query, method) = (number / (Method::ALL.len() * trials), number / trials % Method::ALL.len());
+        let method = Method::ALL[method];
         let NavigationQuery { start, goal, .. } = self.queries[query];
         let ends = [[start[0], start[1]], goal];
         if number.is_multiple_of(Method::ALL.len() * trials) {
-            // Queries have room for both robots, so that all of them can be asked.
-            let between = |roadmap: &mut Box<dyn Run>| {
+            // Queries have room for all robots, so that each roadmap can be asked.
+            self.paths = self.roadmaps.each_mut().map(|roadmap| {
                 let asked = roadmap.query(&ends[0], &ends[1], false);
                 asked.map_or_else(|_| Vec::new(), |result| result.path.iter().map(|q| [q[0], q[1]]).collect())
-            };
-            self.paths = vec![ends.to_vec()];
-            self.paths.extend(self.roadmaps.iter_mut().map(between));
+            });
         }
-        let method_of = Method::ALL[method];
-        let executor = &self.executors[usize::from(method_of != Method::Straight)];
-        let drive = executor.drive(start, &self.paths[method], self.seed, number as u64).ok();
+        let path = method.roadmap().map_or(&ends[..], |roadmap| &self.paths[roadmap]);
+        let executor = &self.executors[usize::from(method.is_by_policy())];
+        let drive = executor.drive(start, path, self.seed, number as u64).ok();
         self.executions.push(Execution {
             query,
-            method: method_of,
+            method,
             outcome: drive.as_ref().map(|drive| drive.outcome),
             length: drive.as_ref().map_or(0.0, Drive::length),
             time: drive.map_or(0.0, |drive| (drive.trace.len() - 1) as f64 * self.time_step),
@@ -234,6 +263,41 @@ impl Comparison {
         };
         Method::ALL.map(summary).to_vec()
     }
+}
+
+/// How a method did in several comparisons.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MethodOverall {
+    /// The method.
+    pub method: Method,
+    /// The share of executions that reached the goal, a value for each group of comparisons, with an interval over the groups.
+    pub reached: Mean,
+    /// The least of these shares.
+    pub least: f64,
+    /// The share of queries for which the roadmap has a path.
+    pub planned: Mean,
+}
+
+/// The methods over groups of comparisons, such as those on one floor, each given by its summaries. Executions on one floor, or
+/// along one roadmap, are alike: so intervals are over groups, not over executions.
+pub fn overall(groups: &[Vec<Vec<MethodSummary>>]) -> Vec<MethodOverall> {
+    let of = |method: Method| {
+        let shares = |share: fn(&MethodSummary) -> Share| -> Vec<f64> {
+            let own = |group: &Vec<Vec<MethodSummary>>| {
+                let all = group.iter().flatten().filter(|summary| summary.method == method);
+                mean(&all.map(|summary| share(summary).share.unwrap_or(f64::NAN)).collect::<Vec<_>>()).mean
+            };
+            groups.iter().map(|group| own(group).unwrap_or(f64::NAN)).collect()
+        };
+        let reached = shares(|summary| summary.reached);
+        MethodOverall {
+            method,
+            reached: resampled(&reached),
+            least: reached.iter().copied().fold(f64::NAN, f64::min),
+            planned: resampled(&shares(|summary| summary.planned)),
+        }
+    };
+    Method::ALL.map(of).to_vec()
 }
 
 /// Queries between configurations that are far apart.

@@ -40,7 +40,7 @@ mod rollout;
 mod sensor;
 mod training;
 
-pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodSummary};
+pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodOverall, MethodSummary, overall};
 #[cfg(feature = "schema")]
 pub use document::schema;
 pub use document::{Navigation, NavigationQuery, Navigator, Noise};

@@ -1,4 +1,4 @@
-/** The page of learned edges, in Chromium: it trains as the package does, plans by PRM-RL, drives in three ways, compares them, and teaches. */
+/** The page of learned edges, in Chromium: it trains as the package does, plans by PRM-RL, drives in several ways, compares them, and teaches. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -267,7 +267,7 @@ test("the comparison ends with the numbers of the package, drawn and saved", () 
   await page.locator("#compare-settings summary").click();
   for (const [name, value] of Object.entries(options)) await fill(page, `#compare-${name}`, String(value));
   await page.click("#compare");
-  await rest(page, "[data-compared=over][data-executions='12']");
+  await rest(page, "[data-compared=over][data-executions='24']");
   const comparison = first.comparison(policy, options);
   comparison.step(1e9);
   for (const { method, reached } of comparison.summary()) {
@@ -277,8 +277,8 @@ test("the comparison ends with the numbers of the package, drawn and saved", () 
   }
   await page.click("#export-fold > summary");
   const rows = (await download(page, "#export-comparison")).text.trim().split("\r\n");
-  assert.equal(rows.length, 13);
-  assert.match(rows[12], /^2,prm-rl,/);
+  assert.equal(rows.length, 25);
+  assert.match(rows[24], /^2,prm-rl,/);
   assert.deepEqual(JSON.parse((await download(page, "#export-summary")).text).summary, JSON.parse(JSON.stringify(comparison.summary())));
   await fill(page, "#compare-least_distance", "900");
   await page.click("#compare");

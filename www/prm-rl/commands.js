@@ -8,7 +8,8 @@ import { withOptions } from "../domain/option-names.js";
 /** @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions, NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 
-/** How a goal is driven to. @typedef {NavigationMethod} Way */
+/** How a goal is driven to, one start and goal at a time: a margin is an option there. @typedef {Exclude<NavigationMethod, "straight-margin" | "straight-margin-policy">} Way */
+/** Those with a roadmap. @typedef {Exclude<Way, "policy">} PlannedWay */
 
 /** Milliseconds of a call, about. */
 const SLICE = 24;
@@ -70,14 +71,14 @@ export const commands = {
 
   /**
    * Begins a roadmap.
-   * @param {NavigationDocument} document  with one query @param {PolicyDocument} policy @param {Exclude<Way, "policy">} way @param {Settings} settings
+   * @param {NavigationDocument} document  with one query @param {PolicyDocument} policy @param {PlannedWay} way @param {Settings} settings
    * @throws {Error} they are refused, and nothing changes
    */
   beginPlan(document, policy, way, settings) {
     const task = Navigation.parse(document);
     try {
-      const planner = withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => (way === "straight" ? task.straightPlanner(options) : task.planner(policy, options)));
-      const rollouts = way === "straight" ? null : (/** @type {number[][]} */ path) => withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => task.edgeRollouts(policy, path.flat(), options));
+      const planner = withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => (way === "prm-rl" ? task.planner(policy, options) : task.straightPlanner(options)));
+      const rollouts = way !== "prm-rl" ? null : (/** @type {number[][]} */ path) => withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => task.edgeRollouts(policy, path.flat(), options));
       plan?.planner.free();
       plan?.task.free();
       plan = { id: ++count, task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
@@ -117,7 +118,7 @@ export const commands = {
     }));
   },
 
-  /** Begins a comparison of the three ways to drive. @param {NavigationDocument} document @param {PolicyDocument} policy @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  /** Begins a comparison of the ways to drive. @param {NavigationDocument} document @param {PolicyDocument} policy @param {Settings} settings @throws {Error} they are refused, and nothing changes */
   beginComparison(document, policy, settings) {
     const comparison = withTask(document, (task) => withOptions(settings, (/** @type {NavigationComparisonOptions} */ options) => task.comparison(policy, options)));
     compared?.comparison.free();

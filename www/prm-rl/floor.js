@@ -155,7 +155,8 @@ export class Floor {
       context.setLineDash([]);
       return;
     }
-    const colour = way === "straight" ? palette.path : palette.unproven;
+    const isProven = way !== "prm-rl";
+    const colour = isProven ? palette.path : palette.unproven;
     context.save();
     context.lineCap = context.lineJoin = "round";
     if (edge !== null && path[edge + 1]) {
@@ -173,7 +174,7 @@ export class Floor {
       context.stroke();
     };
     trace();
-    setStroke(context, colour, 3 * bold, way === "straight" ? [] : [9, 5]);
+    setStroke(context, colour, 3 * bold, isProven ? [] : [9, 5]);
     trace();
     context.setLineDash([]);
     context.fillStyle = colour;

@@ -6,7 +6,7 @@
  */
 import { byId, make } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
-import { FIRST, countsOf } from "./session.js";
+import { FIRST, countsOf, noSettings } from "./session.js";
 import { leastOf } from "./words.js";
 
 /** @import { App } from "../app/app.js" */
@@ -94,16 +94,16 @@ export class Lesson {
         text: () => `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share.`,
       },
       {
-        question: "Now 95 % of the rollouts must succeed. Which drives better: PRM-RL, or straight edges that are proven free but followed without looking?", choices: ["PRM-RL", "Straight edges"], answer: 0,
+        question: "Now 95 % of the rollouts must succeed. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
+        choices: ["A driver that looks", "Edges that are learned"], answer: 0,
         ends: { start: START, goal: FAR },
         run: async () => {
-          session.given = { straight: {}, "prm-rl": {} };
-          await this.drive("straight");
-          await this.drive("prm-rl");
+          session.given = noSettings();
+          for (const way of /** @type {const} */ (["straight", "straight-policy", "prm-rl"])) await this.drive(way);
         },
         text: () => {
-          const straight = countsOf(session.runs.straight.drives);
-          return `PRM-RL reached the goal in ${reached()} drives, straight edges in ${straight.reached} of ${TRIALS} with ${straight.collision} collisions. The proof is about straight motions; noise leaves them. Compare both on many ways in Compare.`;
+          const [blind, seeing] = [session.runs.straight, session.runs["straight-policy"]].map(({ drives }) => countsOf(drives).reached);
+          return `PRM-RL reached the goal in ${reached()} drives; straight edges in ${blind} without looking, and in ${seeing} by the policy. The proof is about straight motions, and noise leaves them; a driver that looks makes up for most of that. Learned edges count what it cannot. Compare all ways on many goals in Compare.`;
         },
       },
     ];

@@ -140,7 +140,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     { id: "result", title: "Plan", format: "JSON", meaning: "The path, and the rollouts along its edges.", content: () => json({ ...session.run.result, rollouts: session.run.rollouts }), name: () => `${names.name()}-${session.way}` },
     { id: "generations", title: "Generations", format: "CSV", meaning: "Mean and best return, and the share of tasks solved.", content: () => trainingCsv(session), name: () => "prm-rl-training" },
     { id: "comparison", title: "Comparison", format: "CSV", meaning: "A row for each drive.", content: () => comparedCsv(session), name: () => `${names.name()}-comparison` },
-    { id: "summary", title: "Comparison", format: "JSON", meaning: "The statistics of the three ways.", content: () => json({ summary: comparison.summary, queries: comparison.queries }), name: () => `${names.name()}-comparison` },
+    { id: "summary", title: "Comparison", format: "JSON", meaning: "The statistics of the ways.", content: () => json({ summary: comparison.summary, queries: comparison.queries }), name: () => `${names.name()}-comparison` },
   ], filmsOf(session, figures.floor));
 
   let began = 0;

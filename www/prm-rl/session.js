@@ -13,7 +13,7 @@ import { TrainingRun } from "./training.js";
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
-/** @import { Commands, Way } from "./commands.js" */
+/** @import { Commands, PlannedWay, Way } from "./commands.js" */
 /** @import { TrainingWorker } from "./pool.js" */
 
 /** @typedef {"train" | "plan" | "compare"} Part */
@@ -38,11 +38,17 @@ import { TrainingRun } from "./training.js";
 /** The floor at first. */
 export const FIRST = /** @type {const} */ ({ kind: "rooms", options: { seed: 2 } });
 
-/** @type {Way[]} */
-export const WAYS = ["policy", "straight", "prm-rl"];
+/** The ways that can be planned and driven one by one. @type {Way[]} */
+export const WAYS = ["policy", "straight", "straight-policy", "prm-rl"];
 
 /** @returns {Run} */
 const nothing = () => ({ status: "none", iterations: 0, vertices: [], edges: [], refused: [], result: null, path: [], rollouts: null, drives: [] });
+
+/** @returns {Record<Way, Run>} */
+const noRuns = () => ({ policy: nothing(), straight: nothing(), "straight-policy": nothing(), "prm-rl": nothing() });
+
+/** @returns {Record<PlannedWay, Settings>} */
+export const noSettings = () => ({ straight: {}, "straight-policy": {}, "prm-rl": {} });
 
 /** @extends {Observable<Change>} */
 export class NavigationSession extends Observable {
@@ -72,11 +78,10 @@ export class NavigationSession extends Observable {
     this.moved = "goal";
     /** @type {Way} */
     this.way = "prm-rl";
-    /** Options that differ from the defaults, of each way that plans. @type {Record<"straight" | "prm-rl", Settings>} */
-    this.given = { straight: {}, "prm-rl": {} };
+    /** Options that differ from the defaults, of each way that plans. @type {Record<PlannedWay, Settings>} */
+    this.given = noSettings();
     this.trials = 20;
-    /** @type {Record<Way, Run>} */
-    this.runs = { policy: nothing(), straight: nothing(), "prm-rl": nothing() };
+    this.runs = noRuns();
     /** Plans and drives begun: replies of earlier ones are dropped. */
     this.turn = 0;
     /** Seconds, of the drives. */
@@ -149,7 +154,7 @@ export class NavigationSession extends Observable {
   /** Forgets all plans and drives. */
   clear() {
     this.turn++;
-    Object.assign(this, { runs: { policy: nothing(), straight: nothing(), "prm-rl": nothing() }, time: 0, selected: 0, edge: null });
+    Object.assign(this, { runs: noRuns(), time: 0, selected: 0, edge: null });
   }
 
   /** @param {PolicyDocument} policy @param {Origin} origin @throws {Error} the core refuses it, and nothing changes */

@@ -4,7 +4,7 @@ import { endText } from "../domain/names.js";
 import { csvFile } from "../formats/csv.js";
 import { num } from "../widgets/format.js";
 import { WAYS, countsOf } from "./session.js";
-import { WAY_WORDS, percentText } from "./words.js";
+import { COMPARED, WAY_WORDS, percentText } from "./words.js";
 
 /** @import { MethodSummary } from "planarium/full" */
 /** @import { NavigationSession } from "./session.js" */
@@ -50,7 +50,7 @@ export function showEdges(session) {
 
 /** The comparison so far. @param {NavigationSession} session */
 export function showCompared({ comparison: { summary } }) {
-  const rows = WAYS.map((way) => {
+  const rows = COMPARED.map((way) => {
     const found = summary.find(({ method }) => method === way);
     if (!found || found.reached.n === 0) return row(WAY_WORDS[way].title, [NONE, intervalOf(null), NONE, NONE, NONE, NONE], { way, reached: "" });
     const { reached, collisions, planned, length, time } = found;

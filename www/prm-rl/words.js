@@ -4,14 +4,20 @@ import { capital } from "../widgets/format.js";
 import { countsOf } from "./session.js";
 
 /** @import { NavigationSession } from "./session.js" */
-/** @import { Way } from "./commands.js" */
+/** @import { NavigationMethod } from "planarium/full" */
 
-/** The ways to drive. @type {Record<Way, { title: string, does: string }>} */
+/** The ways to drive. @type {Record<NavigationMethod, { title: string, does: string }>} */
 export const WAY_WORDS = {
   policy: { title: "Policy alone", does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays." },
   straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. A simple controller follows them and looks at no rays." },
+  "straight-margin": { title: "Straight edges, margin", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
+  "straight-policy": { title: "Straight edges, policy", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. The policy drives from one vertex to the next." },
+  "straight-margin-policy": { title: "Straight edges, margin, policy", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
   "prm-rl": { title: "PRM-RL", does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next." },
 };
+
+/** The ways of a comparison. */
+export const COMPARED = /** @type {NavigationMethod[]} */ (Object.keys(WAY_WORDS));
 
 /** @param {NavigationSession} session */
 export function sentenceOf(session) {
@@ -54,8 +60,8 @@ function trainingSentence({ training: { status, generation, generations, history
 
 /** @param {NavigationSession} session */
 function comparisonSentence({ comparison: { status, executions, count, iterations, summary } }) {
-  if (status === "none") return "The same long ways are driven in three ways, each several times with noise. Press Run.";
-  if (executions.length === 0) return `Two roadmaps are built: ${counted(iterations, "iteration")}.`;
+  if (status === "none") return "Far goals are driven to in six ways, each several times with noise. Press Run.";
+  if (executions.length === 0) return `Three roadmaps are built: ${counted(iterations, "iteration")}.`;
   if (status !== "over") return `${grouped(executions.length)} of ${counted(count, "drive")}.`;
   const shares = summary.map(({ method, reached }) => `${WAY_WORDS[method].title} ${percentText(reached.share)}`);
   return `Goals reached: ${shares.join(", ")}.`;

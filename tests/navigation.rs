@@ -6,8 +6,8 @@ use crate::common::{given, golden};
 use planarium::Error;
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, Executor, Method, Navigation, NavigationResult, Outcome, Policy, Training, assess, edge_rollouts, generate,
-    read_options,
+    Comparison, Executor, Method, Navigation, NavigationResult, Outcome, Policy, Training, assess, edge_rollouts,
+    generate, read_options,
 };
 use planarium::problem::{Status, Stepped};
 use planarium::robot::Part;
@@ -321,6 +321,23 @@ fn every_edge_of_a_path_is_driven_reliably_in_both_directions() {
         edge_rollouts(&task, &policy, &read_options(&options).expect("options").0, 1, &path).expect("rollouts"),
         result.rollouts
     );
+}
+
+/// The product of the shares of successes along the path, each the lesser of both directions.
+fn success(settings: &str) -> f64 {
+    let result = navigate(&hall(), &shipped(), &options(settings), 1);
+    assert_eq!(result.plan.status, Status::Solved);
+    let shares = result.rollouts.iter().map(|edge| f64::from(edge.forward.min(edge.backward)) / f64::from(edge.of));
+    shares.product()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn reliability_makes_detours_along_edges_that_succeed_more_often() {
+    let settings = "samples=60 k=8 rollouts=10 least_share=0.5";
+    let [shortest, reliable] = ["", " reliability=100"].map(|more| success(&format!("{settings}{more}")));
+    assert!(reliable > shortest, "{reliable} and {shortest}");
+    let eager = Request { planner: Some("prm".to_owned()), ..options("reliability=1") };
+    refuses(start(&hall(), &shipped(), &eager).map(|_| ()), "unsupported", "/reliability");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

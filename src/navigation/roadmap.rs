@@ -33,6 +33,8 @@ crate::options! {
     rollouts: u32 = 20, in 1.0..=1000.0, "Rollouts";
     /// The share of rollouts, in each direction, that must reach the other vertex.
     least_share: f64 = 0.95, in 0.0..=1.0, "Least share";
+    /// How long a detour is worth a path that succeeds e times as often: 0 prefers the shortest of the reliable edges.
+    reliability: f64 = 0.0, in 0.0..=1e4, "Reliability", unit "m";
     /// The longest edges that are tried.
     longest_edge: f64 = 3.0, in 0.1..=1000.0, "Longest edge", unit "m";
 }
@@ -57,13 +59,15 @@ pub(super) struct Rollouts {
     seed: u64,
     /// Time steps that were driven.
     steps: Cell<u64>,
+    /// Of the last edge that was found reliable, the rollouts that reached its end, in the worse direction.
+    least: Cell<u32>,
 }
 
 impl Rollouts {
     pub(super) fn new(task: &Navigation, policy: &Policy, options: RolloutOptions, seed: u64) -> Result<Self, Error> {
         let simulation = Simulation::new(task);
         let controller = Controller::new(Some(policy), task.robot())?;
-        Ok(Self { simulation, controller, options, seed, steps: Cell::new(0) })
+        Ok(Self { simulation, controller, options, seed, steps: Cell::new(0), least: Cell::new(0) })
     }
 
     /// Of the rollouts from one position to another, how many reach it; `None` as soon as fewer than `least` can.
@@ -101,13 +105,28 @@ impl Rollouts {
 
     /// Whether enough rollouts succeed in both directions.
     fn is_reliable(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        let RolloutOptions { rollouts, least_share, longest_edge } = self.options;
+        let RolloutOptions { rollouts, least_share, longest_edge, .. } = self.options;
         let is_enough = |count: &u32| f64::from(*count) / f64::from(rollouts) >= least_share;
         let least = (0..rollouts).find(is_enough).unwrap_or(rollouts);
         let squared = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
-        squared <= longest_edge * longest_edge
-            && self.reached(a, b, least).is_some()
-            && self.reached(b, a, least).is_some()
+        if squared > longest_edge * longest_edge {
+            return false;
+        }
+        let reached = self.reached(a, b, least).and_then(|there| Some(there.min(self.reached(b, a, least)?)));
+        self.least.set(reached.unwrap_or(0));
+        reached.is_some()
+    }
+
+    /// What the edge that was found reliable last costs besides its length: the logarithm of its share of successes, as those of
+    /// the edges of a path multiply.
+    fn surcharge(&self) -> f64 {
+        let RolloutOptions { rollouts, reliability, .. } = self.options;
+        if reliability == 0.0 {
+            return 0.0;
+        }
+        // An edge that never succeeds is one only if the least share is 0.
+        let share = f64::from(self.least.get().max(1)) / f64::from(rollouts);
+        reliability * f64::max(0.0, -libm::log(share))
     }
 
     /// All rollouts along an edge.
@@ -145,6 +164,10 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
         self.turning.is_free(a) && self.turning.is_free(b) && self.rollouts.is_reliable(position(a), position(b))
     }
 
+    fn surcharge(&self, _: &[f64; SIZE], _: &[f64; SIZE]) -> f64 {
+        self.rollouts.surcharge()
+    }
+
     /// Each time step proves an arc.
     fn clearance_evaluations(&self) -> u64 {
         Validity::<[f64; SIZE]>::clearance_evaluations(&self.turning) + self.rollouts.steps.get()
@@ -178,8 +201,8 @@ fn default_planner() -> PlannerOptions {
 ///
 /// # Errors
 /// `unknown-query`, and the errors of parameter values; `unsupported` for planners by controls, for options about other edges,
-/// and for a policy that senses in another way (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the
-/// spot at the start.
+/// for a reliability of a planner that is not lazy (pointer `/reliability`), and for a policy that senses in another way
+/// (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the spot at the start.
 pub fn start(
     task: &Navigation,
     policy: &Policy,
@@ -226,6 +249,12 @@ fn start_between(
     let planner = options.planner.unwrap_or_else(default_planner);
     planner.check()?;
     run::check_use(&planner, run::LEARNED)?;
+    let is_lazy = matches!(planner, PlannerOptions::LazyPrm(_) | PlannerOptions::LazyPrmStar(_));
+    if rollouts.reliability > 0.0 && !is_lazy {
+        let sentence =
+            format!("{} goes by the lengths of edges; reliability is for lazy-prm and lazy-prm-star", planner.id());
+        return Err(Error::new(Code::Unsupported, "/reliability", sentence));
+    }
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
     let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
     let validity = RolloutValidity {

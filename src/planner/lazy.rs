@@ -77,13 +77,13 @@ impl<S: Space> Roadmap<S> {
         }
     }
 
-    /// Settles a candidate.
-    fn settle(&mut self, iteration: u32, edge: u32, is_free: bool) {
+    /// Settles a candidate: a free one with its surcharge.
+    fn settle(&mut self, iteration: u32, edge: u32, surcharge: Option<f64>) {
         let candidates = self.candidates_mut();
         let [from, to] = candidates.search.edges()[edge as usize].ends;
-        candidates.search.settle(edge, is_free);
+        candidates.search.settle(edge, surcharge);
         self.growth.counters.unchecked_edges -= 1;
-        self.add_tried(iteration, from, to, is_free);
+        self.add_tried(iteration, from, to, surcharge.is_some());
     }
 
     /// Tries a candidate. If one of its ends is in collision, all candidates at it are refused.
@@ -99,12 +99,13 @@ impl<S: Space> Roadmap<S> {
                 let search = &self.candidates_mut().search;
                 let is_open = |edge: &u32| search.edges()[*edge as usize].state == EdgeState::Assumed;
                 let open: Vec<u32> = search.edges_at(end).filter(is_open).collect();
-                return open.into_iter().for_each(|edge| self.settle(iteration, edge, false));
+                return open.into_iter().for_each(|edge| self.settle(iteration, edge, None));
             }
             self.candidates_mut().unchecked[end.index()] = false;
         }
         let is_free = self.growth.is_motion_free(problem, &states[0], &states[1]);
-        self.settle(iteration, edge, is_free);
+        let surcharge = is_free.then(|| problem.validity().surcharge(&states[0], &states[1]));
+        self.settle(iteration, edge, surcharge);
     }
 
     /// Expands a vertex, or tries an edge of the best path.

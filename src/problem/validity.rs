@@ -14,6 +14,13 @@ pub trait Validity<S>: MaybeSend {
     /// found early. False means that it is in collision, or too near to one to be proven.
     fn is_motion_free(&self, a: &S, b: &S) -> bool;
 
+    /// What a free motion from `a` to `b` costs besides its length, 0 or more, in the unit of the space's distance. Lazy roadmaps
+    /// ask for it once, right after the motion has been checked; others go by lengths alone. The default is 0.
+    fn surcharge(&self, a: &S, b: &S) -> f64 {
+        let _ = (a, b);
+        0.0
+    }
+
     /// Whether the configuration is within bounds and touches no obstacle.
     fn is_free(&self, state: &S) -> bool {
         self.contacts(state).is_empty()

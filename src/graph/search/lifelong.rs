@@ -147,14 +147,15 @@ impl Lifelong {
         lists.flat_map(move |list| self.half_edges(vertex, list)).map(|half| half / 2)
     }
 
-    /// Notes that an assumed edge is proven, or refuses it.
-    pub fn settle(&mut self, edge: u32, is_free: bool) {
-        if is_free {
-            self.edges[edge as usize].state = EdgeState::Proven;
+    /// Notes that an assumed edge is proven, and by how much it costs more than was assumed, 0 or more; `None` refuses it.
+    pub fn settle(&mut self, edge: u32, surcharge: Option<f64>) {
+        let costs: Vec<Cost> = self.directions().map(|i| self.cost_along(2 * edge + i)).collect();
+        let Edge { state, cost, .. } = &mut self.edges[edge as usize];
+        *state = if surcharge.is_some() { EdgeState::Proven } else { EdgeState::Refused };
+        *cost += surcharge.unwrap_or(0.0);
+        if surcharge == Some(0.0) {
             return;
         }
-        let costs: Vec<Cost> = self.directions().map(|i| self.cost_along(2 * edge + i)).collect();
-        self.edges[edge as usize].state = EdgeState::Refused;
         for (i, cost) in self.directions().zip(costs) {
             self.withdraw(self.end(2 * edge + i), cost);
         }

@@ -15,7 +15,7 @@ const COUNTERS = ["iterations", "vertices", "edges", "motions", "length", "waypo
 const COLUMNS = { iterations: "Iterations", vertices: "Vertices", edges: "Edges", motions: "Motions", length: "Path length", waypoints: "Path vertices", visited: "Vertices visited" };
 /** What a page says in words: a selector, and a pattern whose group is the number. @type {Record<string, Partial<Record<keyof Shows, [string, RegExp]>>>} */
 const WORDS = {
-  planner: { pieces: ["#story", /has ([\d,]+) connected components/], turn: ["body", /joint 1 ([+\u2212-]?[\d.]+) rad/] },
+  planner: { pieces: ["#story", /has ([\d,]+) connected components/], turn: ["#turns", /joint 1 ([+\u2212-]?[\d.]+) rad/] },
   reach: {
     length: ["#story", /, ([\d.]+) rad in total/], turn: ["#story", /theta turns ([\d.]+) rad/], end: ["#story", /joint 1 ends at ([\u2212-]?[\d.]+) rad/i],
     solutions: ["#fact-solutions", /^(\d+) /],
@@ -37,7 +37,7 @@ export async function displayed(page, entry, name) {
   const words = WORDS[entry.page]?.[name];
   if (words) {
     const [selector, pattern] = words;
-    const text = await page.locator(selector).first().innerText();
+    const text = await page.textContent(selector) ?? "";
     const found = pattern.exec(text)?.slice(1).find((one) => one !== undefined);
     assert.ok(found, `${entry.id}: the page does not say its ${name}: ${text.slice(0, 400)}`);
     return numberOf(found);

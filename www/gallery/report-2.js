@@ -53,7 +53,7 @@ export const REPORT_2 = {
     { id: "2-c-space", title: "A roadmap that connects", name: "", kind: "figure", robot: "arm",
       page: "planner", expect: "solved", state: { scene: "stones", lanes: [{ algorithm: "prm", settings: { samples: 260, k: 9, seed: 0 } }] },
       shows: { waypoints: 15 },
-      see: "The same configurations with nine neighbours each: a path of {waypoints}, start and goal marked in both pictures.", holds: "yes", chosen: WORLD },
+      see: "The same configurations with nine neighbours each: a path of {waypoints} vertices, start and goal marked in both pictures.", holds: "yes", chosen: WORLD },
     { id: "2-red", title: "Red in collision", name: "", kind: "figure", robot: "arm",
       page: "reach", expect: "in collision", state: { scene: "islands", q: [0.7, 0.15] },
       see: "The link that touches an obstacle is red and hatched, and so is the obstacle.", try: "Drag the arm until it is free.", holds: "yes", chosen: WORLD },

@@ -42,17 +42,17 @@ export const REPORT_5 = {
   entries: [
     beside("3r", "two-boxes-3r", "Three links and two rectangles", 1000, 4, 0, {
       shows: { waypoints: [12, 24] },
-      see: "In A edges are not checked, and the path of {waypoints A} goes through a rectangle; in B they are proven, and the path has {waypoints B}.", report: "The arm finds out that it has to squeeze through clockwise.",
+      see: "In A edges are not checked, and a path of {waypoints A} vertices goes through a rectangle; in B they are proven, and it has {waypoints B}.", report: "The arm finds out that it has to squeeze through clockwise.",
       why: "The rectangles are in its picture only. Among ours the arm turns clockwise, too, but 49 of 50 paths cut through one.",
     }),
     beside("4r", "disc-4r", "Four links and a disc", 2000, 4, 0, {
       shows: { waypoints: [8, 11] },
-      see: "In A a path of {waypoints A} leads through the disc in large steps; in B, with proven edges, one of {waypoints B} leads round it.", report: "Fewer configurations, as it was easier to find the solution.",
+      see: "In A a path of {waypoints A} vertices leads through the disc in large steps; in B, with proven edges, one of {waypoints B} leads round it.", report: "Fewer configurations, as it was easier to find the solution.",
       why: "The circle is in its picture only. With ours 47 of 50 paths collide: few configurations mean long edges, and nothing looks at them.",
     }),
     beside("2r", "one-box-2r", "Two links and a rectangle", 2000, 6, 0, {
       shows: { waypoints: [19, 22] },
-      see: "In A the tip cuts a corner of the rectangle, on a path of {waypoints A}; in B, with proven edges, the arm folds a little more, on one of {waypoints B}.", report: "A tight rotation in front of the rectangle to reach the bottom.",
+      see: "In A the tip cuts a corner of the rectangle, on a path of {waypoints A} vertices; in B, with proven edges, the arm folds a little more, on one of {waypoints B}.", report: "A tight rotation in front of the rectangle to reach the bottom.",
       why: "The rectangle is in its picture only. With ours 21 of 50 paths are free, as 2000 samples are dense in two dimensions.",
     }),
     { id: "5-end-effector", title: "Two heuristics", name: "", kind: "claim", robot: "arm",

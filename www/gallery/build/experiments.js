@@ -16,9 +16,9 @@ import { drawDots } from "./sheet.js";
 /** @typedef {Extract<Entry, { page: "experiments" }>} ExperimentEntry */
 /** A group of trials: the value across, the others in words, and the measured values of those with a path. @typedef {{ x: string, series: string, values: number[], n: number }} Group */
 
-/** Trials of a picture, about, and most seeds of a setting. */
-const TRIALS = 24;
-const SEEDS = 5;
+/** Trials of a picture, about, and most seeds of a setting; a share needs more of both. */
+const FEW = { trials: 24, seeds: 5 };
+const MANY = { trials: 240, seeds: 25 };
 const PANE = { width: 600, height: 300 };
 const MARGIN = { left: 20, right: 20, top: 46, bottom: 52 };
 /** Width of a letter, about, pixels. */
@@ -31,11 +31,12 @@ const known = new Map();
 export async function openExperiment({ state: { document: name, worlds: kept, view = {} } }, documents) {
   const whole = documents.experiment(name);
   const document = { ...whole, worlds: whole.worlds.filter((world) => !kept || ("scenario" in world && typeof world.scenario === "object" && kept.includes(world.scenario.name))) };
-  const key = JSON.stringify(document);
-  const rows = known.get(key) ?? firstRows(/** @type {ExperimentDocument} */ (document));
-  known.set(key, rows);
   const measured = measureOf(view, document);
-  const draw = (/** @type {Brush} */ brush) => (view.chart === "ecdf" ? drawShares(brush, rows, view.work ?? "iterations") : drawGroups(brush, groupsOf(rows, view.axis ?? "planner", measured), measured, view));
+  const most = isShare(measured) ? MANY : FEW;
+  const key = JSON.stringify([document, most]);
+  const rows = known.get(key) ?? firstRows(/** @type {ExperimentDocument} */ (document), most);
+  known.set(key, rows);
+  const draw = (/** @type {Brush} */ brush) => (view.chart === "ecdf" ? drawShares(brush, rows, view.work ?? "iterations") : drawGroups(brush, groupsOf(rows, view, measured), measured, view));
   return { address: `experiments.html#${await encodeExperiment({ document, view })}`, panes: [draw], pane: PANE };
 }
 
@@ -45,13 +46,13 @@ function measureOf({ chart, measure }, { measures = [] }) {
   return measure ?? measures[0] ?? "length";
 }
 
-/** Runs the first trials of every setting. @param {ExperimentDocument} document @returns {TrialRow[]} */
-function firstRows(document) {
+/** Runs the first trials of every setting. @param {ExperimentDocument} document @param {typeof FEW} most @returns {TrialRow[]} */
+function firstRows(document, most) {
   const all = Experiment.parse(document);
   const seeds = countOf(document.seeds);
-  const kept = Math.max(1, Math.min(SEEDS, Math.floor((TRIALS * seeds) / all.trialCount)));
+  const kept = Math.max(1, Math.min(most.seeds, Math.floor((most.trials * seeds) / all.trialCount)));
   all.free();
-  const worlds = document.worlds.map((world) => ("seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, SEEDS) } : world));
+  const worlds = document.worlds.map((world) => ("seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, most.seeds) } : world));
   const experiment = Experiment.parse({ ...document, worlds, seeds: first(document.seeds, kept) });
   const rows = Array.from({ length: experiment.trialCount }, (_, i) => {
     const trial = experiment.trial(i);
@@ -81,9 +82,9 @@ function settingsOf(rows) {
   return Object.keys(rows[0]).filter((column) => /^planner(\.|$)/.test(column) && new Set(rows.map((row) => row[column])).size > 1);
 }
 
-/** Rows by the value of an axis and the others in words. @param {TrialRow[]} rows @param {string} axis @param {string} measure @returns {Group[]} */
-function groupsOf(rows, axis, measure) {
-  const others = settingsOf(rows).filter((column) => column !== axis);
+/** Rows by the value of the axis and the others in words, of a heat map those of the second axis. @param {TrialRow[]} rows @param {View} view @param {string} measure @returns {Group[]} */
+function groupsOf(rows, { chart, axis = "planner", second }, measure) {
+  const others = chart === "heat" && second ? [second] : settingsOf(rows).filter((column) => column !== axis);
   /** @type {Map<string, Group>} */
   const groups = new Map();
   for (const row of rows) {

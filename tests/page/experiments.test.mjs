@@ -201,9 +201,11 @@ test("paused, gone on with and cancelled, it ends with the same rows", () => onP
   }), [id, more]);
   const ended = async () => Number(await page.getAttribute("body", "data-done"));
   let pressed = press("cancel", 0);
-  await page.click("#run");
+  assert.match(await page.innerText("#chart"), /^With reduced motion trials do not start by themselves\.\s+Run 1,?200 trials$/);
+  await page.click("#chart button");
   await pressed;
   await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
+  await page.waitForSelector("#chart button");
   pressed = press("run", 0);
   await page.click("#run");
   await pressed;

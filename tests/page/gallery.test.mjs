@@ -6,15 +6,23 @@ import { test } from "node:test";
 import { targetFolder } from "../../scripts/setup.mjs";
 import { decodeState } from "../../www/app/link.js";
 import { decodeExperiment } from "../../www/experiments/link.js";
-import { REPORTS } from "../../www/gallery/reports.js";
+import { HOLDS } from "../../www/gallery/format.js";
+import { REPORT_1 } from "../../www/gallery/report-1.js";
+import { REPORT_2 } from "../../www/gallery/report-2.js";
+import { REPORT_3 } from "../../www/gallery/report-3.js";
+import { REPORT_4 } from "../../www/gallery/report-4.js";
+import { REPORT_5 } from "../../www/gallery/report-5.js";
+import { REPORTS, TEXTS } from "../../www/gallery/reports.js";
 import { stateRule as neighboursRule } from "../../www/neighbours/state.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { stateRule as learnedRule } from "../../www/prm-rl/state.js";
 import { stateRule as reachRule } from "../../www/reach/state.js";
 import { stateRule as trajectoriesRule } from "../../www/trajectories/state.js";
+import { documents } from "../../scripts/gallery.mjs";
+import { displayed, isTold } from "./claims.mjs";
 import { PHONE, coloursOf, onPage, pageRoot, textMatches, useBrowser, violations } from "./browser.mjs";
 
-/** @import { Entry } from "../../www/gallery/format.js" */
+/** @import { Entry, Shows } from "../../www/gallery/format.js" */
 /** @import { Page } from "./browser.mjs" */
 
 useBrowser();
@@ -44,7 +52,7 @@ test("all 161 rows are there, each with a verdict, its place and its entries", (
   const ids = new Set(entries.map(({ id }) => id));
   for (const { row, shows, verdict, where, entries: own, holds, why } of rows) {
     assert.ok(shows && where + own.join(""), `row ${row} says what it is and where`);
-    assert.ok(["yes", "partly", "no"].includes(verdict) && ["yes", "partly", "no"].includes(holds), `row ${row}`);
+    assert.ok(["yes", "partly", "no"].includes(verdict) && holds in HOLDS, `row ${row}`);
     assert.ok(holds === "yes" || why, `row ${row} says why it does not hold`);
     assert.ok(verdict !== "yes" || own.length > 0 || where, `row ${row}`);
     for (const id of own) assert.ok(ids.has(id), `row ${row}: ${id}`);
@@ -67,6 +75,19 @@ test("every entry has its own id, is named by a row, and says in few words what 
   }
 });
 
+test("every number that an entry tells to see is shown by the page, or is one of its settings", () => {
+  for (const entry of [REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].flatMap((report) => report.entries)) {
+    const named = TEXTS.flatMap((field) => [...(entry[field] ?? "").matchAll(/\{(\w+)/g)].map(([, name]) => name));
+    for (const name of Object.keys(entry.shows ?? {})) assert.ok(named.includes(name), `${entry.id} names its ${name}`);
+    const settings = [entry.state, entry.world && documents.world(entry.world), entry.page === "experiments" && documents.experiment(entry.state.document)];
+    const known = numbersIn(JSON.stringify(settings));
+    assert.deepEqual(numbersIn(entry.see.replace(/\{[^}]*\}|\d*\u03c0/g, "")).filter((number) => !known.includes(number)), [], `${entry.id}: neither shown nor set`);
+  }
+});
+
+/** The numbers in a text, without their signs. @param {string} text */
+function numbersIn(text) { return (text.match(/\d+(?:\.\d+)?/g) ?? []).map(Number); }
+
 test("every link is one that its page reads", async () => {
   /** @type {Record<Entry["page"], (fragment: string) => Promise<{ fault: string | null }>>} */
   const read = {
@@ -86,6 +107,8 @@ for (const name of /** @type {Entry["page"][]} */ (Object.keys(READY))) {
   test(`the entries of ${name} open, and show what they say`, () => onPage({ reducedMotion: "reduce", viewport: { width: 1024, height: 640 } }, async (page, url) => {
     mkdirSync(shots, { recursive: true });
     let isFirst = true;
+    /** @type {string[]} */
+    const wrong = [];
     for (const entry of own) {
       const [path, fragment] = addresses[entry.id].split("#");
       if (isFirst) await page.goto(`${url}${path.replace("./", "")}#${fragment}`);
@@ -96,9 +119,15 @@ for (const name of /** @type {Entry["page"][]} */ (Object.keys(READY))) {
       await page.screenshot({ path: join(shots, `${entry.id}.png`) });
       assert.equal(await outcomeOf(page, name), entry.expect, entry.id);
       if (entry.expect !== "refused") assert.equal(await page.isHidden("#notice") ? "" : await page.innerText("#notice"), "", entry.id);
+      for (const [number, told] of Object.entries(entry.shows ?? {})) {
+        const [shown, wanted] = [await displayed(page, entry, /** @type {keyof Shows} */ (number)), told].map((one) => (Array.isArray(one) ? one : [one]));
+        const isRight = shown.length === wanted.length && wanted.every((one, i) => isTold(Number(shown[i]), one));
+        if (!isRight) wrong.push(`${entry.id}: ${number} is ${shown.join(", ")} on the page, and ${wanted.join(", ")} in its text`);
+      }
       const [layer, ...colours] = SHOWS[name === "trajectories" ? name : entry.expect] ?? [];
       if (layer) assert.ok(await inkOf(page, layer, colours) > 20, `${entry.id} draws ${colours.join(" or ") || "edges"}`);
     }
+    assert.deepEqual(wrong, []);
   }));
 }
 

@@ -44,6 +44,7 @@ async function table(page) {
     name: row.children[0].textContent ?? "",
     counts: [...row.children].slice(1, 6).map(({ textContent }) => Number(textContent?.replaceAll(",", ""))),
     found: row.children[6].textContent ?? "", cost: row.children[7].textContent ?? "",
+    waypoints: row.children[8].textContent ?? "", searched: [...row.children].slice(9).map((cell) => (/** @type {HTMLElement} */ (cell).hidden ? "" : cell.textContent ?? "")),
   })));
 }
 
@@ -118,6 +119,25 @@ test("at rest each planner has made as many iterations as fit into the time that
       assert.deepEqual([vertices, edges, motions, evaluations], [PAST.vertices, PAST.edges, PAST.motions, PAST.evaluations].map((column) => row[column]), `${name} at ${wanted}`);
     });
   }
+}));
+
+test("a path's vertices, and of roadmaps what the search has visited and its time, are columns; roadmaps that tie are told apart by it", () => onPausedPage(async (page) => {
+  const runs = ["a-star", "dijkstra", "breadth-first"].map((search) => alone("stones", { ...A, settings: { ...A.settings, search } }).planner);
+  await race(page, "prm", "prm");
+  await give(page, "B", "search", "dijkstra");
+  await give(page, "C", "search", "breadth-first");
+  await finish(page);
+  const rows = await table(page);
+  assert.deepEqual(rows.map(({ waypoints }) => waypoints), runs.map((run) => String(run.result().path.length)));
+  assert.deepEqual(rows.map(({ searched: [visited] }) => visited), runs.map((run) => String(run.stats().visited)));
+  for (const { searched: [, seconds] } of rows) assert.match(seconds, /^(?:below )?[\d.]+ ms$/);
+  assert.match(await page.innerText("#story"), new RegExp(`Vertices visited: ${runs.map((run, i) => `${"ABC"[i]} ${run.stats().visited}`).join(", ")}\\.$`));
+  await seek(page, 100);
+  assert.deepEqual((await table(page)).map(({ waypoints, searched: [visited] }) => [waypoints, visited]), runs.map(() => ["\u2013", "0"]));
+  for (const rival of ["C", "B"]) await click(page, `fieldset.rival:has(#rival-${rival}-planner) button`);
+  await race(page, "rrt");
+  await finish(page);
+  assert.deepEqual((await table(page)).map(({ searched }) => searched[1] !== "" && searched[1] !== "\u2013"), [true, false], "a tree is not searched");
 }));
 
 test("a world where no clearance is ever evaluated holds nobody up, and the page says what that means", () => onPausedPage(async (page) => {

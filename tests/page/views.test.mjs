@@ -295,8 +295,8 @@ test("the numbers are those of the run, in one line that never changes its heigh
   const text = async (/** @type {string} */ name) => page.innerText(`#count-${name}`);
   const grouped = (/** @type {number} */ count) => count.toLocaleString("en");
   assert.deepEqual(
-    [await text("checks"), await text("rejected"), await text("motions"), await text("evaluations"), await text("nearest"), await text("visited"), await text("segments")],
-    [checks, rejected, motions, evaluations, nearest, visited, planner.result().path.length - 1].map(grouped),
+    [await text("checks"), await text("rejected"), await text("motions"), await text("evaluations"), await text("nearest"), await text("visited"), await text("waypoints")],
+    [checks, rejected, motions, evaluations, nearest, visited, planner.result().path.length].map(grouped),
   );
   assert.equal(await text("length"), `${planner.result().length.toFixed(2)} rad`);
   for (const name of ["build", "search"]) assert.match(await text(name), /^[\d.]+ m?s$/);

@@ -67,7 +67,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   let opened = null;
 
   session.onChange((change) => {
-    if (change !== "phase") isStale = true;
+    if (change !== "phase" || !chart) isStale = true;
     show(change);
   });
   new ResizeObserver(() => redraw()).observe(chartHost);
@@ -226,7 +226,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const width = Math.max(280, Math.floor(chartHost.clientWidth));
     picture = chart && drawChart(chart, { width, height: Math.round(Math.min(480, Math.max(300, 0.55 * width))), palette: look.palette, bold: look.bold });
     if (picture) chartHost.replaceChildren(picture);
-    else chartHost.replaceChildren(make("p", { className: "hint" }, session.info ? "The chart grows as trials end." : ""));
+    else chartHost.replaceChildren(...waiting());
     byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
     byId("remark", HTMLElement).textContent = chart ? remark(chart) : "";
     showTable();
@@ -235,6 +235,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     Object.assign(document.body.dataset, { chart: chart?.kind ?? "", drawn: rows.done });
     drawnAt = performance.now();
     took = drawnAt - began;
+  }
+
+  /** What is in the place of the chart before the first trial ends. @returns {HTMLElement[]} */
+  function waiting() {
+    const { phase, info } = session;
+    if (!info) return [];
+    if (phase !== "ready") return [make("p", { className: "hint" }, "The chart grows as trials end.")];
+    const why = app.reducedMotion ? "With reduced motion trials do not start by themselves." : info.trialCount > AT_ONCE ? `More than ${grouped(AT_ONCE)} trials do not start by themselves.` : "No trial has run.";
+    return [make("p", { className: "hint" }, why), make("button", { type: "button", onclick: toggle }, `Run ${counted(info.trialCount, "trial")}`)];
   }
 
   /** The comparisons, while no trial runs. */

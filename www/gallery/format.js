@@ -9,12 +9,15 @@
  * 1. Choose an id: the report's number, a hyphen, and a name in lower case, such as `3-fig-8`. It is the address `gallery.html#3-fig-8`.
  * 2. Choose the page, and the `state` that the page's own rule allows (see `States`); defaults are left out. A world that no page has is a
  *    scenario in `worlds/NAME.json`, with `name` NAME and a `title`, and the entry's `world` is NAME: it becomes a part of the state.
- *    On the planner's page an entry without an `iteration` opens at the end of its run, as does a race.
+ *    On the planner's page an entry without an `iteration` opens at the end of its run, as does a race. `reports.js` sets `direct=false`
+ *    wherever it applies, as in the reports.
  * 3. Say what the picture must show (`expect`), and write its texts: a sentence each, four at most. Name the report as "the report".
+ *    A number that the page shows is in `shows`, and in the text by its name: `{visited}`, or of the second planner of a race `{visited B}`.
+ *    Every other number in `see` is one of the entry's settings.
  * 4. Add its id to the rows that it is about.
  *
  * The build makes the links, the pictures and the page from this data: see `build/`. `tests/page/gallery.test.mjs` checks
- * that all rows are there, that every state is valid, and that every entry opens and shows what it should.
+ * that all rows are there, that every state is valid, and that every entry opens and shows what it should, to the numbers in `shows`.
  *
  * Texts are plain: `code` between backticks is the only markup.
  */
@@ -26,7 +29,8 @@
 /** @import { State as TrajectoriesState } from "../trajectories/state.js" */
 /** @import { State as LearnedState } from "../prm-rl/state.js" */
 
-/** @typedef {"yes" | "partly" | "no"} Verdict */
+/** Whether Planarium has it. @typedef {"yes" | "partly" | "no"} Verdict */
+/** Whether the report is right; "unclear" where its text does not say enough to tell. @typedef {Verdict | "unclear"} Holds */
 /** @typedef {"figure" | "table" | "animation" | "experiment" | "system" | "function" | "algorithm" | "claim" | "interaction" | "other"} Kind */
 /** What is planned for, or drawn. @typedef {"arm" | "point" | "body" | "car" | "drive" | "particle"} Robot */
 
@@ -53,6 +57,29 @@
  */
 
 /**
+ * Numbers that the page shows once an entry is open, each with as many digits as the text has; of a race a list, one for each planner, or
+ * null where it shows none.
+ * @typedef {object} Of
+ * @property {number | (number | null)[]} iterations
+ * @property {number | (number | null)[]} vertices
+ * @property {number | (number | null)[]} edges
+ * @property {number | (number | null)[]} motions    motions tested
+ * @property {number | (number | null)[]} length     of the path
+ * @property {number | (number | null)[]} waypoints  vertices of the path
+ * @property {number | (number | null)[]} visited    vertices that the search has visited; of Neighbours configurations
+ * @property {number} pieces                connected components of a roadmap without a path
+ * @property {number} crossings             edges across 0 of any joint
+ * @property {number} turn                  of joint 1 along the path, or of a body from A to B, radians
+ * @property {number} end                   of joint 1 where a motion does not end at B, radians
+ * @property {number} missed                of Neighbours the nearest that are not found
+ * @property {number} apart                 metres between the ends of two curves
+ * @property {number} solutions             of inverse kinematics
+ * @property {number} accepted              trajectories
+ * @property {number} reached               drives that reach the goal
+ * @typedef {Partial<Of>} Shows
+ */
+
+/**
  * @template {PageName} P
  * @typedef {object} EntryOn
  * @property {string} id
@@ -64,11 +91,12 @@
  * @property {States[P]} state
  * @property {string} [world]    a scenario in `worlds/`, without its extension
  * @property {Expect} expect
+ * @property {Shows} [shows]     numbers of the page, for its texts
  * @property {string} see        what to see
  * @property {string} [try]      what to try
  * @property {string} [report]   what the report says
- * @property {Verdict} holds     whether what the report says or shows is right
- * @property {string} [why]      not, or only in part
+ * @property {Holds} holds       whether what the report says or shows is right
+ * @property {string} [why]      not, only in part, or not to be told: then what our own world shows
  * @property {string} [chosen]   what is not in the report's text and was chosen here
  */
 /** @typedef {{ [P in PageName]: EntryOn<P> }[PageName]} Entry */
@@ -82,13 +110,13 @@
  * @property {Verdict} verdict   whether Planarium has it
  * @property {string} where      where it is: pages, options, functions, commands; or why it is not there
  * @property {string[]} entries  ids
- * @property {Verdict} holds     whether the report is right
- * @property {string} [why]      not, or only in part
+ * @property {Holds} holds       whether the report is right
+ * @property {string} [why]      not, only in part, or not to be told
  */
 
 /** @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: Entry[] }} Report   `about`: what it is about, a sentence */
 
-/** Whether a report holds, in words. @type {Record<Verdict, string>} */
-export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold" };
+/** Whether a report holds, in words. @type {Record<Holds, string>} */
+export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold", unclear: "cannot be told" };
 /** The pages, as the links to them are called. @type {Record<PageName, string>} */
 export const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", "prm-rl": "PRM-RL", experiments: "Experiments" };

@@ -17,7 +17,7 @@ export class Counters {
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show({ status, reason, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, segments, fingerprint }, settled) {
+  show({ status, reason, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, waypoints, fingerprint }, settled) {
     this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
     byId("gap", HTMLElement).hidden = optimum === null;
     this.write({
@@ -25,7 +25,7 @@ export class Counters {
       iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
       gap: gap === null ? "" : percent(gap),
-      segments: segments === null ? "" : grouped(segments),
+      waypoints: waypoints === null ? "" : grouped(waypoints),
       checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",
       visited: visited === null ? "" : short(visited),

@@ -69,8 +69,8 @@ const NO_RUN = {
   waiting: 0,
   /** The length before shortcutting, where it was longer. @type {number | null} */
   raw: null,
-  /** @type {number | null} */
-  segments: null,
+  /** Vertices of the path, with its ends. @type {number | null} */
+  waypoints: null,
   /** Vertices that the search of a roadmap has visited; null of a tree. @type {number | null} */
   visited: null,
   /** Samples drawn that were in collision. */
@@ -101,7 +101,7 @@ function laneState(lane) {
     isInformed: isInformed(lane), hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
     raw: playback?.raw ? run.rawLength : null,
-    segments: status === "solved" ? run.result.path.length - 1 : null,
+    waypoints: status === "solved" ? run.result.path.length : null,
     visited: run.isTree ? null : run.visited, rejected: run.countOf(EVENT.rejected),
     stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds, rate: run.made / (stats.build_seconds + stats.search_seconds) },
     marks: [...run.marks()],
@@ -110,7 +110,7 @@ function laneState(lane) {
   const { result, visited, seconds } = asked;
   const isSolved = result.status === "solved";
   return {
-    ...state, status: result.status, reason: result.reason ?? null, length: isSolved ? result.length : null, segments: isSolved ? result.path.length - 1 : null,
+    ...state, status: result.status, reason: result.reason ?? null, length: isSolved ? result.length : null, waypoints: isSolved ? result.path.length : null,
     visited, stats: state.stats && { ...state.stats, search: seconds },
   };
 }

@@ -1,6 +1,6 @@
 /** The sentences above the stage. */
 import { counted, grouped } from "../app/dom.js";
-import { leaders, letters } from "./race/standings.js";
+import { leaders, letter, letters } from "./race/standings.js";
 import { costText, endText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
 import { turnsAlong } from "../domain/coordinates.js";
@@ -181,7 +181,11 @@ function standing(lanes, standings) {
   const effort = `after ${grouped(found ?? 0)} clearance evaluations`;
   const isTied = first.length > 1;
   const winner = isTied ? `${letters(first)} tied: ${first.length === 2 ? "both" : "all"} found a path ${effort}` : `${letters(first)} found a path first, ${effort}`;
+  // On one roadmap it is the searches that differ.
+  const visited = lanes.map(({ run }) => (run && !run.isTree ? run.visited : 0));
+  const isSearched = isTied && isOver && visited.every((count) => count > 0) && new Set(visited).size > 1;
+  const searches = isSearched ? ` Vertices visited: ${visited.map((count, i) => `${letter(i)} ${grouped(count)}`).join(", ")}.` : "";
   if (best === undefined) return `${winner}.`;
-  if (isTied && String(first) === String(shortest)) return `${winner}, of length ${length}.`;
-  return `${winner}; ${letters(shortest)} ${shortest.length > 1 ? "have" : "has"} the shortest${isOver ? "" : " so far"}, ${length}.`;
+  if (isTied && String(first) === String(shortest)) return `${winner}, of length ${length}.${searches}`;
+  return `${winner}; ${letters(shortest)} ${shortest.length > 1 ? "have" : "has"} the shortest${isOver ? "" : " so far"}, ${length}.${searches}`;
 }

@@ -3,7 +3,7 @@ import { Experiment } from "planarium/full";
 import { View as Frame } from "planarium/draw";
 import { SERIES } from "../../app/palette.js";
 import { encodeExperiment } from "../../experiments/link.js";
-import { SOLVED, isShare } from "../../experiments/measures.js";
+import { SOLVED, isShare, measureInfo, scaleOf, titled } from "../../experiments/measures.js";
 import { drawLine, setStroke } from "../../draw/marks.js";
 import { drawDots } from "./sheet.js";
 
@@ -16,9 +16,9 @@ import { drawDots } from "./sheet.js";
 /** @typedef {Extract<Entry, { page: "experiments" }>} ExperimentEntry */
 /** A group of trials: the value across, the others in words, and the measured values of those with a path. @typedef {{ x: string, series: string, values: number[], n: number }} Group */
 
-/** Trials of a picture, about, and most seeds of a setting. */
-const TRIALS = 24;
-const SEEDS = 5;
+/** Trials of a picture, about, and most seeds of a setting; a share needs more of both. */
+const FEW = { trials: 24, seeds: 5 };
+const MANY = { trials: 240, seeds: 25 };
 const PANE = { width: 600, height: 300 };
 const MARGIN = { left: 20, right: 20, top: 46, bottom: 52 };
 /** Width of a letter, about, pixels. */
@@ -31,29 +31,33 @@ const known = new Map();
 export async function openExperiment({ state: { document: name, worlds: kept, view = {} } }, documents) {
   const whole = documents.experiment(name);
   const document = { ...whole, worlds: whole.worlds.filter((world) => !kept || ("scenario" in world && typeof world.scenario === "object" && kept.includes(world.scenario.name))) };
-  const key = JSON.stringify(document);
-  const rows = known.get(key) ?? firstRows(/** @type {ExperimentDocument} */ (document));
-  known.set(key, rows);
   const measured = measureOf(view, document);
-  const draw = (/** @type {Brush} */ brush) => (view.chart === "ecdf" ? drawShares(brush, rows, view.work ?? "iterations") : drawGroups(brush, groupsOf(rows, view.axis ?? "planner", measured), measured, view.reported ?? []));
+  const most = isShare(measured) ? MANY : FEW;
+  const key = JSON.stringify([document, most]);
+  const rows = known.get(key) ?? firstRows(/** @type {ExperimentDocument} */ (document), most);
+  known.set(key, rows);
+  const draw = (/** @type {Brush} */ brush) => (view.chart === "ecdf" ? drawShares(brush, rows, view.work ?? "iterations") : drawGroups(brush, groupsOf(rows, view, measured), measured, view));
   return { address: `experiments.html#${await encodeExperiment({ document, view })}`, panes: [draw], pane: PANE };
 }
 
 /** @param {NonNullable<ExperimentEntry["state"]["view"]>} view @param {{ measures?: string[] }} document */
-function measureOf({ chart, measure }, { measures = [] }) { return chart === "success" ? SOLVED : measure ?? measures[0] ?? "length"; }
+function measureOf({ chart, measure }, { measures = [] }) {
+  if (chart === "success") return measure && isShare(measure) ? measure : SOLVED;
+  return measure ?? measures[0] ?? "length";
+}
 
-/** Runs the first trials of every setting. @param {ExperimentDocument} document @returns {TrialRow[]} */
-function firstRows(document) {
+/** Runs the first trials of every setting. @param {ExperimentDocument} document @param {typeof FEW} most @returns {TrialRow[]} */
+function firstRows(document, most) {
   const all = Experiment.parse(document);
   const seeds = countOf(document.seeds);
-  const kept = Math.max(1, Math.min(SEEDS, Math.floor((TRIALS * seeds) / all.trialCount)));
+  const kept = Math.max(1, Math.min(most.seeds, Math.floor((most.trials * seeds) / all.trialCount)));
   all.free();
-  const worlds = document.worlds.map((world) => ("seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, SEEDS) } : world));
+  const worlds = document.worlds.map((world) => ("seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, most.seeds) } : world));
   const experiment = Experiment.parse({ ...document, worlds, seeds: first(document.seeds, kept) });
   const rows = Array.from({ length: experiment.trialCount }, (_, i) => {
     const trial = experiment.trial(i);
     while (trial.stepFor(1000));
-    const row = trial.row();
+    const row = { ...trial.row(), build_seconds: trial.buildSeconds, search_seconds: trial.searchSeconds };
     trial.free();
     return row;
   });
@@ -70,7 +74,7 @@ function first(seeds, count) { return Array.isArray(seeds) ? seeds.slice(0, coun
 /** The value that a row has of a measure; NaN without a path. @param {TrialRow} row @param {string} measure */
 function valueOf(row, measure) {
   if (measure === SOLVED) return row.status === "solved" ? 100 : 0;
-  return row.status === "solved" ? Number(row[measure] ?? NaN) * (isShare(measure) ? 100 : 1) : NaN;
+  return row.status === "solved" ? Number(row[measure] ?? NaN) * scaleOf(measure) : NaN;
 }
 
 /** The columns of planners in which rows differ. @param {TrialRow[]} rows */
@@ -78,9 +82,9 @@ function settingsOf(rows) {
   return Object.keys(rows[0]).filter((column) => /^planner(\.|$)/.test(column) && new Set(rows.map((row) => row[column])).size > 1);
 }
 
-/** Rows by the value of an axis and the others in words. @param {TrialRow[]} rows @param {string} axis @param {string} measure @returns {Group[]} */
-function groupsOf(rows, axis, measure) {
-  const others = settingsOf(rows).filter((column) => column !== axis);
+/** Rows by the value of the axis and the others in words, of a heat map those of the second axis. @param {TrialRow[]} rows @param {View} view @param {string} measure @returns {Group[]} */
+function groupsOf(rows, { chart, axis = "planner", second }, measure) {
+  const others = chart === "heat" && second ? [second] : settingsOf(rows).filter((column) => column !== axis);
   /** @type {Map<string, Group>} */
   const groups = new Map();
   for (const row of rows) {
@@ -94,18 +98,20 @@ function groupsOf(rows, axis, measure) {
   return [...groups.values()];
 }
 
-/** Dots and the mean of each group; numbers of the report as crosses. @param {Brush} brush @param {Group[]} groups @param {string} measure @param {NonNullable<View["reported"]>} reported */
-function drawGroups(brush, groups, measure, reported) {
+/** Dots and the mean of each group; numbers of the report as crosses. @param {Brush} brush @param {Group[]} groups @param {string} measure @param {View} shown */
+function drawGroups(brush, groups, measure, { reported = [], isLog = false }) {
   const { context, palette } = brush;
   const [places, series] = [[...new Set(groups.map(({ x }) => x))], [...new Set(groups.map((group) => group.series))]];
   const values = [...groups.flatMap((group) => group.values), ...reported.map(({ value = 0 }) => value)];
   const isOfTrials = isShare(measure);
-  const view = frameOf(brush, isOfTrials ? 100 : Math.max(...values, 0) || 1, `${measure.replaceAll("_", " ")}${isOfTrials ? ", %" : ""}`, series);
+  const range = /** @type {[number, number]} */ (isOfTrials ? [0, 100] : isLog ? decadesOf(values) : [0, Math.max(...values, 0) || 1]);
+  const { title } = measureInfo(measure, "");
+  const view = frameOf(brush, range, isLog, isOfTrials ? `${title}, %` : titled(measureInfo(measure, "")), series);
   const slot = 1 / places.length;
   context.fillStyle = palette.quiet;
   // Names that begin alike are cut, so that they fit.
   const cut = places.some((place) => place.length * LETTER > slot * view.scaleX) ? /** @type {RegExpExecArray} */ (/^(.*[-_ ])?.*\n(?:\1.*(?:\n|$))*$/.exec(`${places.join("\n")}\n`))[1]?.length ?? 0 : 0;
-  places.forEach((place, i) => linesOf(place.slice(cut), slot * view.scaleX).forEach((text, row) => context.fillText(text, view.x((i + 0.5) * slot), view.y(0) + 8 + 14 * row)));
+  places.forEach((place, i) => linesOf(place.slice(cut), slot * view.scaleX).forEach((text, row) => context.fillText(text, view.x((i + 0.5) * slot), view.floor + 8 + 14 * row)));
   for (const { x, series: name, values: all } of groups) {
     const colour = palette[SERIES[series.indexOf(name) % SERIES.length]];
     const at = view.x(slot * (places.indexOf(x) + (series.indexOf(name) + 1) / (series.length + 1)));
@@ -142,7 +148,7 @@ function drawShares(brush, rows, work) {
     all.set(name, [...all.get(name) ?? [], valueOf(row, work)]);
   }
   const most = Math.max(...rows.map((row) => valueOf(row, work)).filter((value) => !Number.isNaN(value)), 1);
-  const view = frameOf(brush, 100, `solved, %, after ${work.replaceAll("_", " ")}`, [...all.keys()]);
+  const view = frameOf(brush, [0, 100], false, `solved, %, after ${work.replaceAll("_", " ")}`, [...all.keys()]);
   [...all.values()].forEach((values, i) => {
     setStroke(context, palette[SERIES[i % SERIES.length]], 2);
     context.beginPath();
@@ -159,16 +165,29 @@ function drawShares(brush, rows, work) {
   context.fillText(String(most), view.x(1), view.y(0) + 8);
 }
 
-/** A frame from 0 to 1 across and from 0 to a value up, with a title and the names of series. @param {Brush} brush @param {number} most @param {string} title @param {string[]} series @returns {Frame} */
-function frameOf({ context, palette, width, height }, most, title, series) {
-  const view = new Frame({ min: [0, 0], max: [1, 1.08 * most] }, width, height, MARGIN, true);
+/** The powers of ten around some values. @param {number[]} values @returns {[number, number]} */
+function decadesOf(values) {
+  const some = values.filter((value) => value > 0).map(Math.log10);
+  return some.length === 0 ? [1, 10] : [10 ** Math.floor(Math.min(...some)), 10 ** Math.ceil(Math.max(...some))];
+}
+
+/**
+ * A frame from 0 to 1 across and over a range up, with a title and the names of series.
+ * @param {Brush} brush @param {[number, number]} range @param {boolean} isLog @param {string} title @param {string[]} series
+ * @returns {{ x: (value: number) => number, y: (value: number) => number, scaleX: number, floor: number }}  `floor`: the place of the least value
+ */
+function frameOf({ context, palette, width, height }, [least, most], isLog, title, series) {
+  const frame = new Frame({ min: [0, 0], max: [1, 1.08] }, width, height, MARGIN, true);
+  const up = (/** @type {number} */ value) => (isLog ? Math.log10(value / least) / Math.log10(most / least) : (value - least) / (most - least));
+  const view = { x: (/** @type {number} */ value) => frame.x(value), y: (/** @type {number} */ value) => frame.y(up(value)), scaleX: frame.scaleX, floor: frame.y(0) };
   setStroke(context, palette.line, 1);
-  for (const part of [0, 0.5, 1]) drawLine(context, view.x(0), view.y(part * most), view.x(1), view.y(part * most));
+  for (const part of [0, 0.5, 1]) drawLine(context, view.x(0), frame.y(part), view.x(1), frame.y(part));
   context.fillStyle = palette.quiet;
   context.font = "13px system-ui, sans-serif";
   context.textAlign = "left";
   context.textBaseline = "bottom";
-  context.fillText(String(Number(most.toPrecision(3))), view.x(0), view.y(most) - 2);
+  context.fillText(String(Number(most.toPrecision(3))), view.x(0), frame.y(1) - 2);
+  if (isLog) context.fillText(String(Number(least.toPrecision(3))), view.x(0), view.floor - 2);
   context.fillStyle = palette.ink;
   let at = view.x(0);
   for (const [i, text] of [title, ...series].entries()) {

@@ -1,7 +1,7 @@
 /** The HTML of the gallery, written when the site is built: it can be read, linked and printed without a script. */
 import { HOLDS, PAGES } from "../format.js";
 
-/** @import { Entry, Report, Row, Verdict } from "../format.js" */
+/** @import { Entry, Holds, Report, Row } from "../format.js" */
 
 /** An entry with its link and the size of its picture, pixels. @typedef {{ entry: Entry, address: string, width: number, height: number }} Shown */
 
@@ -10,7 +10,7 @@ function html(text) {
   return text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`).replace(/`([^`]*)`/g, "<code>$1</code>");
 }
 
-/** @param {Verdict} verdict */
+/** @param {Holds} verdict */
 function holdsMark(verdict) { return `<span class="holds" data-holds="${verdict}">${HOLDS[verdict]}</span>`; }
 
 /** The planners of an entry, by their ids. @param {Entry} entry @returns {string[]} */

@@ -116,17 +116,17 @@ impl PlannerKind for PrmOptions {
             Preset {
                 id: "unchecked-1000-4",
                 title: "1000, k = 4, edges unchecked",
-                settings: "samples=1000 k=4 edge_check=none",
+                settings: "samples=1000 k=4 edge_check=none direct=false",
             },
             Preset {
                 id: "unchecked-2000-4",
                 title: "2000, k = 4, edges unchecked",
-                settings: "samples=2000 k=4 edge_check=none",
+                settings: "samples=2000 k=4 edge_check=none direct=false",
             },
             Preset {
                 id: "unchecked-2000-6",
                 title: "2000, k = 6, edges unchecked",
-                settings: "samples=2000 k=6 edge_check=none",
+                settings: "samples=2000 k=6 edge_check=none direct=false",
             },
             Preset {
                 id: "three-nearest",

@@ -60,28 +60,5 @@ pub use run::{FleetOptions, FleetPlanner, fleet_planners};
 pub use trajectory::Trajectory;
 pub use verify::{Claim, Fault, Verification, conflicts, straight, trajectories, verify};
 
-use crate::world::PlanningWorld;
-use motion::Footprint;
-
 /// The `format` of a fleet.
 pub const FORMAT: &str = "planarium-fleet-1";
-
-/// A fleet prepared for planning.
-struct Setup {
-    fleet: Fleet,
-    /// Of every robot, the index of its world: equal robots share one.
-    kinds: Vec<usize>,
-    worlds: Vec<PlanningWorld>,
-    footprints: Vec<Footprint>,
-    slack: f64,
-}
-
-impl Setup {
-    fn new(fleet: &Fleet) -> Self {
-        let (kinds, worlds) = fleet.worlds();
-        // Equal robots share one.
-        let of_kinds: Vec<Footprint> = worlds.iter().map(|world| Footprint::of(world.scenario().robot())).collect();
-        let footprints = kinds.iter().map(|&kind| of_kinds[kind].clone()).collect();
-        Self { fleet: fleet.clone(), kinds, worlds, footprints, slack: fleet.slack() }
-    }
-}

@@ -1,6 +1,5 @@
 //! A planner of a fleet as a value that is stepped.
 
-use super::Setup;
 use super::composite::{self, Composite, CompositeOptions};
 use super::document::Fleet;
 use super::motion::Pose;
@@ -58,7 +57,7 @@ pub fn fleet_planners() -> Vec<Info> {
 
 /// A planner of a fleet: a value that is stepped. How its iterations are divided into steps does not change its result.
 pub struct FleetPlanner {
-    setup: Setup,
+    fleet: Fleet,
     id: &'static str,
     seed: u64,
     algorithm: Algorithm,
@@ -79,10 +78,10 @@ impl Stepped for FleetPlanner {
     fn iterate(&mut self) {
         self.iterations += 1;
         let (status, most) = match &mut self.algorithm {
-            Algorithm::Pbs(planner) => (planner.iterate(&self.setup), Some(self.most)),
-            Algorithm::Prioritized(planner) => (planner.iterate(&self.setup), Some(self.most)),
+            Algorithm::Pbs(planner) => (planner.iterate(&self.fleet), Some(self.most)),
+            Algorithm::Prioritized(planner) => (planner.iterate(&self.fleet), Some(self.most)),
             // It limits its planner itself, and not the improvement of the path.
-            Algorithm::Composite(planner) => (planner.iterate(&self.setup, self.most as u32), None),
+            Algorithm::Composite(planner) => (planner.iterate(&self.fleet, self.most as u32), None),
         };
         let is_over = status == Status::Running && most == Some(self.iterations);
         self.status = if is_over { Status::Exhausted } else { status };
@@ -117,26 +116,25 @@ impl FleetPlanner {
             let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), IDS.join(", "));
             return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
         };
-        let setup = Setup::new(fleet);
         if options.order.is_some() && *id != "prioritized" {
             let sentence = "only prioritized planning has an order of priorities";
             return Err(Error::new(Code::Unsupported, "/order", sentence));
         }
         let (algorithm, most) = if *id == "pbs" {
             let read = PbsOptions::read(&options.parameters)?;
-            (Algorithm::Pbs(Box::new(Pbs::new(&setup, &read, options.seed)?)), read.max_iterations)
+            (Algorithm::Pbs(Box::new(Pbs::new(&fleet, &read, options.seed)?)), read.max_iterations)
         } else if *id == "composite" {
             let read = CompositeOptions::read(&options.parameters)?;
-            let planner = Composite::new(&setup, &read, options.seed)?;
+            let planner = Composite::new(&fleet, &read, options.seed)?;
             (Algorithm::Composite(Box::new(planner)), u64::from(read.max_iterations))
         } else {
             let read = PrioritizedOptions::read(&options.parameters)?;
             let order = order(fleet, options.order.as_deref())?;
-            let planner = Prioritized::new(&setup, &read, order, options.seed, options.order.is_some())?;
+            let planner = Prioritized::new(&fleet, &read, order, options.seed, options.order.is_some())?;
             (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
         };
         Ok(Self {
-            setup,
+            fleet: fleet.clone(),
             id,
             seed: options.seed,
             algorithm,
@@ -149,16 +147,16 @@ impl FleetPlanner {
 
     /// Whether a robot arrives so late that doubles cannot represent its motions to within the slack.
     fn is_too_late(&self) -> bool {
-        let Setup { fleet, slack, .. } = &self.setup;
-        fleet.robots().iter().enumerate().any(|(i, member)| {
+        let slack = self.fleet.slack();
+        self.fleet.robots().iter().enumerate().any(|(i, member)| {
             let arrival = self.trajectory(i).map_or(0.0, Trajectory::arrival);
-            moved_until_next(arrival, member.speed) > *slack
+            moved_until_next(arrival, member.speed) > slack
         })
     }
 
     /// The fleet.
     pub fn fleet(&self) -> &Fleet {
-        &self.setup.fleet
+        &self.fleet
     }
 
     /// Why there is no plan; `None` unless the status is `Exhausted`.
@@ -185,7 +183,7 @@ impl FleetPlanner {
     pub fn order(&self) -> Vec<usize> {
         match &self.algorithm {
             Algorithm::Prioritized(planner) => planner.orders().order().to_vec(),
-            Algorithm::Pbs(_) | Algorithm::Composite(_) => (0..self.setup.footprints.len()).collect(),
+            Algorithm::Pbs(_) | Algorithm::Composite(_) => (0..self.fleet.footprints().len()).collect(),
         }
     }
 
@@ -220,12 +218,12 @@ impl FleetPlanner {
     /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its
     /// own index.
     pub fn roadmap_of(&self, robot: usize) -> usize {
-        if self.roadmaps().is_some() { self.setup.kinds[robot] } else { robot }
+        if self.roadmaps().is_some() { self.fleet.kinds()[robot] } else { robot }
     }
 
     /// How many roadmaps there are.
     pub fn roadmap_count(&self) -> usize {
-        self.roadmaps().map_or(self.setup.footprints.len(), <[Roadmap]>::len)
+        self.roadmaps().map_or(self.fleet.footprints().len(), <[Roadmap]>::len)
     }
 
     /// How many vertices and edges a roadmap has.
@@ -247,7 +245,7 @@ impl FleetPlanner {
                 (row..roadmap.vertex_count()).map(|vertex| roadmap.pose(vertex as u32)).collect()
             }),
             Algorithm::Composite(planner) => {
-                let (first, dimension) = composite::members(&self.setup)[roadmap];
+                let (first, dimension) = composite::members(&self.fleet)[roadmap];
                 planner.vertices()[row..].iter().map(|joint| composite::part(joint, first, dimension)).collect()
             }
         }
@@ -278,13 +276,13 @@ impl FleetPlanner {
         if self.status != Status::Solved {
             return 0.0;
         }
-        (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(of).sum::<f64>() + 0.0
+        (0..self.fleet.footprints().len()).filter_map(|robot| self.trajectory(robot)).map(of).sum::<f64>() + 0.0
     }
 
     /// When the last robot arrives, in seconds; 0 unless solved.
     pub fn makespan(&self) -> f64 {
         let arrivals =
-            (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
+            (0..self.fleet.footprints().len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
         if self.status == Status::Solved { arrivals.fold(0.0, f64::max) } else { 0.0 }
     }
 
@@ -314,7 +312,7 @@ impl FleetPlanner {
 
     /// The result document.
     pub fn result(&self) -> FleetResult {
-        let members = self.setup.fleet.robots();
+        let members = self.fleet.robots();
         let name = |&robot: &usize| members[robot].name.clone();
         let robots = (0..members.len()).filter_map(|robot| Some((robot, self.trajectory(robot)?)));
         let in_document = |(robot, trajectory): (usize, &Trajectory)| {
@@ -325,7 +323,7 @@ impl FleetPlanner {
         let blocked =
             |blocked: Blocked| BlockedNames { robot: name(&blocked.robot), by: blocked.by.iter().map(name).collect() };
         FleetResult {
-            fleet: self.setup.fleet.name().to_owned(),
+            fleet: self.fleet.name().to_owned(),
             planner: self.id.to_owned(),
             seed: self.seed,
             status: self.status,

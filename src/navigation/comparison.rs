@@ -7,7 +7,6 @@
 use super::document::{Navigation, NavigationQuery};
 use super::episode;
 use super::execution::Executor;
-use super::floor::Floor;
 use super::policy::Policy;
 use super::roadmap::{self, RolloutOptions};
 use super::rollout::{Drive, Outcome};
@@ -18,6 +17,7 @@ use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
 use crate::statistics::{Mean, Share, mean, share};
+use crate::world::PlanningWorld;
 use serde::Serialize;
 
 crate::options! {
@@ -152,7 +152,7 @@ impl Comparison {
         };
         let lazy_prm = LazyPrmOptions { samples: Some(samples), k, ..LazyPrmOptions::default() };
         let of = |planner: PlannerOptions| Options { seed, events: false, ..Options::new(planner) };
-        let grown = task.disc_scenario(options.margin)?;
+        let grown = PlanningWorld::sharing(task.disc_scenario(options.margin)?, task.collision());
         let straight = run::start(&grown, &of(prm.into()))?;
         let learned = roadmap::start(&task, policy, &rollouts, &of(lazy_prm.into()))?;
         Ok(Self {
@@ -238,7 +238,7 @@ impl Comparison {
 
 /// Queries between configurations that are far apart.
 fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
-    let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
+    let floor = task.floor();
     let no_room = || Error::new(Code::OutOfRange, "/robot/shape", "the floor has no room for the robot");
     let mut random = Random::new(seed, Stream::Tasks);
     let mut queries = Vec::with_capacity(options.queries);

@@ -2,7 +2,6 @@
 
 use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, TIME_STEP};
 use super::episode;
-use super::floor::Floor;
 use super::sensor::Sensor;
 use crate::error::Error;
 use crate::generators::{self, Generator, SEEDS, generators, given};
@@ -155,7 +154,7 @@ impl DriveOptions {
         let bounds = Some(Aabb { min: Point::origin(), max: Point::new(width, height) });
         let world = World { bounds, obstacles: obstacles.into() };
         let task = Navigation::new(name, Some(title), world, self.robot()?, GOAL_TOLERANCE, Vec::new())?;
-        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
+        let floor = task.floor();
         let Some(start) = episode::configuration(&floor, random) else {
             return Err(out_of_range("radius", "there is no room for a robot of this radius".to_owned()));
         };

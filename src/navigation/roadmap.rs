@@ -229,7 +229,7 @@ fn start_between(
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
     let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
     let validity = RolloutValidity {
-        turning: DiscValidity::new(&disc, task.world()),
+        turning: DiscValidity::new(&disc, task.collision().clone()),
         rollouts: Rollouts::new(task, policy, *rollouts, options.seed)?,
     };
     let [start, goal] = [&query.start[..2], &query.goal[..]].map(|q| space.state(q));

@@ -12,11 +12,12 @@
 
 use super::document::Navigation;
 use super::episode;
-use super::generate::generate_with;
+use super::generate::FurnishedOptions;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
+use crate::generators::Generator;
 use crate::options::{Options, Value};
 use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
@@ -361,16 +362,8 @@ pub const FRESH_FLOORS: u64 = 50;
 
 /// The floor of this seed for the robot of a task.
 fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {
-    let generated = generate_with("furnished", &[("seed".to_owned(), Value::Number(seed as f64))])?;
-    let parts = Navigation::new(
-        generated.name().to_owned(),
-        None,
-        generated.world().clone(),
-        task.robot().clone(),
-        task.goal_tolerance(),
-        Vec::new(),
-    )?;
-    Ok(Simulation::new(&parts))
+    let generated = FurnishedOptions { seed, ..FurnishedOptions::default() }.generate()?;
+    Ok(Simulation::new(&generated.for_robot_of(task)))
 }
 
 /// Trains a policy on several threads: each has a training of its own, evaluates a part of each generation, and gets the returns

@@ -80,12 +80,8 @@ impl Scenario {
     /// # Errors
     /// Those of [`Scenario::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        // First, so that any other document is reported as such.
-        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
-        }
-        let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(tree)?;
+        let Document { format: document::Format::One, name, title, world, robot, queries } =
+            json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
         let robot = checked_robot(robot)?;

@@ -18,7 +18,14 @@ pub trait Generator: Options {
     ///
     /// # Errors
     /// `out-of-range` or `not-finite` with the pointer of the option, also where options do not fit each other or leave no room.
-    fn generate(&self) -> Result<Self::Made, Error>;
+    fn generate(&self) -> Result<Self::Made, Error> {
+        self.check()?;
+        self.make()
+    }
+
+    /// Makes it of options that are in range.
+    #[doc(hidden)]
+    fn make(&self) -> Result<Self::Made, Error>;
 
     #[doc(hidden)]
     /// Refuses options that may not be given together.
@@ -84,7 +91,7 @@ pub fn make<G: Generator>(given: &[(String, Value)], others: &[&'static str]) ->
         _ => error,
     })?;
     G::check_given(given)?;
-    options.generate()
+    options.make()
 }
 
 /// The options of an object by name.

@@ -11,7 +11,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
-use planarium::navigation::{self, Comparison, Method, Navigation, Policy};
+use planarium::navigation::{self, Comparison, ComparisonOptions, Method, Navigation, Policy, TrainingOptions};
+use planarium::options::Options as _;
 use planarium::problem::{Status, Stepped};
 use planarium::run::Request;
 use std::num::NonZeroUsize;
@@ -65,7 +66,8 @@ pub fn train(arguments: &Train) -> Answer {
     if let Ok(style) = ProgressStyle::with_template("generation {pos} of {len}, {msg} {bar:30} {eta} left") {
         bar.set_style(style);
     }
-    let training = navigation::train(&task, &arguments.given.set, arguments.given.seed, threads, |training| {
+    let options = TrainingOptions::read(&arguments.given.set)?;
+    let training = navigation::train(&task, &options, arguments.given.seed, threads, |training| {
         bar.set_length(training.generations());
         bar.set_position(training.generation());
         if let Some(last) = training.history().last() {
@@ -198,7 +200,8 @@ pub fn compare(arguments: &Compare) -> Answer {
     let out = outputs.add(arguments.out.as_deref(), Kind::COMPARISON)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
     let begun = Instant::now();
-    let mut comparison = Comparison::new(&task, &policy, &arguments.given.set, arguments.given.seed)?;
+    let options = ComparisonOptions::read(&arguments.given.set)?;
+    let mut comparison = Comparison::new(&task, &policy, &options, arguments.given.seed)?;
     comparison.step(u64::MAX);
     let summary = comparison.summary();
     out.write(&json::to_string(&summary))?;

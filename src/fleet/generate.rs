@@ -187,7 +187,7 @@ impl Generator for SwapOptions {
     type Made = Fleet;
 
     /// The seed places the bay along the corridor.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { length, width, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let wide = 2.0 * robots.radius * width;
@@ -211,7 +211,7 @@ impl Generator for CorridorOptions {
     type Made = Fleet;
 
     /// The seed draws starts and goals in the rooms.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, length, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let room = 5.0;
@@ -236,7 +236,7 @@ impl Generator for CrossroadsOptions {
     type Made = Fleet;
 
     /// The seed draws in which order the four sides are filled.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let (lane, gap) = (2.6 * robots.radius, 2.4 * robots.radius);
@@ -269,7 +269,7 @@ impl Generator for RingOptions {
     type Made = Fleet;
 
     /// The seed turns the ring.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, pillar, exchange, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         // Starts and goals alternate along the circle.
@@ -303,7 +303,7 @@ impl Generator for HallOptions {
     type Made = Fleet;
 
     /// The seed draws starts and goals.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, side, goals, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let side = side.unwrap_or((2.0 * (count as f64).sqrt()).max(5.0));

@@ -1,59 +1,18 @@
 //! A planner of a fleet as a value that is stepped.
 
-use super::composite::{self, Composite, CompositeOptions};
+use super::composite::{self, Composite};
 use super::document::Fleet;
 use super::motion::Pose;
-use super::pbs::{Pbs, PbsOptions};
-use super::prioritized::{Prioritized, PrioritizedOptions};
+use super::options::{FleetOptions, FleetPlannerOptions};
+use super::pbs::Pbs;
+use super::prioritized::Prioritized;
 use super::result::{Blocked, BlockedNames, FleetReason, FleetResult, FleetStats, RobotTrajectory};
 use super::roadmap::Roadmap;
 use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, quoted};
 use crate::fingerprint::Fingerprint;
-use crate::options::{Info, Options as _, Value};
 use crate::problem::{Status, Stepped};
 use crate::random::check_seed;
-
-/// The options of a planner of a fleet.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct FleetOptions {
-    /// The planner, by id; if it is `None`, `pbs`, or `prioritized` if there is an order.
-    pub planner: Option<String>,
-    /// The seed, 0 to 2^53 - 1.
-    pub seed: u64,
-    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. For `prioritized` only, which
-    /// begins with that of the document if it is `None`, and tries others if it fails.
-    pub order: Option<Vec<String>>,
-    /// Options of the planner by name.
-    pub parameters: Vec<(String, Value)>,
-}
-
-/// The ids of the planners of fleets.
-const IDS: [&str; 3] = ["pbs", "prioritized", "composite"];
-
-/// The planners of fleets with their options.
-pub fn fleet_planners() -> Vec<Info> {
-    vec![
-        Info {
-            id: IDS[0],
-            title: "PBS",
-            summary: "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
-            options: PbsOptions::table(),
-        },
-        Info {
-            id: IDS[1],
-            title: "Prioritized",
-            summary: "The robots plan one after the other by safe intervals, each around those before it.",
-            options: PrioritizedOptions::table(),
-        },
-        Info {
-            id: IDS[2],
-            title: "Composite",
-            summary: "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
-            options: CompositeOptions::table(),
-        },
-    ]
-}
 
 /// A planner of a fleet: a value that is stepped. How its iterations are divided into steps does not change its result.
 pub struct FleetPlanner {
@@ -105,37 +64,34 @@ impl FleetPlanner {
     /// Begins.
     ///
     /// # Errors
-    /// `unknown-planner` (pointer `/algorithm`); `unknown-parameter`, and the errors of parameter values; `out-of-range` with a
-    /// pointer into `/order` if it does not name every robot once; `unsupported` for a composite of fewer than two or more than
-    /// three robots, or of more than eight coordinates.
+    /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name every
+    /// robot once; `unsupported` for an order of another planner than `prioritized`, and for a composite of fewer than two or more
+    /// than three robots, or of more than eight coordinates.
     pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
         check_seed(options.seed)?;
-        let by_default = if options.order.is_some() { "prioritized" } else { "pbs" };
-        let id = options.planner.as_deref().unwrap_or(by_default);
-        let Some(id) = IDS.iter().find(|known| **known == id) else {
-            let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), IDS.join(", "));
-            return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
-        };
-        if options.order.is_some() && *id != "prioritized" {
+        let planner = options.planner();
+        if options.order.is_some() && !matches!(planner, FleetPlannerOptions::Prioritized(_)) {
             let sentence = "only prioritized planning has an order of priorities";
             return Err(Error::new(Code::Unsupported, "/order", sentence));
         }
-        let (algorithm, most) = if *id == "pbs" {
-            let read = PbsOptions::read(&options.parameters)?;
-            (Algorithm::Pbs(Box::new(Pbs::new(&fleet, &read, options.seed)?)), read.max_iterations)
-        } else if *id == "composite" {
-            let read = CompositeOptions::read(&options.parameters)?;
-            let planner = Composite::new(&fleet, &read, options.seed)?;
-            (Algorithm::Composite(Box::new(planner)), u64::from(read.max_iterations))
-        } else {
-            let read = PrioritizedOptions::read(&options.parameters)?;
-            let order = order(fleet, options.order.as_deref())?;
-            let planner = Prioritized::new(&fleet, &read, order, options.seed, options.order.is_some())?;
-            (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
+        planner.check()?;
+        let (algorithm, most) = match &planner {
+            FleetPlannerOptions::Pbs(pbs) => {
+                (Algorithm::Pbs(Box::new(Pbs::new(fleet, pbs, options.seed)?)), pbs.max_iterations)
+            }
+            FleetPlannerOptions::Composite(composite) => {
+                let planner = Composite::new(fleet, composite, options.seed)?;
+                (Algorithm::Composite(Box::new(planner)), u64::from(composite.max_iterations))
+            }
+            FleetPlannerOptions::Prioritized(prioritized) => {
+                let order = order(fleet, options.order.as_deref())?;
+                let planner = Prioritized::new(fleet, prioritized, order, options.seed, options.order.is_some())?;
+                (Algorithm::Prioritized(Box::new(planner)), prioritized.max_iterations)
+            }
         };
         Ok(Self {
             fleet: fleet.clone(),
-            id,
+            id: planner.id(),
             seed: options.seed,
             algorithm,
             most,

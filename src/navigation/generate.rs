@@ -168,7 +168,7 @@ impl DriveOptions {
 impl Generator for FurnishedOptions {
     type Made = Navigation;
 
-    fn generate(&self) -> Result<Navigation, Error> {
+    fn make(&self) -> Result<Navigation, Error> {
         let Self { side, furniture, walls, doors, door, gap, drive, seed } = *self;
         drive.check_door(door, WIDEST_DOOR)?;
         let mut random = Random::new(seed, Stream::Scenario);
@@ -201,7 +201,7 @@ impl Generator for FurnishedOptions {
 impl Generator for RoomsOptions {
     type Made = Navigation;
 
-    fn generate(&self) -> Result<Navigation, Error> {
+    fn make(&self) -> Result<Navigation, Error> {
         let Self { columns, rows, room, door, loops, furniture, drive, seed } = *self;
         drive.check_door(door, room - 3.0 * WALL)?;
         let mut random = Random::new(seed, Stream::Scenario);

@@ -18,7 +18,7 @@ use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
 use crate::generators::Generator;
-use crate::options::{Options, Value};
+use crate::options::Options;
 use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::statistics::{Share, share};
@@ -116,14 +116,13 @@ impl Stepped for Training {
 }
 
 impl Training {
-    /// Begins, for the robot of a task and its goal tolerance, with options given by name and a seed, 0 to 2^53 - 1. The floors
-    /// are those of the generator `furnished`.
+    /// Begins, for the robot of a task and its goal tolerance, with a seed, 0 to 2^53 - 1. The floors are those of the generator
+    /// `furnished`.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`;
-    /// `out-of-range` at `/robot/shape` if the floors have no room for the robot.
-    pub fn new(task: &Navigation, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
-        let options = TrainingOptions::read(given)?;
+    /// `not-finite` or `out-of-range`, with the pointer of the option; `out-of-range` at `/robot/shape` if the floors have no room for the robot.
+    pub fn new(task: &Navigation, options: &TrainingOptions, seed: u64) -> Result<Self, Error> {
+        options.check()?;
         check_seed(seed)?;
         let floors = options.floors as u64;
         let first = (seed % FLOORS_PER_SEED) * FLOORS_PER_SEED;
@@ -132,7 +131,7 @@ impl Training {
         let weights = sizes.random(&mut Random::new(seed, Stream::Weights));
         let count = weights.len();
         let mut training = Self {
-            options,
+            options: *options,
             seed,
             simulations,
             sizes,
@@ -375,7 +374,7 @@ fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {
 #[cfg(feature = "parallel")]
 pub fn train(
     task: &Navigation,
-    given: &[(String, Value)],
+    options: &TrainingOptions,
     seed: u64,
     threads: std::num::NonZeroUsize,
     mut watch: impl FnMut(&Training) -> bool,
@@ -384,11 +383,11 @@ pub fn train(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().map_err(|error| {
         Error::new(Code::Unsupported, "/threads", format!("the threads cannot be started: {error}"))
     })?;
-    let first = Training::new(task, given, seed)?;
+    let first = Training::new(task, options, seed)?;
     // No more than there are candidates.
     let others = threads.get().min(first.candidates()) - 1;
     let mut team = std::iter::once(Ok(first))
-        .chain((0..others).map(|_| Training::new(task, given, seed)))
+        .chain((0..others).map(|_| Training::new(task, options, seed)))
         .collect::<Result<Vec<_>, _>>()?;
     let (count, members) = (team[0].candidates(), team.len());
     while team[0].status() == Status::Running {

@@ -1,7 +1,7 @@
 //! The indexes with their options.
 
 use crate::error::{Code, Error, quoted};
-use crate::options::{ALL, Choice, OptionInfo, Options};
+use crate::options::{ALL, Choice, OptionInfo, Options, Value};
 use crate::planner::MetricOptions;
 use crate::random::MAX_SEED;
 use strum::VariantNames;
@@ -15,6 +15,57 @@ crate::choice! {
         KdTree,
         /// A forest of random projections.
         Forest,
+    }
+}
+
+/// An index with its options.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum IndexOptions {
+    /// A linear scan.
+    Linear(MetricOptions),
+    /// A kd-tree, the default.
+    KdTree(MetricOptions),
+    /// A forest of random projections.
+    Forest(ForestOptions),
+}
+
+impl Default for IndexOptions {
+    fn default() -> Self {
+        IndexOptions::KdTree(MetricOptions::default())
+    }
+}
+
+impl IndexOptions {
+    /// The index with the given id, by default the kd-tree, and with options given by name; the rest have their defaults.
+    ///
+    /// # Errors
+    /// Those of [`IndexId::of`]; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the
+    /// pointer `/name`.
+    pub fn read(id: Option<&str>, given: &[(String, Value)]) -> Result<Self, Error> {
+        Ok(match IndexId::of(id)? {
+            IndexId::Linear => IndexOptions::Linear(Options::read(given)?),
+            IndexId::KdTree => IndexOptions::KdTree(Options::read(given)?),
+            IndexId::Forest => IndexOptions::Forest(Options::read(given)?),
+        })
+    }
+
+    /// Refuses values out of range: a metric is always in range.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        if let IndexOptions::Forest(options) = self { options.check() } else { Ok(()) }
+    }
+
+    /// Its metric.
+    pub fn measuring(&self) -> MetricOptions {
+        match *self {
+            IndexOptions::Linear(measuring) | IndexOptions::KdTree(measuring) => measuring,
+            IndexOptions::Forest(ForestOptions { measuring, .. }) => measuring,
+        }
+    }
+
+    /// Whether it always finds the nearest.
+    pub fn is_exact(&self) -> bool {
+        !matches!(self, IndexOptions::Forest(_))
     }
 }
 

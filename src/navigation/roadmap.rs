@@ -162,10 +162,9 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
 /// Those of [`PlannerOptions::read`].
 pub fn read_options(request: &Request) -> Result<(RolloutOptions, Options), Error> {
     let parameters = request.parameters.iter().cloned();
-    let (own, others): (Vec<_>, Vec<_>) = parameters.partition(|(name, _)| RolloutOptions::has(name));
+    let (own, parameters): (Vec<_>, Vec<_>) = parameters.partition(|(name, _)| RolloutOptions::has(name));
     let rollouts = RolloutOptions::read(&own)?;
-    let planner = request.planner.as_deref().map_or(Ok(default_planner()), PlannerOptions::of)?;
-    Ok((rollouts, request.with(planner.updated(&others)?)))
+    Ok((rollouts, Request { parameters, ..request.clone() }.read(default_planner())?))
 }
 
 /// The planner if none is named.

@@ -55,7 +55,7 @@ impl Scenario {
     /// let scenario = Scenario::new("bench", world, arm, [query])?;
     ///
     /// let prm = PrmOptions { samples: Some(300), ..PrmOptions::default() };
-    /// let mut run = run::start(&scenario, &prm.into())?;
+    /// let mut run = run::start(&scenario, prm)?;
     /// assert_eq!(run.step(100_000), Status::Solved);
     /// assert!(run.length() >= 2.1);
     /// # Ok::<(), planarium::Error>(())
@@ -168,6 +168,16 @@ pub fn polygon(corners: &[Point]) -> Result<Polygon, Error> {
         };
         Error::new(Code::DegeneratePolygon, "/vertices", sentence)
     })
+}
+
+impl Obstacle {
+    /// A simple polygon with these corners, in metres, in either direction, closed or open.
+    ///
+    /// # Errors
+    /// Those of [`polygon`].
+    pub fn polygon(corners: &[Point]) -> Result<Self, Error> {
+        self::polygon(corners).map(Obstacle::Polygon)
+    }
 }
 
 pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {

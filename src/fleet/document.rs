@@ -10,7 +10,7 @@ use crate::problem::naming_nearest;
 use crate::robot::Part;
 use crate::scenario::document;
 use crate::scenario::number::{AngleOrCoordinate, Positive};
-use crate::scenario::validate::{check_name, checked_configuration, checked_robot, checked_world};
+use crate::scenario::validate::{check_name, checked_configuration, checked_robot, checked_world, note_name};
 use crate::scenario::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::space::MotionSpace;
 use crate::world::{Derived, PlanningWorld, SMALL};
@@ -26,8 +26,8 @@ pub const MAX_ROBOTS: usize = 1000;
 const ANY_TOLERANCE: f64 = 1e-4;
 
 objects! {
-    /// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise, y
-    /// up, speeds in metres per second.
+    /// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise,
+    /// y up, speeds in metres per second.
     #[cfg_attr(feature = "schema", schemars(title = "Planarium fleet"))]
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "FleetDocument"))]
     pub(super) struct Document {
@@ -127,7 +127,8 @@ impl Prepared {
     }
 }
 
-/// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest robot.
+/// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest
+/// robot.
 fn slack(world: &World, robots: &[FleetRobot]) -> f64 {
     let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds);
     let corners = boxes.flat_map(|aabb| [aabb.min, aabb.max]);
@@ -199,10 +200,7 @@ impl Fleet {
         let mut checked = Vec::with_capacity(robots.len());
         for (i, member) in robots.into_iter().enumerate() {
             let member = checked_member(member).map_err(|error| error.under(&format!("/robots/{i}")))?;
-            if !names.insert(member.name.clone()) {
-                let sentence = format!("another robot has the name {}, too", quoted(&member.name));
-                return Err(Error::new(Code::DuplicateName, format!("/robots/{i}/name"), sentence));
-            }
+            note_name(&mut names, &member.name, "robot", &format!("/robots/{i}/name"))?;
             checked.push(member);
         }
         Self::new(name, title, world, checked)

@@ -49,8 +49,8 @@ impl FleetPlannerOptions {
     /// The planner with the given id and with options given by name; the rest have their defaults.
     ///
     /// # Errors
-    /// `unknown-planner`, pointer `/algorithm`; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`,
-    /// with the pointer `/name`.
+    /// `unknown-planner`, pointer `/algorithm`; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or
+    /// `out-of-range`, with the pointer `/name`.
     pub fn read(id: &str, given: &[(String, Value)]) -> Result<Self, Error> {
         let Some(planner) = all().into_iter().find(|planner| planner.id() == id) else {
             let known = all().map(|planner| planner.id()).join(", ");
@@ -81,27 +81,27 @@ fn all() -> [FleetPlannerOptions; 3] {
 
 /// The planners of fleets with their options.
 pub fn fleet_planners() -> Vec<Info> {
-    let info = |planner: FleetPlannerOptions| {
-        let (title, summary, options) = match planner {
-            FleetPlannerOptions::Pbs(_) => (
-                "PBS",
-                "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
-                PbsOptions::table(),
-            ),
-            FleetPlannerOptions::Prioritized(_) => (
-                "Prioritized",
-                "The robots plan one after the other by safe intervals, each around those before it.",
-                PrioritizedOptions::table(),
-            ),
-            FleetPlannerOptions::Composite(_) => (
-                "Composite",
-                "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
-                CompositeOptions::table(),
-            ),
-        };
-        Info { id: planner.id(), title, summary, options }
-    };
-    all().map(info).into()
+    let info = |id, title, summary, options| Info { id, title, summary, options };
+    vec![
+        info(
+            "pbs",
+            "PBS",
+            "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
+            PbsOptions::table(),
+        ),
+        info(
+            "prioritized",
+            "Prioritized",
+            "The robots plan one after the other by safe intervals, each around those before it.",
+            PrioritizedOptions::table(),
+        ),
+        info(
+            "composite",
+            "Composite",
+            "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
+            CompositeOptions::table(),
+        ),
+    ]
 }
 
 /// The planner, seed and order of priorities of a run.

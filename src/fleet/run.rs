@@ -64,9 +64,9 @@ impl FleetPlanner {
     /// Begins.
     ///
     /// # Errors
-    /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name every
-    /// robot once; `unsupported` for an order of another planner than `prioritized`, and for a composite of fewer than two or more
-    /// than three robots, or of more than eight coordinates.
+    /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name
+    /// every robot once; `unsupported` for an order of another planner than `prioritized`, and for a composite of fewer than two
+    /// or more than three robots, or of more than eight coordinates.
     pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
         check_seed(options.seed)?;
         let planner = options.planner();

@@ -5,14 +5,14 @@ use super::FORMAT;
 use super::floor::Floor;
 use super::sensor::{Fan, Sensor};
 use crate::collision::CollisionWorld;
-use crate::error::{Code, Error, quoted, within};
+use crate::error::{Code, Error, within};
 use crate::geometry::{Aabb, Point};
 use crate::json::{self, by_type, objects, one_format};
 use crate::robot::{DifferentialDrive, Footprint, Part, Round};
 use crate::scenario::document::{self, World as WorldDocument};
 use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive, Speed};
-use crate::scenario::validate::{check_name, checked_polygon, checked_world};
-use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World};
+use crate::scenario::validate::{check_name, checked_polygon, checked_world, note_name};
+use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World, find_query};
 use crate::world::Derived;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
@@ -241,10 +241,7 @@ impl Navigation {
         for (i, QueryDocument { name, start, goal }) in queries.into_iter().enumerate() {
             let pointer = format!("/queries/{i}/name");
             check_name(&name, &pointer)?;
-            if !names.insert(name.clone()) {
-                let sentence = format!("another query has the name {}, too", quoted(&name));
-                return Err(Error::new(Code::DuplicateName, pointer, sentence));
-            }
+            note_name(&mut names, &name, "query", &pointer)?;
             checked.push(NavigationQuery { name, start: start.map(|x| x.0), goal: goal.map(|x| x.0) });
         }
         Self::new(name, title, world, robot, tolerance, checked)
@@ -342,17 +339,8 @@ impl Navigation {
     /// # Errors
     /// `unknown-query`, pointer `/query`, naming those that exist.
     pub fn find_query(&self, name: Option<&str>) -> Result<(usize, &NavigationQuery), Error> {
-        let found = self.queries().iter().enumerate().find(|(_, query)| name.is_none_or(|name| query.name == name));
-        found.ok_or_else(|| {
-            let known: Vec<String> = self.queries().iter().map(|query| quoted(&query.name)).collect();
-            let sentence = match name {
-                Some(name) => {
-                    format!("unknown query {}; the queries of this task are [{}]", quoted(name), known.join(", "))
-                }
-                None => "this task has no query".to_owned(),
-            };
-            Error::new(Code::UnknownQuery, "/query", sentence)
-        })
+        let i = find_query("task", self.queries().iter().map(|query| &*query.name), name)?;
+        Ok((i, &self.queries()[i]))
     }
 
     /// The scenario of a disc in which the robot turns on the spot: its queries are those of the task without headings. Straight

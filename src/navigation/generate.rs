@@ -4,13 +4,12 @@ use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, No
 use super::episode;
 use super::sensor::Sensor;
 use crate::error::Error;
-use crate::generators::{self, Generator, SEEDS, generators, given};
+use crate::generators::{Generator, SEEDS, generators};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
-use crate::options::{Info, Value, out_of_range};
+use crate::options::out_of_range;
 use crate::random::{Random, Stream};
 use crate::robot::{DifferentialDrive, Footprint, Round};
 use crate::scenario::{Obstacle, World};
-use serde_json::Value as Json;
 use std::f64::consts::TAU;
 
 /// The most draws of obstacles.
@@ -86,32 +85,9 @@ crate::options! {
 }
 
 generators! {
-    Navigation:
+    Navigation, navigation_generators:
     RoomsOptions => "rooms", "Rooms", "An office of rooms with doors and furniture, for a differential drive.";
     FurnishedOptions => "furnished", "Furnished", "A floor with furniture and pieces of walls, for a differential drive.";
-}
-
-/// The generators of navigation tasks with their options.
-pub fn navigation_generators() -> Vec<Info> {
-    descriptions()
-}
-
-/// Generates a task by the generator's id, with options given by name: those of [`navigation_generators`] and `seed`; the rest
-/// take their defaults.
-///
-/// # Errors
-/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
-/// `out-of-range`.
-pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Navigation, Error> {
-    generators::generate(MAKERS, id, options, &[])
-}
-
-/// The same with the options as an object (`{}` for all defaults).
-///
-/// # Errors
-/// Those of [`generate_with`], and `wrong-type` if the options are not an object.
-pub fn generate(id: &str, options: &Json) -> Result<Navigation, Error> {
-    generate_with(id, &given(options)?)
 }
 
 impl DriveOptions {

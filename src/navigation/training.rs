@@ -120,7 +120,8 @@ impl Training {
     /// `furnished`.
     ///
     /// # Errors
-    /// `not-finite` or `out-of-range`, with the pointer of the option; `out-of-range` at `/robot/shape` if the floors have no room for the robot.
+    /// `not-finite` or `out-of-range`, with the pointer of the option; `out-of-range` at `/robot/shape` if the floors have no
+    /// room for the robot.
     pub fn new(task: &Navigation, options: &TrainingOptions, seed: u64) -> Result<Self, Error> {
         options.check()?;
         check_seed(seed)?;

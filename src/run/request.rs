@@ -57,8 +57,8 @@ impl Request {
     /// `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
     ///
     /// # Errors
-    /// `other-scenario` and `invalid-roadmap`; those of [`PlannerOptions::read`]; `out-of-range` if another planner or another value
-    /// of what the document holds is given, `unsupported` for parameters of a growth that is over.
+    /// `other-scenario` and `invalid-roadmap`; those of [`PlannerOptions::read`]; `out-of-range` if another planner or another
+    /// value of what the document holds is given, `unsupported` for parameters of a growth that is over.
     pub fn for_roadmap(&self, scenario: &Scenario, document: &RoadmapDocument) -> Result<Options, Error> {
         resume::check_scenario(scenario, document)?;
         self.continued(document)

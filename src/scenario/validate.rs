@@ -211,13 +211,19 @@ fn checked_queries(queries: Vec<document::Query>, robot: &Robot) -> Result<Vec<Q
     let (mut checked, mut names) = (Vec::with_capacity(queries.len()), BTreeSet::new());
     for (i, query) in queries.into_iter().enumerate() {
         let query = checked_query(query, robot).map_err(|error| error.under(&format!("/queries/{i}")))?;
-        if !names.insert(query.name.clone()) {
-            let sentence = format!("another query has the name {}, too", quoted(&query.name));
-            return Err(Error::new(Code::DuplicateName, format!("/queries/{i}/name"), sentence));
-        }
+        note_name(&mut names, &query.name, "query", &format!("/queries/{i}/name"))?;
         checked.push(query);
     }
     Ok(checked)
+}
+
+/// Adds a name to those of other queries or robots, from which it must differ.
+pub(crate) fn note_name(names: &mut BTreeSet<String>, name: &str, what: &str, pointer: &str) -> Result<(), Error> {
+    if names.insert(name.to_owned()) {
+        return Ok(());
+    }
+    let sentence = format!("another {what} has the name {}, too", quoted(name));
+    Err(Error::new(Code::DuplicateName, pointer, sentence))
 }
 
 fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> {

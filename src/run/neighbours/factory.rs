@@ -12,8 +12,8 @@ use crate::world::{Configurations, PlanningWorld, SMALL};
 /// An empty index of configurations of the scenario's robot. The same planes follow from the same seed.
 ///
 /// # Errors
-/// `not-finite` and `out-of-range` of the options, with their pointers: the metric of a body or a car is its scenario's, that of a
-/// disc is euclidean.
+/// `not-finite` and `out-of-range` of the options, with their pointers: the metric of a body or a car is its scenario's, that of
+/// a disc is euclidean.
 pub fn index(scenario: impl Into<PlanningWorld>, options: &IndexOptions) -> Result<Box<dyn Neighbours>, Error> {
     let world = scenario.into();
     options.check()?;

@@ -6,7 +6,7 @@ mod table;
 
 pub use crate::nearest::{Neighbour, recall};
 pub use factory::index;
-pub use table::{ForestOptions, IndexId, IndexInfo, IndexOptions, indexes};
+pub use table::{ForestOptions, IndexInfo, IndexOptions, indexes};
 
 pub use crate::planner::MetricOptions;
 

@@ -29,8 +29,8 @@ pub fn scenario(bytes: &[u8]) {
     let again = Scenario::parse(&normal).expect("the normal form is a scenario");
     assert_eq!(again, scenario);
     assert_eq!(again.to_json_string(), normal);
-    let Ok(mut run) = run::start(&scenario, &Options::default()) else { return };
-    let mut sliced = run::start(&scenario, &Options::default()).expect("it has just started");
+    let Ok(mut run) = run::start(&scenario, Options::default()) else { return };
+    let mut sliced = run::start(&scenario, Options::default()).expect("it has just started");
     run.step(ITERATIONS);
     (0..ITERATIONS).for_each(|_| {
         sliced.step(1);

@@ -260,11 +260,11 @@ pub trait Run: MaybeSend + sealed::Sealed {
 ///
 /// # Example
 /// ```
-/// use planarium::run::{Options, RrtOptions, Status, start};
+/// use planarium::run::{RrtOptions, Status, start};
 /// use planarium::worlds::generate;
 ///
 /// let scenario = generate("maze", &serde_json::json!({}))?;
-/// let mut run = start(&scenario, &Options::new(RrtOptions::default()))?;
+/// let mut run = start(&scenario, RrtOptions::default())?;
 /// let (mut vertices, mut edges) = (0, 0);
 /// loop {
 ///     let status = run.step(100);

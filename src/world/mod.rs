@@ -36,7 +36,7 @@ pub(crate) const SMALL: usize = 4;
 ///          "robot": { "type": "disc", "radius": 0.2 },
 ///          "queries": [ { "name": "across", "start": [1, 1], "goal": [3, 3] } ] }"#,
 /// )?);
-/// let mut run = run::start(&world, &Options::default())?;
+/// let mut run = run::start(&world, Options::default())?;
 /// run.step(100_000);
 /// let inspector = Inspector::new(&world);
 /// assert!(run.path().iter().all(|q| inspector.check(q).is_ok_and(|contacts| contacts.is_empty())));

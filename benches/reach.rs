@@ -7,7 +7,7 @@
 mod arms;
 
 use planarium::geometry::Vector;
-use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
+use planarium::ik::{MethodOptions, Solver, SolverOptions, Target, follow, nearest_reachable};
 use planarium::problem::Stepped;
 use planarium::random::{Random, Stream};
 use planarium::robot::Arm;
@@ -49,10 +49,10 @@ impl Cell {
 
     /// The same of a method, with the number of targets missed, if any.
     fn method(&self, id: &str) -> String {
+        let method = MethodOptions::read(Some(id), &[]).expect("a method");
         let mut missed = 0;
         let time = self.time(|_, scenario, q, target| {
-            let options =
-                SolverOptions { method: Some(id.to_owned()), start: Some(q.to_vec()), ..SolverOptions::to(target) };
+            let options = SolverOptions { method, start: Some(q.to_vec()), ..SolverOptions::to(target) };
             let mut run = Solver::new(scenario, &options).expect("a run");
             missed += usize::from(run.step(u64::MAX) != Status::Solved);
             run.error()

@@ -3,9 +3,9 @@
 //!
 //! `cargo bench --bench trajectories`; a run pinned to one core is quieter.
 
-use planarium::options::Value;
+use planarium::options::Choice;
 use planarium::problem::Stepped;
-use planarium::trajectories::Trajectories;
+use planarium::trajectories::{IndexKind, Model, Trajectories, TrajectoryOptions};
 use std::time::Instant;
 
 /// Runs for each entry of a table.
@@ -13,25 +13,24 @@ const RUNS: usize = 15;
 
 fn main() {
     println!("1000 trajectories, defaults: milliseconds in all\n\n| motion | grid | none | tried |\n|---|---|---|---|");
-    for model in ["arc", "spiral"] {
-        let [(with, tries), (without, _)] = ["grid", "none"].map(|index| growth(model, index, &[1000])[0]);
+    for model in [Model::Arc, Model::Spiral] {
+        let [(with, tries), (without, _)] =
+            [IndexKind::Grid, IndexKind::None].map(|index| growth(model, index, &[1000])[0]);
         // Milliseconds for a thousand are microseconds for one.
-        println!("| {model} | {with:.2} | {without:.2} | {:.0} |", 1000.0 * tries);
+        println!("| {} | {with:.2} | {without:.2} | {:.0} |", model.word(), 1000.0 * tries);
     }
     println!("\nMicroseconds per accepted trajectory, arcs, the fastest of {RUNS} runs; tries per accepted\n");
     println!("| accepted | grid | none | tries |\n|---|---|---|---|");
     let ends = [100, 250, 500, 1000, 1500, 2000];
-    let [with, without] = ["grid", "none"].map(|index| growth("arc", index, &ends));
+    let [with, without] = [IndexKind::Grid, IndexKind::None].map(|index| growth(Model::Arc, index, &ends));
     for (i, end) in ends.iter().enumerate() {
         println!("| to {end} | {:.2} | {:.2} | {:.2} |", with[i].0, without[i].0, with[i].1);
     }
 }
 
 /// Microseconds, those of the fastest run, and tries per accepted trajectory, between each of these counts and the one before.
-fn growth(model: &str, index: &str, ends: &[usize]) -> Vec<(f64, f64)> {
-    let word = |name: &str, word: &str| (name.to_owned(), Value::Text(word.to_owned()));
-    let most = ends[ends.len() - 1] as f64;
-    let options = [word("model", model), word("index", index), ("count".to_owned(), Value::Number(most))];
+fn growth(model: Model, index: IndexKind, ends: &[usize]) -> Vec<(f64, f64)> {
+    let options = TrajectoryOptions { model, index, count: ends[ends.len() - 1], ..TrajectoryOptions::default() };
     let mut rows = vec![(f64::MAX, 0.0); ends.len()];
     for _ in 0..RUNS {
         let mut trajectories = Trajectories::new(&options, 0).expect("options");

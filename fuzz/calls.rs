@@ -12,7 +12,7 @@ use planarium::options::{Kind, OptionInfo, Options as _};
 use planarium::problem::Stepped;
 use planarium::robot::Target;
 use planarium::run::inspect::Inspector;
-use planarium::run::neighbours::{index, indexes};
+use planarium::run::neighbours::{IndexOptions, index, indexes};
 use planarium::run::storage::RoadmapDocument;
 use planarium::run::{self, Options, PlannerOptions, Request, Run, Value, planners};
 use planarium::scenario::{Obstacle, Robot, Scenario};
@@ -148,7 +148,7 @@ fn look(u: &mut Unstructured, world: &PlanningWorld) -> Result<()> {
     let indexes = indexes();
     let kind = u.choose(&indexes)?;
     let parameters = parameters(u, &kind.parameters)?;
-    if let Ok(mut index) = index(world, Some(kind.id), &parameters) {
+    if let Ok(mut index) = IndexOptions::read(Some(kind.id), &parameters).and_then(|options| index(world, &options)) {
         let (before, rows) = (index.len(), numbers(u, 4 * inspector.dimension())?);
         let added = index.add(&rows).map_or(0, |()| rows.len() / index.dimension());
         assert_eq!(index.len(), before + added);
@@ -166,14 +166,11 @@ fn reach(u: &mut Unstructured, world: &PlanningWorld) -> Result<()> {
         Target { point: Point::new(number(u)?, number(u)?), orientation: u.ratio(1, 2)?.then_some(number(u)?) };
     let methods = ik::methods();
     let method = u.choose(&methods)?;
-    let options = SolverOptions {
-        method: Some(method.id.to_owned()),
-        start: if u.arbitrary()? { Some(numbers(u, 2)?) } else { None },
-        seed: u.arbitrary()?,
-        parameters: parameters(u, &method.options)?,
-        ..SolverOptions::to(target)
-    };
-    if let Ok(mut solver) = Solver::new(world, &options) {
+    let start = if u.arbitrary()? { Some(numbers(u, 2)?) } else { None };
+    let (seed, parameters_of_method) = (u.arbitrary()?, parameters(u, &method.options)?);
+    let begun = ik::MethodOptions::read(Some(method.id), &parameters_of_method)
+        .and_then(|method| Solver::new(world, &SolverOptions { target, method, start, seed }));
+    if let Ok(mut solver) = begun {
         solver.step(ITERATIONS);
         let _ = (solver.explain(), solver.result().to_json());
     }
@@ -181,7 +178,9 @@ fn reach(u: &mut Unstructured, world: &PlanningWorld) -> Result<()> {
         let _ = (ik::follow(arm, &numbers(u, 2)?, target), ik::nearest_reachable(arm, target));
     }
     let given = parameters(u, &TrajectoryOptions::table())?;
-    if let Ok(mut trajectories) = Trajectories::new(&given, u.arbitrary()?) {
+    let seed = u.arbitrary()?;
+    let begun = TrajectoryOptions::read(&given).and_then(|options| Trajectories::new(&options, seed));
+    if let Ok(mut trajectories) = begun {
         trajectories.step(ITERATIONS);
         trajectories.result();
     }
@@ -216,7 +215,7 @@ fn subdivide(u: &mut Unstructured, world: &PlanningWorld) -> Result<()> {
         }
     }
     if matches!(world.scenario().robot(), Robot::Disc(_)) {
-        let _ = optimum::optimum(world, None, &[]);
+        let _ = optimum::optimum(world, None, optimum::MetricOptions::default());
     }
     Ok(())
 }

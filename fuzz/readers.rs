@@ -5,9 +5,8 @@
 use planarium::certificate::{self, Certificate};
 use planarium::error::Code;
 use planarium::experiment::{Experiment, Trials};
-use planarium::fleet::{self, Fleet, FleetOptions, FleetPlanner, FleetResult};
-use planarium::navigation::{self, Executor, Navigation, Policy, RolloutOptions, Training};
-use planarium::options::Value;
+use planarium::fleet::{self, CompositeOptions, Fleet, FleetOptions, FleetPlanner, FleetResult, PrioritizedOptions};
+use planarium::navigation::{self, Executor, Navigation, Policy, RolloutOptions, Training, TrainingOptions};
 use planarium::path::{ResultDocument, Verdict, verify};
 use planarium::problem::{Status, Stepped};
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric};
@@ -30,8 +29,8 @@ pub fn scenario(bytes: &[u8]) {
     let again = Scenario::parse(&normal).expect("the normal form is a scenario");
     assert_eq!(again, scenario);
     assert_eq!(again.to_json_string(), normal);
-    let Ok(mut run) = run::start(&scenario, &Options::default()) else { return };
-    let mut sliced = run::start(&scenario, &Options::default()).expect("it has just started");
+    let Ok(mut run) = run::start(&scenario, Options::default()) else { return };
+    let mut sliced = run::start(&scenario, Options::default()).expect("it has just started");
     run.step(ITERATIONS);
     (0..ITERATIONS).for_each(|_| {
         sliced.step(1);
@@ -121,9 +120,8 @@ pub fn navigation(bytes: &[u8]) {
     let path = [[query.start[0], query.start[1]], query.goal];
     let drive = Executor::new(&task, None).and_then(|executor| executor.drive(query.start, &path, 0, 0));
     assert!(drive.expect("its ends are checked").trace.iter().flatten().all(|x| x.is_finite()));
-    let number = |name: &str, value: f64| (name.to_owned(), Value::Number(value));
-    let small = [("generations", 1.0), ("pairs", 2.0), ("tasks", 2.0), ("floors", 1.0), ("hidden", 2.0)];
-    let small = small.map(|(name, value)| number(name, value));
+    let small =
+        TrainingOptions { generations: 1, pairs: 2, tasks: 2, floors: 1, hidden: 2, ..TrainingOptions::default() };
     let training = || Training::new(&task, &small, 0);
     let (Ok(mut whole), Ok(mut sliced)) = (training(), training()) else { return };
     whole.step(u64::MAX);
@@ -167,9 +165,9 @@ pub fn fleet(bytes: &[u8]) {
         let normal = fleet.to_json_string();
         let again = Fleet::parse(&normal).expect("the normal form is a fleet");
         assert_eq!((&again, again.to_json_string()), (&fleet, normal));
-        let samples = ("samples".to_owned(), Value::Number(ITERATIONS as f64));
-        for (id, parameters) in [("prioritized", vec![samples]), ("composite", Vec::new())] {
-            let options = FleetOptions { planner: Some(id.to_owned()), parameters, ..FleetOptions::default() };
+        let prioritized = PrioritizedOptions { samples: Some(ITERATIONS as usize), ..PrioritizedOptions::default() };
+        for planner in [prioritized.into(), CompositeOptions::default().into()] {
+            let options = FleetOptions { planner: Some(planner), ..FleetOptions::default() };
             let Ok(mut whole) = FleetPlanner::new(&fleet, &options) else { continue };
             let mut sliced = FleetPlanner::new(&fleet, &options).expect("it has just begun");
             whole.step(FLEET_ITERATIONS);

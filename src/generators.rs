@@ -18,7 +18,14 @@ pub trait Generator: Options {
     ///
     /// # Errors
     /// `out-of-range` or `not-finite` with the pointer of the option, also where options do not fit each other or leave no room.
-    fn generate(&self) -> Result<Self::Made, Error>;
+    fn generate(&self) -> Result<Self::Made, Error> {
+        self.check()?;
+        self.make()
+    }
+
+    /// Makes it of options that are in range.
+    #[doc(hidden)]
+    fn make(&self) -> Result<Self::Made, Error>;
 
     #[doc(hidden)]
     /// Refuses options that may not be given together.
@@ -33,19 +40,39 @@ pub trait Generator: Options {
 /// Reads options given by name, and generates; the second argument has names that are known elsewhere.
 pub type Make<T> = fn(&[(String, Value)], &[&'static str]) -> Result<T, Error>;
 
-/// Declares the generators of one type of document, each with its id, its title and its summary: `MAKERS`, which generates, and
-/// `descriptions`. They are apart so that a program which only generates holds no texts.
+/// Declares the generators of one type of document, each with its id, its title and its summary: `MAKERS` and the functions that
+/// generate, and the function that describes them. They are apart so that a program which only generates holds no texts.
 macro_rules! generators {
-    ($Made:ty: $($Options:ty => $id:literal, $title:literal, $summary:literal;)+) => {
+    ($Made:ty, $descriptions:ident: $($Options:ty => $id:literal, $title:literal, $summary:literal;)+) => {
         /// The generators by their ids.
         const MAKERS: &[(&str, $crate::generators::Make<$Made>)] = &[$(($id, $crate::generators::make::<$Options>)),+];
 
-        /// The descriptions of the generators.
-        fn descriptions() -> Vec<$crate::options::Info> {
+        /// The generators with their options.
+        pub fn $descriptions() -> Vec<$crate::options::Info> {
             vec![$({
                 let options = <$Options as $crate::options::Options>::table();
                 $crate::options::Info { id: $id, title: $title, summary: $summary, options }
             }),+]
+        }
+
+        /// Generates by the generator's id, with options given by name, and `seed`; the rest take their defaults.
+        ///
+        /// # Errors
+        /// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
+        /// `not-finite`, `out-of-range`, which is also the error where obstacles or robots do not fit.
+        pub fn generate_with(
+            id: &str,
+            options: &[(String, $crate::options::Value)],
+        ) -> Result<$Made, $crate::error::Error> {
+            $crate::generators::generate(MAKERS, id, options, &[])
+        }
+
+        /// The same with the options as an object (`{}` for all defaults).
+        ///
+        /// # Errors
+        /// Those of [`generate_with`], and `wrong-type` if the options are not an object.
+        pub fn generate(id: &str, options: &serde_json::Value) -> Result<$Made, $crate::error::Error> {
+            generate_with(id, &$crate::generators::given(options)?)
         }
     };
 }
@@ -84,7 +111,7 @@ pub fn make<G: Generator>(given: &[(String, Value)], others: &[&'static str]) ->
         _ => error,
     })?;
     G::check_given(given)?;
-    options.generate()
+    options.make()
 }
 
 /// The options of an object by name.

@@ -4,7 +4,8 @@
 use crate::common::documents::refuses;
 use crate::common::{cases, deep, golden, seeds};
 use planarium::fleet::{
-    Fleet, FleetOptions, FleetPlanner, FleetReason, Trajectory, conflicts, generate, straight, trajectories, verify,
+    CompositeOptions, Fleet, FleetOptions, FleetPlanner, FleetPlannerOptions, FleetReason, Generator, HallOptions,
+    PbsOptions, Trajectory, conflicts, generate, straight, trajectories, verify,
 };
 use planarium::geometry::wrap;
 use planarium::options::Value;
@@ -33,7 +34,7 @@ fn two_discs() -> serde_json::Value {
 
 fn planner(fleet: &Fleet, id: &str, seed: u64, order: Option<&[&str]>) -> FleetPlanner {
     let order = order.map(|names| names.iter().map(|name| (*name).to_owned()).collect());
-    let options = FleetOptions { planner: Some(id.to_owned()), seed, order, parameters: Vec::new() };
+    let options = FleetOptions { planner: None, seed, order }.with(Some(id), &[]).expect("a planner");
     FleetPlanner::new(fleet, &options).expect("options of this planner")
 }
 
@@ -158,17 +159,19 @@ fn options_that_do_not_fit_are_refused_with_their_place() {
     let refused = |options: FleetOptions, code: &str, at: &str| refuses(FleetPlanner::new(&fleet, &options), code, at);
     let order = |names: &[&str]| Some(names.iter().map(|name| (*name).to_owned()).collect());
     let default = FleetOptions::default;
-    refused(FleetOptions { planner: Some("cbs".to_owned()), ..default() }, "unknown-planner", "/algorithm");
+    refuses(FleetPlannerOptions::read("cbs", &[]), "unknown-planner", "/algorithm");
     refused(FleetOptions { order: order(&["a"]), ..default() }, "out-of-range", "/order");
     refused(FleetOptions { order: order(&["a", "c"]), ..default() }, "out-of-range", "/order/1");
     refused(FleetOptions { order: order(&["a", "0"]), ..default() }, "out-of-range", "/order/1");
     refused(FleetOptions { seed: u64::MAX, ..default() }, "out-of-range", "/seed");
-    let pbs = FleetOptions { planner: Some("pbs".to_owned()), ..default() };
+    let pbs = FleetOptions { planner: Some(PbsOptions::default().into()), ..default() };
     refused(FleetOptions { order: order(&["b", "a"]), ..pbs }, "unsupported", "/order");
-    let composite = FleetOptions { planner: Some("composite".to_owned()), ..default() };
+    let composite = FleetOptions { planner: Some(CompositeOptions::default().into()), ..default() };
     refused(FleetOptions { order: order(&["b", "a"]), ..composite.clone() }, "unsupported", "/order");
-    let k = vec![("k".to_owned(), Value::Number(0.0))];
-    refused(FleetOptions { parameters: k, ..default() }, "out-of-range", "/k");
+    let k = PbsOptions { k: 0, ..PbsOptions::default() };
+    refused(FleetOptions { planner: Some(k.into()), ..default() }, "out-of-range", "/k");
+    refuses(default().with(None, &[("k".to_owned(), Value::Boolean(true))]), "wrong-type", "/k");
+    refuses(HallOptions { count: 0, ..HallOptions::default() }.generate(), "out-of-range", "/count");
     let four = generate("ring", &json!({ "count": 4 })).expect("a ring");
     refuses(FleetPlanner::new(&four, &composite), "unsupported", "/robots");
 }
@@ -264,9 +267,10 @@ fn robots_that_cannot_pass_each_other_are_never_said_to() {
     let fleet = Fleet::read(&document).expect("a fleet");
     for seed in 0..5 {
         assert_eq!(planned(&fleet, "prioritized", seed).status(), Status::Exhausted);
-        for (id, most) in [("composite", 2000.0), ("pbs", 60_000.0)] {
-            let parameters = vec![("max_iterations".to_owned(), Value::Number(most))];
-            let options = FleetOptions { planner: Some(id.to_owned()), seed, parameters, ..FleetOptions::default() };
+        let composite = CompositeOptions { max_iterations: 2000, ..CompositeOptions::default() };
+        let pbs = PbsOptions { max_iterations: 60_000, ..PbsOptions::default() };
+        for planner in [FleetPlannerOptions::from(composite), pbs.into()] {
+            let (id, options) = (planner.id(), FleetOptions { planner: Some(planner), seed, order: None });
             let mut planner = FleetPlanner::new(&fleet, &options).expect("options");
             assert_eq!(planner.step(u64::MAX), Status::Exhausted);
             assert_eq!(planner.reason(), Some(FleetReason::IterationLimit), "{id}");

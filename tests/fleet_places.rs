@@ -12,8 +12,8 @@ use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn by_default(fleet: &Fleet, parameters: &[(&str, f64)]) -> FleetPlanner {
-    let parameters = parameters.iter().map(|(name, value)| ((*name).to_owned(), Value::Number(*value))).collect();
-    let options = FleetOptions { parameters, ..FleetOptions::default() };
+    let given: Vec<_> = parameters.iter().map(|(name, value)| ((*name).to_owned(), Value::Number(*value))).collect();
+    let options = FleetOptions::default().with(None, &given).expect("options of PBS");
     let mut planner = FleetPlanner::new(fleet, &options).expect("options of the default planner");
     planner.step(u64::MAX);
     planner

@@ -4,10 +4,11 @@ use crate::common::golden::{check, scene};
 use crate::common::requests::start;
 use crate::common::{finish, parse};
 use planarium::geometry::Point;
-use planarium::ik::{Solver, SolverOptions, Target, follow, nearest_reachable};
+use planarium::ik::{MethodOptions, Solver, SolverOptions, Target, follow, nearest_reachable};
+use planarium::options::Options;
 use planarium::problem::Stepped;
 use planarium::run::inspect::Inspector;
-use planarium::run::neighbours::index;
+use planarium::run::neighbours::{IndexOptions, index};
 use planarium::run::{Request, Value};
 use planarium::scenario::{Robot, Scenario, generate::generate};
 use planarium::trajectories::Trajectories;
@@ -66,8 +67,9 @@ fn reached(case: &Json) -> Json {
     let mut take = |name: &str| given.as_object_mut().expect("options").remove(name).unwrap_or_default();
     let [x, y] = serde_json::from_value(take("target")).expect("a point");
     let target = Target { point: Point::new(x, y), orientation: take("orientation").as_f64() };
-    let (method, seed) = (take("method").as_str().map(str::to_owned), take("seed").as_u64().unwrap_or_default());
-    let options = SolverOptions { method, seed, parameters: parameters(&given), ..SolverOptions::to(target) };
+    let (method, seed) = (take("method"), take("seed").as_u64().unwrap_or_default());
+    let method = MethodOptions::read(method.as_str(), &parameters(&given)).expect("options in range");
+    let options = SolverOptions { method, seed, ..SolverOptions::to(target) };
     let scenario = scenario(case);
     let mut run = Solver::new(&scenario, &options).expect("it starts");
     let start = run.configuration();
@@ -101,7 +103,8 @@ fn every_method_of_inverse_kinematics_has_its_golden_outcomes() {
 
 fn drawn(case: &Json) -> Json {
     let seed = case["seed"].as_u64().expect("a seed");
-    let mut run = Trajectories::new(&parameters(&case["options"]), seed).expect("options in range");
+    let options = Options::read(&parameters(&case["options"])).expect("options in range");
+    let mut run = Trajectories::new(&options, seed).expect("options that go together");
     run.step(u64::MAX);
     json!(run.result())
 }
@@ -114,7 +117,8 @@ fn trajectories_have_their_golden_outcomes() {
 fn nearest(case: &Json) -> Json {
     let (scenario, id) = (scenario(case), case["index"].as_str());
     let number = |name: &str| case[name].as_u64().expect("a count");
-    let mut index = index(&scenario, id, &parameters(&case["parameters"])).expect("an index");
+    let options = IndexOptions::read(id, &parameters(&case["parameters"])).expect("options in range");
+    let mut index = index(&scenario, &options).expect("an index");
     let rows = Inspector::new(&scenario).samples(number("samples"), number("seed"), case["free"] == true);
     index.add(&rows.expect("samples")).expect("rows");
     let q: Vec<f64> = serde_json::from_value(case["target"].clone()).expect("a target");

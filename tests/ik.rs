@@ -8,8 +8,8 @@ use crate::common::documents::{disc, refuses};
 use crate::common::{cases, disc_and_wall, given};
 use planarium::geometry::{Point, Vector};
 use planarium::ik::{
-    Followed, Nearest, Reason, Solver, SolverOptions, Target, Verdict, follow, jacobian, manipulability, methods,
-    nearest_reachable, orientation, singular_values,
+    Followed, IterativeOptions, MethodOptions, Nearest, Reason, Solver, SolverOptions, Stopping, Target, Verdict,
+    follow, jacobian, manipulability, methods, nearest_reachable, orientation, singular_values,
 };
 use planarium::problem::{Stepped, Touched};
 use planarium::random::{MAX_SEED, Random, Stream};
@@ -20,7 +20,10 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn options(target: Target, method: &str, settings: &str) -> SolverOptions {
-    SolverOptions { method: Some(method.to_owned()), parameters: given(settings), ..SolverOptions::to(target) }
+    SolverOptions {
+        method: MethodOptions::read(Some(method), &given(settings)).expect("options"),
+        ..SolverOptions::to(target)
+    }
 }
 
 /// The methods that go from one configuration to the next.
@@ -148,7 +151,7 @@ fn solutions_in_collision_are_listed_apart() {
         let all = solve(&scenario(&free(&[0.9, 0.9]), &one), &wanted);
         let counts = (all.solutions().len(), all.rejected().len(), all.stats().configuration_checks);
         assert_eq!(counts, (2, 0, 0), "{method}");
-        wanted.parameters.extend(given("free_only=true"));
+        wanted.method = options(at(1.0, 0.9), method, "solutions=2 free_only=true").method;
         let some = solve(&scenario(&free(&[0.9, 0.9]), &one), &wanted);
         let counts = (some.solutions().len(), some.rejected().len(), some.explain());
         assert_eq!(counts, (1, 1, Verdict::Reached), "{method}");
@@ -174,7 +177,7 @@ fn bad_input_is_refused_with_code_and_pointer() {
     refused(&|o| o.target.point.y = -1.1e6, "out-of-range", "/target/1");
     refused(&|o| o.target.orientation = Some(f64::NAN), "not-finite", "/orientation");
     refused(&|o| o.target.orientation = Some(2e6), "out-of-range", "/orientation");
-    refused(&|o| o.method = Some("magic".into()), "out-of-range", "/method");
+    refuses(MethodOptions::read(Some("magic"), &[]), "out-of-range", "/method");
     refused(&|o| o.seed = MAX_SEED + 1, "out-of-range", "/seed");
     refused(&|o| o.start = Some(vec![0.0]), "wrong-dimension", "/start");
     refused(&|o| o.start = Some(vec![0.0, f64::NAN]), "not-finite", "/start/1");
@@ -187,11 +190,13 @@ fn bad_input_is_refused_with_code_and_pointer() {
         ("speed=1", "unknown-parameter", "/speed"),
         ("max_iterations=nan", "not-finite", "/max_iterations"),
     ] {
-        refused(&|o| o.parameters = given(settings), code, pointer);
+        refuses(MethodOptions::read(None, &given(settings)), code, pointer);
     }
+    let endless = Stopping { tolerance: 0.0, ..Stopping::default() };
+    let endless = IterativeOptions { stopping: endless, ..IterativeOptions::default() };
+    refused(&|o| o.method = MethodOptions::Newton(endless), "out-of-range", "/tolerance");
     // Options that the closed form does not have, and arms that it cannot solve.
-    let restarts = options(at(1.0, 0.5), "closed-form", "restarts=3");
-    refuses(Solver::new(&scene, &restarts), "unknown-parameter", "/restarts");
+    refuses(MethodOptions::read(Some("closed-form"), &given("restarts=3")), "unknown-parameter", "/restarts");
     let three = scenario(&free(&[1.0, 1.0, 1.0]), "");
     refuses(Solver::new(&three, &options(at(1.0, 0.5), "closed-form", "")), "unsupported", "/method");
     let turned = Target { orientation: Some(0.0), ..at(0.5, 0.0) };

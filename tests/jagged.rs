@@ -2,10 +2,10 @@
 //! edges, and takes a number of comparisons that hardly grows with the corners.
 
 use crate::common::bodies::{p, round, star, straight, world};
-use crate::common::{cases, deep, given, parse};
+use crate::common::{cases, deep, parse};
 use crate::geometry::random;
 use planarium::collision::{ArmValidity, BodyCollision, CollisionWorld, DiscValidity};
-use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, verify};
+use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, PbsOptions, verify};
 use planarium::geometry::{
     Aabb, Placed, Point, Polygon, Segment, Vector, convex_pieces, distance_point_polygon, distance_point_segment,
     distance_polygon_polygon, distance_segment_polygon, distance_segment_segment, intersects_polygon_polygon,
@@ -324,8 +324,8 @@ fn stars(count: usize, corners: usize, moves: bool) -> serde_json::Value {
 fn a_fleet_of_bodies_with_many_corners_is_read_and_planned_for_in_small_steps() {
     Fleet::read(&stars(50, 500, false)).expect("a fleet whose robots stand apart");
     let fleet = Fleet::read(&stars(3, 100, true)).expect("a fleet");
-    let parameters = given("samples=40");
-    let options = FleetOptions { planner: None, seed: 1, order: None, parameters };
+    let pbs = PbsOptions { samples: Some(40), ..PbsOptions::default() };
+    let options = FleetOptions { planner: Some(pbs.into()), seed: 1, order: None };
     let mut planner = FleetPlanner::new(&fleet, &options).expect("options");
     let mut spread = 0;
     loop {

@@ -6,9 +6,10 @@ use crate::common::{given, golden};
 use planarium::Error;
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, Executor, Method, Navigation, NavigationResult, Outcome, Policy, Training, assess, edge_rollouts,
-    generate, read_options,
+    Comparison, ComparisonOptions, Executor, Method, Navigation, NavigationResult, Outcome, Policy, Training,
+    TrainingOptions, assess, edge_rollouts, generate, read_options,
 };
+use planarium::options::Options;
 use planarium::problem::{Status, Stepped};
 use planarium::robot::Part;
 use planarium::run::{Request, Run};
@@ -36,6 +37,14 @@ fn hall() -> Navigation {
 
 fn shipped() -> Policy {
     Policy::parse(include_str!("../www/prm-rl/policy.json")).expect("our own policy is right")
+}
+
+fn small() -> TrainingOptions {
+    TrainingOptions::read(&given(SMALL)).expect("options of a training")
+}
+
+fn compare(task: &Navigation, settings: &str, seed: u64) -> Result<Comparison, Error> {
+    Comparison::new(task, &shipped(), &ComparisonOptions::read(&given(settings))?, seed)
 }
 
 /// As the page and the command line begin it.
@@ -110,9 +119,10 @@ fn documents_are_refused_with_a_code_and_a_place() {
     refuses(generate("rooms", &json!({ "door": 0.9, "radius": 0.45 })), "out-of-range", "/door");
     refuses(generate("rooms", &json!({ "room": 3, "furniture": 8 })), "out-of-range", "/furniture");
     refuses(generate("furnished", &json!({ "door": 2.5 })), "out-of-range", "/door");
-    refuses(Training::new(&hall(), &given("distance=0.5"), 0), "out-of-range", "/distance");
-    refuses(Training::new(&hall(), &given("pairs=1"), 0), "out-of-range", "/pairs");
-    refuses(Training::new(&hall(), &[], 1 << 53), "out-of-range", "/seed");
+    refuses(TrainingOptions::read(&given("distance=0.5")), "out-of-range", "/distance");
+    let one_pair = TrainingOptions { pairs: 1, ..TrainingOptions::default() };
+    refuses(Training::new(&hall(), &one_pair, 0), "out-of-range", "/pairs");
+    refuses(Training::new(&hall(), &TrainingOptions::default(), 1 << 53), "out-of-range", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -244,7 +254,7 @@ fn no_arc_that_is_driven_touches_anything() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn training_is_the_same_in_any_slices_and_by_shares_of_candidates() {
-    let fresh = || Training::new(&hall(), &given(SMALL), 5).expect("a training");
+    let fresh = || Training::new(&hall(), &small(), 5).expect("a training");
     let mut whole = fresh();
     assert_eq!(whole.step(u64::MAX), Status::Solved);
     assert_eq!((whole.iterations(), whole.generation(), whole.history().len()), (24, 3, 3));
@@ -268,7 +278,7 @@ fn training_is_the_same_in_any_slices_and_by_shares_of_candidates() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn training_on_threads_is_the_same_to_the_bit() {
-    let mut alone = Training::new(&hall(), &given(SMALL), 5).expect("a training");
+    let mut alone = Training::new(&hall(), &small(), 5).expect("a training");
     alone.step(u64::MAX);
     let threads = std::num::NonZeroUsize::new(3).expect("three");
     let mut generations = 0;
@@ -276,11 +286,12 @@ fn training_on_threads_is_the_same_to_the_bit() {
         generations += 1;
         true
     };
-    let together = planarium::navigation::train(&hall(), &given(SMALL), 5, threads, watch).expect("a training");
+    let together = planarium::navigation::train(&hall(), &small(), 5, threads, watch).expect("a training");
     assert_eq!((together.policy(), generations), (alone.policy(), 3));
     if crate::common::deep() {
         let floor = generate("furnished", &json!({})).expect("a floor");
-        let again = planarium::navigation::train(&floor, &[], 4, threads, |_| true).expect("a training");
+        let again = planarium::navigation::train(&floor, &TrainingOptions::default(), 4, threads, |_| true)
+            .expect("a training");
         assert_eq!(again.policy().to_json_string(), include_str!("../www/prm-rl/policy.json").trim_end());
     }
 }
@@ -288,8 +299,12 @@ fn training_on_threads_is_the_same_to_the_bit() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_policy_is_better_after_training() {
     let floor = generate("furnished", &json!({})).expect("a floor");
-    let mut training =
-        Training::new(&floor, &given("generations=12 pairs=12 tasks=12 floors=8"), 1).expect("a training");
+    let mut training = Training::new(
+        &floor,
+        &TrainingOptions::read(&given("generations=12 pairs=12 tasks=12 floors=8")).expect("options"),
+        1,
+    )
+    .expect("a training");
     training.step(u64::MAX);
     let history = training.history();
     let (first, last) = (history[0].reached, history[11].reached);
@@ -377,7 +392,7 @@ fn prm_rl_executes_long_queries_that_the_policy_alone_does_not() {
     let mut all = [0.0; Method::ALL.len()];
     for seed in [1, 2, 3] {
         let task = generate("rooms", &json!({ "seed": seed })).expect("rooms");
-        let mut comparison = Comparison::new(&task, &shipped(), &given(queries), 7).expect("a comparison");
+        let mut comparison = compare(&task, queries, 7).expect("a comparison");
         assert_eq!(comparison.step(u64::MAX), Status::Solved);
         let shares: Vec<f64> = comparison.summary().iter().map(|one| one.reached.share.expect("trials")).collect();
         all.iter_mut().zip(&shares).for_each(|(all, share)| *all += share / 3.0);
@@ -393,18 +408,14 @@ fn a_comparison_is_the_same_in_any_slices() {
     let task = generate("rooms", &json!({ "columns": 2, "rows": 1, "seed": 1 })).expect("rooms");
     let fresh = || {
         let settings = "queries=2 trials=2 least_distance=4 samples=60 k=6 rollouts=5 least_share=0.8";
-        Comparison::new(&task, &shipped(), &given(settings), 1).expect("a comparison")
+        compare(&task, settings, 1).expect("a comparison")
     };
     let (mut whole, mut sliced) = (fresh(), fresh());
     assert_eq!(whole.step(u64::MAX), Status::Solved);
     while sliced.step(7) == Status::Running {}
     assert_eq!(whole.executions(), sliced.executions());
     assert_eq!((whole.executions().len(), whole.count(), whole.iterations()), (24, 24, sliced.iterations()));
-    refuses(
-        Comparison::new(&task, &shipped(), &given("least_distance=100"), 1).map(|_| ()),
-        "out-of-range",
-        "/least_distance",
-    );
+    refuses(compare(&task, "least_distance=100", 1).map(|_| ()), "out-of-range", "/least_distance");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -413,7 +424,7 @@ fn outcomes_are_the_same_on_every_platform() {
         let seed = case["seed"].as_u64().expect("a seed");
         let task = generate(case["generator"].as_str().expect("a generator"), &case["options"]).expect("a task");
         let Some(planner) = case["planner"].as_str() else {
-            let mut training = Training::new(&task, &given(SMALL), seed).expect("a training");
+            let mut training = Training::new(&task, &small(), seed).expect("a training");
             training.step(u64::MAX);
             return json!({ "fingerprint": format!("{:016x}", training.fingerprint()) });
         };

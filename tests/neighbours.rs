@@ -3,18 +3,23 @@
 use crate::common::documents::{disc, refuses, scenario};
 use crate::common::golden::scene;
 use crate::common::{begin_with, finish, given};
+use planarium::Error;
 use planarium::catalogue::catalogue;
 use planarium::run::inspect::{Inspector, MAX_SAMPLES};
-use planarium::run::neighbours::{NearestResult, Neighbours, index, indexes, recall};
+use planarium::run::neighbours::{IndexOptions, NearestResult, Neighbours, index, indexes, recall};
 use planarium::scenario::Scenario;
 use serde_json::{Value as Json, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const SCENES: [&str; 8] = ["corner", "firs", "locked", "rings", "shelf", "tentacle", "thicket", "turn"];
 
+fn indexed(scenario: &Scenario, id: Option<&str>, settings: &str) -> Result<Box<dyn Neighbours>, Error> {
+    index(scenario, &IndexOptions::read(id, &given(settings))?)
+}
+
 /// An index with settings as a line of `name=value`.
 fn made(scenario: &Scenario, id: &str, settings: &str) -> Box<dyn Neighbours> {
-    index(scenario, Some(id), &given(settings)).expect("it can be made")
+    indexed(scenario, Some(id), settings).expect("it can be made")
 }
 
 fn bits(answer: &NearestResult) -> Vec<(u32, u64)> {
@@ -107,12 +112,12 @@ fn wrong_input_is_refused_and_leaves_the_index_as_it_was() {
         ("linear", "metric=taxi", "out-of-range", "/metric"),
         ("ball-tree", "", "out-of-range", "/index"),
     ] {
-        refuses(index(&arm, Some(id), &given(settings)), code, pointer);
+        refuses(indexed(&arm, Some(id), settings), code, pointer);
     }
     for name in ["corner", "turn", "rings"] {
-        refuses(index(&scene(name), None, &given("metric=naive")), "out-of-range", "/metric");
+        refuses(indexed(&scene(name), None, "metric=naive"), "out-of-range", "/metric");
     }
-    assert!(index(&scene("rings"), None, &given("metric=euclidean")).is_ok());
+    assert!(indexed(&scene("rings"), None, "metric=euclidean").is_ok());
 
     for info in indexes() {
         let mut index = made(&arm, info.id, "");
@@ -177,7 +182,7 @@ fn the_table_lists_what_can_be_set() {
             assert!(parameter["meaning"].as_str().expect("a meaning").ends_with('.'));
             // The ends of its range are accepted, and what lies beyond is not.
             let Some(max) = parameter["max"].as_f64() else { continue };
-            let with = |value: f64| index(&scene("firs"), Some(info.id), &given(&format!("{name}={value}")));
+            let with = |value: f64| indexed(&scene("firs"), Some(info.id), &format!("{name}={value}"));
             assert!(with(max).is_ok() && with(parameter["min"].as_f64().expect("a range")).is_ok(), "{name}");
             assert!(with(max + 1.0).is_err(), "{name}");
         }

@@ -5,10 +5,12 @@ use crate::common::documents::{
 };
 use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, parse, seeds};
 use planarium::geometry::{Point, Polygon, Vector, orientation};
-use planarium::optimum::{Method, Optimum, optimum};
+use planarium::optimum::{Method, MetricOptions, Optimum, optimum};
+use planarium::options::Options;
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
 use planarium::scenario::Scenario;
+use planarium::space::MetricKind;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -21,7 +23,7 @@ fn room(bounds: &str, obstacles: &[String], radius: f64, [start, goal]: [[f64; 2
 }
 
 fn of(world: &Scenario) -> Optimum {
-    optimum(world, None, &[]).unwrap_or_else(|error| panic!("{error}"))
+    optimum(world, None, MetricOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The exact length of the shortest path.
@@ -281,7 +283,7 @@ fn a_reference_is_a_valid_path_and_no_run_is_much_shorter() {
     for (world, settings) in
         [(arm_and_wall(0.1), ""), (arm_and_wall(0.1), "metric=euclidean"), (arm_of(2, true, 0.02), ""), (sliding, "")]
     {
-        let found = optimum(&world, None, &given(settings)).expect("a reference");
+        let found = optimum(&world, None, Options::read(&given(settings)).expect("a metric")).expect("a reference");
         assert_eq!((found.method, found.exact), (Method::Grid, false));
         let mut result = finish(begin_with(&world, "rrt-connect", 1, "")).result();
         (result.path, result.length) = (found.path, found.length.expect("a path"));
@@ -312,24 +314,25 @@ fn a_thousand_corners_are_compared() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_has_no_optimum_is_refused() {
-    let refused = |text: &str, code: &str, pointer: &str| refuses(optimum(&parse(text), None, &[]), code, pointer);
+    let refused = |text: &str, code: &str, pointer: &str| {
+        refuses(optimum(&parse(text), None, MetricOptions::default()), code, pointer)
+    };
     for text in [CAR, BODY, &reaching()] {
         assert!(refused(text, "unsupported", "").contains("served are discs"), "{text}");
     }
     let three = arm(&[1.0, 0.5, 0.5], 0.0);
     refuses(
-        optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, &[]),
+        optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, MetricOptions::default()),
         "unsupported",
         "",
     );
     refused(&with(DISC, "[1.8, 1.8]", "[1, 1]"), "goal-in-collision", "/queries/0/goal");
     let world = parse(DISC);
-    refuses(optimum(&world, Some("other"), &[]), "unknown-query", "/query");
-    refuses(optimum(&world, None, &given("metric=sum")), "out-of-range", "/metric");
-    refuses(optimum(&world, None, &given("step=1")), "unknown-parameter", "/step");
+    refuses(optimum(&world, Some("other"), MetricOptions::default()), "unknown-query", "/query");
+    refuses(optimum(&world, None, MetricOptions { metric: Some(MetricKind::Sum) }), "out-of-range", "/metric");
     // A point that is free by an exact test, but nearer than rounding.
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
-    refuses(optimum(&beside, None, &[]), "start-in-collision", "/queries/0/start");
+    refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");
     let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
-    refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, &[]), "too-large", "");
+    refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, MetricOptions::default()), "too-large", "");
 }

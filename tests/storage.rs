@@ -199,6 +199,8 @@ fn a_roadmap_of_another_world_or_robot_is_refused() {
     ];
     for other in others {
         refuses(resume(&other, &document), "other-scenario", "/fingerprint");
+        // Whatever else is wrong.
+        refuses(requests::resume(&other, &options("prm", 0, "samples=3"), &document), "other-scenario", "/fingerprint");
     }
     // The same world written otherwise is the same world.
     assert!(resume(&parse(&text.replace("0.8", "8e-1")), &document).is_ok());

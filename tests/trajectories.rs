@@ -3,6 +3,7 @@
 
 use crate::common::documents::refuses;
 use crate::common::{cases, given};
+use planarium::Error;
 use planarium::geometry::Point;
 use planarium::options::{Kind, Options, Value};
 use planarium::problem::{Status, Stepped};
@@ -303,8 +304,12 @@ fn halving_never_reports_as_apart_what_samples_find_together() {
     }
 }
 
+fn begun(options: &str, seed: u64) -> Result<Trajectories, Error> {
+    Trajectories::new(&Options::read(&given(options))?, seed)
+}
+
 fn begin(options: &str, seed: u64) -> Trajectories {
-    Trajectories::new(&given(options), seed).unwrap_or_else(|error| panic!("{error}"))
+    begun(options, seed).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn finish(mut trajectories: Trajectories) -> Trajectories {
@@ -469,9 +474,9 @@ fn bad_options_are_refused_with_code_and_pointer() {
         ("max_iterations=0", "out-of-range", "/max_iterations"),
     ];
     for (options, code, pointer) in cases {
-        assert!(refuses(TrajectoryOptions::new(&given(options), 0), code, pointer).len() > 15, "{options}");
+        assert!(refuses(begun(options, 0), code, pointer).len() > 15, "{options}");
     }
-    refuses(TrajectoryOptions::new(&[], 1 << 53), "out-of-range", "/seed");
+    refuses(begun("", 1 << 53), "out-of-range", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -486,7 +491,7 @@ fn the_table_is_complete_and_its_extremes_are_in_range() {
             other => panic!("{}: {other:?}", info.name),
         }
     }
-    let defaults = TrajectoryOptions::new(&[], 0).expect("the defaults go together");
+    let defaults = TrajectoryOptions::default();
     assert_eq!((defaults.model, defaults.count, defaults.half_side), (Model::Arc, 1000, 3.0));
     let extremes = [
         "count=100000 half_side=10000 fastest=1000 duration=1000 least_turn_rate=-0.1 greatest_turn_rate=0.1 max_iterations=300",

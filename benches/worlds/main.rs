@@ -5,7 +5,7 @@
 //! Without a planner the job asks for the shortest path. Time is that of the processor, where the system tells it: other programs that
 //! run at the same time do not count.
 
-use planarium::optimum::optimum;
+use planarium::optimum::{MetricOptions, optimum};
 use planarium::run::{Options, Request, Status, Value, start};
 use planarium::scenario::{Scenario, generate::generate};
 use planarium::{Error, PlanningWorld};
@@ -45,7 +45,7 @@ fn reply_to(job: &Json, last: &mut Option<(Json, PlanningWorld)>) -> Result<Json
     let (_, world) = last.as_ref().expect("there is one now");
     let query = job["query"].as_str();
     if job["planner"].is_null() && job["defaults"] != true {
-        let shortest = optimum(world.scenario(), query, &[])?;
+        let shortest = optimum(world.scenario(), query, MetricOptions::default())?;
         return Ok(json!({ "length": shortest.length, "exact": shortest.exact }));
     }
     let parameters = job["parameters"].as_object().into_iter().flatten();

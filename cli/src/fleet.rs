@@ -49,12 +49,9 @@ pub struct Arguments {
 pub fn fleet(arguments: &Arguments) -> Answer {
     let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::FLEET_PLAN)?;
     let fleet = Fleet::parse(&files::read(&arguments.file)?)?;
-    let options = FleetOptions {
-        planner: arguments.planner.clone(),
-        seed: arguments.given.seed,
-        order: arguments.order.clone(),
-        parameters: arguments.given.set.clone(),
-    };
+    let Given { seed, set } = &arguments.given;
+    let options = FleetOptions { planner: None, seed: *seed, order: arguments.order.clone() };
+    let options = options.with(arguments.planner.as_deref(), set)?;
     let begun = Instant::now();
     let mut planner = FleetPlanner::new(&fleet, &options)?;
     planner.step(u64::MAX);

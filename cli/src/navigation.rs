@@ -11,7 +11,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
 use planarium::error::Code;
 use planarium::json;
-use planarium::navigation::{self, Comparison, Method, MethodOverall, MethodSummary, Navigation, Policy};
+use planarium::navigation::{
+    self, Comparison, ComparisonOptions, Method, MethodOverall, MethodSummary, Navigation, Policy, TrainingOptions,
+};
+use planarium::options::Options as _;
 use planarium::problem::{Status, Stepped};
 use planarium::run::Request;
 use serde::Serialize;
@@ -67,7 +70,8 @@ pub fn train(arguments: &Train) -> Answer {
     if let Ok(style) = ProgressStyle::with_template("generation {pos} of {len}, {msg} {bar:30} {eta} left") {
         bar.set_style(style);
     }
-    let training = navigation::train(&task, &arguments.given.set, arguments.given.seed, threads, |training| {
+    let options = TrainingOptions::read(&arguments.given.set)?;
+    let training = navigation::train(&task, &options, arguments.given.seed, threads, |training| {
         bar.set_length(training.generations());
         bar.set_position(training.generation());
         if let Some(last) = training.history().last() {
@@ -233,11 +237,12 @@ pub fn compare(arguments: &Compare) -> Answer {
     let policy = Policy::parse(&files::read(policy)?)?;
     let tasks: Vec<Navigation> =
         files.iter().map(|file| Navigation::parse(&files::read(file)?)).collect::<Result<_, _>>()?;
+    let options = ComparisonOptions::read(&given.set)?;
     let begun = Instant::now();
     let wanted: Vec<(&Navigation, u64)> =
         tasks.iter().flat_map(|task| (0..*runs).map(move |run| (task, given.seed.saturating_add(run)))).collect();
     let comparisons = in_threads(arguments.threads.unwrap_or_else(cores), &wanted, |&(task, seed)| {
-        let mut comparison = Comparison::new(task, &policy, &given.set, seed)?;
+        let mut comparison = Comparison::new(task, &policy, &options, seed)?;
         comparison.step(u64::MAX);
         Ok(ComparedFloor { task: task.name().to_owned(), seed, methods: comparison.summary() })
     })?;

@@ -7,7 +7,7 @@ use clap::Args;
 use planarium::error::Code;
 use planarium::run::Value;
 use planarium::run::inspect::Inspector;
-use planarium::run::neighbours::{self, Neighbours, index, recall};
+use planarium::run::neighbours::{IndexOptions, Neighbours, index, recall};
 use planarium::world::PlanningWorld;
 use planarium::{Error, json};
 use serde::Serialize;
@@ -93,7 +93,8 @@ pub fn nearest(arguments: &Arguments) -> Answer {
     let rows = rows(arguments, &Inspector::new(&world))?;
     let parameters = arguments.given.parameters("metric", arguments.metric.clone().map(Value::Text));
 
-    let mut held = index(&world, Some(&arguments.index), &parameters)?;
+    let options = IndexOptions::read(Some(&arguments.index), &parameters)?;
+    let mut held = index(&world, &options)?;
     let started = Instant::now();
     held.add(&rows)?;
     let build_seconds = started.elapsed().as_secs_f64();
@@ -107,12 +108,10 @@ pub fn nearest(arguments: &Arguments) -> Answer {
     let answer = ask(&*held)?;
     let query_seconds = median_seconds(|| ask(&*held).map(drop))?;
 
-    let is_exact = neighbours::IndexId::of(Some(&arguments.index))?.info().is_exact;
-    let recalled = if is_exact {
+    let recalled = if options.is_exact() {
         None
     } else {
-        let metric: Vec<_> = parameters.into_iter().filter(|(name, _)| name == "metric").collect();
-        let mut scan = index(&world, Some("linear"), &metric)?;
+        let mut scan = index(&world, &IndexOptions::Linear(options.measuring()))?;
         scan.add(&rows)?;
         Some(recall(&answer.neighbours, &ask(&*scan)?.neighbours))
     };

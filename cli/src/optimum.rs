@@ -7,6 +7,7 @@ use crate::output::Outputs;
 use clap::Args;
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
+use planarium::options::Options;
 use planarium::path::{self, LengthMeasure, ResultDocument, Verdict};
 use planarium::run::{Status, Value};
 use planarium::scenario::Scenario;
@@ -82,9 +83,8 @@ pub fn optimum(arguments: &Arguments) -> Answer {
     let query = arguments.query.as_deref().or(result.as_ref().map(|result| &*result.query));
     let measured = result.as_ref().and_then(|result| result.length_measure);
     let own = (measured == Some(LengthMeasure::EuclideanOfJoints)).then(|| "euclidean".to_owned());
-    let metric: Vec<_> =
-        arguments.metric.clone().or(own).into_iter().map(|name| ("metric".to_owned(), Value::Text(name))).collect();
-    let optimum = optimum::optimum(&scenario, query, &metric)?;
+    let metric = arguments.metric.clone().or(own).map(|name| ("metric".to_owned(), Value::Text(name)));
+    let optimum = optimum::optimum(&scenario, query, Options::read(metric.as_slice())?)?;
     if let Some(measured) = measured.filter(|&measured| measured != optimum.length_measure) {
         let [measured, own] = [measured, optimum.length_measure].map(|measure| json::to_string(&measure));
         let sentence = format!("the length of the result measures {measured}, that of the shortest path {own}");

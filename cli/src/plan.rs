@@ -112,7 +112,7 @@ pub fn plan(arguments: &Arguments) -> Answer {
     let mut run = match saved {
         Some(name) => {
             let document = RoadmapDocument::read(&files::read_bytes(name)?)?;
-            run::resume(&scenario, &request.for_roadmap(&document)?, &document)?
+            run::resume(&scenario, &request.for_roadmap(&scenario, &document)?, &document)?
         }
         None => run::start(&scenario, &request.for_robot(scenario.robot())?)?,
     };

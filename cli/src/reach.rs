@@ -5,7 +5,7 @@ use crate::files;
 use crate::kind::Kind;
 use crate::output::Outputs;
 use clap::Args;
-use planarium::ik::{Solver, SolverOptions, Target};
+use planarium::ik::{MethodOptions, Solver, SolverOptions, Target};
 use planarium::problem::Stepped;
 use planarium::run::{Status, Value};
 
@@ -74,10 +74,9 @@ pub fn reach(arguments: &Arguments) -> Answer {
     let solutions = arguments.solutions.map(|most| Value::Number(most as f64));
     let options = SolverOptions {
         target: Target { point: arguments.target.into(), orientation: arguments.orientation },
-        method: arguments.method.clone(),
+        method: MethodOptions::read(arguments.method.as_deref(), &arguments.given.parameters("solutions", solutions))?,
         start: arguments.start.clone().map(|start| start.0),
         seed: arguments.given.seed,
-        parameters: arguments.given.parameters("solutions", solutions),
     };
     let mut run = Solver::new(&scenario, &options)?;
     run.step(u64::MAX);

@@ -5,8 +5,9 @@ use crate::files;
 use crate::kind::Kind;
 use crate::output::{Output, Outputs};
 use clap::Args;
+use planarium::options::Options as _;
 use planarium::problem::{Status, Stepped};
-use planarium::trajectories::{Trajectories, TrajectoriesResult};
+use planarium::trajectories::{Trajectories, TrajectoriesResult, TrajectoryOptions};
 use planarium::{Error, json};
 use serde::Serialize;
 use std::fmt::Write;
@@ -52,7 +53,7 @@ struct Timed {
 pub fn trajectories(arguments: &Arguments) -> Answer {
     let mut outputs = Outputs::beside([], arguments.force);
     let table = arguments.csv.as_deref().map(|name| outputs.add(Some(name), Kind::table(COLUMNS))).transpose()?;
-    let mut trajectories = Trajectories::new(&arguments.given.set, arguments.given.seed)?;
+    let mut trajectories = Trajectories::new(&TrajectoryOptions::read(&arguments.given.set)?, arguments.given.seed)?;
     let mut microseconds = Vec::new();
     let begun = Instant::now();
     let mut last = begun;

@@ -64,11 +64,12 @@ impl Fleet {
     pub fn planner(&self, options: Option<FleetOptions>) -> Result<FleetPlanner, Error> {
         let mut fields = fields(options)?;
         let options = fleet::FleetOptions {
-            planner: fields.take("algorithm")?,
+            planner: None,
             seed: fields.take("seed")?.unwrap_or(0),
             order: fields.take("order")?,
-            parameters: fields.parameters(),
         };
+        let planner: Option<String> = fields.take("algorithm")?;
+        let options = options.with(planner.as_deref(), &fields.parameters())?;
         let planner = fleet::FleetPlanner::new(&self.0, &options)?;
         Ok(FleetPlanner(RefCell::new(Timed::new(planner))))
     }

@@ -12,6 +12,7 @@ use super::types::{
 };
 use crate::error::{Code, Error};
 use crate::navigation::{self, Drive, Executor, Outcome, Policy};
+use crate::options::Options;
 use crate::problem::Stepped;
 use crate::robot::Part;
 use serde::Serialize;
@@ -95,7 +96,7 @@ impl Navigation {
     pub fn training(&self, options: Option<TrainingOptions>) -> Result<Training, Error> {
         let mut fields = fields(options)?;
         let seed = fields.take("seed")?.unwrap_or(0);
-        let training = navigation::Training::new(&self.0, &fields.parameters(), seed)?;
+        let training = navigation::Training::new(&self.0, &Options::read(&fields.parameters())?, seed)?;
         let time_step = self.0.robot().drive.time_step();
         Ok(Training(RefCell::new(Timed::new(training)), time_step))
     }
@@ -175,7 +176,7 @@ impl Navigation {
         let mut fields = fields(options)?;
         let seed = fields.take("seed")?.unwrap_or(0);
         let policy = policy(policy_document)?;
-        let comparison = navigation::Comparison::new(&self.0, &policy, &fields.parameters(), seed)?;
+        let comparison = navigation::Comparison::new(&self.0, &policy, &Options::read(&fields.parameters())?, seed)?;
         Ok(NavigationComparison(RefCell::new(Timed::new(comparison))))
     }
 

@@ -112,7 +112,7 @@ impl Problem {
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, JsValue> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
         self.begin(options, |problem, request| {
-            run::resume_problem(problem, &request.for_roadmap(&document)?, &document)
+            run::resume_problem(problem, &request.for_roadmap_of(problem, &document)?, &document)
         })
     }
 

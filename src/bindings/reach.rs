@@ -8,7 +8,7 @@ use super::scenario::Scenario;
 use super::types::{JsVerdict, ReachOptions, Status};
 use crate::Error;
 use crate::geometry::Point;
-use crate::ik::{Solver, SolverOptions, SolverResult, Target};
+use crate::ik::{MethodOptions, Solver, SolverOptions, SolverResult, Target};
 use crate::problem::Stepped;
 use std::cell::RefCell;
 use tsify::Ts;
@@ -30,12 +30,12 @@ impl Scenario {
     pub fn reach(&self, options: &ReachOptions) -> Result<Reach, Error> {
         let mut fields = fields(Some(options.clone()).filter(|options| !options.is_undefined()))?;
         let [x, y] = fields.required::<[f64; 2]>("target", "[x, y]")?;
+        let method: Option<String> = fields.take("method")?;
         let options = SolverOptions {
             target: Target { point: Point::new(x, y), orientation: fields.take("orientation")? },
-            method: fields.take("method")?,
             start: fields.take("start")?,
             seed: fields.take("seed")?.unwrap_or(0),
-            parameters: fields.parameters(),
+            method: MethodOptions::read(method.as_deref(), &fields.parameters())?,
         };
         Solver::new(&self.world, &options).map(|solver| Reach(RefCell::new(Timed::new(solver))))
     }

@@ -14,6 +14,7 @@ use crate::driving;
 use crate::geometry::Point;
 use crate::ik::{self, Target, arm_of};
 use crate::optimum::{self, Optimum};
+use crate::options::Options;
 use crate::problem::{Control, Motion};
 use crate::robot::Part;
 use crate::run;
@@ -192,7 +193,7 @@ impl Scenario {
     /// not free; `out-of-range` and `unsupported` for options that contradict it; and those of `planner`
     pub fn resume(&self, roadmap: &RoadmapFile, options: Option<ResumeOptions>) -> Result<planner::Planner, Error> {
         let document = RoadmapDocument::read(&text_or_bytes(roadmap, "roadmap")?)?;
-        let options = fields(options)?.request()?.for_roadmap(&document)?;
+        let options = fields(options)?.request()?.for_roadmap(self.world.scenario(), &document)?;
         run::resume(&self.world, &options, &document).map(planner::Planner::new)
     }
 
@@ -204,7 +205,8 @@ impl Scenario {
     pub fn optimum(&self, options: Option<OptimumOptions>) -> Result<Ts<Optimum>, Error> {
         let mut fields = fields(options)?;
         let query: Option<String> = fields.take("query")?;
-        optimum::optimum(&self.world, query.as_deref(), &fields.parameters()).map(|optimum| record(&optimum))
+        let metric = Options::read(&fields.parameters())?;
+        optimum::optimum(&self.world, query.as_deref(), metric).map(|optimum| record(&optimum))
     }
 
     /// Starts a subdivision of the configurations of an arm of two links, or of a disc, that decides whether a path of a query
@@ -229,7 +231,8 @@ impl Scenario {
     pub fn neighbours(&self, options: Option<NeighboursOptions>) -> Result<neighbours::Neighbours, Error> {
         let mut fields = fields(options)?;
         let index: Option<String> = fields.take("index")?;
-        run::neighbours::index(&self.world, index.as_deref(), &fields.parameters()).map(neighbours::Neighbours)
+        let options = run::neighbours::IndexOptions::read(index.as_deref(), &fields.parameters())?;
+        run::neighbours::index(&self.world, &options).map(neighbours::Neighbours)
     }
 
     /// Draws `n` configurations uniformly, at most 1,000,000, in rows of `dimension` numbers: those that a planner of this seed

@@ -6,6 +6,7 @@ use super::digits;
 use super::records::record;
 use super::types::{ParticleOptions, Rows, Status, TrajectoryOptions};
 use crate::Error;
+use crate::options::Options;
 use crate::problem::Stepped;
 use crate::trajectories;
 use std::cell::RefCell;
@@ -26,7 +27,7 @@ impl Trajectories {
     pub fn new(options: Option<TrajectoryOptions>) -> Result<Trajectories, Error> {
         let mut fields = fields(options)?;
         let seed = fields.take("seed")?.unwrap_or(0);
-        let run = trajectories::Trajectories::new(&fields.parameters(), seed)?;
+        let run = trajectories::Trajectories::new(&Options::read(&fields.parameters())?, seed)?;
         Ok(Self(RefCell::new(Timed::new(run))))
     }
 }

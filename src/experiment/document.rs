@@ -125,13 +125,7 @@ objects! {
     }
 }
 
-/// The one format.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
-pub(super) enum Format {
-    #[serde(rename = "planarium-experiment-1")]
-    One,
-}
+crate::json::one_format!(pub(super) enum Format = "planarium-experiment-1");
 
 /// Seeds: whole numbers from 0 to 2^53 - 1, each once.
 #[cfg(feature = "schema")]

@@ -36,11 +36,7 @@ impl Experiment {
     /// # Errors
     /// Those of [`Experiment::parse`], except about the text.
     pub fn read(tree: &Json) -> Result<Self, Error> {
-        if let Some(format) = tree.get("format").and_then(Json::as_str).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return refused(Code::UnknownFormat, "/format", sentence);
-        }
-        let document: Document = json::read(tree)?;
+        let document: Document = json::read_document(tree, FORMAT)?;
         let document::Format::One = document.format;
         let seeds = Seeds::read(&document.seeds).map_err(|error| error.under("/seeds"))?;
         let measures = document.measures.unwrap_or_else(|| MEASURES.to_vec());

@@ -4,7 +4,7 @@
 //! arrive at the same time. It is free if each robot's own motion is proven free of obstacles, and each pair's proven apart. The
 //! metric of a robot is the time that it takes at its speed; times of robots combine by the root of the sum of their squares.
 
-use super::Setup;
+use super::document::Fleet;
 use super::motion::{Footprint, Motion, Pair, Pose};
 use super::result::{FleetReason, FleetStats};
 use super::trajectory::Trajectory;
@@ -46,8 +46,8 @@ pub(super) struct Composite {
 }
 
 impl Composite {
-    pub fn new(setup: &Setup, options: &CompositeOptions, seed: u64) -> Result<Self, Error> {
-        let robots = setup.fleet.robots();
+    pub fn new(fleet: &Fleet, options: &CompositeOptions, seed: u64) -> Result<Self, Error> {
+        let robots = fleet.robots();
         let unsupported = |sentence: String| Error::new(Code::Unsupported, "/robots", sentence);
         if !(2..=3).contains(&robots.len()) {
             let sentence = format!("composite plans for 2 or 3 robots, not for {}", robots.len());
@@ -59,19 +59,24 @@ impl Composite {
             let sentence = format!("composite plans in at most {MAX_DIMENSION} coordinates; these robots have {all}");
             return Err(unsupported(sentence));
         }
-        let space = space(setup);
+        let space = space(fleet);
         let pair_checks = Arc::new(AtomicU64::new(0));
         let mut members = Vec::with_capacity(robots.len());
         let mut first = 0;
         for (i, member) in robots.iter().enumerate() {
-            let world = &setup.worlds[setup.kinds[i]];
+            let world = &fleet.worlds()[fleet.kinds()[i]];
             let own = MotionSpace::new(world.default_space());
             let [start, goal] = [&member.start, &member.goal].map(|q| own.state(q));
             let validity = world.checker::<SMALL>(&own, DEFAULT_TOLERANCE).fitted(&start, &goal).validity();
-            members.push(Member { validity, footprint: setup.footprints[i].clone(), first, dimension: dimensions[i] });
+            members.push(Member {
+                validity,
+                footprint: fleet.footprints()[i].clone(),
+                first,
+                dimension: dimensions[i],
+            });
             first += dimensions[i];
         }
-        let validity = Apart { members, slack: setup.slack, pair_checks: Arc::clone(&pair_checks) };
+        let validity = Apart { members, slack: fleet.slack(), pair_checks: Arc::clone(&pair_checks) };
         let ends = |of: fn(&super::FleetRobot) -> &Vec<f64>| {
             space.state(&robots.iter().flat_map(of).copied().collect::<Vec<f64>>())
         };
@@ -86,7 +91,7 @@ impl Composite {
         Ok(Self { problem, planner, iteration, wanted, seed, improvement, trajectories, pair_checks })
     }
 
-    pub fn iterate(&mut self, setup: &Setup, most: u32) -> Status {
+    pub fn iterate(&mut self, fleet: &Fleet, most: u32) -> Status {
         match &mut self.improvement {
             Some(improvement) => improvement.attempt(&self.problem),
             None => {
@@ -104,21 +109,21 @@ impl Composite {
         let Some(improvement) = self.improvement.as_ref().filter(|improvement| improvement.is_done()) else {
             return Status::Running;
         };
-        self.trajectories = self.timed(setup, improvement.path());
+        self.trajectories = self.timed(fleet, improvement.path());
         Status::Solved
     }
 
     /// The trajectories of the robots along a path: the slowest one decides how long a motion takes.
-    fn timed(&self, setup: &Setup, path: &[Joint]) -> Vec<Trajectory> {
+    fn timed(&self, fleet: &Fleet, path: &[Joint]) -> Vec<Trajectory> {
         let path = split(self.problem.space(), path);
-        let members = members(setup);
+        let members = members(fleet);
         let mut trajectories: Vec<Trajectory> =
             members.iter().map(|member| Trajectory::standing(part(&path[0], member.0, member.1))).collect();
         let mut time = 0.0;
         for ends in path.windows(2) {
             let durations = members.iter().enumerate().map(|(i, &(first, dimension))| {
                 let [from, to] = [&ends[0], &ends[1]].map(|q| part(q, first, dimension));
-                setup.footprints[i].travel(from, to) / setup.fleet.robots()[i].speed
+                fleet.footprints()[i].travel(from, to) / fleet.robots()[i].speed
             });
             time += durations.fold(0.0, f64::max);
             for (trajectory, &(first, dimension)) in trajectories.iter_mut().zip(&members) {
@@ -169,14 +174,14 @@ impl Composite {
 }
 
 /// Of every robot, its first coordinate and how many it has.
-pub(super) fn members(setup: &Setup) -> Vec<(usize, usize)> {
+pub(super) fn members(fleet: &Fleet) -> Vec<(usize, usize)> {
     let mut first = 0;
     let of = |member: &super::FleetRobot| {
         let dimension = member.robot.dimension();
         first += dimension;
         (first - dimension, dimension)
     };
-    setup.fleet.robots().iter().map(of).collect()
+    fleet.robots().iter().map(of).collect()
 }
 
 /// The pose of one robot.
@@ -185,15 +190,15 @@ pub(super) fn part(joint: &[f64], first: usize, dimension: usize) -> Pose {
 }
 
 /// The space of all robots: differences count as the time that they take.
-fn space(setup: &Setup) -> MotionSpace<MAX_DIMENSION> {
+fn space(fleet: &Fleet) -> MotionSpace<MAX_DIMENSION> {
     let (mut coordinates, mut weights) = (Vec::new(), Vec::new());
-    for (i, member) in setup.fleet.robots().iter().enumerate() {
-        let own: ProductSpace<SMALL> = setup.worlds[setup.kinds[i]].default_space();
+    for (i, member) in fleet.robots().iter().enumerate() {
+        let own: ProductSpace<SMALL> = fleet.worlds()[fleet.kinds()[i]].default_space();
         for j in 0..own.dimension() {
             let [low, high] = own.range(j);
             let is_circle = own.is_circle(j);
             coordinates.push(if is_circle { Coordinate::Circle } else { Coordinate::Interval { low, high } });
-            weights.push(if is_circle { setup.footprints[i].reach() } else { 1.0 } / member.speed);
+            weights.push(if is_circle { fleet.footprints()[i].reach() } else { 1.0 } / member.speed);
         }
     }
     MotionSpace::new(ProductSpace::new(&coordinates, Metric::Euclidean).weighted(&weights))

@@ -5,20 +5,17 @@ use super::FORMAT;
 use super::motion::{Footprint, Pose, reach};
 use crate::error::{Code, Error, quoted};
 use crate::geometry::Aabb;
-use crate::json;
+use crate::json::{self, objects, one_format};
 use crate::problem::naming_nearest;
 use crate::robot::Part;
 use crate::scenario::document;
 use crate::scenario::number::{AngleOrCoordinate, Positive};
-use crate::scenario::validate::{check_name, checked_configuration, checked_robot, checked_world};
-use crate::scenario::{Goal, Parts, Query, Robot, Scenario, World};
+use crate::scenario::validate::{Names, check_name, checked_configuration, checked_robot, checked_world, note_name};
+use crate::scenario::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::space::MotionSpace;
-use crate::world::{PlanningWorld, SMALL};
-#[cfg(feature = "schema")]
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use crate::world::{Derived, PlanningWorld, SMALL};
+use serde::Serialize;
 use serde_json::Value;
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The most robots of a fleet.
@@ -27,59 +24,51 @@ pub const MAX_ROBOTS: usize = 1000;
 /// The finest checker is wanted where no motion is proven.
 const ANY_TOLERANCE: f64 = 1e-4;
 
-/// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise, y
-/// up, speeds in metres per second.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "Planarium fleet"))]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetDocument"))]
-#[serde(deny_unknown_fields)]
-pub(super) struct Document {
-    /// The format of the document.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-fleet-1\""))]
-    format: Format,
-    /// The name, used in results.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
-    name: String,
-    /// The title for people.
-    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-    title: Option<String>,
-    /// The bounds, which are required, and obstacles.
-    world: document::World,
-    /// The robots; names are distinct.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 1000)))]
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetRobotDocument[]"))]
-    robots: Vec<Member>,
+objects! {
+    /// Several robots that share a floor, each with a start and a goal. Lengths in metres, angles in radians, counter-clockwise,
+    /// y up, speeds in metres per second.
+    #[cfg_attr(feature = "schema", schemars(title = "Planarium fleet"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "FleetDocument"))]
+    pub(super) struct Document {
+        /// The format of the document.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "\"planarium-fleet-1\""))]
+        format: Format,
+        /// The name, used in results.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        name: String,
+        /// The title for people.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        title: Option<String>,
+        /// The bounds, which are required, and obstacles.
+        world: document::World,
+        /// The robots; names are distinct.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 1000)))]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "FleetRobotDocument[]"))]
+        robots: Vec<Member>,
+    }
+
+    /// A robot of a fleet, with its start and its goal.
+    #[cfg_attr(feature = "schema", schemars(rename = "FleetRobot"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "FleetRobotDocument"))]
+    struct Member {
+        /// The name, distinct within the fleet.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+        name: String,
+        /// The robot: a disc or a rigid body.
+        robot: document::Robot,
+        /// The speed that no point of the robot exceeds, in metres per second; 1 by default.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        speed: Option<Positive>,
+        /// Where it stands until it leaves.
+        #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
+        start: Vec<AngleOrCoordinate>,
+        /// Where it stands from its arrival on.
+        #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
+        goal: Vec<AngleOrCoordinate>,
+    }
 }
 
-/// A robot of a fleet, with its start and its goal.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(rename = "FleetRobot"))]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "FleetRobotDocument"))]
-#[serde(deny_unknown_fields)]
-struct Member {
-    /// The name, distinct within the fleet.
-    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
-    name: String,
-    /// The robot: a disc or a rigid body.
-    robot: document::Robot,
-    /// The speed that no point of the robot exceeds, in metres per second; 1 by default.
-    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-    speed: Option<Positive>,
-    /// Where it stands until it leaves.
-    #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
-    start: Vec<AngleOrCoordinate>,
-    /// Where it stands from its arrival on.
-    #[cfg_attr(feature = "schema", schemars(length(min = 2, max = 3)))]
-    goal: Vec<AngleOrCoordinate>,
-}
-
-/// The one format.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
-enum Format {
-    #[serde(rename = "planarium-fleet-1")]
-    One,
-}
+one_format!(enum Format = "planarium-fleet-1");
 
 /// The JSON Schema (draft 2020-12) of the documents that [`Fleet::parse`] accepts.
 #[cfg(feature = "schema")]
@@ -100,6 +89,51 @@ struct Content {
     title: Option<String>,
     world: World,
     robots: Vec<FleetRobot>,
+    #[serde(skip)]
+    prepared: Derived<Prepared>,
+}
+
+/// A fleet prepared for planning.
+struct Prepared {
+    /// Of every robot, the index of its world: equal robots share one.
+    kinds: Vec<usize>,
+    /// One of every kind; all share what is prepared of the obstacles.
+    worlds: Vec<PlanningWorld>,
+    /// Of every robot.
+    footprints: Vec<Footprint>,
+    slack: f64,
+}
+
+impl Prepared {
+    fn new(name: &str, world: &World, robots: &[FleetRobot]) -> Self {
+        let mut worlds: Vec<PlanningWorld> = Vec::new();
+        let kind = |member: &FleetRobot| {
+            let known = worlds.iter().position(|world| world.scenario().robot() == &member.robot);
+            known.unwrap_or_else(|| {
+                let scenario = member.scenario(name, world);
+                worlds.push(match worlds.first() {
+                    Some(first) => PlanningWorld::sharing(scenario, first.collision()),
+                    None => PlanningWorld::new(scenario),
+                });
+                worlds.len() - 1
+            })
+        };
+        let kinds: Vec<usize> = robots.iter().map(kind).collect();
+        // Equal robots share what is prepared of them.
+        let of_kinds: Vec<Footprint> = worlds.iter().map(|world| Footprint::of(world.robot())).collect();
+        let footprints = kinds.iter().map(|&kind| of_kinds[kind].clone()).collect();
+        Self { kinds, worlds, footprints, slack: slack(world, robots) }
+    }
+}
+
+/// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest
+/// robot.
+fn slack(world: &World, robots: &[FleetRobot]) -> f64 {
+    let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds);
+    let corners = boxes.flat_map(|aabb| [aabb.min, aabb.max]);
+    let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+    let reach = robots.iter().map(|member| reach(&member.robot)).fold(0.0, f64::max);
+    1e-12 * (largest + reach)
 }
 
 /// A robot of a fleet.
@@ -122,6 +156,13 @@ impl FleetRobot {
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         self.robot.footprint(q)
     }
+
+    /// The scenario of this robot alone.
+    fn scenario(&self, fleet: &str, world: &World) -> Scenario {
+        let Self { name, robot, start, goal, .. } = self.clone();
+        let queries = vec![Query { name, start, goal: Goal::Configuration(goal), goal_tolerance: None }];
+        Parts { name: fleet.to_owned(), title: None, world: world.clone(), robot, queries }.into()
+    }
 }
 
 impl Fleet {
@@ -141,11 +182,7 @@ impl Fleet {
     /// # Errors
     /// Those of [`Fleet::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
-        }
-        let Document { format: Format::One, name, title, world, robots } = json::read(tree)?;
+        let Document { format: Format::One, name, title, world, robots } = json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
         if world.bounds.is_none() {
@@ -158,14 +195,11 @@ impl Fleet {
             let sentence = format!("there are {} robots; at most {MAX_ROBOTS} are allowed", robots.len());
             return Err(Error::new(Code::TooLarge, "/robots", sentence));
         }
-        let mut names = BTreeSet::new();
+        let mut names = Names::new();
         let mut checked = Vec::with_capacity(robots.len());
         for (i, member) in robots.into_iter().enumerate() {
             let member = checked_member(member).map_err(|error| error.under(&format!("/robots/{i}")))?;
-            if !names.insert(member.name.clone()) {
-                let sentence = format!("another robot has the name {}, too", quoted(&member.name));
-                return Err(Error::new(Code::DuplicateName, format!("/robots/{i}/name"), sentence));
-            }
+            note_name(&mut names, &member.name, "robot", &format!("/robots/{i}/name"))?;
             checked.push(member);
         }
         Self::new(name, title, world, checked)
@@ -181,30 +215,28 @@ impl Fleet {
         world: World,
         robots: Vec<FleetRobot>,
     ) -> Result<Self, Error> {
-        let fleet = Self(Arc::new(Content { name, title, world, robots }));
+        let prepared = Derived(Prepared::new(&name, &world, &robots));
+        let fleet = Self(Arc::new(Content { name, title, world, robots, prepared }));
         fleet.check_ends()?;
         Ok(fleet)
     }
 
     /// Refuses starts and goals in collision, with an obstacle or with one another.
     fn check_ends(&self) -> Result<(), Error> {
-        let (kinds, worlds) = self.worlds();
-        // Equal robots share what is prepared of them.
+        let Prepared { kinds, worlds, footprints, slack } = &*self.0.prepared;
         let prepared = |world: &PlanningWorld| {
-            let checker = world.checker::<SMALL>(&MotionSpace::new(world.default_space()), ANY_TOLERANCE).validity();
-            (checker, Footprint::of(world.scenario().robot()))
+            let space = MotionSpace::new(world.default_space());
+            (world.checker::<SMALL>(&space, ANY_TOLERANCE).validity(), space)
         };
         let prepared: Vec<_> = worlds.iter().map(prepared).collect();
-        let slack = self.slack();
         for (i, member) in self.robots().iter().enumerate() {
-            let (checker, footprint) = &prepared[kinds[i]];
-            let space = MotionSpace::new(worlds[kinds[i]].default_space());
+            let (checker, space) = &prepared[kinds[i]];
             for (what, code, q) in
                 [("start", Code::StartInCollision, &member.start), ("goal", Code::GoalInCollision, &member.goal)]
             {
                 let ends = |other: &FleetRobot| pose(if what == "start" { &other.start } else { &other.goal });
                 let touches =
-                    |at: Pose, j: usize| footprint.is_within(at, &prepared[kinds[j]].1, ends(&self.robots()[j]), slack);
+                    |at: Pose, j: usize| footprints[i].is_within(at, &footprints[j], ends(&self.robots()[j]), *slack);
                 let refuse = |why: String| {
                     let sentence = format!("the {what} {q:?} of {} is in collision: {why}", quoted(&member.name));
                     let error = Error::new(code, format!("/robots/{i}/{what}"), sentence);
@@ -212,7 +244,7 @@ impl Fleet {
                         let at = pose(&state[..q.len()]);
                         checker.is_free(state) && (0..self.robots().len()).all(|j| j == i || !touches(at, j))
                     };
-                    Err(naming_nearest(error, &space, &is_free, &state(q)))
+                    Err(naming_nearest(error, space, &is_free, &state(q)))
                 };
                 if let Some(why) = checker.collision(&state(q)) {
                     return refuse(why);
@@ -261,10 +293,7 @@ impl Fleet {
     /// # Panics
     /// If there is no such robot.
     pub fn scenario(&self, robot: usize) -> Scenario {
-        let FleetRobot { name, robot, start, goal, .. } = self.robots()[robot].clone();
-        let goal = Goal::Configuration(goal);
-        let queries = vec![Query { name, start, goal, goal_tolerance: None }];
-        Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into()
+        self.robots()[robot].scenario(self.name(), self.world())
     }
 
     /// The normalised document as text, on one line: it reads back as an equal fleet.
@@ -272,33 +301,24 @@ impl Fleet {
         json::to_string(self)
     }
 
-    /// The slack: contact closer than this is conflict, in metres. 1e-12 of the largest coordinate plus the reach of the largest
-    /// robot.
+    /// Contact closer than this is conflict, in metres.
     pub(super) fn slack(&self) -> f64 {
-        let obstacles = self.world().obstacles.iter().map(crate::scenario::Obstacle::aabb);
-        let corners = obstacles.chain([*self.bounds()]).flat_map(|aabb| [aabb.min, aabb.max]);
-        let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-        let reach = self.robots().iter().map(|member| reach(&member.robot)).fold(0.0, f64::max);
-        1e-12 * (largest + reach)
+        self.0.prepared.slack
     }
 
-    /// A world for every kind of robot, and for every robot the index of its own: equal robots share one, and all
-    /// share what is prepared of the obstacles.
-    pub(super) fn worlds(&self) -> (Vec<usize>, Vec<PlanningWorld>) {
-        let mut worlds: Vec<PlanningWorld> = Vec::new();
-        let mut of = Vec::with_capacity(self.robots().len());
-        for (i, member) in self.robots().iter().enumerate() {
-            let known = worlds.iter().position(|world| world.scenario().robot() == &member.robot);
-            of.push(known.unwrap_or_else(|| {
-                let scenario = self.scenario(i);
-                worlds.push(match worlds.first() {
-                    Some(world) => world.with_other_robot(scenario),
-                    None => PlanningWorld::new(scenario),
-                });
-                worlds.len() - 1
-            }));
-        }
-        (of, worlds)
+    /// The worlds, one of every kind of robot.
+    pub(super) fn worlds(&self) -> &[PlanningWorld] {
+        &self.0.prepared.worlds
+    }
+
+    /// Of every robot, the index of its world.
+    pub(super) fn kinds(&self) -> &[usize] {
+        &self.0.prepared.kinds
+    }
+
+    /// Of every robot, what it covers.
+    pub(super) fn footprints(&self) -> &[Footprint] {
+        &self.0.prepared.footprints
     }
 }
 

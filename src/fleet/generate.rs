@@ -2,13 +2,12 @@
 
 use super::document::{Fleet, FleetRobot};
 use crate::error::Error;
-use crate::generators::{self, Generator, SEEDS, generators, given};
+use crate::generators::{Generator, SEEDS, generators};
 use crate::geometry::{Aabb, Disc, Point, Polygon};
-use crate::options::{Info, Value, out_of_range};
+use crate::options::out_of_range;
 use crate::random::{Random, Stream};
 use crate::robot::{DiscRobot, RigidBody, Weights};
 use crate::scenario::{Obstacle, Robot, World};
-use serde_json::Value as Json;
 use std::f64::consts::{PI, TAU};
 
 /// The most draws of starts and goals.
@@ -113,35 +112,12 @@ crate::options! {
 }
 
 generators! {
-    Fleet:
+    Fleet, fleet_generators:
     SwapOptions => "swap", "Swap", "Two robots in a corridor with a bay, each to the place of the other.";
     CorridorOptions => "corridor", "Corridor", "Two rooms and a corridor between them that lets one robot pass.";
     CrossroadsOptions => "crossroads", "Crossroads", "Two streets that cross; robots come from four sides and go straight on.";
     RingOptions => "ring", "Ring", "Robots on a circle, each to the other side of it or to the place of the next.";
     HallOptions => "hall", "Hall", "Robots in an open hall, from anywhere to anywhere or from side to side.";
-}
-
-/// The generators of fleets with their options.
-pub fn fleet_generators() -> Vec<Info> {
-    descriptions()
-}
-
-/// Generates a fleet by the generator's id, with options given by name: those of [`fleet_generators`] and `seed`; the rest
-/// take their defaults.
-///
-/// # Errors
-/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
-/// `out-of-range`.
-pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Fleet, Error> {
-    generators::generate(MAKERS, id, options, &[])
-}
-
-/// The same with the options as an object (`{}` for all defaults).
-///
-/// # Errors
-/// Those of [`generate_with`], and `wrong-type` if the options are not an object.
-pub fn generate(id: &str, options: &Json) -> Result<Fleet, Error> {
-    generate_with(id, &given(options)?)
 }
 
 impl FleetRobots {
@@ -187,7 +163,7 @@ impl Generator for SwapOptions {
     type Made = Fleet;
 
     /// The seed places the bay along the corridor.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { length, width, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let wide = 2.0 * robots.radius * width;
@@ -211,7 +187,7 @@ impl Generator for CorridorOptions {
     type Made = Fleet;
 
     /// The seed draws starts and goals in the rooms.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, length, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let room = 5.0;
@@ -236,7 +212,7 @@ impl Generator for CrossroadsOptions {
     type Made = Fleet;
 
     /// The seed draws in which order the four sides are filled.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let (lane, gap) = (2.6 * robots.radius, 2.4 * robots.radius);
@@ -269,7 +245,7 @@ impl Generator for RingOptions {
     type Made = Fleet;
 
     /// The seed turns the ring.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, pillar, exchange, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         // Starts and goals alternate along the circle.
@@ -303,7 +279,7 @@ impl Generator for HallOptions {
     type Made = Fleet;
 
     /// The seed draws starts and goals.
-    fn generate(&self) -> Result<Fleet, Error> {
+    fn make(&self) -> Result<Fleet, Error> {
         let Self { count, side, goals, robots, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let side = side.unwrap_or((2.0 * (count as f64).sqrt()).max(5.0));

@@ -47,8 +47,9 @@ pub(super) struct Joint {
 impl Joint {
     /// Distances to goals count up to `1 + noise` times what they are, drawn by the seed.
     pub fn new(ground: &Ground, seed: u64, noise: f64) -> Self {
-        let robots = 0..ground.setup.kinds.len();
-        let ends: Vec<[u32; 2]> = robots.map(|robot| ground.roadmaps[ground.setup.kinds[robot]].ends(robot)).collect();
+        let robots = 0..ground.fleet.kinds().len();
+        let ends: Vec<[u32; 2]> =
+            robots.map(|robot| ground.roadmaps[ground.fleet.kinds()[robot]].ends(robot)).collect();
         let [starts, goals] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<Vec<u32>>());
         let mut joint = Self {
             starts,
@@ -106,7 +107,7 @@ impl Joint {
             return Status::Running;
         };
         if let Some(&robot) = reached.order.get(fixed.len()) {
-            let roadmap = &ground.roadmaps[ground.setup.kinds[robot]];
+            let roadmap = &ground.roadmaps[ground.fleet.kinds()[robot]];
             let neighbours = roadmap.neighbours(reached.at[robot]).iter().map(|(vertex, _)| *vertex);
             let mut vertices: Vec<u32> = neighbours.chain([reached.at[robot]]).collect();
             for i in (1..vertices.len()).rev() {

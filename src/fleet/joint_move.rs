@@ -89,7 +89,7 @@ impl JointMove {
         let left = match self.fixed.iter().find(|(fixed, _)| *fixed == robot) {
             Some((_, vertex)) => vec![*vertex],
             None => {
-                let roadmap = &ground.roadmaps[ground.setup.kinds[robot]];
+                let roadmap = &ground.roadmaps[ground.fleet.kinds()[robot]];
                 let neighbours = roadmap.neighbours(self.at[robot]).iter().map(|(vertex, _)| *vertex);
                 let mut left: Vec<(f64, u32)> = neighbours
                     .chain([self.at[robot]])
@@ -148,7 +148,7 @@ pub(super) fn timed(ground: &Ground, chain: &[Arc<[u32]>]) -> Vec<Arc<Trajectory
         let way = |robot: usize| [0, 1].map(|end: usize| pose(ground, robot, ends[end][robot]));
         let duration = |robot: usize| {
             let [from, to] = way(robot);
-            ground.setup.footprints[robot].travel(from, to) / ground.setup.fleet.robots()[robot].speed
+            ground.fleet.footprints()[robot].travel(from, to) / ground.fleet.robots()[robot].speed
         };
         let end = time + robots.clone().map(duration).fold(0.0, f64::max);
         for (robot, trajectory) in trajectories.iter_mut().enumerate() {
@@ -167,7 +167,7 @@ pub(super) fn timed(ground: &Ground, chain: &[Arc<[u32]>]) -> Vec<Arc<Trajectory
 
 /// The place of a robot at a vertex.
 fn pose(ground: &Ground, robot: usize, vertex: u32) -> Pose {
-    ground.roadmaps[ground.setup.kinds[robot]].pose(vertex)
+    ground.roadmaps[ground.fleet.kinds()[robot]].pose(vertex)
 }
 
 /// A robot's motion between two vertices in the time that the move takes, or its stand.
@@ -183,6 +183,6 @@ fn motion(ground: &Ground, robot: usize, [from, to]: [u32; 2]) -> Motion {
 /// Whether the motions of two robots are proven apart.
 fn is_apart(ground: &Ground, robots: [usize; 2], motions: [&Motion; 2], stats: &mut FleetStats) -> bool {
     stats.pair_checks += 1;
-    let footprints = robots.map(|robot| &ground.setup.footprints[robot]);
-    Pair { footprints, motions, slack: MARGIN * ground.setup.slack }.is_apart()
+    let footprints = robots.map(|robot| &ground.fleet.footprints()[robot]);
+    Pair { footprints, motions, slack: MARGIN * ground.fleet.slack() }.is_apart()
 }

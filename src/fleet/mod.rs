@@ -5,10 +5,10 @@
 //! conflict at a time if they touch; a plan is proven free of conflict at every time, not only at samples.
 //!
 //! ```
-//! use planarium::fleet::{FleetOptions, FleetPlanner, generate, verify};
+//! use planarium::fleet::{CrossroadsOptions, FleetOptions, FleetPlanner, Generator, verify};
 //! use planarium::problem::{Status, Stepped};
 //!
-//! let fleet = generate("crossroads", &serde_json::json!({ "count": 4 }))?;
+//! let fleet = CrossroadsOptions { count: 4, ..CrossroadsOptions::default() }.generate()?;
 //! let mut planner = FleetPlanner::new(&fleet, &FleetOptions { seed: 1, ..FleetOptions::default() })?;
 //! assert_eq!(planner.step(u64::MAX), Status::Solved);
 //! assert!(verify(&fleet, &planner.result())?.is_valid());
@@ -18,7 +18,8 @@
 //! # Files
 //! - `document.rs`: the fleet and its document; `generate.rs`: fleets by seed;
 //! - `motion.rs`: whether two robots in motion are apart; `trajectory.rs`: where a robot is at every time;
-//! - `run.rs`: a planner that is stepped; `result.rs`: the document that it ends with;
+//! - `options.rs`: the planners and their options; `run.rs`: a planner that is stepped; `result.rs`: the document that it ends
+//!   with;
 //! - `prioritized.rs`, with the search of one robot (`safe_intervals.rs`) on the roadmap of its kind (`roadmap.rs`);
 //! - `pbs.rs`: searches that take turns (`turns.rs`), those of `prioritized.rs`, `priority_tree.rs`, `composite.rs` and
 //!   `moves.rs`: `joint.rs` and `walks.rs`, both by `joint_move.rs`; a plan is refined (`refinement.rs`);
@@ -33,6 +34,7 @@ mod joint;
 mod joint_move;
 mod motion;
 mod moves;
+mod options;
 mod pbs;
 mod prioritized;
 mod priority_tree;
@@ -46,42 +48,24 @@ mod turns;
 mod verify;
 mod walks;
 
+pub use crate::generators::Generator;
 pub use advancement::Conflict;
 pub use composite::CompositeOptions;
 #[cfg(feature = "schema")]
 pub use document::schema;
 pub use document::{Fleet, FleetRobot, MAX_ROBOTS};
-pub use generate::{fleet_generators, generate, generate_with};
+pub use generate::{
+    CorridorOptions, CrossroadsOptions, FleetRobots, FleetShape, HallGoals, HallOptions, RingOptions, SwapOptions,
+    fleet_generators, generate, generate_with,
+};
 pub use motion::Pose;
+pub use options::{FleetOptions, FleetPlannerOptions, fleet_planners};
 pub use pbs::PbsOptions;
 pub use prioritized::PrioritizedOptions;
 pub use result::{Blocked, BlockedNames, FleetReason, FleetResult, FleetStats, RobotTrajectory};
-pub use run::{FleetOptions, FleetPlanner, fleet_planners};
+pub use run::FleetPlanner;
 pub use trajectory::Trajectory;
 pub use verify::{Claim, Fault, Verification, conflicts, straight, trajectories, verify};
 
-use crate::world::PlanningWorld;
-use motion::Footprint;
-
 /// The `format` of a fleet.
 pub const FORMAT: &str = "planarium-fleet-1";
-
-/// A fleet prepared for planning.
-struct Setup {
-    fleet: Fleet,
-    /// Of every robot, the index of its world: equal robots share one.
-    kinds: Vec<usize>,
-    worlds: Vec<PlanningWorld>,
-    footprints: Vec<Footprint>,
-    slack: f64,
-}
-
-impl Setup {
-    fn new(fleet: &Fleet) -> Self {
-        let (kinds, worlds) = fleet.worlds();
-        // Equal robots share one.
-        let of_kinds: Vec<Footprint> = worlds.iter().map(|world| Footprint::of(world.scenario().robot())).collect();
-        let footprints = kinds.iter().map(|&kind| of_kinds[kind].clone()).collect();
-        Self { fleet: fleet.clone(), kinds, worlds, footprints, slack: fleet.slack() }
-    }
-}

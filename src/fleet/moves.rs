@@ -61,7 +61,7 @@ impl Moves {
 
     /// `Exhausted` if the fleet is too large, or if no roadmap connects every start to its goal.
     pub fn iterate(&mut self, around: &Ground, stats: &mut FleetStats) -> Status {
-        let setup = around.setup;
+        let fleet = around.fleet;
         if self.roadmaps.is_empty() {
             return self.begin_roadmaps(around).map_or(Status::Exhausted, |()| Status::Running);
         }
@@ -71,10 +71,10 @@ impl Moves {
             stats.motion_checks += roadmap.motion_checks() - before;
             return Status::Running;
         }
-        if self.distances.len() < setup.kinds.len() {
+        if self.distances.len() < fleet.kinds().len() {
             let robot = self.distances.len();
-            let roadmap = &self.roadmaps[setup.kinds[robot]];
-            if roadmap.vertex_count() * setup.kinds.len() > MOST_DISTANCES {
+            let roadmap = &self.roadmaps[fleet.kinds()[robot]];
+            if roadmap.vertex_count() * fleet.kinds().len() > MOST_DISTANCES {
                 return Status::Exhausted;
             }
             let [start, goal] = roadmap.ends(robot);
@@ -86,7 +86,7 @@ impl Moves {
         if !self.is_connected {
             return if self.grow() { Status::Running } else { Status::Exhausted };
         }
-        let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &self.distances };
+        let ground = Ground { fleet, roadmaps: &self.roadmaps, distances: &self.distances };
         let Some((joint, walks)) = &mut self.searches else {
             let (seed, noise) = (self.seed.wrapping_add(u64::from(self.round)), f64::from(self.round / ROUNDS));
             self.searches = Some((Joint::new(&ground, seed, NOISE * noise), Walks::new(&ground, seed)));
@@ -116,14 +116,14 @@ impl Moves {
 
     /// The iterations of a search in this round.
     fn iterations(&self, ground: &Ground) -> u64 {
-        (ITERATIONS[0] + ITERATIONS[1] * ground.setup.kinds.len() as u64) << (self.round / ROUNDS).min(20)
+        (ITERATIONS[0] + ITERATIONS[1] * ground.fleet.kinds().len() as u64) << (self.round / ROUNDS).min(20)
     }
 
     /// Begins other roadmaps.
     fn begin_roadmaps(&mut self, around: &Ground) -> Result<(), Error> {
-        let samples = (SAMPLES[0] + SAMPLES[1] * around.setup.kinds.len()).min(self.most_samples);
+        let samples = (SAMPLES[0] + SAMPLES[1] * around.fleet.kinds().len()).min(self.most_samples);
         let seed = self.seed.wrapping_add(u64::from(self.round));
-        self.roadmaps = roadmaps(around.setup, samples, self.k, seed)?;
+        self.roadmaps = roadmaps(around.fleet, samples, self.k, seed)?;
         self.distances.clear();
         self.is_connected = true;
         Ok(())

@@ -9,8 +9,8 @@
 //! So a plan takes a few times as long as the search takes that finds it first. Plans other than by priorities are refined
 //! (`refinement.rs`).
 
-use super::Setup;
 use super::composite::{Composite, CompositeOptions};
+use super::document::Fleet;
 use super::moves::Moves;
 use super::prioritized::{Orders, default_samples, roadmap_stats, roadmaps};
 use super::priority_tree::{Ground, PriorityTree};
@@ -77,10 +77,10 @@ pub(super) struct Pbs {
 }
 
 impl Pbs {
-    pub fn new(setup: &Setup, options: &PbsOptions, seed: u64) -> Result<Self, Error> {
-        let samples = options.samples.unwrap_or_else(|| default_samples(setup));
+    pub fn new(fleet: &Fleet, options: &PbsOptions, seed: u64) -> Result<Self, Error> {
+        let samples = options.samples.unwrap_or_else(|| default_samples(fleet));
         Ok(Self {
-            roadmaps: roadmaps(setup, samples, options.k, seed)?,
+            roadmaps: roadmaps(fleet, samples, options.k, seed)?,
             distances: Vec::new(),
             stage: Stage::Roadmaps,
             searches: Searches::default(),
@@ -97,7 +97,7 @@ impl Pbs {
         })
     }
 
-    pub fn iterate(&mut self, setup: &Setup) -> Status {
+    pub fn iterate(&mut self, fleet: &Fleet) -> Status {
         match &mut self.stage {
             Stage::Roadmaps => {
                 match self.roadmaps.iter_mut().find(|roadmap| !roadmap.is_built()) {
@@ -109,23 +109,23 @@ impl Pbs {
                 }
                 Status::Running
             }
-            Stage::Distances if self.distances.len() < setup.kinds.len() => {
-                self.measure(setup);
+            Stage::Distances if self.distances.len() < fleet.kinds().len() => {
+                self.measure(fleet);
                 Status::Running
             }
             Stage::Distances => {
                 let Some(robot) = self.unconnected else {
-                    self.begin_searches(setup, true);
+                    self.begin_searches(fleet, true);
                     return Status::Running;
                 };
-                if self.grow(setup) {
+                if self.grow(fleet) {
                     return Status::Running;
                 }
                 self.give_up(FleetReason::NotConnected, Some(Blocked { robot, by: Vec::new() }))
             }
-            Stage::Searches => self.search(setup),
+            Stage::Searches => self.search(fleet),
             Stage::Refinement(refinement) => {
-                let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &self.distances };
+                let ground = Ground { fleet, roadmaps: &self.roadmaps, distances: &self.distances };
                 match refinement.iterate(&ground, &mut self.stats) {
                     Refined::NotYet => Status::Running,
                     Refined::Plan => {
@@ -142,48 +142,48 @@ impl Pbs {
     }
 
     /// Computes the distances of the next robot, and whether it can reach its goal.
-    fn measure(&mut self, setup: &Setup) {
+    fn measure(&mut self, fleet: &Fleet) {
         let robot = self.distances.len();
-        let roadmap = &self.roadmaps[setup.kinds[robot]];
+        let roadmap = &self.roadmaps[fleet.kinds()[robot]];
         let [start, goal] = roadmap.ends(robot);
         let distances = roadmap.distances_to(goal);
         if distances[start as usize] == f64::INFINITY {
             self.unconnected.get_or_insert(robot);
         }
-        let is_kept = setup.kinds.len() * roadmap.vertex_count() <= MOST_DISTANCES;
+        let is_kept = fleet.kinds().len() * roadmap.vertex_count() <= MOST_DISTANCES;
         self.distances.push(if is_kept { distances.into() } else { Arc::new([]) });
     }
 
     /// Begins a round of searches; those by priorities begin again where roadmaps have grown.
-    fn begin_searches(&mut self, setup: &Setup, have_grown: bool) {
+    fn begin_searches(&mut self, fleet: &Fleet, have_grown: bool) {
         let left = &mut self.searches.left;
         let is_first = self.round == 0;
         if have_grown {
             left.retain(|search| matches!(search, Search::Composite(_) | Search::Moves(_)));
-            let order = (0..setup.kinds.len()).collect();
-            left.insert(0, Search::Orders(Orders::new(setup, order, self.seed, RESTARTS)));
-            left.insert(1, Search::Tree(PriorityTree::new(setup)));
+            let order = (0..fleet.kinds().len()).collect();
+            left.insert(0, Search::Orders(Orders::new(fleet, order, self.seed, RESTARTS)));
+            left.insert(1, Search::Tree(PriorityTree::new(fleet)));
         }
-        if is_first && let Ok(composite) = Composite::new(setup, &CompositeOptions::default(), self.seed) {
+        if is_first && let Ok(composite) = Composite::new(fleet, &CompositeOptions::default(), self.seed) {
             left.push(Search::Composite(Box::new(composite)));
         }
-        if is_first && setup.kinds.len() > 1 {
+        if is_first && fleet.kinds().len() > 1 {
             left.push(Search::Moves(Box::new(Moves::new(self.k, self.most_samples, self.seed))));
         }
         self.searches.turn = 0;
         self.searches.turns = (left.len() as u64) << self.round.min(30);
-        self.searches.iterations = self.searches.of_a_turn(setup);
+        self.searches.iterations = self.searches.of_a_turn(fleet);
         self.stage = Stage::Searches;
     }
 
     /// One iteration of the search whose turn it is.
-    fn search(&mut self, setup: &Setup) -> Status {
-        let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &self.distances };
+    fn search(&mut self, fleet: &Fleet) -> Status {
+        let ground = Ground { fleet, roadmaps: &self.roadmaps, distances: &self.distances };
         let searches = &mut self.searches;
         let Some(search) = searches.left.get_mut(searches.turn) else {
             self.round += 1;
-            if !self.round.is_multiple_of(ROUNDS) || !self.grow(setup) {
-                self.begin_searches(setup, false);
+            if !self.round.is_multiple_of(ROUNDS) || !self.grow(fleet) {
+                self.begin_searches(fleet, false);
                 if self.searches.left.is_empty() {
                     return self.give_up(FleetReason::OrderLimit, self.blocked.clone());
                 }
@@ -199,19 +199,19 @@ impl Pbs {
         }
         if status != Status::Running || searches.iterations == 0 {
             self.blocked = search.blocked().cloned().or(self.blocked.take());
-            searches.go_on(setup, status != Status::Running);
+            searches.go_on(fleet, status != Status::Running);
         }
         Status::Running
     }
 
     /// Begins to grow the roadmaps that do not connect a start and a goal, or all; false if they have as many samples as they
     /// may.
-    fn grow(&mut self, setup: &Setup) -> bool {
+    fn grow(&mut self, fleet: &Fleet) -> bool {
         let is_unconnected = |robot: &usize| {
-            let [start, goal] = self.roadmaps[setup.kinds[*robot]].ends(*robot);
-            self.roadmaps[setup.kinds[*robot]].distances_to(goal)[start as usize] == f64::INFINITY
+            let [start, goal] = self.roadmaps[fleet.kinds()[*robot]].ends(*robot);
+            self.roadmaps[fleet.kinds()[*robot]].distances_to(goal)[start as usize] == f64::INFINITY
         };
-        let kind = self.unconnected.filter(is_unconnected).map(|robot| setup.kinds[robot]);
+        let kind = self.unconnected.filter(is_unconnected).map(|robot| fleet.kinds()[robot]);
         let mut has_grown = false;
         for (number, roadmap) in self.roadmaps.iter_mut().enumerate() {
             let (count, most) = (roadmap.vertex_count(), self.most_samples + roadmap.end_count());

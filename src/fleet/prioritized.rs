@@ -7,7 +7,7 @@
 //! performance of multi-robot prioritized path planning"). Whether a robot finds a way depends on those before it, in their
 //! order, and on nothing else: an order that begins like one that has failed is not tried again.
 
-use super::Setup;
+use super::document::Fleet;
 use super::priority_tree::{Ground, standing};
 use super::result::{Blocked, FleetReason, FleetStats};
 use super::roadmap::Roadmap;
@@ -49,25 +49,25 @@ pub(super) struct Prioritized {
 
 impl Prioritized {
     pub fn new(
-        setup: &Setup,
+        fleet: &Fleet,
         options: &PrioritizedOptions,
         order: Vec<usize>,
         seed: u64,
         is_given: bool,
     ) -> Result<Self, Error> {
-        let samples = options.samples.unwrap_or_else(|| default_samples(setup));
-        let roadmaps = roadmaps(setup, samples, options.k, seed)?;
+        let samples = options.samples.unwrap_or_else(|| default_samples(fleet));
+        let roadmaps = roadmaps(fleet, samples, options.k, seed)?;
         let most_restarts = options.restarts.unwrap_or(if is_given { 0 } else { DEFAULT_RESTARTS });
-        let orders = Orders::new(setup, order, seed, most_restarts);
+        let orders = Orders::new(fleet, order, seed, most_restarts);
         Ok(Self { roadmaps, orders, stats: FleetStats::default() })
     }
 
-    pub fn iterate(&mut self, setup: &Setup) -> Status {
+    pub fn iterate(&mut self, fleet: &Fleet) -> Status {
         if let Some(roadmap) = self.roadmaps.iter_mut().find(|roadmap| !roadmap.is_built()) {
             roadmap.iterate();
             return Status::Running;
         }
-        let ground = Ground { setup, roadmaps: &self.roadmaps, distances: &[] };
+        let ground = Ground { fleet, roadmaps: &self.roadmaps, distances: &[] };
         self.orders.iterate(&ground, &mut self.stats)
     }
 
@@ -85,20 +85,20 @@ impl Prioritized {
 }
 
 /// The number of samples of each roadmap if none is given.
-pub(super) fn default_samples(setup: &Setup) -> usize {
-    400 + 20 * setup.kinds.len()
+pub(super) fn default_samples(fleet: &Fleet) -> usize {
+    400 + 20 * fleet.kinds().len()
 }
 
 /// The roadmap of every kind of robot, before its first sample.
-pub(super) fn roadmaps(setup: &Setup, samples: usize, k: usize, seed: u64) -> Result<Vec<Roadmap>, Error> {
+pub(super) fn roadmaps(fleet: &Fleet, samples: usize, k: usize, seed: u64) -> Result<Vec<Roadmap>, Error> {
     // A roadmap tries the motions from each start straight to its goal itself.
     let edges = EdgeOptions { direct: false, ..EdgeOptions::default() };
     let prm = PrmOptions { samples: Some(samples), k: Some(k), edges, ..PrmOptions::default() };
     let roadmap = |(kind, world)| {
-        let robots = (0..setup.kinds.len()).filter(|&robot| setup.kinds[robot] == kind).collect();
-        Roadmap::new(&setup.fleet, world, robots, &prm, seed)
+        let robots = (0..fleet.kinds().len()).filter(|&robot| fleet.kinds()[robot] == kind).collect();
+        Roadmap::new(fleet, world, robots, &prm, seed)
     };
-    setup.worlds.iter().enumerate().map(roadmap).collect()
+    fleet.worlds().iter().enumerate().map(roadmap).collect()
 }
 
 /// The work on roadmaps, added to that of searches.
@@ -130,12 +130,12 @@ pub(super) struct Orders {
 }
 
 impl Orders {
-    pub fn new(setup: &Setup, order: Vec<usize>, seed: u64, most_restarts: u32) -> Self {
+    pub fn new(fleet: &Fleet, order: Vec<usize>, seed: u64, most_restarts: u32) -> Self {
         Self {
             all: (0..order.len()).collect(),
             order,
             planned: 0,
-            trajectories: standing(setup),
+            trajectories: standing(fleet),
             search: None,
             blocked: None,
             failed: BTreeSet::new(),
@@ -172,7 +172,7 @@ impl Orders {
                 self.restarts += 1;
                 stats.restarts += 1;
                 self.planned = 0;
-                self.trajectories = standing(ground.setup);
+                self.trajectories = standing(ground.fleet);
             }
         }
         Status::Running

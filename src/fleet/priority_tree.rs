@@ -8,7 +8,7 @@
 //!
 //! Robots are clear of those above them from time 0 on, so a robot moves aside, though it would rather stand, and comes back.
 
-use super::Setup;
+use super::document::Fleet;
 use super::motion::{Footprint, Pair};
 use super::result::{Blocked, FleetStats};
 use super::roadmap::Roadmap;
@@ -26,7 +26,7 @@ pub(super) const MARGIN: f64 = 1e4;
 /// What searches need, on roadmaps that are complete.
 #[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
-    pub setup: &'a Setup,
+    pub fleet: &'a Fleet,
     pub roadmaps: &'a [Roadmap],
     /// Of every robot and every vertex of its roadmap, the length of the way to the robot's goal; empty where these are too
     /// many to keep.
@@ -36,9 +36,10 @@ pub(super) struct Ground<'a> {
 impl Ground<'_> {
     /// The scene of a robot among some of the others.
     pub fn scene<'a>(&'a self, robot: usize, trajectories: &'a [Arc<Trajectory>], among: &'a [usize]) -> Scene<'a> {
-        let Setup { fleet, kinds, footprints, slack, .. } = self.setup;
-        let (speed, roadmap) = (fleet.robots()[robot].speed, &self.roadmaps[kinds[robot]]);
-        Scene { robot, speed, roadmap, footprints, trajectories, among, slack: MARGIN * slack }
+        let fleet = self.fleet;
+        let (speed, roadmap) = (fleet.robots()[robot].speed, &self.roadmaps[fleet.kinds()[robot]]);
+        let (footprints, slack) = (fleet.footprints(), MARGIN * fleet.slack());
+        Scene { robot, speed, roadmap, footprints, trajectories, among, slack }
     }
 
     /// The search of the robot of a scene.
@@ -53,8 +54,8 @@ impl Ground<'_> {
     /// When two trajectories conflict first, if they do.
     pub fn first_conflict(&self, pair: [usize; 2], trajectories: &[Arc<Trajectory>], checks: &mut u64) -> Option<f64> {
         let [a, b] = pair.map(|robot| &*trajectories[robot]);
-        let footprints: [&Footprint; 2] = pair.map(|robot| &self.setup.footprints[robot]);
-        let reach = footprints[0].radius() + footprints[1].radius() + 2.0 * MARGIN * self.setup.slack;
+        let footprints: [&Footprint; 2] = pair.map(|robot| &self.fleet.footprints()[robot]);
+        let reach = footprints[0].radius() + footprints[1].radius() + 2.0 * MARGIN * self.fleet.slack();
         if !a.around().grown(reach).intersects(b.around()) {
             return None;
         }
@@ -63,7 +64,7 @@ impl Ground<'_> {
                 *checks += 1;
                 Ok::<_, Infallible>(pair.is_apart())
             };
-            let Ok(met) = a.first_in_conflict(footprints, &motion, self.setup.slack, is_apart);
+            let Ok(met) = a.first_in_conflict(footprints, &motion, self.fleet.slack(), is_apart);
             let met = met?;
             Some(met.begin.max(motion.begin))
         })
@@ -132,11 +133,11 @@ pub(super) struct PriorityTree {
 }
 
 impl PriorityTree {
-    pub fn new(setup: &Setup) -> Self {
-        let count = setup.kinds.len();
+    pub fn new(fleet: &Fleet) -> Self {
+        let count = fleet.kinds().len();
         let branch = Branch {
             above: (0..count).map(|_| Arc::new([]) as Arc<[usize]>).collect(),
-            trajectories: standing(setup),
+            trajectories: standing(fleet),
             conflicts: BTreeMap::new(),
             cost: f64::INFINITY,
         };
@@ -257,7 +258,7 @@ impl Work {
 }
 
 /// Every robot at its start.
-pub(super) fn standing(setup: &Setup) -> Vec<Arc<Trajectory>> {
+pub(super) fn standing(fleet: &Fleet) -> Vec<Arc<Trajectory>> {
     let stand = |member: &super::FleetRobot| Arc::new(Trajectory::standing(super::document::pose(&member.start)));
-    setup.fleet.robots().iter().map(stand).collect()
+    fleet.robots().iter().map(stand).collect()
 }

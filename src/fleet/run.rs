@@ -1,64 +1,22 @@
 //! A planner of a fleet as a value that is stepped.
 
-use super::Setup;
-use super::composite::{self, Composite, CompositeOptions};
+use super::composite::{self, Composite};
 use super::document::Fleet;
 use super::motion::Pose;
-use super::pbs::{Pbs, PbsOptions};
-use super::prioritized::{Prioritized, PrioritizedOptions};
+use super::options::{FleetOptions, FleetPlannerOptions};
+use super::pbs::Pbs;
+use super::prioritized::Prioritized;
 use super::result::{Blocked, BlockedNames, FleetReason, FleetResult, FleetStats, RobotTrajectory};
 use super::roadmap::Roadmap;
 use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, quoted};
 use crate::fingerprint::Fingerprint;
-use crate::options::{Info, Options as _, Value};
 use crate::problem::{Status, Stepped};
 use crate::random::check_seed;
 
-/// The options of a planner of a fleet.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct FleetOptions {
-    /// The planner, by id; if it is `None`, `pbs`, or `prioritized` if there is an order.
-    pub planner: Option<String>,
-    /// The seed, 0 to 2^53 - 1.
-    pub seed: u64,
-    /// The order of priorities, the highest first, of every robot once: names, or indices from 0. For `prioritized` only, which
-    /// begins with that of the document if it is `None`, and tries others if it fails.
-    pub order: Option<Vec<String>>,
-    /// Options of the planner by name.
-    pub parameters: Vec<(String, Value)>,
-}
-
-/// The ids of the planners of fleets.
-const IDS: [&str; 3] = ["pbs", "prioritized", "composite"];
-
-/// The planners of fleets with their options.
-pub fn fleet_planners() -> Vec<Info> {
-    vec![
-        Info {
-            id: IDS[0],
-            title: "PBS",
-            summary: "Priority-based search: where two robots conflict, one gives way; robots that no priorities help move jointly.",
-            options: PbsOptions::table(),
-        },
-        Info {
-            id: IDS[1],
-            title: "Prioritized",
-            summary: "The robots plan one after the other by safe intervals, each around those before it.",
-            options: PrioritizedOptions::table(),
-        },
-        Info {
-            id: IDS[2],
-            title: "Composite",
-            summary: "RRT-Connect plans for two or three robots at once, in the product of their configuration spaces.",
-            options: CompositeOptions::table(),
-        },
-    ]
-}
-
 /// A planner of a fleet: a value that is stepped. How its iterations are divided into steps does not change its result.
 pub struct FleetPlanner {
-    setup: Setup,
+    fleet: Fleet,
     id: &'static str,
     seed: u64,
     algorithm: Algorithm,
@@ -79,10 +37,10 @@ impl Stepped for FleetPlanner {
     fn iterate(&mut self) {
         self.iterations += 1;
         let (status, most) = match &mut self.algorithm {
-            Algorithm::Pbs(planner) => (planner.iterate(&self.setup), Some(self.most)),
-            Algorithm::Prioritized(planner) => (planner.iterate(&self.setup), Some(self.most)),
+            Algorithm::Pbs(planner) => (planner.iterate(&self.fleet), Some(self.most)),
+            Algorithm::Prioritized(planner) => (planner.iterate(&self.fleet), Some(self.most)),
             // It limits its planner itself, and not the improvement of the path.
-            Algorithm::Composite(planner) => (planner.iterate(&self.setup, self.most as u32), None),
+            Algorithm::Composite(planner) => (planner.iterate(&self.fleet, self.most as u32), None),
         };
         let is_over = status == Status::Running && most == Some(self.iterations);
         self.status = if is_over { Status::Exhausted } else { status };
@@ -106,38 +64,34 @@ impl FleetPlanner {
     /// Begins.
     ///
     /// # Errors
-    /// `unknown-planner` (pointer `/algorithm`); `unknown-parameter`, and the errors of parameter values; `out-of-range` with a
-    /// pointer into `/order` if it does not name every robot once; `unsupported` for a composite of fewer than two or more than
-    /// three robots, or of more than eight coordinates.
+    /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name
+    /// every robot once; `unsupported` for an order of another planner than `prioritized`, and for a composite of fewer than two
+    /// or more than three robots, or of more than eight coordinates.
     pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
         check_seed(options.seed)?;
-        let by_default = if options.order.is_some() { "prioritized" } else { "pbs" };
-        let id = options.planner.as_deref().unwrap_or(by_default);
-        let Some(id) = IDS.iter().find(|known| **known == id) else {
-            let sentence = format!("unknown planner {}; the planners of fleets are {}", quoted(id), IDS.join(", "));
-            return Err(Error::new(Code::UnknownPlanner, "/algorithm", sentence));
-        };
-        let setup = Setup::new(fleet);
-        if options.order.is_some() && *id != "prioritized" {
+        let planner = options.planner();
+        if options.order.is_some() && !matches!(planner, FleetPlannerOptions::Prioritized(_)) {
             let sentence = "only prioritized planning has an order of priorities";
             return Err(Error::new(Code::Unsupported, "/order", sentence));
         }
-        let (algorithm, most) = if *id == "pbs" {
-            let read = PbsOptions::read(&options.parameters)?;
-            (Algorithm::Pbs(Box::new(Pbs::new(&setup, &read, options.seed)?)), read.max_iterations)
-        } else if *id == "composite" {
-            let read = CompositeOptions::read(&options.parameters)?;
-            let planner = Composite::new(&setup, &read, options.seed)?;
-            (Algorithm::Composite(Box::new(planner)), u64::from(read.max_iterations))
-        } else {
-            let read = PrioritizedOptions::read(&options.parameters)?;
-            let order = order(fleet, options.order.as_deref())?;
-            let planner = Prioritized::new(&setup, &read, order, options.seed, options.order.is_some())?;
-            (Algorithm::Prioritized(Box::new(planner)), read.max_iterations)
+        planner.check()?;
+        let (algorithm, most) = match &planner {
+            FleetPlannerOptions::Pbs(pbs) => {
+                (Algorithm::Pbs(Box::new(Pbs::new(fleet, pbs, options.seed)?)), pbs.max_iterations)
+            }
+            FleetPlannerOptions::Composite(composite) => {
+                let planner = Composite::new(fleet, composite, options.seed)?;
+                (Algorithm::Composite(Box::new(planner)), u64::from(composite.max_iterations))
+            }
+            FleetPlannerOptions::Prioritized(prioritized) => {
+                let order = order(fleet, options.order.as_deref())?;
+                let planner = Prioritized::new(fleet, prioritized, order, options.seed, options.order.is_some())?;
+                (Algorithm::Prioritized(Box::new(planner)), prioritized.max_iterations)
+            }
         };
         Ok(Self {
-            setup,
-            id,
+            fleet: fleet.clone(),
+            id: planner.id(),
             seed: options.seed,
             algorithm,
             most,
@@ -149,16 +103,16 @@ impl FleetPlanner {
 
     /// Whether a robot arrives so late that doubles cannot represent its motions to within the slack.
     fn is_too_late(&self) -> bool {
-        let Setup { fleet, slack, .. } = &self.setup;
-        fleet.robots().iter().enumerate().any(|(i, member)| {
+        let slack = self.fleet.slack();
+        self.fleet.robots().iter().enumerate().any(|(i, member)| {
             let arrival = self.trajectory(i).map_or(0.0, Trajectory::arrival);
-            moved_until_next(arrival, member.speed) > *slack
+            moved_until_next(arrival, member.speed) > slack
         })
     }
 
     /// The fleet.
     pub fn fleet(&self) -> &Fleet {
-        &self.setup.fleet
+        &self.fleet
     }
 
     /// Why there is no plan; `None` unless the status is `Exhausted`.
@@ -185,7 +139,7 @@ impl FleetPlanner {
     pub fn order(&self) -> Vec<usize> {
         match &self.algorithm {
             Algorithm::Prioritized(planner) => planner.orders().order().to_vec(),
-            Algorithm::Pbs(_) | Algorithm::Composite(_) => (0..self.setup.footprints.len()).collect(),
+            Algorithm::Pbs(_) | Algorithm::Composite(_) => (0..self.fleet.footprints().len()).collect(),
         }
     }
 
@@ -220,12 +174,12 @@ impl FleetPlanner {
     /// The roadmap that a robot plans on, by its index: equal robots share one. Of the composite the trees of each robot have its
     /// own index.
     pub fn roadmap_of(&self, robot: usize) -> usize {
-        if self.roadmaps().is_some() { self.setup.kinds[robot] } else { robot }
+        if self.roadmaps().is_some() { self.fleet.kinds()[robot] } else { robot }
     }
 
     /// How many roadmaps there are.
     pub fn roadmap_count(&self) -> usize {
-        self.roadmaps().map_or(self.setup.footprints.len(), <[Roadmap]>::len)
+        self.roadmaps().map_or(self.fleet.footprints().len(), <[Roadmap]>::len)
     }
 
     /// How many vertices and edges a roadmap has.
@@ -247,7 +201,7 @@ impl FleetPlanner {
                 (row..roadmap.vertex_count()).map(|vertex| roadmap.pose(vertex as u32)).collect()
             }),
             Algorithm::Composite(planner) => {
-                let (first, dimension) = composite::members(&self.setup)[roadmap];
+                let (first, dimension) = composite::members(&self.fleet)[roadmap];
                 planner.vertices()[row..].iter().map(|joint| composite::part(joint, first, dimension)).collect()
             }
         }
@@ -278,13 +232,13 @@ impl FleetPlanner {
         if self.status != Status::Solved {
             return 0.0;
         }
-        (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(of).sum::<f64>() + 0.0
+        (0..self.fleet.footprints().len()).filter_map(|robot| self.trajectory(robot)).map(of).sum::<f64>() + 0.0
     }
 
     /// When the last robot arrives, in seconds; 0 unless solved.
     pub fn makespan(&self) -> f64 {
         let arrivals =
-            (0..self.setup.footprints.len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
+            (0..self.fleet.footprints().len()).filter_map(|robot| self.trajectory(robot)).map(Trajectory::arrival);
         if self.status == Status::Solved { arrivals.fold(0.0, f64::max) } else { 0.0 }
     }
 
@@ -314,7 +268,7 @@ impl FleetPlanner {
 
     /// The result document.
     pub fn result(&self) -> FleetResult {
-        let members = self.setup.fleet.robots();
+        let members = self.fleet.robots();
         let name = |&robot: &usize| members[robot].name.clone();
         let robots = (0..members.len()).filter_map(|robot| Some((robot, self.trajectory(robot)?)));
         let in_document = |(robot, trajectory): (usize, &Trajectory)| {
@@ -325,7 +279,7 @@ impl FleetPlanner {
         let blocked =
             |blocked: Blocked| BlockedNames { robot: name(&blocked.robot), by: blocked.by.iter().map(name).collect() };
         FleetResult {
-            fleet: self.setup.fleet.name().to_owned(),
+            fleet: self.fleet.name().to_owned(),
             planner: self.id.to_owned(),
             seed: self.seed,
             status: self.status,

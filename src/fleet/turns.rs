@@ -1,7 +1,7 @@
 //! Searches for a plan that take turns: how long a turn is, and whose it is.
 
-use super::Setup;
 use super::composite::Composite;
+use super::document::Fleet;
 use super::moves::Moves;
 use super::prioritized::Orders;
 use super::priority_tree::{Ground, PriorityTree};
@@ -36,8 +36,8 @@ pub(super) struct Searches {
 
 impl Searches {
     /// The iterations of the turn that it is.
-    pub fn of_a_turn(&self, setup: &Setup) -> u64 {
-        let single = TURN[0] + TURN[1] * setup.kinds.len() as u64;
+    pub fn of_a_turn(&self, fleet: &Fleet) -> u64 {
+        let single = TURN[0] + TURN[1] * fleet.kinds().len() as u64;
         match self.left.get(self.turn) {
             Some(Search::Moves(_)) => JOINT * single,
             _ => single,
@@ -46,7 +46,7 @@ impl Searches {
 
     /// Goes on with the next search, without the one whose turn it was if that is over. If the round is over, it is nobody's
     /// turn.
-    pub fn go_on(&mut self, setup: &Setup, is_over: bool) {
+    pub fn go_on(&mut self, fleet: &Fleet, is_over: bool) {
         if is_over {
             self.left.remove(self.turn);
         } else {
@@ -59,7 +59,7 @@ impl Searches {
         if self.turns == 0 {
             self.turn = self.left.len();
         }
-        self.iterations = self.of_a_turn(setup);
+        self.iterations = self.of_a_turn(fleet);
     }
 }
 
@@ -71,7 +71,7 @@ impl Search {
             Search::Moves(moves) => moves.iterate(ground, stats),
             Search::Composite(composite) => {
                 let before = composite.stats();
-                let status = composite.iterate(ground.setup, u32::MAX);
+                let status = composite.iterate(ground.fleet, u32::MAX);
                 let after = composite.stats();
                 stats.pair_checks += after.pair_checks - before.pair_checks;
                 stats.motion_checks += after.motion_checks - before.motion_checks;

@@ -8,12 +8,12 @@
 
 use super::advancement::{Conflict, found};
 use super::document::{Fleet, FleetRobot, pose};
-use super::motion::{Footprint, Pose, difference};
+use super::motion::{Footprint, Pose};
 use super::result::FleetResult;
 use super::trajectory::{Trajectory, moved_until_next};
 use crate::error::{Code, Error, Number, quoted};
-use crate::path::{self, ResultDocument, Verdict};
-use crate::problem::{Stats, Status};
+use crate::path;
+use crate::problem::Status;
 use crate::robot::LARGEST;
 use crate::scenario::Robot;
 use serde::Serialize;
@@ -177,42 +177,8 @@ pub fn trajectories(fleet: &Fleet, result: &FleetResult) -> Result<Vec<Trajector
 fn check_alone(fleet: &Fleet, robot: usize, trajectory: &Trajectory, path: &[Vec<f64>]) -> Result<(), String> {
     let member = &fleet.robots()[robot];
     check_speed(member, trajectory)?;
-    let scenario = fleet.scenario(robot);
-    let weights = member.robot.placed_shape().map(|(_, weights)| weights);
-    let length = trajectory.poses().windows(2).map(|ends| {
-        let [x, y, turn] = difference(ends[0], ends[1]);
-        let way = (x * x + y * y).sqrt();
-        weights.map_or(way, |weights| weights.translation * way + weights.rotation * turn.abs())
-    });
-    let result = ResultDocument {
-        scenario: scenario.name().to_owned(),
-        query: member.name.clone(),
-        planner: String::new(),
-        seed: 0,
-        status: Status::Solved,
-        reason: None,
-        explanation: None,
-        path: path.to_vec(),
-        motions: None,
-        blends: None,
-        integration: None,
-        length: length.sum::<f64>() + 0.0,
-        length_measure: None,
-        blended_length: None,
-        chord_length: None,
-        stats: Stats::default(),
-        fingerprint: 0,
-        edge_check: None,
-        coverage: None,
-        moved_start: None,
-        moved_goal: None,
-        approximate: None,
-    };
-    match path::verify_within(&scenario, &result, MOST_SAMPLES / fleet.robots().len() as u64) {
-        Ok(Verdict::Valid { .. }) => Ok(()),
-        Ok(Verdict::Invalid { why }) => Err(why),
-        Err(error) => Err(error.message().to_owned()),
-    }
+    let refinements = MOST_SAMPLES / fleet.robots().len() as u64;
+    path::verify_path(fleet.world(), &member.robot, [&member.start, &member.goal], path, refinements)
 }
 
 /// Returns an error if a motion is faster than the robot, judged by its own duration. Its times are rounded to the next

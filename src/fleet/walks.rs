@@ -50,14 +50,15 @@ struct Walk {
 impl Walks {
     /// The walks of a seed.
     pub fn new(ground: &Ground, seed: u64) -> Self {
-        let robots = 0..ground.setup.kinds.len();
-        let ends: Vec<[u32; 2]> = robots.map(|robot| ground.roadmaps[ground.setup.kinds[robot]].ends(robot)).collect();
+        let robots = 0..ground.fleet.kinds().len();
+        let ends: Vec<[u32; 2]> =
+            robots.map(|robot| ground.roadmaps[ground.fleet.kinds()[robot]].ends(robot)).collect();
         let [starts, goals] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<Vec<u32>>());
         let random = Random::new(seed, Stream::Moves);
         let (tree, ends) = (vec![(starts.into(), 0)], vec![0]);
         let edges = |robot: usize| {
             let distances = ground.distances[robot].iter().copied().filter(|distance| distance.is_finite());
-            distances.fold(0.0, f64::max) / ground.roadmaps[ground.setup.kinds[robot]].mean_way()
+            distances.fold(0.0, f64::max) / ground.roadmaps[ground.fleet.kinds()[robot]].mean_way()
         };
         let most = (0..goals.len()).map(edges).filter(|edges| edges.is_finite()).fold(0.0, f64::max);
         let moves = (MOVES[0] + MOVES[1] * most) as u32;
@@ -72,7 +73,7 @@ impl Walks {
         };
         if walk.distances.len() < self.goals.len() {
             let robot = walk.distances.len();
-            let roadmap = &ground.roadmaps[ground.setup.kinds[robot]];
+            let roadmap = &ground.roadmaps[ground.fleet.kinds()[robot]];
             let distances = if self.random.below(2) == 0 {
                 walk.order.push(robot);
                 Arc::clone(&ground.distances[robot])

@@ -91,57 +91,105 @@ impl MethodId {
         })
     }
 
-    /// The defaults of an iterative method: gradient descent is slow near the target.
-    fn defaults(self) -> IterativeOptions {
-        let mut defaults = IterativeOptions::default();
-        if self == MethodId::GradientDescent {
-            defaults.stopping = Stopping { tolerance: 1e-4, max_iterations: 50_000 };
+    /// The method with its default options: gradient descent is slow near the target, so that it stops farther from it.
+    pub fn options(self) -> MethodOptions {
+        match self {
+            MethodId::ClosedForm => MethodOptions::ClosedForm(ClosedFormOptions::default()),
+            MethodId::Newton => MethodOptions::Newton(IterativeOptions::default()),
+            MethodId::DampedLeastSquares => MethodOptions::DampedLeastSquares(IterativeOptions::default()),
+            MethodId::GradientDescent => {
+                let stopping = Stopping { tolerance: 1e-4, max_iterations: 50_000 };
+                MethodOptions::GradientDescent(IterativeOptions { stopping, ..IterativeOptions::default() })
+            }
         }
-        defaults
     }
 
     /// Its description.
     pub fn info(self) -> Info {
         let mut options = Vec::new();
-        match self {
-            MethodId::ClosedForm => options = ClosedFormOptions::table(),
-            _ => self.defaults().rows(OptionInfo::default(), &ANY, &mut options),
+        match self.options() {
+            MethodOptions::ClosedForm(_) => options = ClosedFormOptions::table(),
+            MethodOptions::Newton(own)
+            | MethodOptions::DampedLeastSquares(own)
+            | MethodOptions::GradientDescent(own) => own.rows(OptionInfo::default(), &ANY, &mut options),
         }
         let [title, summary] = [self.get_message(), self.get_documentation()].map(Option::unwrap_or_default);
         Info { id: self.as_str(), title, summary, options }
     }
+}
 
-    /// Its options, given by name; without restarts for the closed form.
-    pub(super) fn read(self, given: &[(String, Value)]) -> Result<(Stopping, u64, Finding), Error> {
-        if self == MethodId::ClosedForm {
-            let ClosedFormOptions { stopping, finding } = Options::read(given)?;
-            return Ok((stopping, 0, finding));
-        }
-        let IterativeOptions { stopping, starting, finding } = self.defaults().updated(given)?;
-        Ok((stopping, starting.restarts, finding))
+/// A method with its options.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum MethodOptions {
+    /// The closed form.
+    ClosedForm(ClosedFormOptions),
+    /// Newton-Raphson.
+    Newton(IterativeOptions),
+    /// Damped least squares, the default.
+    DampedLeastSquares(IterativeOptions),
+    /// Gradient descent, whose default options [`MethodId::options`] has.
+    GradientDescent(IterativeOptions),
+}
+
+impl Default for MethodOptions {
+    fn default() -> Self {
+        MethodOptions::DampedLeastSquares(IterativeOptions::default())
     }
 }
 
-/// The target, method, start, seed and parameters of a run.
+impl MethodOptions {
+    /// The method with the given id, by default damped least squares, and with options given by name; the rest have the defaults
+    /// of the method.
+    ///
+    /// # Errors
+    /// Those of [`MethodId::of`]; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the
+    /// pointer `/name`.
+    pub fn read(id: Option<&str>, given: &[(String, Value)]) -> Result<Self, Error> {
+        MethodId::of(id)?.options().updated(given)
+    }
+
+    fn updated(self, given: &[(String, Value)]) -> Result<Self, Error> {
+        Ok(match self {
+            Self::ClosedForm(options) => Self::ClosedForm(options.updated(given)?),
+            Self::Newton(options) => Self::Newton(options.updated(given)?),
+            Self::DampedLeastSquares(options) => Self::DampedLeastSquares(options.updated(given)?),
+            Self::GradientDescent(options) => Self::GradientDescent(options.updated(given)?),
+        })
+    }
+
+    /// The method, and when it stops, how often it restarts and what it finds, all in range; the closed form has no restarts.
+    pub(super) fn checked(self) -> Result<(MethodId, Stopping, u64, Finding), Error> {
+        let (id, IterativeOptions { stopping, starting, finding }) = match self.updated(&[])? {
+            Self::ClosedForm(ClosedFormOptions { stopping, finding }) => {
+                return Ok((MethodId::ClosedForm, stopping, 0, finding));
+            }
+            Self::Newton(options) => (MethodId::Newton, options),
+            Self::DampedLeastSquares(options) => (MethodId::DampedLeastSquares, options),
+            Self::GradientDescent(options) => (MethodId::GradientDescent, options),
+        };
+        Ok((id, stopping, starting.restarts, finding))
+    }
+}
+
+/// The target, method, start and seed of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolverOptions {
     /// The target of the tip.
     pub target: Target,
-    /// The id of the method; damped least squares by default.
-    pub method: Option<String>,
+    /// The method with its options.
+    pub method: MethodOptions,
     /// The first start; by default the start of the scenario's first query, or without a query all joints at 0 or as near to it
     /// as the limits allow.
     pub start: Option<Vec<f64>>,
     /// The seed of the other starts, up to 2^53 - 1.
     pub seed: u64,
-    /// Parameters by name; the rest take their defaults.
-    pub parameters: Vec<(String, Value)>,
 }
 
 impl SolverOptions {
     /// All defaults, for a target.
     pub fn to(target: Target) -> Self {
-        Self { target, method: None, start: None, seed: 0, parameters: Vec::new() }
+        Self { target, method: MethodOptions::default(), start: None, seed: 0 }
     }
 }
 

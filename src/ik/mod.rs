@@ -20,7 +20,8 @@ pub use crate::robot::Target;
 pub use follow::{Followed, follow};
 pub use kinematics::{jacobian, manipulability, orientation, singular_values};
 pub use methods::{
-    ClosedFormOptions, Finding, IterativeOptions, MethodId, SolverOptions, Starting, Stopping, arm_of, methods,
+    ClosedFormOptions, Finding, IterativeOptions, MethodId, MethodOptions, SolverOptions, Starting, Stopping, arm_of,
+    methods,
 };
 pub use nearest::{Nearest, nearest_reachable};
 pub use result::{Reason, Rejected, SolverResult, SolverStats, Verdict};

@@ -94,17 +94,16 @@ impl Solver {
     ///
     /// # Errors
     /// `unsupported` if the robot is not an arm, if the arm has one link and an orientation is wanted, or if it has no closed
-    /// form (pointer `/method`); `out-of-range` for an unknown method or a seed beyond 2^53 - 1; of the target (pointers
-    /// `/target/0`, `/target/1`, `/orientation`), of the start (below `/start`) and of parameters (`/name`): `not-finite`,
-    /// `out-of-range`, `wrong-dimension`, `wrong-type`, `unknown-parameter`.
+    /// form (pointer `/method`); `out-of-range` for a seed beyond 2^53 - 1; of the target (pointers
+    /// `/target/0`, `/target/1`, `/orientation`), of the start (below `/start`) and of options (`/name`): `not-finite`,
+    /// `out-of-range`, `wrong-dimension`.
     pub fn new(scenario: impl Into<PlanningWorld>, options: &SolverOptions) -> Result<Self, Error> {
         let world = scenario.into();
         let scenario = world.scenario();
         let arm = arm_of(scenario)?;
-        let id = MethodId::of(options.method.as_deref())?;
         check_seed(options.seed)?;
         let target = options.target.checked(arm)?;
-        let (mut stopping, max_restarts, finding) = id.read(&options.parameters)?;
+        let (id, mut stopping, max_restarts, finding) = options.method.checked()?;
         let task = Task::new(arm, &target);
         let query = scenario.queries().first().map(|query| query.start.as_slice());
         let start = match options.start.as_deref().or(query) {

@@ -3,11 +3,13 @@
 //! Text becomes a [`serde_json::Value`] first, so that text that is not JSON is reported before unknown fields; [`read`] turns
 //! that into a type. Every error has a JSON pointer (RFC 6901).
 
+mod document;
 pub mod hex;
 mod tree;
 mod typed;
 mod write;
 
+pub(crate) use document::{objects, one_format, read_document};
 pub use tree::parse;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use tree::{Unread, in_javascript, read_tree};

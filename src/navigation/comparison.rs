@@ -8,17 +8,17 @@
 use super::document::{Navigation, NavigationQuery};
 use super::episode;
 use super::execution::Executor;
-use super::floor::Floor;
 use super::policy::Policy;
 use super::roadmap::{self, RolloutOptions};
 use super::rollout::{Drive, Outcome};
 use crate::error::{Code, Error};
 use crate::geometry::Point;
-use crate::options::{Options as _, Value};
+use crate::options::Options as _;
 use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::run::{self, LazyPrmOptions, Options, PlannerOptions, PrmOptions, Run};
 use crate::statistics::{Mean, Share, mean, resampled, share};
+use crate::world::PlanningWorld;
 use serde::Serialize;
 
 crate::options! {
@@ -162,18 +162,18 @@ impl Stepped for Comparison {
 }
 
 impl Comparison {
-    /// Begins, with options given by name and a seed, 0 to 2^53 - 1.
+    /// Begins, with a seed, 0 to 2^53 - 1.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`;
+    /// `not-finite` or `out-of-range`, with the pointer of the option;
     /// `out-of-range` at `/least_distance` if the floor has no two positions so far apart, with room for the margin; at
     /// `/robot/shape` if it has no room for the robot; `unsupported` for a policy that senses in another way.
-    pub fn new(task: &Navigation, policy: &Policy, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
-        let options = ComparisonOptions::read(given)?;
+    pub fn new(task: &Navigation, policy: &Policy, options: &ComparisonOptions, seed: u64) -> Result<Self, Error> {
+        options.check()?;
         check_seed(seed)?;
-        let queries = draw_queries(task, &options, seed)?;
+        let queries = draw_queries(task, options, seed)?;
         let task = task.with_queries(queries.clone())?;
-        let ComparisonOptions { samples, k, rollouts, .. } = options;
+        let ComparisonOptions { samples, k, rollouts, .. } = *options;
         let prm = PrmOptions {
             samples: Some(samples),
             k: Some(k),
@@ -182,11 +182,14 @@ impl Comparison {
         };
         let lazy_prm = LazyPrmOptions { samples: Some(samples), k, ..LazyPrmOptions::default() };
         let of = |planner: PlannerOptions| Options { seed, events: false, ..Options::new(planner) };
-        let straight = |margin| run::start(&task.disc_scenario(margin)?, &of(prm.into()));
+        let straight = |margin| {
+            let grown = PlanningWorld::sharing(task.disc_scenario(margin)?, task.collision());
+            run::start(&grown, of(prm.into()))
+        };
         let [straight, with_margin] = [straight(0.0)?, straight(options.margin)?];
         let learned = roadmap::start(&task, policy, &rollouts, &of(lazy_prm.into()))?;
         Ok(Self {
-            options,
+            options: *options,
             seed,
             time_step: task.robot().drive.time_step(),
             queries,
@@ -302,7 +305,7 @@ pub fn overall(groups: &[Vec<Vec<MethodSummary>>]) -> Vec<MethodOverall> {
 
 /// Queries between configurations that are far apart.
 fn draw_queries(task: &Navigation, options: &ComparisonOptions, seed: u64) -> Result<Vec<NavigationQuery>, Error> {
-    let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
+    let floor = task.floor();
     let no_room = || Error::new(Code::OutOfRange, "/robot/shape", "the floor has no room for the robot");
     let mut random = Random::new(seed, Stream::Tasks);
     let mut queries = Vec::with_capacity(options.queries);

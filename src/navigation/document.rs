@@ -4,19 +4,20 @@
 use super::FORMAT;
 use super::floor::Floor;
 use super::sensor::{Fan, Sensor};
-use crate::error::{Code, Error, quoted, within};
+use crate::collision::CollisionWorld;
+use crate::error::{Code, Error, within};
 use crate::geometry::{Aabb, Point};
-use crate::json::{self, by_type};
+use crate::json::{self, by_type, objects, one_format};
 use crate::robot::{DifferentialDrive, Footprint, Part, Round};
 use crate::scenario::document::{self, World as WorldDocument};
 use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive, Speed};
-use crate::scenario::validate::{check_name, checked_polygon, checked_world};
-use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World};
+use crate::scenario::validate::{Names, check_name, checked_polygon, checked_world, note_name};
+use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World, find_query};
+use crate::world::Derived;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The default distance from a goal at which it is reached, in metres.
@@ -24,19 +25,6 @@ pub(super) const GOAL_TOLERANCE: f64 = 0.3;
 
 /// The default time step, in seconds.
 pub(super) const TIME_STEP: f64 = 0.2;
-
-/// The objects of a document: each is read with its fields and no others, and has a schema.
-macro_rules! objects {
-    ($($item:item)*) => {
-        $(
-            #[derive(Deserialize)]
-            #[cfg_attr(feature = "schema", derive(JsonSchema))]
-            #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-            #[serde(deny_unknown_fields)]
-            $item
-        )*
-    };
-}
 
 objects! {
     /// A navigation task: a floor, a robot that senses distances, and queries. Lengths in metres, angles in radians,
@@ -113,13 +101,7 @@ objects! {
     }
 }
 
-/// The one format.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
-enum Format {
-    #[serde(rename = "planarium-navigation-1")]
-    One,
-}
+one_format!(enum Format = "planarium-navigation-1");
 
 /// The robot: a differential drive.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
@@ -199,7 +181,7 @@ pub struct Navigator {
 pub struct Navigation(Arc<Content>);
 
 /// The content of a task, as its document has it.
-#[derive(Debug, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "format", rename = "planarium-navigation-1")]
 struct Content {
     name: String,
@@ -209,6 +191,8 @@ struct Content {
     robot: Navigator,
     goal_tolerance: f64,
     queries: Vec<NavigationQuery>,
+    #[serde(skip)]
+    collision: Derived<CollisionWorld>,
 }
 
 /// A query: from a configuration to a position.
@@ -244,25 +228,19 @@ impl Navigation {
     /// # Errors
     /// Those of [`Navigation::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
-        }
-        let Document { format: Format::One, name, title, world, robot, goal_tolerance, queries } = json::read(tree)?;
+        let Document { format: Format::One, name, title, world, robot, goal_tolerance, queries } =
+            json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
         let RobotDocument::DifferentialDrive(robot) = robot;
         let robot = checked_robot(robot).map_err(|error| error.under("/robot"))?;
         let tolerance = goal_tolerance.map_or(GOAL_TOLERANCE, |tolerance| tolerance.0);
-        let mut names = BTreeSet::new();
+        let mut names = Names::new();
         let mut checked = Vec::with_capacity(queries.len());
         for (i, QueryDocument { name, start, goal }) in queries.into_iter().enumerate() {
             let pointer = format!("/queries/{i}/name");
             check_name(&name, &pointer)?;
-            if !names.insert(name.clone()) {
-                let sentence = format!("another query has the name {}, too", quoted(&name));
-                return Err(Error::new(Code::DuplicateName, pointer, sentence));
-            }
+            note_name(&mut names, &name, "query", &pointer)?;
             checked.push(NavigationQuery { name, start: start.map(|x| x.0), goal: goal.map(|x| x.0) });
         }
         Self::new(name, title, world, robot, tolerance, checked)
@@ -283,8 +261,13 @@ impl Navigation {
         if world.bounds.is_none() {
             return Err(Error::new(Code::MissingField, "/world/bounds", "the field \"bounds\" is missing"));
         }
-        let task = Self(Arc::new(Content { name, title, world, robot, goal_tolerance, queries }));
-        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
+        let collision = Derived(CollisionWorld::from(&world));
+        Self::checked(Content { name, title, world, robot, goal_tolerance, queries, collision })
+    }
+
+    fn checked(content: Content) -> Result<Self, Error> {
+        let task = Self(Arc::new(content));
+        let floor = task.floor();
         for (i, query) in task.queries().iter().enumerate() {
             floor.check(query.start, query.goal).map_err(|error| error.under(&format!("/queries/{i}")))?;
         }
@@ -296,8 +279,23 @@ impl Navigation {
     /// # Errors
     /// `start-in-collision` and `goal-in-collision`, with a pointer into `/queries`.
     pub fn with_queries(&self, queries: Vec<NavigationQuery>) -> Result<Self, Error> {
-        let Content { name, title, world, robot, goal_tolerance, .. } = &*self.0;
-        Self::new(name.clone(), title.clone(), world.clone(), robot.clone(), *goal_tolerance, queries)
+        Self::checked(Content { queries, ..Content::clone(&self.0) })
+    }
+
+    /// The same floor for the robot of another task, without queries.
+    pub(super) fn for_robot_of(&self, other: &Navigation) -> Self {
+        let (robot, goal_tolerance) = (other.robot().clone(), other.goal_tolerance());
+        Self(Arc::new(Content { title: None, robot, goal_tolerance, queries: Vec::new(), ..Content::clone(&self.0) }))
+    }
+
+    /// The obstacles and bounds, prepared.
+    pub(super) fn collision(&self) -> &CollisionWorld {
+        &self.0.collision
+    }
+
+    /// The floor, prepared for the robot.
+    pub(super) fn floor(&self) -> Floor {
+        Floor::new(self.bounds(), self.collision(), &self.robot().drive)
     }
 
     /// The name, used in results.
@@ -340,17 +338,8 @@ impl Navigation {
     /// # Errors
     /// `unknown-query`, pointer `/query`, naming those that exist.
     pub fn find_query(&self, name: Option<&str>) -> Result<(usize, &NavigationQuery), Error> {
-        let found = self.queries().iter().enumerate().find(|(_, query)| name.is_none_or(|name| query.name == name));
-        found.ok_or_else(|| {
-            let known: Vec<String> = self.queries().iter().map(|query| quoted(&query.name)).collect();
-            let sentence = match name {
-                Some(name) => {
-                    format!("unknown query {}; the queries of this task are [{}]", quoted(name), known.join(", "))
-                }
-                None => "this task has no query".to_owned(),
-            };
-            Error::new(Code::UnknownQuery, "/query", sentence)
-        })
+        let i = find_query("task", self.queries().iter().map(|query| &*query.name), name)?;
+        Ok((i, &self.queries()[i]))
     }
 
     /// The scenario of a disc in which the robot turns on the spot: its queries are those of the task without headings. Straight
@@ -376,12 +365,7 @@ impl Navigation {
     pub fn sense(&self, q: [f64; 3]) -> Vec<f64> {
         let sensor = &self.robot().sensor;
         let mut distances = vec![0.0; sensor.rays];
-        Floor::new(self.bounds(), self.world(), &self.robot().drive).sense(
-            q,
-            sensor,
-            &Fan::new(sensor),
-            &mut distances,
-        );
+        self.floor().sense(q, sensor, &Fan::new(sensor), &mut distances);
         distances
     }
 

@@ -6,7 +6,7 @@ use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment};
 use crate::problem::naming_nearest;
 use crate::robot::{DifferentialDrive, Footprint, Round, plane};
-use crate::scenario::{Obstacle, World};
+use crate::scenario::Obstacle;
 use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -101,16 +101,15 @@ impl Near {
 }
 
 impl Floor {
-    /// Prepares a world with these bounds, and a drive in it.
-    pub(super) fn new(bounds: &Aabb, world: &World, drive: &DifferentialDrive) -> Self {
-        let world = CollisionWorld::from(world);
+    /// Prepares a drive in a world with these bounds.
+    pub(super) fn new(bounds: &Aabb, world: &CollisionWorld, drive: &DifferentialDrive) -> Self {
         let (obstacles, bounds) = (world.obstacles(), *bounds);
         let shape = drive.shape();
         let reach = shape.reach();
         let slack = SLACK * (obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + reach);
         let shape = match shape {
             Footprint::Disc(Round { .. }) => Shape::Disc,
-            Footprint::Polygon(polygon) => Shape::Polygon(BodyCollision::new(polygon, world, TOLERANCE)),
+            Footprint::Polygon(polygon) => Shape::Polygon(BodyCollision::new(polygon, world.clone(), TOLERANCE)),
         };
         Self { obstacles, bounds, reach, slack, shape, near: RefCell::default() }
     }

@@ -2,16 +2,14 @@
 
 use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, TIME_STEP};
 use super::episode;
-use super::floor::Floor;
 use super::sensor::Sensor;
 use crate::error::Error;
-use crate::generators::{self, Generator, SEEDS, generators, given};
+use crate::generators::{Generator, SEEDS, generators};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
-use crate::options::{Info, Value, out_of_range};
+use crate::options::out_of_range;
 use crate::random::{Random, Stream};
 use crate::robot::{DifferentialDrive, Footprint, Round};
 use crate::scenario::{Obstacle, World};
-use serde_json::Value as Json;
 use std::f64::consts::TAU;
 
 /// The most draws of obstacles.
@@ -87,32 +85,9 @@ crate::options! {
 }
 
 generators! {
-    Navigation:
+    Navigation, navigation_generators:
     RoomsOptions => "rooms", "Rooms", "An office of rooms with doors and furniture, for a differential drive.";
     FurnishedOptions => "furnished", "Furnished", "A floor with furniture and pieces of walls, for a differential drive.";
-}
-
-/// The generators of navigation tasks with their options.
-pub fn navigation_generators() -> Vec<Info> {
-    descriptions()
-}
-
-/// Generates a task by the generator's id, with options given by name: those of [`navigation_generators`] and `seed`; the rest
-/// take their defaults.
-///
-/// # Errors
-/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `not-finite`,
-/// `out-of-range`.
-pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Navigation, Error> {
-    generators::generate(MAKERS, id, options, &[])
-}
-
-/// The same with the options as an object (`{}` for all defaults).
-///
-/// # Errors
-/// Those of [`generate_with`], and `wrong-type` if the options are not an object.
-pub fn generate(id: &str, options: &Json) -> Result<Navigation, Error> {
-    generate_with(id, &given(options)?)
 }
 
 impl DriveOptions {
@@ -155,7 +130,7 @@ impl DriveOptions {
         let bounds = Some(Aabb { min: Point::origin(), max: Point::new(width, height) });
         let world = World { bounds, obstacles: obstacles.into() };
         let task = Navigation::new(name, Some(title), world, self.robot()?, GOAL_TOLERANCE, Vec::new())?;
-        let floor = Floor::new(task.bounds(), task.world(), &task.robot().drive);
+        let floor = task.floor();
         let Some(start) = episode::configuration(&floor, random) else {
             return Err(out_of_range("radius", "there is no room for a robot of this radius".to_owned()));
         };
@@ -169,7 +144,7 @@ impl DriveOptions {
 impl Generator for FurnishedOptions {
     type Made = Navigation;
 
-    fn generate(&self) -> Result<Navigation, Error> {
+    fn make(&self) -> Result<Navigation, Error> {
         let Self { side, furniture, walls, doors, door, gap, drive, seed } = *self;
         drive.check_door(door, WIDEST_DOOR)?;
         let mut random = Random::new(seed, Stream::Scenario);
@@ -202,7 +177,7 @@ impl Generator for FurnishedOptions {
 impl Generator for RoomsOptions {
     type Made = Navigation;
 
-    fn generate(&self) -> Result<Navigation, Error> {
+    fn make(&self) -> Result<Navigation, Error> {
         let Self { columns, rows, room, door, loops, furniture, drive, seed } = *self;
         drive.check_door(door, room - 3.0 * WALL)?;
         let mut random = Random::new(seed, Stream::Scenario);

@@ -40,12 +40,15 @@ mod rollout;
 mod sensor;
 mod training;
 
+pub use crate::generators::Generator;
 pub use comparison::{Comparison, ComparisonOptions, Execution, Method, MethodOverall, MethodSummary, overall};
 #[cfg(feature = "schema")]
 pub use document::schema;
 pub use document::{Navigation, NavigationQuery, Navigator, Noise};
 pub use execution::Executor;
-pub use generate::{generate, generate_with, navigation_generators};
+pub use generate::{
+    DriveOptions, DriveShape, FurnishedOptions, RoomsOptions, generate, generate_with, navigation_generators,
+};
 pub use policy::{MAX_HIDDEN, POLICY_FORMAT, Policy};
 pub use result::{NavigationResult, navigate};
 pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, read_options, start};

@@ -7,7 +7,7 @@
 
 use super::document::Navigator;
 use super::sensor::Sensor;
-use crate::error::{Code, Error, quoted, within};
+use crate::error::{Code, Error, within};
 use crate::json;
 use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
@@ -170,12 +170,7 @@ struct Document {
     weights: Vec<f64>,
 }
 
-/// The one format.
-#[derive(Deserialize)]
-enum Format {
-    #[serde(rename = "planarium-policy-1")]
-    One,
-}
+json::one_format!(enum Format = "planarium-policy-1");
 
 impl Policy {
     /// The policy of these weights.
@@ -204,12 +199,8 @@ impl Policy {
     /// # Errors
     /// Those of [`Policy::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        let format = tree.get("format").and_then(|format| format.as_str());
-        if let Some(format) = format.filter(|format| *format != POLICY_FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{POLICY_FORMAT}\"", quoted(format));
-            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
-        }
-        let Document { format: Format::One, name, sensor, hidden, seed, generations, weights } = json::read(tree)?;
+        let Document { format: Format::One, name, sensor, hidden, seed, generations, weights } =
+            json::read_document(tree, POLICY_FORMAT)?;
         sensor.check("/sensor")?;
         within("/hidden", "the number of hidden units", hidden as f64, 1.0..=MAX_HIDDEN as f64)?;
         crate::random::check_seed(seed)?;

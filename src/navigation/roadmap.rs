@@ -185,10 +185,9 @@ impl Validity<[f64; SIZE]> for RolloutValidity {
 /// Those of [`PlannerOptions::read`].
 pub fn read_options(request: &Request) -> Result<(RolloutOptions, Options), Error> {
     let parameters = request.parameters.iter().cloned();
-    let (own, others): (Vec<_>, Vec<_>) = parameters.partition(|(name, _)| RolloutOptions::has(name));
+    let (own, parameters): (Vec<_>, Vec<_>) = parameters.partition(|(name, _)| RolloutOptions::has(name));
     let rollouts = RolloutOptions::read(&own)?;
-    let planner = request.planner.as_deref().map_or(Ok(default_planner()), PlannerOptions::of)?;
-    Ok((rollouts, request.with(planner.updated(&others)?)))
+    Ok((rollouts, Request { parameters, ..request.clone() }.read(default_planner())?))
 }
 
 /// The planner if none is named.
@@ -258,7 +257,7 @@ fn start_between(
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
     let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
     let validity = RolloutValidity {
-        turning: DiscValidity::new(&disc, task.world()),
+        turning: DiscValidity::new(&disc, task.collision().clone()),
         rollouts: Rollouts::new(task, policy, *rollouts, options.seed)?,
     };
     let [start, goal] = [&query.start[..2], &query.goal[..]].map(|q| space.state(q));

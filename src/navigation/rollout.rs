@@ -100,12 +100,7 @@ impl Simulation {
     pub(super) fn new(task: &Navigation) -> Self {
         let sensor = &task.robot().sensor;
         let distances = RefCell::new(vec![0.0; sensor.rays]);
-        Self {
-            floor: Floor::new(task.bounds(), task.world(), &task.robot().drive),
-            task: task.clone(),
-            fan: Fan::new(sensor),
-            distances,
-        }
+        Self { floor: task.floor(), task: task.clone(), fan: Fan::new(sensor), distances }
     }
 
     pub(super) fn task(&self) -> &Navigation {

@@ -12,12 +12,13 @@
 
 use super::document::Navigation;
 use super::episode;
-use super::generate::generate_with;
+use super::generate::FurnishedOptions;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
 use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
-use crate::options::{Options, Value};
+use crate::generators::Generator;
+use crate::options::Options;
 use crate::problem::{Status, Stepped};
 use crate::random::{Random, Stream, check_seed};
 use crate::statistics::{Share, share};
@@ -115,14 +116,14 @@ impl Stepped for Training {
 }
 
 impl Training {
-    /// Begins, for the robot of a task and its goal tolerance, with options given by name and a seed, 0 to 2^53 - 1. The floors
-    /// are those of the generator `furnished`.
+    /// Begins, for the robot of a task and its goal tolerance, with a seed, 0 to 2^53 - 1. The floors are those of the generator
+    /// `furnished`.
     ///
     /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`;
-    /// `out-of-range` at `/robot/shape` if the floors have no room for the robot.
-    pub fn new(task: &Navigation, given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
-        let options = TrainingOptions::read(given)?;
+    /// `not-finite` or `out-of-range`, with the pointer of the option; `out-of-range` at `/robot/shape` if the floors have no
+    /// room for the robot.
+    pub fn new(task: &Navigation, options: &TrainingOptions, seed: u64) -> Result<Self, Error> {
+        options.check()?;
         check_seed(seed)?;
         let floors = options.floors as u64;
         let first = (seed % FLOORS_PER_SEED) * FLOORS_PER_SEED;
@@ -131,7 +132,7 @@ impl Training {
         let weights = sizes.random(&mut Random::new(seed, Stream::Weights));
         let count = weights.len();
         let mut training = Self {
-            options,
+            options: *options,
             seed,
             simulations,
             sizes,
@@ -361,16 +362,8 @@ pub const FRESH_FLOORS: u64 = 50;
 
 /// The floor of this seed for the robot of a task.
 fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {
-    let generated = generate_with("furnished", &[("seed".to_owned(), Value::Number(seed as f64))])?;
-    let parts = Navigation::new(
-        generated.name().to_owned(),
-        None,
-        generated.world().clone(),
-        task.robot().clone(),
-        task.goal_tolerance(),
-        Vec::new(),
-    )?;
-    Ok(Simulation::new(&parts))
+    let generated = FurnishedOptions { seed, ..FurnishedOptions::default() }.generate()?;
+    Ok(Simulation::new(&generated.for_robot_of(task)))
 }
 
 /// Trains a policy on several threads: each has a training of its own, evaluates a part of each generation, and gets the returns
@@ -382,7 +375,7 @@ fn floor(task: &Navigation, seed: u64) -> Result<Simulation, Error> {
 #[cfg(feature = "parallel")]
 pub fn train(
     task: &Navigation,
-    given: &[(String, Value)],
+    options: &TrainingOptions,
     seed: u64,
     threads: std::num::NonZeroUsize,
     mut watch: impl FnMut(&Training) -> bool,
@@ -391,11 +384,11 @@ pub fn train(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build().map_err(|error| {
         Error::new(Code::Unsupported, "/threads", format!("the threads cannot be started: {error}"))
     })?;
-    let first = Training::new(task, given, seed)?;
+    let first = Training::new(task, options, seed)?;
     // No more than there are candidates.
     let others = threads.get().min(first.candidates()) - 1;
     let mut team = std::iter::once(Ok(first))
-        .chain((0..others).map(|_| Training::new(task, given, seed)))
+        .chain((0..others).map(|_| Training::new(task, options, seed)))
         .collect::<Result<Vec<_>, _>>()?;
     let (count, members) = (team[0].candidates(), team.len());
     while team[0].status() == Status::Running {

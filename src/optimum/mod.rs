@@ -12,11 +12,11 @@ mod circles;
 mod grid;
 mod tangent_graph;
 
+pub use crate::planner::MetricOptions;
+
 use crate::error::{Code, Error};
 use crate::geometry::{Point, wrap};
-use crate::options::{Options as _, Value};
 use crate::path::{LengthMeasure, length, split};
-use crate::planner::MetricOptions;
 use crate::problem::Problem;
 use crate::scenario::{Query, Robot};
 use crate::space::{MotionSpace, Space};
@@ -69,20 +69,19 @@ pub struct Optimum {
     pub path: Vec<Vec<f64>>,
 }
 
-/// The shortest path of a query of the scenario, of the first one if none is named. Parameters are those of runs that are about
-/// the metric: `metric`, of arms.
+/// The shortest path of a query of the scenario, of the first one if none is named, in a metric of the robot.
 ///
 /// Exact for a disc, in O(n^2 log n) for n corners and discs. Else a reference, in some million proofs of motions to a neighbour
 /// on a grid at most, and some thousand shortcuts.
 ///
 /// # Errors
-/// `unknown-query`; `unknown-parameter`, `out-of-range`, `wrong-type` of a parameter; `unsupported` for a car, an arm without
+/// `unknown-query`; `out-of-range` for a metric of other robots (pointer `/metric`); `unsupported` for a car, an arm without
 /// exactly two joints, a body that turns, and a query with a target; `start-in-collision`, `goal-in-collision`; `too-large` for
 /// more than 4000 convex corners and discs, or more than 2,000,000 free tangents between them.
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,
-    parameters: &[(String, Value)],
+    MetricOptions { metric }: MetricOptions,
 ) -> Result<Optimum, Error> {
     let world = scenario.into();
     let (index, query) = world.scenario().find_query(query)?;
@@ -91,7 +90,6 @@ pub fn optimum(
         _ => error,
     };
     refuse_others(world.robot(), query)?;
-    let metric = MetricOptions::read(parameters)?.metric;
     let space = MotionSpace::new(world.space::<SMALL>(metric)?);
     let goal = query.configuration().expect("a query with a target was refused");
     let (start, goal) = (space.state(&query.start), space.state(goal));

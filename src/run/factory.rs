@@ -20,22 +20,66 @@ use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
 
-/// Begins a run. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that several runs share.
+/// Begins a run, with options or a planner's alone. The scenario may be given as it is, or prepared as a [`PlanningWorld`] that
+/// several runs share.
 ///
 /// # Errors
 /// `unknown-query`; `not-finite` and `out-of-range` for values of options, `unsupported` and `out-of-range` for options of other
 /// robots, with a pointer into the options; `start-in-collision` or `goal-in-collision` with a pointer into the scenario.
-pub fn start(scenario: impl Into<PlanningWorld>, options: &Options) -> Result<Box<dyn Run>, Error> {
-    let world = scenario.into();
-    let planner = options.planner_for(Some(world.robot()));
+///
+/// # Example
+/// ```
+/// use planarium::run::{self, PrmOptions, Status};
+/// use planarium::worlds::generate;
+///
+/// let scenario = generate("maze", &serde_json::json!({}))?;
+/// let mut run = run::start(&scenario, PrmOptions { samples: Some(700), ..PrmOptions::default() })?;
+/// assert_eq!(run.step(u64::MAX), Status::Solved);
+/// # Ok::<(), planarium::Error>(())
+/// ```
+pub fn start(scenario: impl Into<PlanningWorld>, options: impl Into<Options>) -> Result<Box<dyn Run>, Error> {
+    let (world, options) = (scenario.into(), options.into());
     check_seed(options.seed)?;
-    planner.check()?;
-    launch(&world, options.clone(), None)
+    options.planner_for(Some(world.robot())).check()?;
+    launch(&world, options, None)
 }
 
 /// Begins a run of a planner on a problem that no scenario describes, in any [`Space`]. The result document names no scenario and
 /// no query, and the planner `custom`. Improving the path draws from `seed`; the planner has generators of its own. A planner
 /// that goes on to shorter paths ends as `termination` says.
+///
+/// # Example
+/// RRT-Connect in the unit square, around a disc, by samples of motions:
+///
+/// ```
+/// use planarium::path::Wanted;
+/// use planarium::planner::{Limits, PlannerOptions, RrtConnectOptions};
+/// use planarium::problem::{Contact, Problem, Touched, Validity};
+/// use planarium::run::{Status, start_on};
+/// use planarium::space::ProductSpace;
+///
+/// struct Disc;
+///
+/// impl Validity<[f64; 2]> for Disc {
+///     fn contacts(&self, [x, y]: &[f64; 2]) -> Vec<Contact> {
+///         let is_free = (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) > 0.04;
+///         if is_free { Vec::new() } else { vec![Contact { part: 0, with: Touched::Obstacle(0) }] }
+///     }
+///
+///     fn is_motion_free(&self, a: &[f64; 2], b: &[f64; 2]) -> bool {
+///         let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+///         (0..=100).all(|i| self.is_free(&at(f64::from(i) / 100.0)))
+///     }
+/// }
+///
+/// let space = ProductSpace::of_box(&[0.0, 0.0], &[1.0, 1.0]);
+/// let problem = Problem::new(space, Box::new(Disc), [0.1, 0.1], [0.9, 0.9])?;
+/// let planner = PlannerOptions::from(RrtConnectOptions::default()).begin(&problem, 7)?;
+/// let mut run = start_on(problem, planner, Limits::default(), None, Wanted::default(), 7);
+/// assert_eq!(run.step(u64::MAX), Status::Solved);
+/// assert!(run.length() > 1.13);
+/// # Ok::<(), planarium::Error>(())
+/// ```
 pub fn start_on<S: Space + 'static>(
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
@@ -73,18 +117,28 @@ pub(super) fn launch(
     let setup = Setup::of(world, &options)?;
     let options = Box::new(options);
     if world.robot().dimension() <= SMALL {
-        setup.run::<SMALL>(Source::Named(options, saved, None))
+        setup.run::<SMALL>(Source::Named(options, saved.map_or(Before::Nothing, Before::Saved)))
     } else {
-        setup.run::<MAX_DIMENSION>(Source::Named(options, saved, None))
+        setup.run::<MAX_DIMENSION>(Source::Named(options, saved.map_or(Before::Nothing, Before::Saved)))
     }
 }
 
 /// The planner of a run over states of `N` numbers.
 pub(super) enum Source<'a, const N: usize> {
-    /// One of this crate, from nothing, with a saved roadmap, or with the roadmap of a run in another world.
-    Named(Box<Options>, Option<&'a RoadmapDocument>, Option<Kept<'a, MotionSpace<N>>>),
+    /// One of this crate.
+    Named(Box<Options>, Before<'a, N>),
     /// One of the caller.
     Own(Box<Begin<'a, MotionSpace<N>>>),
+}
+
+/// What was built before a run begins.
+pub(super) enum Before<'a, const N: usize> {
+    /// Start and goals only.
+    Nothing,
+    /// A saved roadmap.
+    Saved(&'a RoadmapDocument),
+    /// The roadmap of a run in another world.
+    Kept(Kept<'a, MotionSpace<N>>),
 }
 
 /// A collision checker over states of `N` numbers.
@@ -189,28 +243,28 @@ impl<'a> Setup<'a> {
             problem.checkers = Some(Box::new(move || checked(fitted().validity())));
         }
         let roadmap = Some(self.empty_document(&space));
-        let before = self.world.clone();
+        let own = self.world.clone();
         let launch = Launch { problem, info: self.info, roadmap, reopen: None };
-        let (options, saved, kept) = match source {
+        let (options, before) = match source {
             // The id of its planner is not one that a saved roadmap can be continued by.
             Source::Own(begin) => return Launch { roadmap: None, ..launch }.run(begin),
-            Source::Named(options, saved, kept) => (options, saved, kept),
+            Source::Named(options, before) => (options, before),
         };
         let planner = options.planner_for(Some(robot));
         let reopen: Reopen<_> = Box::new(move |world, roadmap| {
-            let changes = Changes::between(before.scenario(), world.scenario())?;
+            let changes = Changes::between(own.scenario(), world.scenario())?;
             let kept = Kept { roadmap, changes, tolerance };
-            Setup::of(world, &options)?.run(Source::Named(options.clone(), None, Some(kept)))
+            Setup::of(world, &options)?.run(Source::Named(options.clone(), Before::Kept(kept)))
         });
         let mut launch = Launch { reopen: Some(reopen), ..launch };
-        match (kept, saved) {
-            (Some(kept), _) => {
+        match before {
+            Before::Kept(kept) => {
                 // It is searched for one path.
                 launch.info.termination = None;
                 launch.run(|problem, _| Ok(kept.reopened(problem, tolerance, &*checker().may_meet())))
             }
-            (None, Some(document)) => launch.resume(document, &*checked(checker().finest().validity()), &planner),
-            (None, None) => launch.run(|problem, seed| planner.begin(problem, seed)),
+            Before::Saved(document) => launch.resume(document, &*checked(checker().finest().validity()), &planner),
+            Before::Nothing => launch.run(|problem, seed| planner.begin(problem, seed)),
         }
     }
 

@@ -1,22 +1,24 @@
 //! The goal configurations of a query.
 
 use crate::error::{Code, Error, Number};
-use crate::ik::{Solver, SolverOptions, Verdict, arm_of, nearest_reachable};
-use crate::options::Value;
+use crate::ik::{
+    ClosedFormOptions, Finding, IterativeOptions, MethodOptions, Solver, SolverOptions, Stopping, Verdict, arm_of,
+    nearest_reachable,
+};
 use crate::problem::{Contact, Stepped};
 use crate::robot::{Target, link_name};
 use crate::scenario::{Goal, Query, Robot, Scenario};
 use crate::world::PlanningWorld;
 
 /// The most configurations that reach a target and are goals: more than an arm of few joints has distinct paths to.
-const MOST: f64 = 8.0;
+const MOST: u64 = 8;
 
 /// The largest final distance of the end effector from the target: a billionth of a metre, or less for an arm of less than a
 /// millimetre, a millionth of its reach, but nothing finer than the first number.
 const TOLERANCE: [f64; 3] = [1e-12, 1e-9, 1e-6];
 
 /// The most iterations of inverse kinematics for them: some milliseconds.
-const ITERATIONS: f64 = 4000.0;
+const ITERATIONS: u64 = 4000;
 
 /// The goal of the query; of a query with a target distinct free configurations that reach it, at least one: all there are
 /// if the arm has a closed form, else those that damped least squares finds from the start and from starts that the seed decides;
@@ -86,19 +88,13 @@ fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> Sol
     let (joints, reach) =
         if let Robot::Arm(arm) = scenario.robot() { (arm.links().len(), arm.reach()) } else { (0, 1.0) };
     let has_closed_form = joints <= 2 + usize::from(target.orientation.is_some());
-    let method = if has_closed_form { "closed-form" } else { "damped-least-squares" };
     let [finest, tolerance, part] = TOLERANCE;
-    let parameters = [
-        ("tolerance", Value::Number(tolerance.min(part * reach).max(finest))),
-        ("solutions", Value::Number(MOST)),
-        ("max_iterations", Value::Number(ITERATIONS)),
-        ("free_only", Value::Boolean(true)),
-    ];
-    SolverOptions {
-        target,
-        method: Some(method.to_owned()),
-        start: Some(query.start.clone()),
-        seed,
-        parameters: parameters.map(|(name, value)| (name.to_owned(), value)).to_vec(),
-    }
+    let stopping = Stopping { tolerance: tolerance.min(part * reach).max(finest), max_iterations: ITERATIONS };
+    let finding = Finding { solutions: MOST, free_only: true, ..Finding::default() };
+    let method = if has_closed_form {
+        MethodOptions::ClosedForm(ClosedFormOptions { stopping, finding })
+    } else {
+        MethodOptions::DampedLeastSquares(IterativeOptions { stopping, finding, ..IterativeOptions::default() })
+    };
+    SolverOptions { target, method, start: Some(query.start.clone()), seed }
 }

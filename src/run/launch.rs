@@ -44,14 +44,7 @@ impl<S: Space + 'static> Launch<S> {
 
     /// The run of a planner at its beginning.
     pub fn with(self, planner: Box<dyn Planner<S>>) -> Box<dyn Run> {
-        let connection = planner.roadmap().map(|roadmap| roadmap.connection);
-        let with = |(document, connection): (RoadmapDocument, Neighbourhood)| RoadmapDocument {
-            k: connection.k() as u32,
-            radius: connection.radius(),
-            ..document
-        };
-        let roadmap = self.roadmap.zip(connection).map(with);
-        Box::new(Runner::new(self.problem, planner, self.info, roadmap, self.reopen))
+        Box::new(Runner::new(self.problem, planner, self.info, self.roadmap, self.reopen))
     }
 
     /// The run on a saved roadmap, of which all is checked by `finest`: it is searched for one path.

@@ -2,7 +2,7 @@
 //!
 //! # How a slice of steps ends
 //! A slice is one call of [`Run::step`]`(n)`. It makes iterations one after the other (`Runner::step`, `iterate` and `accept`
-//! in `runner.rs`). It returns after `n` of them, or as soon as the status is no longer `Running`. After each iteration:
+//! in `runner/`). It returns after `n` of them, or as soon as the status is no longer `Running`. After each iteration:
 //!
 //! | what happened | status |
 //! |---|---|
@@ -27,7 +27,7 @@
 //!   `own_planner.rs`: the same with a planner from outside ([`start_with`]); `custom.rs`: a run of a robot of your own;
 //!   `description.rs`: its space;
 //! - `launch.rs`: what they share, and `info.rs`: what a run knows of how it was launched;
-//! - `runner.rs`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work
+//! - `runner/`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work
 //!   count; `emitted.rs`: paths and edges as they are reported;
 //! - `resume.rs`: a run on a saved roadmap; `reopen.rs`: what has changed in a world; `questions.rs`: configurations in requests.
 //!
@@ -260,11 +260,11 @@ pub trait Run: MaybeSend + sealed::Sealed {
 ///
 /// # Example
 /// ```
-/// use planarium::run::{Options, RrtOptions, Status, start};
+/// use planarium::run::{RrtOptions, Status, start};
 /// use planarium::worlds::generate;
 ///
 /// let scenario = generate("maze", &serde_json::json!({}))?;
-/// let mut run = start(&scenario, &Options::new(RrtOptions::default()))?;
+/// let mut run = start(&scenario, RrtOptions::default())?;
 /// let (mut vertices, mut edges) = (0, 0);
 /// loop {
 ///     let status = run.step(100);

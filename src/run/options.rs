@@ -51,6 +51,12 @@ impl Options {
     }
 }
 
+impl From<&Options> for Options {
+    fn from(options: &Options) -> Self {
+        options.clone()
+    }
+}
+
 impl<P: Into<PlannerOptions>> From<P> for Options {
     fn from(planner: P) -> Self {
         Self::new(planner)

@@ -6,7 +6,7 @@ use super::suitable::at_resolution;
 use super::{CustomProblem, Options, Value, resume};
 use crate::error::Error;
 use crate::planner::PlannerOptions;
-use crate::scenario::Robot;
+use crate::scenario::{Robot, Scenario};
 
 /// Options of a run by names, as a command line, a document or a page has them. One of its methods reads
 /// them, or for learned edges [`navigation::read_options`](crate::navigation::read_options).
@@ -37,7 +37,7 @@ impl Request {
     /// # Errors
     /// Those of [`PlannerOptions::read`].
     pub fn for_robot(&self, robot: &Robot) -> Result<Options, Error> {
-        self.read(self.planner_or(default_planner(Some(robot)))?)
+        self.read(default_planner(Some(robot)))
     }
 
     /// The options for [`start_problem`](super::start_problem).
@@ -45,7 +45,7 @@ impl Request {
     /// # Errors
     /// Those of [`PlannerOptions::read`]; `unsupported` for options of edges of a problem whose motions are sampled.
     pub fn for_problem(&self, problem: &CustomProblem) -> Result<Options, Error> {
-        let options = self.read(self.planner_or(default_planner(None))?)?;
+        let options = self.read(default_planner(None))?;
         let is_about_edges = |name: &str| name == "edge_check" || name == "edge_samples";
         if problem.is_sampled() && self.parameters.iter().any(|(name, _)| is_about_edges(name)) {
             return Err(at_resolution());
@@ -53,31 +53,39 @@ impl Request {
         Ok(options)
     }
 
-    /// The options for [`resume`](super::resume()) and [`resume_problem`](super::resume_problem) with this roadmap. Parameters
-    /// that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given
-    /// again.
+    /// The options for [`resume`](super::resume()) with this roadmap. Parameters that the document holds (`metric`, `steering`,
+    /// `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be given again.
     ///
     /// # Errors
-    /// Those of [`PlannerOptions::read`]; `invalid-roadmap`; `out-of-range` if another planner or another value of what the
-    /// document holds is given, `unsupported` for parameters of a growth that is over.
-    pub fn for_roadmap(&self, document: &RoadmapDocument) -> Result<Options, Error> {
-        document.check()?;
+    /// `other-scenario` and `invalid-roadmap`; those of [`PlannerOptions::read`]; `out-of-range` if another planner or another
+    /// value of what the document holds is given, `unsupported` for parameters of a growth that is over.
+    pub fn for_roadmap(&self, scenario: &Scenario, document: &RoadmapDocument) -> Result<Options, Error> {
+        resume::check_scenario(scenario, document)?;
+        self.continued(document)
+    }
+
+    /// The options for [`resume_problem`](super::resume_problem) with this roadmap, as [`Request::for_roadmap`].
+    ///
+    /// # Errors
+    /// As [`Request::for_roadmap`].
+    pub fn for_roadmap_of(&self, problem: &CustomProblem, document: &RoadmapDocument) -> Result<Options, Error> {
+        resume::check_problem(problem, document)?;
+        self.continued(document)
+    }
+
+    fn continued(&self, document: &RoadmapDocument) -> Result<Options, Error> {
         let planner = resume::settings(self.planner.as_deref(), &self.parameters, document)?;
         Ok(self.with(planner))
     }
 
-    /// The planner with this id; `default` if there is none.
-    fn planner_or(&self, default: PlannerOptions) -> Result<PlannerOptions, Error> {
-        self.planner.as_deref().map_or(Ok(default), PlannerOptions::of)
-    }
-
-    /// The planner with the parameters given.
-    fn read(&self, planner: PlannerOptions) -> Result<Options, Error> {
+    /// The options with the planner that is named, else `default`, and with the parameters given.
+    pub(crate) fn read(&self, default: PlannerOptions) -> Result<Options, Error> {
+        let planner = self.planner.as_deref().map_or(Ok(default), PlannerOptions::of)?;
         planner.updated(&self.parameters).map(|planner| self.with(planner))
     }
 
     /// The options with a planner.
-    pub(crate) fn with(&self, planner: PlannerOptions) -> Options {
+    fn with(&self, planner: PlannerOptions) -> Options {
         Options { planner: Some(planner), query: self.query.clone(), seed: self.seed, events: self.events }
     }
 }

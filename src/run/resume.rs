@@ -10,7 +10,7 @@ use crate::planner::{EdgeCheck, Grows, Improving, Limits, PlannerOptions, Search
 use crate::random::check_seed;
 use crate::robot::Car;
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, damaged, fingerprint, fingerprint_of_space};
-use crate::scenario::Robot;
+use crate::scenario::{Robot, Scenario};
 use crate::space::MetricKind;
 use crate::space::steering::Steering;
 use crate::world::PlanningWorld;
@@ -23,7 +23,7 @@ use crate::world::PlanningWorld;
 /// How the roadmap was built is the document's: `options` name its planner, how to search, and what to do with the path.
 /// Parameters that the document holds (`metric`, `steering`, `k`, `radius`, `edge_check`, `edge_samples`, `tolerance`) may be
 /// given again. An option with its default counts as not given: the value of the document holds.
-/// [`Request::for_roadmap`](super::Request::for_roadmap) knows which parameters were given by name, and refuses those too.
+/// [`Request::for_roadmap`](super::Request::for_roadmap) reads which parameters were given by name, and refuses those too.
 ///
 /// # Errors
 /// `other-scenario` if world or robot are not those that the roadmap was built for; `invalid-roadmap`, with a pointer into
@@ -36,7 +36,12 @@ pub fn resume(
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
-    let scenario = world.scenario();
+    check_scenario(world.scenario(), document)?;
+    launch(&world, continued(options, document)?, Some(document))
+}
+
+/// Refuses a roadmap of another world or robot.
+pub(super) fn check_scenario(scenario: &Scenario, document: &RoadmapDocument) -> Result<(), Error> {
     document.check()?;
     let found = fingerprint(scenario);
     if document.fingerprint != found {
@@ -65,7 +70,7 @@ pub fn resume(
         let sentence = format!("the metric of this robot is {metric}, not {}", document.metric);
         return Err(damaged("/metric", sentence));
     }
-    launch(&world, continued(options, document)?, Some(document))
+    Ok(())
 }
 
 /// The same for a robot of your own: its function proves or samples all of the roadmap again, whatever function it was built
@@ -82,6 +87,12 @@ pub fn resume_problem(
     options: &Options,
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
+    check_problem(problem, document)?;
+    launch_problem(problem, &continued(options, document)?, Some(document))
+}
+
+/// Refuses a roadmap of another space, or whose edges were checked in another way.
+pub(super) fn check_problem(problem: &CustomProblem, document: &RoadmapDocument) -> Result<(), Error> {
     document.check()?;
     let other = |pointer: &str, sentence| Err(Error::new(Code::OtherScenario, pointer, sentence));
     let RoadmapMetric::Space(built) = &document.metric else {
@@ -102,7 +113,7 @@ pub fn resume_problem(
             .map(|is_sampled| if is_sampled { "whether a configuration is free" } else { "a bound on clearance" });
         return other("/edge_check", format!("the roadmap was built with {there}, and the problem tells {here}"));
     }
-    launch_problem(problem, &continued(options, document)?, Some(document))
+    Ok(())
 }
 
 /// The planner that built the roadmap.

@@ -2,24 +2,11 @@
 //! the ranges of numbers. [`validate`](super::validate) checks the remaining rules.
 
 use super::number::{AngleOrCoordinate, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
-use crate::json::by_type;
+use crate::json::{by_type, objects, one_format};
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
-
-/// The objects of a document: each is read with its fields and no others, and has a schema.
-macro_rules! objects {
-    ($($item:item)*) => {
-        $(
-            #[derive(Deserialize)]
-            #[cfg_attr(feature = "schema", derive(JsonSchema))]
-            #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-            #[serde(deny_unknown_fields)]
-            $item
-        )*
-    };
-}
 
 objects! {
     /// A motion planning scenario: a world, a robot in it, and queries. Lengths in metres, angles in radians,
@@ -181,13 +168,7 @@ objects! {
     }
 }
 
-/// The one format.
-#[derive(Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(inline))]
-pub(crate) enum Format {
-    #[serde(rename = "planarium-scenario-1")]
-    One,
-}
+one_format!(pub(crate) enum Format = "planarium-scenario-1");
 
 /// A point [x, y] in metres.
 #[derive(Deserialize, Clone, Copy)]

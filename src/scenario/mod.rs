@@ -17,8 +17,8 @@ pub use crate::robot::LARGEST;
 pub use schema::schema;
 #[cfg(feature = "schema")]
 pub(crate) use schema::schema_of;
-pub(crate) use types::Parts;
 pub use types::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
+pub(crate) use types::{Parts, find_query};
 pub use validate::polygon;
 
 /// The `format` of a scenario.

@@ -60,18 +60,8 @@ impl Scenario {
     /// # Errors
     /// `unknown-query`, pointer `/query`, naming those that exist.
     pub fn find_query(&self, name: Option<&str>) -> Result<(usize, &Query), Error> {
-        let queries = self.queries();
-        let found = queries.iter().enumerate().find(|(_, query)| name.is_none_or(|name| query.name == name));
-        found.ok_or_else(|| {
-            let known: Vec<String> = queries.iter().map(|query| quoted(&query.name)).collect();
-            let sentence = match name {
-                Some(name) => {
-                    format!("unknown query {}; the queries of this scenario are [{}]", quoted(name), known.join(", "))
-                }
-                None => "this scenario has no query".to_owned(),
-            };
-            Error::new(Code::UnknownQuery, "/query", sentence)
-        })
+        let i = find_query("scenario", self.queries().iter().map(|query| &*query.name), name)?;
+        Ok((i, &self.queries()[i]))
     }
 
     /// The normalised document as text, on one line: fields in a fixed order, defaults written out, polygons
@@ -80,6 +70,27 @@ impl Scenario {
     pub fn to_json_string(&self) -> String {
         json::to_string(self)
     }
+}
+
+/// The index of the query of that name, or of the first, among those of a document.
+///
+/// # Errors
+/// `unknown-query`, pointer `/query`, naming those that exist.
+pub(crate) fn find_query<'a>(
+    document: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+    name: Option<&str>,
+) -> Result<usize, Error> {
+    names.clone().position(|known| name.is_none_or(|name| known == name)).ok_or_else(|| {
+        let known: Vec<String> = names.map(quoted).collect();
+        let sentence = match name {
+            Some(name) => {
+                format!("unknown query {}; the queries of this {document} are [{}]", quoted(name), known.join(", "))
+            }
+            None => format!("this {document} has no query"),
+        };
+        Error::new(Code::UnknownQuery, "/query", sentence)
+    })
 }
 
 /// The bounds and obstacles. Lengths in metres.

@@ -54,7 +54,7 @@ impl Scenario {
     /// let scenario = Scenario::new("bench", world, arm, [query])?;
     ///
     /// let prm = PrmOptions { samples: Some(300), ..PrmOptions::default() };
-    /// let mut run = run::start(&scenario, &prm.into())?;
+    /// let mut run = run::start(&scenario, prm)?;
     /// assert_eq!(run.step(100_000), Status::Solved);
     /// assert!(run.length() >= 2.1);
     /// # Ok::<(), planarium::Error>(())
@@ -79,12 +79,8 @@ impl Scenario {
     /// # Errors
     /// Those of [`Scenario::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        // First, so that any other document is reported as such.
-        if let Some(format) = tree.get("format").and_then(|format| format.as_str()).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return Err(Error::new(Code::UnknownFormat, "/format", sentence));
-        }
-        let Document { format: document::Format::One, name, title, world, robot, queries } = json::read(tree)?;
+        let Document { format: document::Format::One, name, title, world, robot, queries } =
+            json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
         let robot = checked_robot(robot)?;
@@ -173,6 +169,16 @@ pub fn polygon(corners: &[Point]) -> Result<Polygon, Error> {
     })
 }
 
+impl Obstacle {
+    /// A simple polygon with these corners, in metres, in either direction, closed or open.
+    ///
+    /// # Errors
+    /// Those of [`polygon`].
+    pub fn polygon(corners: &[Point]) -> Result<Self, Error> {
+        self::polygon(corners).map(Obstacle::Polygon)
+    }
+}
+
 pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
     let made = match robot {
         document::Robot::Arm(arm) => {
@@ -201,17 +207,25 @@ fn checked_weights(metric: Option<document::Metric>) -> Result<Weights, Error> {
 }
 
 fn checked_queries(queries: Vec<document::Query>, robot: &Robot) -> Result<Vec<Query>, Error> {
-    // The map of the JSON reader, which is linked in any case.
-    let (mut checked, mut names) = (Vec::with_capacity(queries.len()), serde_json::Map::new());
+    let (mut checked, mut names) = (Vec::with_capacity(queries.len()), Names::new());
     for (i, query) in queries.into_iter().enumerate() {
         let query = checked_query(query, robot).map_err(|error| error.under(&format!("/queries/{i}")))?;
-        if names.insert(query.name.clone(), Value::Null).is_some() {
-            let sentence = format!("another query has the name {}, too", quoted(&query.name));
-            return Err(Error::new(Code::DuplicateName, format!("/queries/{i}/name"), sentence));
-        }
+        note_name(&mut names, &query.name, "query", &format!("/queries/{i}/name"))?;
         checked.push(query);
     }
     Ok(checked)
+}
+
+/// Names that were met. It is the map of the JSON reader, which is linked in any case.
+pub(crate) type Names = serde_json::Map<String, Value>;
+
+/// Adds a name to those of other queries or robots, from which it must differ.
+pub(crate) fn note_name(names: &mut Names, name: &str, what: &str, pointer: &str) -> Result<(), Error> {
+    if names.insert(name.to_owned(), Value::Null).is_none() {
+        return Ok(());
+    }
+    let sentence = format!("another {what} has the name {}, too", quoted(name));
+    Err(Error::new(Code::DuplicateName, pointer, sentence))
 }
 
 fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> {

@@ -2,8 +2,7 @@
 
 use super::particle::{MOST_TURNING, Model};
 use crate::error::Error;
-use crate::options::{Options, Value, out_of_range};
-use crate::random::check_seed;
+use crate::options::{Options, out_of_range};
 use std::f64::consts::PI;
 
 crate::choice! {
@@ -45,14 +44,10 @@ crate::options! {
 }
 
 impl TrajectoryOptions {
-    /// The options given by name, checked together with the seed, 0 to 2^53 - 1; defaults for the rest.
-    ///
-    /// # Errors
-    /// `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
-    pub fn new(given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
-        let options: Self = Options::read(given)?;
-        check_seed(seed)?;
-        let Self { slowest, fastest, least_turn_rate, greatest_turn_rate, duration, .. } = options;
+    /// Refuses values out of range, and those that do not go together.
+    pub(super) fn check_all(&self) -> Result<(), Error> {
+        self.check()?;
+        let Self { slowest, fastest, least_turn_rate, greatest_turn_rate, duration, .. } = *self;
         let pairs = [
             ("slowest", slowest, "fastest", fastest),
             ("least_turn_rate", least_turn_rate, "greatest_turn_rate", greatest_turn_rate),
@@ -67,6 +62,6 @@ impl TrajectoryOptions {
             let sentence = format!("the longest turn must be at most {MOST_TURNING} radians, not {turn}");
             return Err(out_of_range("duration", sentence));
         }
-        Ok(options)
+        Ok(())
     }
 }

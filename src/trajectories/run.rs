@@ -12,9 +12,8 @@ use crate::error::Error;
 use crate::fingerprint::Fingerprint;
 use crate::geometry::Point;
 use crate::json;
-use crate::options::Value;
 use crate::problem::{Status, Stepped};
-use crate::random::{Random, Stream};
+use crate::random::{Random, Stream, check_seed};
 use serde::Serialize;
 
 /// Trajectories that do not cross, as a value that is stepped. The accepted and the refused ones are append-only.
@@ -59,19 +58,20 @@ impl Stepped for Trajectories {
 }
 
 impl Trajectories {
-    /// Starts with options given by name and a seed, from 0 to 2^53 - 1.
+    /// Starts with a seed from 0 to 2^53 - 1.
     ///
     /// # Errors
-    /// Those of [`TrajectoryOptions::new`].
-    pub fn new(given: &[(String, Value)], seed: u64) -> Result<Self, Error> {
-        let options = TrajectoryOptions::new(given, seed)?;
+    /// `not-finite` or `out-of-range`, with the pointer of the option or `/seed`.
+    pub fn new(options: &TrajectoryOptions, seed: u64) -> Result<Self, Error> {
+        options.check_all()?;
+        check_seed(seed)?;
         let scale = options.half_side + options.fastest * options.duration;
         let grid = Grid::new(options.half_side, options.count, 2.0 * slack(scale));
         Ok(Self {
             random: Random::new(seed, Stream::Particles),
             grid,
             scale,
-            options,
+            options: *options,
             seed,
             accepted: Vec::new(),
             refused: Vec::new(),

@@ -16,6 +16,8 @@ use crate::geometry::{Aabb, Polygon};
 use crate::robot::{joint_space, placements, plane};
 use crate::scenario::{Robot, Scenario};
 use crate::space::{Metric, MetricKind, MotionSpace, ProductSpace};
+use std::fmt;
+use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 /// The smaller size of states: most robots have no more coordinates. Entries past the dimension are 0 and change no bit.
@@ -34,7 +36,7 @@ pub(crate) const SMALL: usize = 4;
 ///          "robot": { "type": "disc", "radius": 0.2 },
 ///          "queries": [ { "name": "across", "start": [1, 1], "goal": [3, 3] } ] }"#,
 /// )?);
-/// let mut run = run::start(&world, &Options::default())?;
+/// let mut run = run::start(&world, Options::default())?;
 /// run.step(100_000);
 /// let inspector = Inspector::new(&world);
 /// assert!(run.path().iter().all(|q| inspector.check(q).is_ok_and(|contacts| contacts.is_empty())));
@@ -55,10 +57,9 @@ impl PlanningWorld {
         Self(Arc::new(Prepared { scenario, collision: OnceLock::new() }))
     }
 
-    /// A scenario with the same obstacles and bounds, and another robot: both share what is prepared of the obstacles.
-    pub(crate) fn with_other_robot(&self, scenario: Scenario) -> Self {
-        let collision = OnceLock::from(self.collision().clone());
-        Self(Arc::new(Prepared { scenario, collision }))
+    /// A scenario whose obstacles and bounds are prepared already.
+    pub(crate) fn sharing(scenario: Scenario, collision: &CollisionWorld) -> Self {
+        Self(Arc::new(Prepared { scenario, collision: OnceLock::from(collision.clone()) }))
     }
 
     /// The scenario.
@@ -154,6 +155,30 @@ impl PlanningWorld {
     /// The collision checker of a body of this shape, with such a tolerance.
     pub(crate) fn body(&self, shape: &Polygon, tolerance: f64) -> BodyCollision {
         BodyCollision::new(shape, self.collision().clone(), tolerance)
+    }
+}
+
+/// What is prepared of a document beside its content: equal contents have equal ones, so it is not compared, nor shown.
+#[derive(Clone)]
+pub(crate) struct Derived<T>(pub T);
+
+impl<T> Deref for Derived<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<T> PartialEq for Derived<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl<T> fmt::Debug for Derived<T> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("..")
     }
 }
 

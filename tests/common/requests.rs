@@ -17,7 +17,9 @@ pub fn resume(
     request: &Request,
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
-    run::resume(scenario, &request.for_roadmap(document)?, document)
+    let world: PlanningWorld = scenario.into();
+    let options = request.for_roadmap(world.scenario(), document)?;
+    run::resume(&world, &options, document)
 }
 
 /// As [`run::start_problem`].
@@ -31,5 +33,5 @@ pub fn resume_problem(
     request: &Request,
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
-    run::resume_problem(problem, &request.for_roadmap(document)?, document)
+    run::resume_problem(problem, &request.for_roadmap_of(problem, document)?, document)
 }

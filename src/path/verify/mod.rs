@@ -115,14 +115,6 @@ struct Scale {
 /// # Complexity
 /// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
 pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, Error> {
-    verify_within(scenario, result, MOST_REFINEMENTS)
-}
-
-/// [`verify`] with at most so many samples in between.
-///
-/// # Errors
-/// Those of [`verify`].
-pub(crate) fn verify_within(scenario: &Scenario, result: &ResultDocument, refinements: u64) -> Result<Verdict, Error> {
     if result.scenario != scenario.name() {
         let sentence = format!("the result belongs to scenario {:?}, not to {:?}", result.scenario, scenario.name());
         return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
@@ -130,7 +122,20 @@ pub(crate) fn verify_within(scenario: &Scenario, result: &ResultDocument, refine
     let (_, query) = scenario.find_query(Some(&result.query))?;
     let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
     let moved = [result.moved_start.is_some(), result.moved_goal.is_some()];
-    Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares, refinements)))
+    Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares)))
+}
+
+/// Verifies a path from a start to a goal by itself, with at most so many samples in between. Returns why it is not valid.
+pub(crate) fn verify_path(
+    world: &World,
+    robot: &Robot,
+    ends: [&[f64]; 2],
+    path: &[Vec<f64>],
+    refinements: u64,
+) -> Result<(), String> {
+    check_ends(robot, path, ends.map(Some), None)?;
+    check_steps(robot, path)?;
+    examine(world, robot, path, &[], &Scale { refinements, ..Scale::of(world, robot) }).map(|_| ())
 }
 
 /// Verifies legs of a body of this shape in a world, each by itself: they need not be connected. The verdict counts legs as
@@ -154,14 +159,8 @@ fn verdict(waypoints: usize, [moved_start, moved_goal]: [bool; 2], examined: Res
 }
 
 /// Checks the status, the numbers, the ends, the motion and the lengths, in this order; `shares` are those of the blends.
-fn check(
-    scenario: &Scenario,
-    query: &Query,
-    result: &ResultDocument,
-    shares: &[[f64; 2]],
-    refinements: u64,
-) -> Result<Examined, String> {
-    let (robot, path) = (scenario.robot(), &result.path);
+fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[[f64; 2]]) -> Result<Examined, String> {
+    let (world, robot, path) = (scenario.world(), scenario.robot(), &result.path);
     if result.status != Status::Solved {
         return Err(format!("the status is {}: there is no path to verify", result.status.as_str()));
     }
@@ -169,26 +168,43 @@ fn check(
     check_measure(robot, result)?;
     check_claims(robot, result)?;
     check_moved(scenario, query, result)?;
-    check_ends(robot, query, result)?;
-    if !matches!(robot, Robot::Car(_)) {
-        check_steps(robot, path)?;
+    if let Goal::Target(target) = &query.goal {
+        check_target(robot, target, &path[path.len() - 1])?;
     }
-    let scale = Scale { refinements, ..Scale::of(scenario.world(), robot) };
+    let start = result.moved_start.as_deref().unwrap_or(&query.start);
+    let goal = result.moved_goal.as_deref().or(query.configuration());
+    check_ends(robot, path, [Some(start), goal], query.goal_tolerance)?;
+    let scale = Scale::of(world, robot);
+    if let Robot::Car(car) = robot {
+        // Its length is that of its motions.
+        return car::check(world, car, result, &scale);
+    }
+    check_steps(robot, path)?;
     let blends = Quadratic::blends(first_circle(robot), path, shares);
-    let examined = match robot {
-        Robot::Arm(arm) => arm::check(scenario.world(), arm, path, &blends, &scale)?,
-        Robot::Disc(disc) => disc::check(scenario.world(), disc, path, &blends, &scale)?,
-        Robot::RigidBody(body) => {
+    let examined = examine(world, robot, path, &blends, &scale)?;
+    check_length(robot, result, &blends)?;
+    Ok(examined)
+}
+
+/// Examines a path of straight motions with these blends; of one configuration, the robot at rest.
+fn examine(
+    world: &World,
+    robot: &Robot,
+    path: &[Vec<f64>],
+    blends: &[(usize, Quadratic)],
+    scale: &Scale,
+) -> Result<Examined, String> {
+    match robot {
+        Robot::Arm(arm) => arm::check(world, arm, path, blends, scale),
+        Robot::Disc(disc) => disc::check(world, disc, path, blends, scale),
+        Robot::RigidBody(_) | Robot::Car(_) => {
+            let (shape, _) = robot.placed_shape().expect("bodies and cars have a shape");
             let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
             let edges = ends.enumerate().map(|(i, [from, to])| (Stretch::Edge(i), Leg::straight(from, to)));
             let blends = blends.iter().map(|(waypoint, motion)| (Stretch::Blend(*waypoint), Leg::blend(motion)));
-            body::check(scenario.world(), &body.shape, edges.chain(blends), &scale)?
+            body::check(world, shape, edges.chain(blends), scale)
         }
-        // Its length is that of its motions.
-        Robot::Car(car) => return car::check(scenario.world(), car, result, &scale),
-    };
-    check_length(robot, result, &blends)?;
-    Ok(examined)
+    }
 }
 
 /// Returns an error if the path is empty or a waypoint is not `dimension` numbers within the range of a scenario's: beyond it
@@ -248,16 +264,7 @@ fn is_clearly_free(scenario: &Scenario, q: &[f64]) -> bool {
     let (world, robot) = (scenario.world(), scenario.robot());
     let scale = Scale::of(world, robot);
     let scale = Scale { slack: 100.0 * scale.slack, overstep: 0.0, ..scale };
-    let path = [q.to_vec()];
-    let examined = match robot {
-        Robot::Arm(arm) => arm::check(world, arm, &path, &[], &scale),
-        Robot::Disc(disc) => disc::check(world, disc, &path, &[], &scale),
-        Robot::RigidBody(_) | Robot::Car(_) => {
-            let (shape, _) = robot.placed_shape().expect("bodies and cars have a shape");
-            body::check(world, shape, [(Stretch::Edge(0), Leg::straight(q, q))], &scale)
-        }
-    };
-    examined.is_ok()
+    examine(world, robot, &[q.to_vec()], &[], &scale).is_ok()
 }
 
 /// Returns an error if the result says what no result for this robot, or none that is solved, can say.
@@ -295,21 +302,18 @@ fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
     }
 }
 
-/// Returns an error if the path does not lead from the start to the goal of the query, or into its region; or from and to what
-/// the result says that they were moved to.
-fn check_ends(robot: &Robot, query: &Query, result: &ResultDocument) -> Result<(), String> {
-    let path = &result.path;
-    let last = &path[path.len() - 1];
-    if let Goal::Target(target) = &query.goal {
-        check_target(robot, target, last)?;
-    }
-    let start = result.moved_start.as_deref().unwrap_or(&query.start);
-    let goal = result.moved_goal.as_deref().or(query.configuration());
-    let ends = [("start", &path[0], Some(start)), ("goal", last, goal)];
+/// Returns an error if the path does not lead from the start to the goal, or into the region about it.
+fn check_ends(
+    robot: &Robot,
+    path: &[Vec<f64>],
+    [start, goal]: [Option<&[f64]>; 2],
+    region: Option<GoalTolerance>,
+) -> Result<(), String> {
+    let ends = [("start", &path[0], start), ("goal", &path[path.len() - 1], goal)];
     for (what, waypoint, wanted) in ends.into_iter().filter_map(|(what, at, wanted)| Some((what, at, wanted?))) {
         let verb = if what == "start" { "starts" } else { "ends" };
         let gaps = difference(first_circle(robot), wanted, waypoint);
-        if let (Some(GoalTolerance { translation, rotation }), "goal") = (query.goal_tolerance, what) {
+        if let (Some(GoalTolerance { translation, rotation }), "goal") = (region, what) {
             let (apart, turned) = ((gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt(), gaps[2].abs());
             if apart > translation + REACHED || turned > rotation + REACHED {
                 return Err(format!(

@@ -1,60 +1,43 @@
-//! From a scenario and parameters to an index: names become types.
+//! From a scenario and options to an index.
 
-use super::table::{ForestOptions, IndexId};
+use super::table::{ForestOptions, IndexOptions};
 use super::{MAX_CONFIGURATIONS, MAX_ENTRIES, NearestResult, Neighbours};
 use crate::error::{Code, Error, Number};
 use crate::graph::VertexId;
 use crate::nearest::{Forest, ForestParameters, KdTree, LinearScan, Nearest, Neighbourhood, Query};
-use crate::options::{Options, Value};
 use crate::random::{Random, Stream};
 use crate::space::{MAX_DIMENSION, MotionSpace, Space};
 use crate::world::{Configurations, PlanningWorld, SMALL};
 
-/// An empty index of configurations of the scenario's robot: `linear`, `kd-tree` (the default) or `forest`, with the
-/// parameters of [`super::indexes`]. The same planes follow from the same seed.
+/// An empty index of configurations of the scenario's robot. The same planes follow from the same seed.
 ///
 /// # Errors
-/// `out-of-range` with the pointer `/index` for another id; `unknown-parameter`, `duplicate-field`, `wrong-type`, `not-finite`
-/// and `out-of-range` of the parameters, with their pointers: the metric of a body or a car is its scenario's, that of a disc is
-/// euclidean.
-pub fn index(
-    scenario: impl Into<PlanningWorld>,
-    id: Option<&str>,
-    given: &[(String, Value)],
-) -> Result<Box<dyn Neighbours>, Error> {
+/// `not-finite` and `out-of-range` of the options, with their pointers: the metric of a body or a car is its scenario's, that of
+/// a disc is euclidean.
+pub fn index(scenario: impl Into<PlanningWorld>, options: &IndexOptions) -> Result<Box<dyn Neighbours>, Error> {
     let world = scenario.into();
-    let id = IndexId::of(id)?;
-    let options = match id {
-        IndexId::Forest => Options::read(given)?,
-        IndexId::Linear | IndexId::KdTree => {
-            ForestOptions { measuring: Options::read(given)?, ..ForestOptions::default() }
-        }
-    };
+    options.check()?;
     if world.robot().dimension() <= SMALL {
-        index_of::<SMALL>(&world, id, options)
+        index_of::<SMALL>(&world, options)
     } else {
-        index_of::<MAX_DIMENSION>(&world, id, options)
+        index_of::<MAX_DIMENSION>(&world, options)
     }
 }
 
 /// The index over states of `N` numbers.
-fn index_of<const N: usize>(
-    world: &PlanningWorld,
-    id: IndexId,
-    ForestOptions { measuring, trees, leaf, candidates, seed }: ForestOptions,
-) -> Result<Box<dyn Neighbours>, Error> {
+fn index_of<const N: usize>(world: &PlanningWorld, options: &IndexOptions) -> Result<Box<dyn Neighbours>, Error> {
     // The space of planners, so that its tree is compiled once.
-    let space = MotionSpace::new(world.space::<N>(measuring.metric)?);
+    let space = MotionSpace::new(world.space::<N>(options.measuring().metric)?);
     let configurations = Configurations::of(world);
     let most = MAX_CONFIGURATIONS;
-    Ok(match id {
-        IndexId::Linear => {
+    Ok(match *options {
+        IndexOptions::Linear(_) => {
             Box::new(TypedIndex { space, states: Vec::new(), index: LinearScan::default(), configurations, most })
         }
-        IndexId::KdTree => {
+        IndexOptions::KdTree(_) => {
             Box::new(TypedIndex { space, states: Vec::new(), index: KdTree::default(), configurations, most })
         }
-        IndexId::Forest => {
+        IndexOptions::Forest(ForestOptions { trees, leaf, candidates, seed, .. }) => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);
             let most = most.min(MAX_ENTRIES / trees);

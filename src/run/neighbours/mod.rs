@@ -6,7 +6,9 @@ mod table;
 
 pub use crate::nearest::{Neighbour, recall};
 pub use factory::index;
-pub use table::{ForestOptions, IndexId, IndexInfo, indexes};
+pub use table::{ForestOptions, IndexInfo, IndexOptions, indexes};
+
+pub use crate::planner::MetricOptions;
 
 use crate::error::Error;
 

@@ -1,20 +1,62 @@
 //! The indexes with their options.
 
 use crate::error::{Code, Error, quoted};
-use crate::options::{ALL, Choice, OptionInfo, Options};
+use crate::options::{ALL, OptionInfo, Options, Value};
 use crate::planner::MetricOptions;
 use crate::random::MAX_SEED;
-use strum::VariantNames;
 
-crate::choice! {
-    /// An index of configurations.
-    pub enum IndexId {
-        /// A linear scan.
-        Linear,
-        /// A kd-tree, the default.
-        KdTree,
-        /// A forest of random projections.
-        Forest,
+/// An index with its options.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum IndexOptions {
+    /// A linear scan.
+    Linear(MetricOptions),
+    /// A kd-tree, the default.
+    KdTree(MetricOptions),
+    /// A forest of random projections.
+    Forest(ForestOptions),
+}
+
+impl Default for IndexOptions {
+    fn default() -> Self {
+        IndexOptions::KdTree(MetricOptions::default())
+    }
+}
+
+impl IndexOptions {
+    /// The index with the given id, by default the kd-tree, and with options given by name; the rest have their defaults.
+    ///
+    /// # Errors
+    /// `out-of-range`, pointer `/index`, for another id, naming those that exist; `unknown-parameter`, `duplicate-field`,
+    /// `wrong-type`, `not-finite` or `out-of-range`, with the pointer `/name`.
+    pub fn read(id: Option<&str>, given: &[(String, Value)]) -> Result<Self, Error> {
+        Ok(match id.unwrap_or("kd-tree") {
+            "linear" => IndexOptions::Linear(Options::read(given)?),
+            "kd-tree" => IndexOptions::KdTree(Options::read(given)?),
+            "forest" => IndexOptions::Forest(Options::read(given)?),
+            id => {
+                let sentence = format!("unknown index {}; known indexes are linear, kd-tree, forest", quoted(id));
+                return Err(Error::new(Code::OutOfRange, "/index", sentence));
+            }
+        })
+    }
+
+    /// Refuses values out of range: a metric is always in range.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        if let IndexOptions::Forest(options) = self { options.check() } else { Ok(()) }
+    }
+
+    /// Its metric.
+    pub fn measuring(&self) -> MetricOptions {
+        match *self {
+            IndexOptions::Linear(measuring) | IndexOptions::KdTree(measuring) => measuring,
+            IndexOptions::Forest(ForestOptions { measuring, .. }) => measuring,
+        }
+    }
+
+    /// Whether it always finds the nearest.
+    pub fn is_exact(&self) -> bool {
+        !matches!(self, IndexOptions::Forest(_))
     }
 }
 
@@ -48,43 +90,29 @@ crate::options! {
     seed: u64 = 0, in 0.0..=MAX_SEED as f64, "Seed";
 }
 
-impl IndexId {
-    /// The index with the given id; the kd-tree by default.
-    ///
-    /// # Errors
-    /// `out-of-range`, pointer `/index`, naming those that exist.
-    pub fn of(id: Option<&str>) -> Result<Self, Error> {
-        let Some(id) = id else { return Ok(IndexId::KdTree) };
-        id.parse().map_err(|_| {
-            let known = Self::VARIANTS.join(", ");
-            Error::new(Code::OutOfRange, "/index", format!("unknown index {}; known indexes are {known}", quoted(id)))
-        })
-    }
-
-    /// Its description.
-    pub fn info(self) -> IndexInfo {
-        let (title, summary, parameters) = match self {
-            IndexId::Linear => (
-                "Linear scan",
-                "Examines every configuration: simple, exact, and the reference for the others.",
-                MetricOptions::table(),
-            ),
-            IndexId::KdTree => (
-                "kd-tree",
-                "Halves the configurations recursively and skips boxes that are too far; angles wrap. Exact.",
-                MetricOptions::table(),
-            ),
-            IndexId::Forest => (
-                "Forest of random projections",
-                "Examines the leaves of several random trees around the target: finds most of the nearest, not always all.",
-                ForestOptions::table(),
-            ),
-        };
-        IndexInfo { id: self.word(), title, summary, is_exact: self != IndexId::Forest, parameters }
-    }
-}
-
 /// Every index.
 pub fn indexes() -> Vec<IndexInfo> {
-    [IndexId::Linear, IndexId::KdTree, IndexId::Forest].map(IndexId::info).into()
+    vec![
+        IndexInfo {
+            id: "linear",
+            title: "Linear scan",
+            summary: "Examines every configuration: simple, exact, and the reference for the others.",
+            is_exact: true,
+            parameters: MetricOptions::table(),
+        },
+        IndexInfo {
+            id: "kd-tree",
+            title: "kd-tree",
+            summary: "Halves the configurations recursively and skips boxes that are too far; angles wrap. Exact.",
+            is_exact: true,
+            parameters: MetricOptions::table(),
+        },
+        IndexInfo {
+            id: "forest",
+            title: "Forest of random projections",
+            summary: "Examines the leaves of several random trees around the target: finds most of the nearest, not always all.",
+            is_exact: false,
+            parameters: ForestOptions::table(),
+        },
+    ]
 }

@@ -1,7 +1,7 @@
 //! The JSON form: one line, numbers with the fewest digits that parse back to the same bits.
 
 use super::{MAX_DIMENSION, RoadmapDocument, RoadmapMetric, damaged};
-use crate::error::{Code, Error, quoted};
+use crate::error::{Code, Error};
 use crate::json;
 use crate::planner::EdgeCheck;
 use serde::{Deserialize, Serialize};
@@ -67,12 +67,8 @@ impl RoadmapDocument {
     /// dimension, digits that are none, what [`RoadmapDocument::check`] refuses, and a checksum that differs.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let tree = json::parse(text)?;
-        // First of all, so that the error for another kind of document names the format.
-        if let Some(format) = tree.get("format").and_then(Value::as_str).filter(|format| *format != FORMAT) {
-            let sentence = format!("unsupported format {}; expected \"{FORMAT}\"", quoted(format));
-            return Err(damaged("/format", sentence));
-        }
-        let document: Document = json::read(&tree).map_err(|error| match error.pointer() {
+        let document: Document = json::read_document(&tree, FORMAT).map_err(|error| match error.pointer() {
+            "/format" if error.code() == Code::UnknownFormat => damaged(error.pointer(), error.message()),
             "/fingerprint" | "/checksum" | "/edge_check" if error.code() == Code::OutOfRange => {
                 damaged(error.pointer(), error.message())
             }

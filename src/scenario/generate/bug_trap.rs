@@ -9,7 +9,6 @@ use super::robots::SIDE;
 use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
-use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, Robot, Scenario};
@@ -62,8 +61,7 @@ impl Generator for BugTrapOptions {
 
     /// In a box of 2 m by 2 m, with the query "out" or "in". The seed decides the position, the size (a radius of 0.55 to
     /// 0.62 m) and the direction of the trap, and the start and the goal: one in it, one in a corner of the box.
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         let Self { radius, mouth, start, turn, seed } = *self;
         let mut random = Random::new(seed, Stream::Scenario);
         let size = 0.55 + 0.07 * random.uniform();

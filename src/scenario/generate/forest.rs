@@ -8,7 +8,6 @@ use super::free::{is_clear_of, polygon};
 use super::{Generator, SEEDS, query, scatter};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::options::Options;
 use crate::random::{Random, Stream};
 use crate::robot::Arm;
 use crate::scenario::{Obstacle, Parts, Robot, Scenario, World};
@@ -26,8 +25,7 @@ crate::options! {
 impl Generator for ForestOptions {
     type Made = Scenario;
 
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         let Self { links, seed } = *self;
         let arm = Arm::new(Point::origin(), vec![1.0; links], 0.0, None)?;
         let (start, goal) = ends(links);

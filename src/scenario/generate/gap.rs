@@ -9,7 +9,7 @@ use super::robots::{RobotChoice, SIDE, check_given};
 use super::{Generator, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::options::{Options, Value, out_of_range};
+use crate::options::{Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::{Arm, DiscRobot};
 use crate::scenario::{Obstacle, Query, Robot, Scenario};
@@ -49,8 +49,7 @@ impl Generator for GapOptions {
     }
 
     /// With the query "through". The seed places the gap along the wall, start and goal.
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         let Self { robot: choice, links, radius, thickness, seed, .. } = *self;
         let width = self.width();
         if choice == RobotChoice::Arm && width - 2.0 * radius < PLAY - SOME {

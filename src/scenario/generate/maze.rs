@@ -10,7 +10,7 @@ use super::robots::check_given;
 use super::{Generator, RobotChoice, SEEDS, in_box, query};
 use crate::error::Error;
 use crate::geometry::{Point, Polygon};
-use crate::options::{Choice, Options, Value, out_of_range};
+use crate::options::{Choice, Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::DiscRobot;
 use crate::scenario::{GoalTolerance, Obstacle, Query, Robot, Scenario};
@@ -76,8 +76,7 @@ impl Generator for MazeOptions {
         check_given(given)
     }
 
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         let Self { difficulty, robot, radius, thickness, seed } = *self;
         let corridor = CELL - thickness;
         if corridor - 2.0 * radius < PLAY - SOME {

@@ -18,13 +18,12 @@ pub use scattered::{ClutterOptions, DiscsOptions, Placement};
 
 use super::{Goal, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::Error;
-use crate::generators::{self, SEEDS, generators, given};
+use crate::generators::{self, SEEDS, generators};
 use crate::geometry::{Aabb, Point};
-use crate::options::{Info, Value, out_of_range};
-use serde_json::Value as Json;
+use crate::options::{Value, out_of_range};
 
 generators! {
-    Scenario:
+    Scenario, generators:
     ForestOptions => "forest", "Forest", "An arm of unit links among equal triangles on a grid.";
     ClutterOptions => "clutter", "Clutter", "Convex polygons scattered over a box, for a robot that crosses it or an arm in its middle.";
     DiscsOptions => "discs", "Discs", "Discs scattered over a box, for a robot that crosses it or an arm in its middle.";
@@ -33,37 +32,13 @@ generators! {
     BugTrapOptions => "bug-trap", "Bug trap", "A disc in a round pocket whose mouth is turned inwards.";
 }
 
-/// The generators with their options.
-pub fn generators() -> Vec<Info> {
-    descriptions()
-}
-
-/// Generates a scenario by the generator's id, with options given by name: those of [`generators`] and `seed`; the rest
-/// take their defaults.
-///
-/// # Errors
-/// `unknown-generator`; and, with the pointer `/name`, `unknown-field`, `duplicate-field`, `wrong-type`, `unknown-type`,
-/// `not-finite`, `out-of-range`; so at `/count` (`/seed` of a forest) if the obstacles do not fit within 10,000 draws, and at
-/// `/radius` or `/width` if the robot does not fit.
-pub fn generate_with(id: &str, options: &[(String, Value)]) -> Result<Scenario, Error> {
-    generate_among(id, options, &[])
-}
-
-/// The same; a refusal of an unknown option names `others` as known.
+/// As [`generate_with`]; a refusal of an unknown option names `others` as known.
 pub(crate) fn generate_among(
     id: &str,
     options: &[(String, Value)],
     others: &[&'static str],
 ) -> Result<Scenario, Error> {
     generators::generate(MAKERS, id, options, others)
-}
-
-/// The same with the options as an object (`{}` for all defaults).
-///
-/// # Errors
-/// Those of [`generate_with`], and `wrong-type` if the options are not an object.
-pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
-    generate_with(id, &given(options)?)
 }
 
 /// The most draws that a generator makes for all of its obstacles.

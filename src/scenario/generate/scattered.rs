@@ -11,7 +11,7 @@ use super::robots::{RobotChoice, SIDE, check_given};
 use super::{Generator, SEEDS, in_box, scatter};
 use crate::error::Error;
 use crate::geometry::{Disc, Point};
-use crate::options::{Options, Value, out_of_range};
+use crate::options::{Value, out_of_range};
 use crate::random::{Random, Stream};
 use crate::robot::Part;
 use crate::scenario::{Obstacle, Scenario};
@@ -78,8 +78,7 @@ impl Generator for ClutterOptions {
         check_given(given)
     }
 
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
         // Never less than a smallest one that is given.
         let largest = largest.unwrap_or(if robot == RobotChoice::Arm { smallest.max(0.12) } else { 0.2 });
@@ -96,8 +95,7 @@ impl Generator for DiscsOptions {
         check_given(given)
     }
 
-    fn generate(&self) -> Result<Scenario, Error> {
-        self.check()?;
+    fn make(&self) -> Result<Scenario, Error> {
         scattered(self, "discs", "discs", |random, smallest, largest| {
             Obstacle::Disc(draw_disc(random, smallest, largest))
         })

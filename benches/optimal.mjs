@@ -1,5 +1,5 @@
 /**
- * `npm run bench:optimal`: what the best path of each optimal planner costs after so many checks, for a disc among convex polygons,
+ * `npm run bench:optimal`: what the best path of each optimal planner costs after a number of checks, for a disc among convex polygons,
  * beside OMPL's planners, in percent above the true shortest path.
  *
  *   --worlds N     worlds (10); those without a path are left out
@@ -87,7 +87,7 @@ function ownRuns(scenario, algorithm, seeds) {
   });
 }
 
-/** One run until it has made so many checks. @param {Scenario} scenario @param {any} options @returns {Run} */
+/** One run until it has made a number of checks. @param {Scenario} scenario @param {any} options @returns {Run} */
 function ownRun(scenario, options) {
   const planner = scenario.planner({ ...options, events: false });
   planner.record();
@@ -135,7 +135,7 @@ function merged(runs) {
   return { better: runs.flatMap(({ better }) => better), isValid: runs.every(({ isValid }) => isValid) };
 }
 
-/** The cost after so many checks. @param {Run} run @param {number} most */
+/** The cost after a number of checks. @param {Run} run @param {number} most */
 function cost({ better }, most) {
   return better.reduce((least, [checks, cost]) => (checks <= most ? Math.min(least, cost) : least), Infinity);
 }

@@ -1,5 +1,5 @@
 /**
- * Robots of one's own: the arms of generated forests, told to `Problem` by functions in JavaScript, beside the same arms as scenarios.
+ * Custom robots: the arms of generated forests, given to `Problem` as functions in JavaScript, beside the same arms as scenarios.
  *
  *   node benches/own.mjs [SEEDS] [FILE...]   scenarios of arms in place of the generated ones
  *
@@ -20,7 +20,7 @@ import { oxmplInJavaScript } from "./peers/sides.mjs";
 /** @typedef {import("planarium").ScenarioDocument} Document */
 /** What a function got and wrote. @typedef {{ rows: Float64Array, results: Float64Array }} Batch */
 /** A run of a seed, without its construction; it returns how to free it. @typedef {(seed: number) => () => (() => void) | void} Plan */
-/** A way to tell what is free; without `record` it is told by a document. @typedef {{ plan: Plan, record?: (seed: number) => Batch[], replay?: (batches: Batch[]) => Plan, alone?: (batches: Batch[]) => void }} Way */
+/** A way to say what is free; without `record` a document says it. @typedef {{ plan: Plan, record?: (seed: number) => Batch[], replay?: (batches: Batch[]) => Plan, alone?: (batches: Batch[]) => void }} Way */
 
 /** The distance of two neighbouring samples, radians in the sum metric: as the peers sample. */
 const RESOLUTION = 0.05;
@@ -34,7 +34,7 @@ function toSegment(px, py, ax, ay, bx, by) {
 
 /** The distance of an arm's links from discs and polygons, 0 if they touch. @param {Document} document */
 function distanceOf({ world: { obstacles }, robot }) {
-  if (robot.type !== "arm") throw new Error("only arms are told here");
+  if (robot.type !== "arm") throw new Error("only arms are supported here");
   const { base, links, radius = 0 } = robot;
   // Each obstacle in a circle; the edges of a polygon by both ends.
   const around = obstacles.map((one) => {
@@ -89,7 +89,7 @@ function ours(problem) {
 /** The arm of a document. @param {Document} document @returns {Twins} */
 function twinsOf(document) {
   const { robot, queries: [{ start, goal }] } = document;
-  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are told here");
+  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are supported here");
   const { links } = robot;
   const n = links.length;
   const distance = distanceOf(document);
@@ -163,7 +163,7 @@ function told({ base, reach, clearance, isFree }, isProven) {
  */
 function theirs(oxmpl, document) {
   const { robot, queries: [{ start, goal }] } = document;
-  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are told here");
+  if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are supported here");
   const n = robot.links.length;
   const distance = distanceOf(document);
   const circle = new oxmpl.SO2StateSpace();

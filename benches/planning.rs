@@ -283,7 +283,7 @@ fn worlds(kind: &str, count: u64, options: impl Fn(u64) -> serde_json::Value) ->
     (0..count).map(world).map(|scenario| (scenario.name().to_owned(), scenario)).collect()
 }
 
-/// Prints the row of a planner: the query of that name, or all, of all worlds, by so many seeds and at most so many iterations.
+/// Prints the row of a planner: the query of that name, or all, of all worlds, by a number of seeds, each for at most a number of iterations.
 fn row(
     what: &str,
     worlds: &[World],

@@ -234,7 +234,7 @@ fn corners() {
     }
 }
 
-/// A jagged floor of so many corners below a free sky, as one polygon or as its convex pieces.
+/// A jagged floor of this number of corners below a free sky, as one polygon or as its convex pieces.
 fn skyline(count: usize, is_one: bool) -> World {
     let mut random = Random::new(1, Stream::Scenario);
     let mut top = |i: usize| {

@@ -19,7 +19,7 @@ const PRECISION: f64 = 0.05;
 /// The level below which a difference is called significant, before it is divided by the number of tests.
 const LEVEL: f64 = 0.05;
 
-/// Up to so many differences the distribution of signed ranks is computed exactly: their sums, in doubled ranks, are counted in
+/// Up to this number of differences the distribution of signed ranks is computed exactly: their sums, in doubled ranks, are counted in
 /// 64-bit floats without rounding.
 const EXACT: usize = 50;
 
@@ -113,7 +113,7 @@ pub struct Ecdf {
 }
 
 /// The empirical distribution function. Missing values are in the denominator: of the work until a path is found, it is the share
-/// of all trials that are solved with at most so much work, and ends at the success rate. O(n log n).
+/// of all trials that are solved with at most that work, and ends at the success rate. O(n log n).
 pub fn ecdf(sample: &[f64]) -> Ecdf {
     let (values, missing) = sorted(sample);
     let mut ecdf = Ecdf { n: values.len() as u64, missing, values: Vec::new(), shares: Vec::new() };
@@ -147,7 +147,7 @@ pub struct Mean {
     pub needed: Option<u64>,
 }
 
-/// The mean with the interval of Student's t distribution. It assumes that means of so many values are about normal.
+/// The mean with the interval of Student's t distribution. It assumes that means of this number of values are about normal.
 pub fn mean(sample: &[f64]) -> Mean {
     let (values, missing) = present(sample);
     let n = values.len() as u64;
@@ -190,7 +190,7 @@ pub fn resampled(sample: &[f64]) -> Mean {
     Mean { low: Some(again[TIMES / 40]), high: Some(again[TIMES - 1 - TIMES / 40]), ..mean }
 }
 
-/// The 97.5 % quantile of Student's t distribution with so many degrees of freedom, at least one.
+/// The 97.5 % quantile of Student's t distribution with this number of degrees of freedom, at least one.
 fn quantile_of_t(freedom: u64) -> f64 {
     StudentsT::new(0.0, 1.0, freedom as f64).expect("a positive number of degrees").inverse_cdf(0.975)
 }
@@ -289,7 +289,7 @@ fn in_words(Names { a, b, measure }: Names, [n, smaller, larger]: [u64; 3], p: f
     )
 }
 
-/// The two-sided p-value of the sign test: so many differences in one direction and in the other.
+/// The two-sided p-value of the sign test: the numbers of differences in one direction and in the other.
 ///
 /// The sum of binomial coefficients up to the smaller of the two over 2^n, without a transcendental function, so that it is the
 /// same on every platform. O(n).

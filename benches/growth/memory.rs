@@ -110,7 +110,7 @@ pub fn print(is_quick: bool) {
     );
     println!("Graph: {an_edge:.1} bytes per edge; aim: 16: {}.", verdict(an_edge, 16.0));
     println!(
-        "Long lists grow by a sixteenth when they are full: so much of the memory may be spare, and half as much is on average."
+        "Long lists grow by a sixteenth when they are full: up to that share of the memory may be spare, and half of it is on average."
     );
     whole_run(n);
 }

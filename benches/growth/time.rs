@@ -114,7 +114,7 @@ fn roadmaps(sizes: &[u64]) -> Vec<Curve> {
     ]
 }
 
-/// Trees that never reach their goal: the time until they have so many vertices.
+/// Trees that never reach their goal: the time until they have a number of vertices.
 fn trees(sizes: &[u64]) -> Vec<Curve> {
     let quantity = "vertices of a tree (3 links, a car)";
     let (arm, car) = (divided(), parted());

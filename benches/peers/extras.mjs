@@ -41,7 +41,7 @@ function graphAndIndex({ isQuick }) {
   return [figure("native, bytes per vertex", Number(bytes))];
 }
 
-/** The bench prints a line such as `{"threads": 2, "ratio": 1.8}`: the time of one thread over that of so many. */
+/** The bench prints a line such as `{"threads": 2, "ratio": 1.8}`: the time of one thread over that of several. */
 function threads() {
   const printed = inCargo(["--bench", "planning", "--features", "parallel", "--", "threads"]);
   const lines = printed.split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));

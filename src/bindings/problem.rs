@@ -81,7 +81,7 @@ impl Problem {
             [None, Some(_)] => return Err(useless("reach", "reach is for clearance: isFree has no distances")),
             [None, None] => return Err(missing("clearance", "a function (rows, clearances); or isFree, (rows, free)")),
             [Some(_), Some(_)] => {
-                return Err(twice("isFree", "what is free is told by clearance or by isFree, not by both"));
+                return Err(twice("isFree", "give clearance or isFree, not both"));
             }
         };
         fields.finish("space, start, goal, goals, clearance, isFree, reach, resolution")?;

@@ -35,7 +35,7 @@ impl Experiment {
     /// The trial with this number. O(log n) in the entries of the document.
     ///
     /// # Panics
-    /// If there are not so many trials.
+    /// If there are fewer trials.
     pub fn trial(&self, number: u64) -> Trial {
         assert!(number < self.trial_count(), "there are {} trials, and none is number {number}", self.trial_count());
         let (rest, seed) = (number / self.seeds.len(), number % self.seeds.len());
@@ -121,7 +121,7 @@ impl Trials {
     /// else was checked when the document was read.
     ///
     /// # Panics
-    /// If there are not so many trials.
+    /// If there are fewer trials.
     pub fn start(&mut self, number: u64) -> Result<TrialRun, Error> {
         let experiment = Arc::clone(&self.experiment);
         let trial = experiment.trial(number);

@@ -12,7 +12,7 @@ use crate::geometry::{Point, Polygon, Vector, distance_point_segment, intersects
 use crate::scenario::Robot;
 use serde::Serialize;
 
-/// While bodies are in conflict, their distance is evaluated so many times in each interval at least.
+/// While bodies are in conflict, their distance is evaluated at least this number of times in each interval.
 const LOOKS: f64 = 64.0;
 
 /// The distances of bodies that a plan may take, however short it is, and how many more for each of its rows.

@@ -17,11 +17,11 @@ use std::sync::Arc;
 
 /// The samples of a roadmap at first, and as many more for each robot.
 const SAMPLES: [usize; 2] = [30, 5];
-/// In so many rounds the roadmaps grow.
+/// The number of rounds in which the roadmaps grow.
 const ROUNDS: u32 = 5;
 /// The iterations of a search in the first rounds, and as many more for each robot.
 const ITERATIONS: [u64; 2] = [10_000, 5_000];
-/// Distances in joint search count up to so much more than they are, a multiple of it each time that roadmaps are begun.
+/// Distances in joint search count up to this much more than they are, a multiple of it each time that roadmaps are begun.
 const NOISE: f64 = 0.25;
 /// The most distances to goals that are kept, of all robots; a fleet that has more is too large for joint moves.
 const MOST_DISTANCES: usize = 8_000_000;

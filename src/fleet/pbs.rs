@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 /// How many orders of priorities are tried after the first.
 const RESTARTS: u32 = 20;
-/// The roadmaps grow after so many rounds: mostly they are dense enough.
+/// The roadmaps grow after this number of rounds: mostly they are dense enough.
 const ROUNDS: u32 = 3;
 /// How often the robots of a plan try to arrive earlier if nothing else is given and the plan is not one of priorities.
 const REFINEMENTS: u32 = 3;

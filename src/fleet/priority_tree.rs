@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::sync::Arc;
 
-/// The earliest departures graze the others: so many slacks are left between them, a hundred-millionth of the world's size.
+/// The earliest departures graze the others: this number of slacks is left between them, a hundred-millionth of the world's size.
 pub(super) const MARGIN: f64 = 1e4;
 
 /// What searches need, on roadmaps that are complete.

@@ -66,7 +66,7 @@ impl Roadmap {
         !self.neighbours.is_empty()
     }
 
-    /// Begins to grow to so many vertices; until it has them, it is not built.
+    /// Begins to grow to this number of vertices; until it has them, it is not built.
     pub fn grow_to(&mut self, vertices: usize) {
         let more = vertices.saturating_sub(self.vertex_count()) as u64;
         self.wanted = (vertices, DRAWS * more);

@@ -13,7 +13,7 @@ pub struct Tree {
 const NONE: u32 = u32::MAX;
 
 impl Tree {
-    /// An empty forest among so many vertices.
+    /// An empty forest among this number of vertices.
     pub fn with_room(vertices: usize) -> Self {
         Self { parents: vec![NONE; vertices] }
     }

@@ -38,7 +38,7 @@ fn up_to(bar: f32, distances: &[[f32; LANES]]) -> u64 {
 }
 
 /// Collects the first `k` of the neighbours offered, in the order of [`Neighbour::is_before`]. Until [`finish`](Self::finish),
-/// distances are approximate, and candidates that cannot be told from the k-th are stored as well.
+/// distances are approximate, and candidates that may be as near as the k-th are stored as well.
 pub(super) struct Closest<'a, M> {
     query: &'a Packed,
     found: &'a mut Vec<Neighbour>,

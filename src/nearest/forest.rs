@@ -1,4 +1,4 @@
-//! The approximate index: a forest of random-projection trees, for so many dimensions that an exact index has to
+//! The approximate index: a forest of random-projection trees, for dimensions so high that an exact index has to
 //! examine most states.
 //!
 //! Dasgupta and Freund 2008, "Random projection trees and low dimensional manifolds": each tree halves the states recursively at
@@ -122,7 +122,7 @@ impl Forest {
         nodes.len() as u32 - 1
     }
 
-    /// The largest depth of a tree of so many states: more than twice the least.
+    /// The largest depth of a tree of this number of states: more than twice the least.
     fn deepest(&self, states: usize) -> usize {
         let leaves = states as f64 / self.parameters.leaf as f64;
         SPARE_DEPTH + libm::ceil(2.0 * libm::log2(leaves.max(1.0))) as usize

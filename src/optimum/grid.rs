@@ -13,7 +13,7 @@ use crate::space::{MotionSpace, Space};
 /// Lines of the grid across each coordinate, besides those of start and goal.
 const LINES: usize = 360;
 
-/// Grids around the corners of the path, each with lines closer by this factor than those before, and so many on either side.
+/// Grids around the corners of the path, each with lines closer by this factor than those before, and this number on either side.
 const REFINEMENTS: u64 = 5;
 const CLOSER: f64 = 4.0;
 const BESIDE: i32 = 4;

@@ -173,12 +173,12 @@ crate::options! {
 crate::options! {
     /// Growth past the goal.
     pub struct Overgrowth for crate::options::ALL;
-    /// Grows on past the goal until the tree has so many vertices; its first path stays.
+    /// Grows on past the goal until the tree has this number of vertices; its first path stays.
     vertices: Option<u32>, in 1.0..=1e6, "Vertices", else "none: it ends at the goal";
 }
 
 impl Overgrowth {
-    /// The status of a tree of so many vertices, after an iteration.
+    /// The status of a tree of this number of vertices, after an iteration.
     pub(super) fn status(self, has_path: bool, vertices: usize) -> Status {
         let is_grown = self.vertices.is_none_or(|most| vertices >= most as usize);
         match (is_grown, has_path) {

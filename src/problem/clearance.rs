@@ -109,7 +109,7 @@ impl<S: Space> ClearanceValidity<S> {
     #[must_use]
     pub fn fitted(mut self, states: &[S::State]) -> Self {
         let mut tolerance = self.tolerance;
-        // A failure stays, and whoever asks next is told.
+        // A failure stays: the next caller gets it too.
         let _ = self.evaluate(states, |_, clearance| {
             if clearance > 0.0 {
                 tolerance = tolerance.min(clearance / 2.0);

@@ -282,7 +282,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
 /// # Ok::<(), planarium::Error>(())
 /// ```
 impl dyn Run + '_ {
-    /// The configurations of the vertices from row `row` on; none if there are not so many.
+    /// The configurations of the vertices from row `row` on; none if there are fewer.
     pub fn vertices_since(&self, row: usize) -> impl ExactSizeIterator<Item = &[f64]> {
         (row.min(self.vertex_count())..self.vertex_count()).map(|row| self.vertex(row))
     }

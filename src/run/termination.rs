@@ -39,7 +39,7 @@ impl Progress {
         }
     }
 
-    /// Whether the run ends with this iteration, after so many clearance evaluations. O(log paths).
+    /// Whether the run ends with this iteration, after this number of clearance evaluations. O(log paths).
     pub fn is_over(&self, iteration: u32, evaluations: u64) -> bool {
         let Termination { improve_iterations, stop_evaluations, stop_cost, stop_stale, stop_converged, stop_when } =
             self.termination;
@@ -98,7 +98,7 @@ impl Limiting {
         Self { most: (limits.max_iterations.unwrap_or(u32::MAX), limits.work()), since: (0, 0), gained: 0 }
     }
 
-    /// The limit that is spent after so many iterations and so much work.
+    /// The limit that is spent after these iterations and this work.
     pub fn exceeded(&self, iteration: u32, work: u64) -> Option<Reason> {
         if iteration - self.since.0 >= self.most.0 {
             return Some(Reason::IterationLimit);

@@ -40,7 +40,7 @@ impl Weights {
         Self { query: QUERY * space.dimension() as u64, evaluation }
     }
 
-    /// The work of a planner, whose collision checkers have made so many evaluations. O(1).
+    /// The work of a planner, whose collision checkers have made this number of evaluations. O(1).
     pub fn work<S: Space>(self, iterations: u64, growth: &Growth<S>, evaluations: u64) -> u64 {
         let Stats { configuration_checks, motion_checks, nearest_queries, visited, .. } = growth.counters;
         let (vertices, edges) = (growth.graph.states().len(), growth.graph.edges().len());

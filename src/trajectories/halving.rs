@@ -13,7 +13,7 @@
 use super::particle::Particle;
 use crate::geometry::{Point, Segment, distance_point_segment, distance_segment_segment};
 
-/// A crossing is refined until its position is known to so many slacks.
+/// A crossing is refined until its position is known to this number of slacks.
 const NEAR: f64 = 1e6;
 
 /// The result of halving.

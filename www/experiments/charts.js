@@ -76,7 +76,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
   };
   if (kind === "ecdf") {
     const all = chart.distributions = distributions(rows, factors, work);
-    chart.title = `Share of trials solved after so many ${title(work)}`;
+    chart.title = `Share of trials solved, by ${title(work)}`;
     [chart.across, chart.up] = [continuous(work, true), { ...continuous(SOLVED, false), title: "share of trials solved, %" }];
     chart.columns = ["series", work, "share_percent"];
     chart.rows = () => all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));

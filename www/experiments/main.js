@@ -33,12 +33,12 @@ import { openTrial, watchTrials } from "./trials.js";
 /** @import { ExperimentWorker } from "./pool.js" */
 /** @import { Change } from "./session.js" */
 
-/** Milliseconds between two drawings while trials end: at least so many, and so many times as long as a drawing takes. */
+/** Milliseconds between two drawings while trials end: at least this number, and this many times as long as a drawing takes. */
 const PAUSE = 400;
 const REST = 8;
 /** Rows of the table of the chart, at most. */
 const MOST_ROWS = 400;
-/** Experiments with at most so many trials run as they are opened. */
+/** Experiments with at most this number of trials run as they are opened. */
 const AT_ONCE = 5000;
 /** Image pixels a CSS pixel. */
 const SCALE = 2;
@@ -275,7 +275,7 @@ function remark({ kind, up, across, points }) {
   const whole = "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
   if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
   if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
-  if (kind === "ecdf") return `Share of all trials that had found a path after so much work. Trials without a path stay in the denominator. ${whole}`;
+  if (kind === "ecdf") return `Share of all trials that had found a path, by work. Trials without a path stay in the denominator. ${whole}`;
   if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
   if (kind === "heat") return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
   const [marks, intervals] = across.isNumeric ? ["Line", "band"] : ["Dots", "lines"];

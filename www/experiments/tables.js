@@ -65,7 +65,7 @@ export function cells(rows, across, up, measure) {
   return grouped(rows, [across, up], [across, up]).map(({ trials, place: [x, y] }) => ({ x, y, series: "", ...summary(rows, trials, measure) }));
 }
 
-/** The share of all trials of a series that have a path after so much work. @param {Rows} rows @param {Factor[]} factors @param {string} work @returns {Distribution[]} */
+/** The share of all trials of a series that have a path, by work. @param {Rows} rows @param {Factor[]} factors @param {string} work @returns {Distribution[]} */
 export function distributions(rows, factors, work) {
   return grouped(rows, factors, []).map(({ trials, series }) => {
     const { n, missing, values, shares } = ecdf(sampleOf(rows, trials, work));

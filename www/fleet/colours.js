@@ -1,6 +1,6 @@
 /**
  * The colours of robots: as many hues as there are robots, equally light, so that a number in the colour of the stage is legible on each.
- * With forced colours all robots have the same one. A number is on every robot: no robot is told by its colour alone.
+ * With forced colours all robots have the same one. A number is on every robot: no robot is identified by its colour alone.
  */
 import { bytesOf } from "../draw/mask.js";
 

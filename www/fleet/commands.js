@@ -40,7 +40,7 @@ export const commands = {
     return ++id;
   },
 
-  /** Makes at most so many iterations, fewer where they take long (`isLate`); null if another planner has begun since. @param {number} mine  of the planner @param {number} count */
+  /** Makes at most this number of iterations, fewer where they take long (`isLate`); null if another planner has begun since. @param {number} mine  of the planner @param {number} count */
   advance(mine, count) {
     if (mine !== id || !planner) return null;
     const end = performance.now() + LONGEST;

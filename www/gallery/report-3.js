@@ -171,7 +171,7 @@ export const REPORT_3 = {
     schedule(1, 4), schedule(2, 6), schedule(3, 11),
     { id: "3-late", title: "Shorter motions late", name: "3.3", kind: "claim", robot: "car",
       page: "experiments", state: { document: "car-schedule", view: { chart: "ecdf", work: "iterations" } }, expect: "open",
-      see: "The share of runs with a path after so many iterations, with the schedule and without it, in three scenes.", try: "Look at the curves beyond 3000 iterations: they are nearly flat.",
+      see: "The share of runs with a path after each number of iterations, with the schedule and without it, in three scenes.", try: "Look at the curves beyond 3000 iterations: they are nearly flat.",
       report: "Shorter motions and more goals in the last quarter adjust the tree near the goal.", holds: "no", why: "Without the schedule as many runs find a path: 189, 159 and 180 of 200, against 189, 152 and 181 with it.", chosen: CAR },
   ],
 };

@@ -73,7 +73,7 @@ export const REPORT_4 = {
       report: "The scan takes 0.17 ms, the kd-tree 0.20 to 0.24 ms, whatever n is: both are consistent.", holds: "no",
       why: "A scan of 2000 looks at twenty times as many as one of 100. Up to there the clock and the call hide it, also here; at 100,000 nothing does.", chosen: `${ARM} ${LIST}` },
     ofArm(10, [3.14, 0], 3, 100, "Three nearest of 100."), ofArm(11, [3.14, 0], 3, 500, "Three nearest of 500: they come closer."),
-    ofArm(12, [3.14, 0], 3, 1000, "Three nearest of 1000."), ofArm(13, [3.14, 0], 3, 2000, "Three nearest of 2000: hardly to be told from the target."),
+    ofArm(12, [3.14, 0], 3, 1000, "Three nearest of 1000."), ofArm(13, [3.14, 0], 3, 2000, "Three nearest of 2000: hard to distinguish from the target."),
     ofArm(14, [3.14, 0], 3, 100, "Of 100 configurations the three nearest."), ofArm(15, [3.14, 0], 5, 100, "Of 100 configurations the five nearest."),
     ofArm(16, [3.14, 0], 10, 100, "Of 100 configurations the ten nearest: half a disc at each border of the square."), ofArm(17, [3.14, 0], 20, 100, "Of 100 configurations the twenty nearest, on both sides of the border."),
     { id: "4-1-3", title: "The direction of the plain difference", name: "1.3", kind: "animation", robot: "arm",
@@ -173,7 +173,7 @@ export const REPORT_4 = {
       "The path does: 6.1, 5.5, 5.3. The report\u2019s five trials do not show it, and the work rises: 492, 1017, 1785 motions."),
     { id: "4-success", title: "Do 10,000 iterations suffice?", name: "3.3.3 to 3.3.5", kind: "claim", robot: "car",
       page: "experiments", state: { document: "car-blossom", view: { chart: "ecdf", work: "iterations" } }, expect: "open",
-      see: "The share of runs that have a path after so many iterations.", try: "Choose clearance evaluations as the work.",
+      see: "The share of runs that have a path after each number of iterations.", try: "Choose clearance evaluations as the work.",
       report: "All 45 runs found a path, so 10,000 iterations suffice.", holds: "yes", why: "1796 of 1800 here; 45 of 45 alone shows no more than 92 %.", chosen: CAR },
   ],
 };

@@ -9,7 +9,7 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 /** What an arrow key moves by, metres, and turns by, radians. */
 const STEP = 0.05;
 const TURN = Math.PI / 36;
-/** Within so many pixels the pointer marks an edge. */
+/** Within this number of pixels the pointer marks an edge. */
 const NEAR = 8;
 
 /**

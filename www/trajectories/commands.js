@@ -29,7 +29,7 @@ export const commands = {
     return begun.result();
   },
 
-  /** Makes at most so many tries, fewer where they take long. @param {number} count */
+  /** Makes at most this number of tries, fewer where they take long. @param {number} count */
   advance(count) {
     if (!trajectories) throw new Error("No experiment has begun.");
     const { acceptedCount, refusedCount } = trajectories;

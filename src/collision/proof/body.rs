@@ -3,7 +3,7 @@
 //! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. Nothing is accumulated along a motion: every
 //! middle is computed from the start. The heading there is the product of that at the start and of the turn since, each off by
 //! 1.4e-14 (see `rotation.rs`) and by roundings of angles of 7 radians at most, 1e-15; on an arc, half of the turn is taken
-//! twice: 4.5e-14 in all, and so much times S for every corner. A displacement is off by roundings, 4e-16 times its length, which
+//! twice: 4.5e-14 in all, and that times S for every corner. A displacement is off by roundings, 4e-16 times its length, which
 //! is 9 S at most; a chord besides by its direction, 3e-14 times its length, and by the sine of half its turn, 1.4e-14 times the
 //! diameter of the arc. As long as all before has been within the bounds, chords are no longer than 3 S; and where more than 0.4
 //! radians of half a turn are behind, so that the sine is not from the bare series, the diameter is at most 3 S / sin 0.4 = 7.8

@@ -40,7 +40,7 @@ impl Leg {
         Self { from: placement(a), line: [step[0], step[1]], arc: 0.0, turn: step[2], bend: [0.0; 3] }
     }
 
-    /// From a placement along an arc of so many metres, backward if negative, while turning by `turn` radians.
+    /// From a placement along an arc of this length, in metres, backward if negative, while turning by `turn` radians.
     ///
     /// # Panics
     /// If `from` has fewer than three entries.

@@ -125,7 +125,7 @@ pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, E
     Ok(verdict(result.path.len(), moved, check(scenario, query, result, shares)))
 }
 
-/// Verifies a path from a start to a goal by itself, with at most so many samples in between. Returns why it is not valid.
+/// Verifies a path from a start to a goal by itself, with at most this number of samples in between. Returns why it is not valid.
 pub(crate) fn verify_path(
     world: &World,
     robot: &Robot,

@@ -52,7 +52,7 @@ impl<S: Space> Default for Ahead<S> {
 }
 
 impl<S: Space> Ahead<S> {
-    /// The threads, if the run has several, so many items are worth waking them, and the system starts them.
+    /// The threads, if the run has several, the items are worth waking them, and the system starts them.
     fn threads<'a>(&'a mut self, problem: &'a Problem<S>, items: usize) -> Option<Threads<'a, S>> {
         let (checkers, count) = (problem.checkers.as_ref()?, problem.threads.get());
         if count == 1 || items < FEWEST {

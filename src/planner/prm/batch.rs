@@ -42,7 +42,7 @@ impl<S: Space> Batch<S> {
         RoadmapPlanner::new(problem, roadmap, builder, false)
     }
 
-    /// A builder that adds so many samples to a roadmap of start and goals.
+    /// A builder that adds this number of samples to a roadmap of start and goals.
     pub fn new(roadmap: &Roadmap<S>, samples: usize, growing: Option<Growing>, sampler: Box<dyn Sampler<S>>) -> Self {
         let vertices = samples + roadmap.len();
         let left = (0..vertices as u32).map(VertexId);

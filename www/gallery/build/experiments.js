@@ -137,7 +137,7 @@ function linesOf(text, width) {
   }, []);
 }
 
-/** The share of trials solved after so much work, for each planner. @param {Brush} brush @param {TrialRow[]} rows @param {string} work */
+/** The share of trials solved, by work, for each planner. @param {Brush} brush @param {TrialRow[]} rows @param {string} work */
 function drawShares(brush, rows, work) {
   const { context, palette } = brush;
   const settings = settingsOf(rows);

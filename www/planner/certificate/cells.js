@@ -10,7 +10,7 @@ const FREE = 1;
 const BLOCKED = 2;
 /** How much of a cell's colour is seen. */
 const ALPHA = { blocked: 0.42, free: 0.2, marked: 0.75 };
-/** Borders are drawn around cells of so many pixels. */
+/** Borders are drawn around cells of this number of pixels. */
 const LARGE = 5;
 
 export class CellPicture {

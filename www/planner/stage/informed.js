@@ -1,5 +1,5 @@
 /**
- * Where an informed planner looks: the configurations by way of which a path may be shorter than the best one. Of a disc that is the
+ * Where an informed planner looks: the configurations through which a path may be shorter than the best one. Of a disc that is the
  * inside of an ellipse with the foci start and goal, whose axis is as long as the path.
  */
 import { setStroke } from "../../draw/marks.js";

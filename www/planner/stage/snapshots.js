@@ -29,7 +29,7 @@ export class Snapshots {
     this.copies = [];
   }
 
-  /** Whether to copy a layer of so many marks. @param {number} count */
+  /** Whether to copy a layer of this number of marks. @param {number} count */
   isDue(count) { return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing; }
 
   /** Copies the layer. @param {number} count   marks that it holds */

@@ -14,7 +14,7 @@ import { Workspace } from "./workspace-pane.js";
 
 /** Rows drawn in a frame while it plays: at first, at least and at most. */
 const RATION = { first: 240, least: 48, most: 960 };
-/** A frame is short below so many milliseconds, and long above. */
+/** A frame is short below this number of milliseconds, and long above. */
 const GAP = { short: 18, long: 25 };
 
 export const KINDS = { workspace: Workspace, cspace: CSpace };

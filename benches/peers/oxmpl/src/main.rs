@@ -64,7 +64,7 @@ struct Tally {
 enum Test {
     /// At a fixed number of samples.
     Samples,
-    /// Every so many radians.
+    /// The step, in radians.
     Resolution(f64),
 }
 

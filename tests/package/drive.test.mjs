@@ -20,38 +20,6 @@ test("a drive starts at rest at the start of the first query, or where it is tol
   assert.equal(drive().stepSeconds, 0.01);
 });
 
-test("keys change v by 0.1 and phi by pi / 12, within the limits of the car", () => {
-  const one = press(drive(), "faster", "faster", "faster", "left", "keep");
-  assert.deepEqual([one.state.v, one.state.phi, one.state.keyCount], [0.3, Math.PI / 12, 5]);
-  press(one, "faster", "faster", "faster", "left", "left", "left", "left");
-  assert.deepEqual([one.state.v, one.state.phi], [0.5, Math.PI / 4]);
-  press(one, "right", "right", "right", "slower");
-  assert.deepEqual([one.state.v, one.state.phi], [0.4, 0]);
-});
-
-test("the same keys at 30 and at 120 pictures a second lead to the same pose, bit for bit", () => {
-  /** @type {Record<number, DriveKey>} */
-  const keys = { 0: "faster", 20: "faster", 40: "left", 100: "right", 120: "right", 160: "faster" };
-  /** @param {number} rate  pictures a second */
-  const at = (rate) => {
-    const one = drive();
-    for (let picture = 1; picture <= 2 * rate; picture++) {
-      // A fixed step: as many of them as have become due.
-      const due = Math.floor((picture / rate) * 100 + 1e-9);
-      while (one.state.steps < due) {
-        const { steps } = one.state;
-        if (keys[steps]) one.press(keys[steps]);
-        one.tick(1);
-      }
-    }
-    return [...one.traceSince(0)];
-  };
-  const slow = at(30);
-  assert.equal(slow.length, 3 * 201);
-  assert.deepEqual(at(120), slow);
-  assert.deepEqual(at(60), slow);
-});
-
 test("it stops at what is in its way, says which, and backs off", () => {
   const one = press(drive(), "faster", "faster", "faster", "faster", "faster");
   const stopped = one.tick(500);
@@ -104,22 +72,13 @@ test("a rollout holds one control, step by step, up to what it hits", () => {
   fails(() => scenario.rollout([0.5, 0.5], 0.1, 0, 1), "wrong-dimension", "/q");
 });
 
-test("Euler's steps turn the circle of a rollout into a spiral", () => {
+test("a rollout takes its integration and its step", () => {
   const scenario = Scenario.parse(car);
-  /** How far the last pose is from the circle. @param {"exact" | "euler"} integration @param {number} dt */
-  const off = (integration, dt) => {
-    const { poses, seconds } = scenario.rollout([0.5, 0.5, 0], 0.5, Math.PI / 4, 1, { integration, dt });
-    assert.deepEqual([poses.length / 3, seconds], [Math.round(1 / dt) + 1, 1]);
-    return Math.hypot(poses[poses.length - 3] - 0.5, poses[poses.length - 2] - 0.7) - 0.2;
-  };
-  assert.ok(Math.abs(off("exact", 0.1)) < 1e-12);
-  assert.ok(off("euler", 0.1) > 0.01 && off("euler", 0.01) > 0.001 && off("euler", 0.01) < off("euler", 0.1) / 5);
-  /** @param {any} options */
-  const rolled = (options) => () => scenario.rollout([0.5, 0.5, 0], 0.1, 0, 1, options);
-  fails(rolled({ integration: "heun" }), "out-of-range", "/integration");
-  fails(rolled({ dt: 0 }), "out-of-range", "/dt");
-  fails(rolled({ dt: NaN }), "not-finite", "/dt");
-  fails(rolled({ step: 1 }), "unknown-field", "/step");
+  const { poses, seconds } = scenario.rollout([0.5, 0.5, 0], 0.5, Math.PI / 4, 1, { integration: "euler", dt: 0.1 });
+  assert.deepEqual([poses.length, seconds], [3 * 11, 1]);
+  for (const [options, code, pointer] of /** @type {[any, string, string][]} */ ([
+    [{ integration: "heun" }, "out-of-range", "/integration"], [{ dt: 0 }, "out-of-range", "/dt"], [{ dt: NaN }, "not-finite", "/dt"], [{ step: 1 }, "unknown-field", "/step"],
+  ])) fails(() => scenario.rollout([0.5, 0.5, 0], 0.1, 0, 1, options), code, pointer);
 });
 
 test("what is wrong is refused", () => {

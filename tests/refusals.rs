@@ -1,9 +1,9 @@
-//! Refusals: every case of `refusals.json` is refused with its code, its pointer and, where it has one, a part of its sentence. The
-//! package's tests read the same file, natively and in WebAssembly these do.
+//! Refusals: every case of `refusals.json` is refused with its code, its pointer and, where it has one, a part of its sentence. They
+//! are asked for here natively, in Node and in Chrome, and in `package/refusals.test.mjs` through the npm package.
 //!
-//! A case has the kind of what is asked for, a document of the table with values set and removed at pointers, or a `text` in its
-//! place, and options by name, in which the words "NaN" and "Infinity" are the numbers. `schema` says that the schema refuses the
-//! document too; it judges each value for itself.
+//! A case has a kind, which says what is asked for; a document of the table with values that are set and removed at pointers, or a
+//! `text` in its place; and options by name. In options the words "NaN" and "Infinity" are numbers. `schema` says that the schema
+//! refuses the document too: it judges each value alone.
 
 use crate::common::documents::refuses;
 use crate::common::{arm_and_wall, begin_with, finish, given, options, requests};

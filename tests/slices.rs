@@ -1,5 +1,5 @@
-//! The law of slices: whatever is stepped ends the same in slices of 1, of 7, and in one. Custom robots and saved roadmaps obey it in
-//! tests of their own, experiments and drives, which are no `Stepped`, too.
+//! The law of slices: whatever is stepped ends the same in slices of 1, of 7, and in one. Robots of your own, saved roadmaps and
+//! fleets in a corridor obey it in their own tests; so do experiments and drives, which are not `Stepped`.
 
 use crate::as_reported::{REPORTED, REPORTED_DRIVEN};
 use crate::common::{

@@ -44,10 +44,7 @@ fn every_planner_works_with_every_sampler_and_keeps_its_paths_clear() {
                     let improvement = "shortcut=20 partial_shortcut=20 reduce=true";
                     let settings = format!("{samples} sampler={sampler} {improvement} max_iterations={most}");
                     let what = format!("{planner} {settings} seed {seed} on {}", world.name());
-                    let whole = finish(begin_with(world, planner, seed, &settings));
-                    let mut run = begin_with(world, planner, seed, &settings);
-                    while run.step(11) == Status::Running {}
-                    assert_eq!((run.fingerprint(), run.stats()), (whole.fingerprint(), whole.stats()), "{what}");
+                    let run = finish(begin_with(world, planner, seed, &settings));
                     let is_local = matches!(sampler, "gaussian" | "bridge" | "obstacle-based");
                     let must_solve = i < 2 && !is_local && planner != "visibility-prm";
                     assert!(!must_solve || run.status() == Status::Solved, "{what}");

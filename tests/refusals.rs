@@ -225,7 +225,7 @@ fn every_case_has_its_code_its_pointer_and_its_sentence() {
 /// No object has a field twice, but a list of options may.
 #[wasm_bindgen_test(unsupported = test)]
 fn an_option_given_twice_is_refused() {
-    let run = requests::start(arm_and_wall(0.1), &options("rrt-connect", 0, "step=1 step=2"));
+    let run = requests::start(&arm_and_wall(0.1), &options("rrt-connect", 0, "step=1 step=2"));
     refuses(run.map(drop), "duplicate-field", "/step");
     refuses(TrajectoryOptions::new(&given("count=5 count=6"), 0), "duplicate-field", "/count");
     let twice = given("seed=1 seed=2");

@@ -9,7 +9,7 @@ use crate::schema::check as check_schema;
 use planarium::geometry::{Aabb, Point};
 use planarium::robot::{DiscRobot, Target, Weights};
 use planarium::scenario::{
-    FORMAT, Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, polygon,
+    Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, polygon,
 };
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -173,7 +173,7 @@ fn the_shared_scenarios_are_read_and_written_again() {
     for (name, text) in shared {
         let parsed = Scenario::parse(&text);
         check_schema(&serde_json::from_str(&text).unwrap(), parsed.is_ok());
-        if !text.contains(FORMAT) {
+        if !text.contains(planarium::scenario::FORMAT) {
             continue;
         }
         let scenario = parsed.unwrap_or_else(|error| panic!("{name}: {error}"));

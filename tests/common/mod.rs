@@ -192,6 +192,7 @@ pub fn finish(mut run: Box<dyn Run>) -> Box<dyn Run> {
 }
 
 /// All that a run has found, in words.
+#[expect(clippy::borrowed_box, reason = "the box is what is stepped")]
 pub fn of_run(run: &Box<dyn Run>) -> String {
     run.result().to_json()
 }

@@ -41,12 +41,14 @@ mod own_space;
 mod pieces;
 mod planners;
 mod proof;
+mod refusals;
 mod roadmap;
 mod sampling;
 mod scenario;
 #[cfg(all(feature = "schema", not(target_arch = "wasm32")))]
 mod schema;
 mod search;
+mod slices;
 mod space;
 mod sst;
 mod statistics;

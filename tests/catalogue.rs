@@ -1,14 +1,16 @@
 //! The table of planners: short descriptions, and pseudo-code that every iteration of every planner highlights.
 
-use crate::common::requests::resume;
+use crate::common::documents::refuses;
+use crate::common::requests::{resume, start};
 use crate::common::{
-    DRIVEN, PLANNERS, arm_and_wall, begin_with, car_and_wall, car_shut_in, disc_and_pillar, disc_and_wall, finish,
-    fitting, no_way, options, parse,
+    DRIVEN, PLANNERS, arm_and_wall, begin_with, body_and_wall, car_and_wall, car_shut_in, disc_and_pillar,
+    disc_and_wall, finish, fitting, no_way, options, parse,
 };
 use planarium::graph::EventKind;
-use planarium::options::Kind;
+use planarium::options::{Kind, Value};
 use planarium::planner::{Mark, PlannerOptions, PseudocodeLine, planners};
 use planarium::run::{EVENT_HEAD, Run, Status};
+use planarium::scenario::Scenario;
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -97,6 +99,51 @@ fn every_planner_and_parameter_has_one_short_sentence_on_what_it_does() {
         let is_empty = |kind: &Kind| matches!(kind, Kind::Integer(range) | Kind::Number(range) if range.is_empty());
         assert!(!table.iter().any(|row| is_empty(&row.kind)), "{}: no range is empty", info.id);
         assert!(table.iter().all(|row| (1..=20).contains(&row.title.chars().count())), "{}", info.id);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_parameter_takes_its_default_its_choices_and_its_ends_and_nothing_beyond() {
+    let worlds = [arm_and_wall(0.1), disc_and_wall(0.3, 0.5), body_and_wall(0.1), car_and_wall(0.1)];
+    for planner in planners() {
+        let id = planner.info().id;
+        for row in planner.table() {
+            let name = row.name;
+            let fits = |world: &&Scenario| {
+                let kind = world.robot().kind();
+                row.robots.contains(&kind) && planner.robots().contains(&kind)
+            };
+            let world = worlds.iter().find(fits).expect("a robot that it is for");
+            // What is for the last quarter of the iterations needs their number.
+            let rest = if name.starts_with("late") { " max_iterations=1000" } else { "" };
+            let given = |value: &str| start(world, &options(id, 1, &format!("{name}={value}{rest}")));
+            let taken = |value: &str| given(value).map(drop).unwrap_or_else(|error| panic!("{id}: {error}"));
+            match &row.default {
+                Some(Value::Text(word)) => taken(word),
+                Some(value) => taken(&value.to_string()),
+                None => {}
+            }
+            match row.kind {
+                // These planners need motions in both directions, and these curves lead one way.
+                Kind::Choice(words) => words
+                    .iter()
+                    .filter(|word| **word != "dubins" || !["visibility-prm", "aorrtc"].contains(&id))
+                    .for_each(|word| taken(word)),
+                Kind::Integer(range) | Kind::Number(range) => {
+                    for (end, sign) in [(*range.start(), -1.0), (*range.end(), 1.0)] {
+                        if end.is_finite() {
+                            let beyond = end + sign * end.abs().max(1.0);
+                            refuses(given(&beyond.to_string()).map(drop), "out-of-range", &format!("/{name}"));
+                            // The world narrows a step, another parameter the shortest durations.
+                            if !["step", "shortest_steps"].contains(&name) {
+                                taken(&end.to_string());
+                            }
+                        }
+                    }
+                }
+                Kind::Switch => {}
+            }
+        }
     }
 }
 

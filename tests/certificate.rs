@@ -1,9 +1,7 @@
 //! Certificates: what they say against planners, against known worlds, and against checks by other code; and the refusal of false ones.
 
-use crate::common::documents::{arm, disc, judged, limited_arm, polygon, reaching, rectangle, refuses, scenario, text};
-use crate::common::{
-    arm_and_wall, begin_with, car_and_wall, cases, disc_and_wall, finish, golden, no_way, parse, seeds,
-};
+use crate::common::documents::{arm, disc, judged, limited_arm, polygon, rectangle, refuses, scenario, text};
+use crate::common::{arm_and_wall, begin_with, cases, disc_and_wall, finish, golden, no_way, seeds};
 use planarium::certificate::{Certificate, Kind, Options, Subdivision, Verdict, verify};
 use planarium::problem::Stepped;
 use planarium::random::{Random, Stream};
@@ -46,22 +44,6 @@ fn wall(random: &mut Random, thickness: f64) -> String {
     let (x, y, z, height) = (at(1.6, 2.4), at(1.6, 2.4), at(1.6, 2.4), at(1.0, 3.0));
     let t = thickness;
     polygon(&[[x, 0.0], [x + t, 0.0], [y + t, height], [z + t, 4.0], [z, 4.0], [y, height]])
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn steps_may_be_divided_in_any_way() {
-    for (world, clearance) in [(no_way(), 0.0), (arm_and_wall(0.1), 0.1), (disc_and_wall(0.3, 0.5), 0.19)] {
-        let [mut one, mut seven, mut all] =
-            [(); 3].map(|()| Subdivision::new(&world, &options(clearance, 5000)).unwrap());
-        while one.step(1) == Status::Running {}
-        while seven.step(7) == Status::Running {}
-        all.step(u64::MAX);
-        assert_eq!(one.certificate(), all.certificate());
-        assert_eq!(seven.certificate(), all.certificate());
-        assert!(one.cells_since(0).eq(all.cells_since(0)) && seven.cells_since(9).eq(all.cells_since(9)));
-        assert_eq!(all.step(1), all.status());
-        assert_eq!(one.iterations(), all.iterations());
-    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -512,21 +494,8 @@ fn a_cell_that_fails_in_one_corner_alone_is_refused() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_cannot_be_decided_is_refused() {
-    let begin = |world: &Scenario, options: &Options| Subdivision::new(world, options);
-    let usual = Options::default();
-    refuses(begin(&car_and_wall(0.1), &usual), "unsupported", "/robot");
-    refuses(begin(&crate::common::arm_of(3, false, 0.0), &usual), "unsupported", "/robot");
-    refuses(begin(&parse(&reaching()), &usual), "unsupported", "/query");
-    refuses(begin(&no_way(), &options(-0.5, 10)), "out-of-range", "/clearance");
-    refuses(begin(&no_way(), &options(f64::NAN, 10)), "not-finite", "/clearance");
-    refuses(begin(&no_way(), &options(0.0, 0)), "out-of-range", "/cells");
-    refuses(begin(&no_way(), &options(0.0, 1_000_001)), "out-of-range", "/cells");
-    refuses(begin(&no_way(), &Options { query: Some("x".into()), ..Options::default() }), "unknown-query", "/query");
-    refuses(begin(&room(0.1, &[disc([0.6, 2.0], 0.3)]), &usual), "start-in-collision", "/start");
-    refuses(begin(&room(0.1, &[disc([3.4, 2.0], 0.3)]), &usual), "goal-in-collision", "/goal");
+fn a_start_that_is_nearer_than_the_clearance_cannot_be_left() {
     refuses(Certificate::parse("{}"), "missing-field", "/format");
-    // A start that is nearer than the clearance cannot be left.
     assert_eq!(verdict(&room(0.1, &[disc([0.6, 3.0], 0.3)]), 0.7), Verdict::Infeasible);
 }
 

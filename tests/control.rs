@@ -1,11 +1,8 @@
 //! Planning by controls: motions are free, end at their vertices, and obey the settings.
 
-use crate::common::documents::{judged, refuses};
+use crate::common::documents::judged;
 use crate::common::driven::{car, distance, driven, edges, is_in_region, steps, vertices_of, with_goal};
-use crate::common::requests::start;
-use crate::common::{
-    DRIVEN, arm_and_wall, assert_valid, begin_with, car_and_wall, car_shut_in, finish, options, parse, seeds,
-};
+use crate::common::{DRIVEN, assert_valid, begin_with, car_and_wall, car_shut_in, finish, parse, seeds};
 use planarium::path::{Leg, Verdict, verify_legs};
 use planarium::problem::Motion;
 use planarium::run::Status;
@@ -269,25 +266,4 @@ fn euler_steps_are_named_and_not_valid() {
         }
     }
     assert!(opened > 1e-4 && opened < 0.05, "near the arc, and off it: {opened}");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn wrong_settings_are_refused_with_code_and_pointer() {
-    let (cars, arms) = (car_and_wall(0.1), arm_and_wall(0.1));
-    let why = refuses(start(&arms, &options("sst", 1, "")), "unsupported", "/algorithm");
-    assert!(why.contains("car") && why.contains("rrt-connect") && !why.contains("rrt-control,"), "{why}");
-    for (settings, name) in [
-        ("shortest_steps=300 duration_steps=250", "shortest_steps"),
-        ("shortest_steps=100 duration_steps=250 late_duration_steps=50", "shortest_steps"),
-        ("duration_steps=10001", "duration_steps"),
-        ("blossom=0", "blossom"),
-        ("goal_test=somewhere", "goal_test"),
-    ] {
-        refuses(start(&cars, &options("rrt-control", 1, settings)), "out-of-range", &format!("/{name}"));
-    }
-    refuses(start(&cars, &options("sst", 1, "blossom=3")), "unknown-parameter", "/blossom");
-    let mut document = json!(cars);
-    document["queries"][0].as_object_mut().expect("a query").remove("goal_tolerance");
-    let exact = parse(&document.to_string());
-    refuses(start(&exact, &options("rrt-control", 1, "")), "missing-field", "/queries/0/goal_tolerance");
 }

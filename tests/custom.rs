@@ -5,7 +5,9 @@ use crate::common::documents::judged;
 use crate::common::golden::check;
 use crate::common::requests;
 use crate::common::requests::{resume_problem, start_problem};
-use crate::common::{PLANNERS, SAMPLERS, arm_and_wall, arm_of, deep, disc_and_wall, finish, fitting, options};
+use crate::common::{
+    PLANNERS, SAMPLERS, arm_and_wall, arm_of, deep, disc_and_wall, finish, fitting, of_run, options, sliced,
+};
 use planarium::problem::Stats;
 use planarium::run::inspect::Inspector;
 use planarium::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
@@ -110,10 +112,7 @@ fn every_planner_serves_them_in_any_slicing_and_says_whether_edges_are_proven() 
             for &(planner, settings) in PLANNERS {
                 let settings = settings_of(&fitting(&world, settings)) + " max_iterations=2000";
                 let what = format!("{planner} {settings} on {} by {kind:?}", world.name());
-                let whole = finish(begin(&problem, planner, 5, &settings));
-                let mut run = begin(&problem, planner, 5, &settings);
-                while run.step(7) == Status::Running {}
-                assert_eq!(run.result().to_json(), whole.result().to_json(), "{what}");
+                let whole = sliced(&what, || begin(&problem, planner, 5, &settings), of_run);
                 assert_eq!(
                     whole.result().edge_check.as_deref(),
                     (kind == Kind::Samples).then_some("sampled"),
@@ -380,11 +379,8 @@ fn a_saved_roadmap_is_continued_in_any_slices_once_all_of_it_is_free_again() {
                 assert_eq!(RoadmapDocument::read(&form).as_ref(), Ok(&document), "{what}");
             }
             let again = || resume_problem(&around_a_disc(kind, 0.0), &options(planner, 0, ""), &document);
-            let [mut sliced, whole] =
-                [again(), again()].map(|run| run.unwrap_or_else(|error| panic!("{what}: {error}")));
-            let mut whole = finish(whole);
-            while sliced.step(3) == Status::Running {}
-            assert_eq!(sliced.result(), whole.result(), "{what}");
+            let again = || again().unwrap_or_else(|error| panic!("{what}: {error}"));
+            let mut whole = sliced(&what, again, of_run);
             assert_eq!(
                 (whole.status(), whole.result().edge_check),
                 (Status::Solved, run.result().edge_check),
@@ -513,65 +509,21 @@ fn a_saved_roadmap_of_another_space_is_refused_where_it_differs() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_makes_no_problem_is_refused_with_code_and_pointer() {
-    use CoordinateDescription as C;
-    let all_free = || {
-        Free::by_clearance(|_, clearances| {
-            clearances.fill(f64::INFINITY);
-            Ok(())
-        })
-    };
-    let refused = |coordinates: Vec<C>, free: Free, start: &[f64], goals: &[Vec<f64>]| {
-        let space = SpaceDescription { coordinates, metric: None };
-        let error = CustomProblem::new(space, free, start, goals).map(|_| ()).expect_err("refused");
+fn limits_and_ends_that_are_no_numbers_are_refused() {
+    let free = || Free::by_samples(None, |_, _| Ok(()));
+    let refused = |high: f64, start: f64| {
+        let space = SpaceDescription { coordinates: vec![CoordinateDescription::interval(0.0, high)], metric: None };
+        let error = CustomProblem::new(space, free(), &[start], &[vec![1.0]]).map(|_| ()).expect_err("refused");
         (error.code(), error.pointer().to_owned())
     };
-    let one = C::interval(0.0, 1.0);
-    let goal = [vec![1.0]];
-    for (coordinates, code, pointer) in [
-        (vec![], Code::OutOfRange, "/space/coordinates"),
-        (vec![one; 9], Code::OutOfRange, "/space/coordinates"),
-        (vec![C::interval(1.0, 1.0)], Code::OutOfRange, "/space/coordinates/0/high"),
-        (vec![one, C::line(-1e7, 1.0)], Code::OutOfRange, "/space/coordinates/1/low"),
-        (vec![C::interval(0.0, f64::NAN)], Code::NotFinite, "/space/coordinates/0/high"),
-        (vec![C { low: None, ..one }], Code::MissingField, "/space/coordinates/0/low"),
-        (vec![C { high: Some(1.0), ..C::circle() }], Code::UnknownField, "/space/coordinates/0/high"),
-        (vec![one.weighted(0.0)], Code::OutOfRange, "/space/coordinates/0/weight"),
-    ] {
-        assert_eq!(refused(coordinates, all_free(), &[0.0], &goal), (code, pointer.to_owned()));
-    }
-    let by = |reach: &[f64]| Free::by_reach(reach, |_, _| Ok(()));
-    let samples = |resolution| Free::by_samples(Some(resolution), |_, _| Ok(()));
-    for (free, start, goals, code, pointer) in [
-        (all_free(), vec![0.0, 1.0], vec![vec![1.0]], Code::WrongDimension, "/start"),
-        (all_free(), vec![f64::NAN], vec![vec![1.0]], Code::NotFinite, "/start/0"),
-        (all_free(), vec![0.5], vec![], Code::OutOfRange, "/goals"),
-        (all_free(), vec![0.5], vec![vec![1.0], vec![1.5]], Code::OutOfRange, "/goals/1"),
-        (by(&[1.0, 1.0]), vec![0.5], vec![vec![1.0]], Code::WrongDimension, "/reach"),
-        (by(&[-1.0]), vec![0.5], vec![vec![1.0]], Code::OutOfRange, "/reach/0"),
-        (samples(0.0), vec![0.5], vec![vec![1.0]], Code::OutOfRange, "/resolution"),
-    ] {
-        assert_eq!(refused(vec![one], free, &start, &goals), (code, pointer.to_owned()));
-    }
-    let discs = [two_discs(Kind::Clearance), two_discs(Kind::Samples)];
-    for (i, planner, settings, code, pointer) in [
-        (0, "none", "", Code::UnknownPlanner, "/algorithm"),
-        (0, "rrt-control", "", Code::Unsupported, "/algorithm"),
-        (0, "sst", "", Code::Unsupported, "/algorithm"),
-        (0, "rrt", "metric=sum", Code::OutOfRange, "/metric"),
-        (0, "rrt", "steering=dubins", Code::OutOfRange, "/steering"),
-        (0, "rrt", "edge_check=joint-lines", Code::OutOfRange, "/edge_check"),
-        (0, "rrt", "blend=0.5", Code::Unsupported, "/blend"),
-        (1, "rrt", "edge_check=proven", Code::Unsupported, "/edge_check"),
-        (1, "rrt", "nonsense=1", Code::UnknownParameter, "/nonsense"),
-    ] {
-        let error = start_problem(&discs[i], &options(planner, 1, settings)).map(|_| ()).expect_err("refused");
-        assert_eq!((error.code(), error.pointer()), (code, pointer), "{planner} {settings}");
-    }
-    let sampled = finish(begin(&discs[0], "rrt-connect", 1, "edge_check=sampled edge_samples=4"));
+    assert_eq!(refused(f64::NAN, 0.0), (Code::NotFinite, "/space/coordinates/0/high".to_owned()));
+    assert_eq!(refused(1.0, f64::NAN), (Code::NotFinite, "/start/0".to_owned()));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn edges_of_a_clearance_are_sampled_if_that_is_asked_for() {
+    let sampled = finish(begin(&two_discs(Kind::Clearance), "rrt-connect", 1, "edge_check=sampled edge_samples=4"));
     assert_eq!(sampled.result().edge_check.as_deref(), Some("sampled"));
-    let named = Request { query: Some("a".to_owned()), ..Request::default() };
-    assert!(start_problem(&discs[0], &named).is_err_and(|error| error.pointer() == "/query"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

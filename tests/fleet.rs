@@ -4,11 +4,10 @@
 use crate::common::documents::refuses;
 use crate::common::{cases, deep, golden, seeds};
 use planarium::fleet::{
-    CompositeOptions, Fleet, FleetOptions, FleetPlanner, FleetPlannerOptions, FleetReason, Generator, HallOptions,
-    PbsOptions, Trajectory, conflicts, generate, straight, trajectories, verify,
+    CompositeOptions, Fleet, FleetOptions, FleetPlanner, FleetPlannerOptions, FleetReason, PbsOptions, Trajectory,
+    conflicts, generate, straight, trajectories, verify,
 };
 use planarium::geometry::wrap;
-use planarium::options::Value;
 use planarium::problem::{Status, Stepped};
 use planarium::random::{Random, Stream};
 use planarium::robot::Part;
@@ -128,52 +127,6 @@ fn a_document_is_read_back_as_the_same_fleet() {
     let fleet = Fleet::read(&two_discs()).expect("a fleet");
     assert_eq!(Fleet::parse(&fleet.to_json_string()).expect("its own document"), fleet);
     assert_eq!(fleet.robots().iter().map(|member| member.speed).collect::<Vec<_>>(), [1.0, 2.0]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn what_a_fleet_must_not_contain_is_refused_with_its_place() {
-    let refused = |pointer: &str, value: serde_json::Value, code: &str, at: &str| {
-        let mut document = two_discs();
-        *document.pointer_mut(pointer).expect("a field") = value;
-        refuses(Fleet::read(&document), code, at)
-    };
-    refused("/format", json!("planarium-scenario-1"), "unknown-format", "/format");
-    refused("/robots", json!([]), "out-of-range", "/robots");
-    refused("/robots/1/name", json!("a"), "duplicate-name", "/robots/1/name");
-    refused("/robots/1/speed", json!(0), "out-of-range", "/robots/1/speed");
-    refused("/robots/0/start", json!([1, 2, 3]), "wrong-dimension", "/robots/0/start");
-    refused("/robots/0/goal", json!([5, 1]), "goal-in-collision", "/robots/0/goal");
-    refused("/robots/1/start", json!([1.9, 2]), "start-in-collision", "/robots/1/start");
-    refused("/robots/1/goal", json!([9.5, 2]), "goal-in-collision", "/robots/1/goal");
-    refused(
-        "/robots/0/robot",
-        json!({ "type": "arm", "base": [1, 1], "links": [1] }),
-        "unsupported",
-        "/robots/0/robot/type",
-    );
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn options_that_do_not_fit_are_refused_with_their_place() {
-    let fleet = Fleet::read(&two_discs()).expect("a fleet");
-    let refused = |options: FleetOptions, code: &str, at: &str| refuses(FleetPlanner::new(&fleet, &options), code, at);
-    let order = |names: &[&str]| Some(names.iter().map(|name| (*name).to_owned()).collect());
-    let default = FleetOptions::default;
-    refuses(FleetPlannerOptions::read("cbs", &[]), "unknown-planner", "/algorithm");
-    refused(FleetOptions { order: order(&["a"]), ..default() }, "out-of-range", "/order");
-    refused(FleetOptions { order: order(&["a", "c"]), ..default() }, "out-of-range", "/order/1");
-    refused(FleetOptions { order: order(&["a", "0"]), ..default() }, "out-of-range", "/order/1");
-    refused(FleetOptions { seed: u64::MAX, ..default() }, "out-of-range", "/seed");
-    let pbs = FleetOptions { planner: Some(PbsOptions::default().into()), ..default() };
-    refused(FleetOptions { order: order(&["b", "a"]), ..pbs }, "unsupported", "/order");
-    let composite = FleetOptions { planner: Some(CompositeOptions::default().into()), ..default() };
-    refused(FleetOptions { order: order(&["b", "a"]), ..composite.clone() }, "unsupported", "/order");
-    let k = PbsOptions { k: 0, ..PbsOptions::default() };
-    refused(FleetOptions { planner: Some(k.into()), ..default() }, "out-of-range", "/k");
-    refuses(default().with(None, &[("k".to_owned(), Value::Boolean(true))]), "wrong-type", "/k");
-    refuses(HallOptions { count: 0, ..HallOptions::default() }.generate(), "out-of-range", "/count");
-    let four = generate("ring", &json!({ "count": 4 })).expect("a ring");
-    refuses(FleetPlanner::new(&four, &composite), "unsupported", "/robots");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -519,27 +472,6 @@ fn another_order_can_succeed_where_one_fails() {
     assert_eq!((restarted.status(), restarted.order()), (Status::Solved, vec![1, 0]));
     assert!(restarted.stats().restarts > 0);
     assert_free(&restarted, "restarted");
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn slices_change_nothing() {
-    let exchange = json!({ "exchange": true });
-    let none = json!({});
-    for (id, fleet, options) in [
-        ("prioritized", "hall", &none),
-        ("prioritized", "corridor", &none),
-        ("composite", "swap", &none),
-        ("pbs", "swap", &none),
-        ("pbs", "ring", &exchange),
-    ] {
-        let fleet = generate(fleet, options).expect("a fleet");
-        let whole = planned(&fleet, id, 3);
-        for slice in [1, 7] {
-            let mut sliced = planner(&fleet, id, 3, None);
-            while sliced.step(slice) == Status::Running {}
-            assert_eq!(sliced.result(), whole.result(), "{id}");
-        }
-    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

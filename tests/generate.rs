@@ -201,46 +201,8 @@ fn options_have_defaults() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn options_that_are_wrong_are_refused() {
-    let cases = [
-        ("desert", "", "unknown-generator", ""),
-        ("forest", r#""link": 2"#, "unknown-field", "/link"),
-        ("forest", r#""links": 2.5"#, "out-of-range", "/links"),
-        ("forest", r#""links": "2""#, "wrong-type", "/links"),
-        ("forest", r#""seed": -1"#, "out-of-range", "/seed"),
-        ("forest", r#""seed": 9007199254740992"#, "out-of-range", "/seed"),
-        ("forest", r#""seed": null"#, "wrong-type", "/seed"),
-        ("clutter", r#""robot": "train""#, "unknown-type", "/robot"),
-        ("clutter", r#""robot": "car", "links": 2"#, "unknown-field", "/links"),
-        ("gap", r#""robot": "rigid_body", "radius": 0.02"#, "unknown-field", "/radius"),
-        ("clutter", r#""robot": 1"#, "wrong-type", "/robot"),
-        ("clutter", r#""links": 2"#, "unknown-field", "/links"),
-        ("clutter", r#""robot": "disc", "links": 2"#, "unknown-field", "/links"),
-        ("clutter", r#""smallest": 0.3"#, "out-of-range", "/smallest"),
-        ("clutter", r#""size": 1"#, "unknown-field", "/size"),
-        ("discs", r#""links": 2"#, "unknown-field", "/links"),
-        ("discs", r#""smallest": 0.2"#, "out-of-range", "/smallest"),
-        ("discs", r#""largest": 0.04"#, "out-of-range", "/smallest"),
-        ("discs", r#""placement": "heaped""#, "out-of-range", "/placement"),
-        ("discs", r#""placement": true"#, "wrong-type", "/placement"),
-        ("discs", r#""count": 200, "smallest": 0.1"#, "out-of-range", "/count"),
-        ("maze", r#""difficulty": "brutal""#, "out-of-range", "/difficulty"),
-        ("maze", r#""difficulty": 3"#, "wrong-type", "/difficulty"),
-        ("maze", r#""robot": "arm""#, "unknown-type", "/robot"),
-        ("maze", r#""robot": "car", "radius": 0.03"#, "unknown-field", "/radius"),
-        ("maze", r#""radius": 0.1, "thickness": 0.04"#, "out-of-range", "/radius"),
-        ("gap", r#""robot": "arm", "width": 0.065"#, "out-of-range", "/width"),
-        ("gap", r#""seed": 0.5"#, "out-of-range", "/seed"),
-        ("bug-trap", r#""start": "in""#, "out-of-range", "/start"),
-        ("bug-trap", r#""turn": null"#, "wrong-type", "/turn"),
-        ("bug_trap", "", "unknown-generator", ""),
-    ];
-    for (kind, options, code, pointer) in cases {
-        refuses(try_make(kind, options), code, pointer);
-    }
-    for whole in ["[]", "null"] {
-        refuses(generate("forest", &planarium::json::parse(whole).unwrap()), "wrong-type", "");
-    }
     let by_type = |options: ClutterOptions, code, pointer| refuses(options.generate(), code, pointer);
+    refuses(generate("forest", &serde_json::Value::Null), "wrong-type", "");
     refuses(ForestOptions { links: 9, seed: 0 }.generate(), "out-of-range", "/links");
     refuses(ForestOptions { links: 2, seed: 1 << 53 }.generate(), "out-of-range", "/seed");
     by_type(ClutterOptions { radius: f64::NAN, ..Default::default() }, "not-finite", "/radius");
@@ -284,10 +246,6 @@ fn a_mistake_has_one_code_in_scenarios_fleets_and_navigation_tasks() {
             refused(id, r#"{"seed": null}"#, "wrong-type", "/seed", "seed must be a number");
         }
     }
-    let twice = [("seed", 1.0), ("seed", 2.0)].map(|(name, value)| (name.to_owned(), Value::Number(value)));
-    refuses(worlds::generate_with("forest", &twice), "duplicate-field", "/seed");
-    refuses(fleet::generate_with("swap", &twice), "duplicate-field", "/seed");
-    refuses(navigation::generate_with("rooms", &twice), "duplicate-field", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

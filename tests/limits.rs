@@ -2,7 +2,7 @@
 //! grain of dust, results that are wrong.
 
 use crate::common::bodies::*;
-use crate::common::documents::{self, arm, rectangular, refusal, refuses, scenario};
+use crate::common::documents::{self, arm, rectangular, refuses, scenario};
 use crate::common::requests;
 use crate::common::{assert_valid, begin_with, finish, options, parse, seeds};
 use planarium::collision::{BodyCollision, BodyValidity};
@@ -101,24 +101,8 @@ fn whatever_the_turning_circle_what_is_solved_arrives() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn cars_whose_curves_would_overflow_are_refused() {
-    let goal = "[9, 9, -2]";
-    for (wheelbase, speed, steering) in [
-        ("5e-324", "[-1, 1]", "[-1.55, 1.55]"),
-        ("1e-12", "[-1, 1]", "[-1, 1]"),
-        ("1e6", "[-1, 1]", "[-1e-4, 1e-4]"),
-        ("1", "[-1, 1]", "[-1e-300, 1e-300]"),
-        ("1", "[-5e-324, 1]", "[-1, 1]"),
-        ("1", "[0, 1e-10]", "[-1, 1]"),
-    ] {
-        refuses(
-            requests::start(&car(wheelbase, speed, steering, goal), &options("rrt", 1, "")),
-            "unsupported",
-            "/steering",
-        );
-    }
-    // A reverse gear that is too slow is no matter where it is not used.
-    let slow = car("1", "[-5e-324, 1]", "[-1, 1]", goal);
+fn a_reverse_gear_that_is_too_slow_is_no_matter_where_it_is_not_used() {
+    let slow = car("1", "[-5e-324, 1]", "[-1, 1]", "[9, 9, -2]");
     assert!(requests::start(&slow, &options("rrt", 1, "steering=dubins")).is_ok());
 }
 
@@ -254,22 +238,8 @@ fn with_polygons(obstacle: &[[f64; 2]], shape: &[[f64; 2]]) -> String {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn polygons_whose_sides_cannot_be_told_apart_are_refused() {
+fn polygons_are_exact_down_to_a_limit() {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    for tiny in [
-        [[0.0, -2e-200], [0.0, -1e-200], [1.0, 1e-200], [-2e-200, 0.0]],
-        [[0.0, 0.0], [1e-160, 0.0], [1e-160, 1e-160], [0.0, 1e-160]],
-        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [5e-324, 1.0]],
-        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-9.9e-141, 1.0]],
-    ] {
-        for (text, pointer) in [
-            (with_polygons(&tiny, &square), "/world/obstacles/0/vertices"),
-            (with_polygons(&square, &tiny), "/robot/shape/vertices"),
-        ] {
-            let message = refusal(&text, "degenerate-polygon", pointer);
-            assert!(message.contains("1e-140"), "{message}");
-        }
-    }
     // As small as this it is exact; so are zeros, and coordinates of very different sizes.
     for small in [1e-140, 1e-100, 1e-17] {
         let small = [[0.0, 0.0], [small, -0.0], [1.0, 1.0], [0.0, small]];

@@ -106,15 +106,17 @@ fn shortest_over_wall(radius: f64, thickness: f64) -> f64 {
 fn paths_approach_the_shortest() {
     let world = disc_and_wall(0.3, 0.5);
     let shortest = shortest_over_wall(0.3, 0.5);
-    for (planner, settings, most) in [
-        ("rrt-star", "improve_iterations=3000", 1.04),
-        ("informed-rrt-star", "improve_iterations=3000", 1.04),
-        ("fmt-star", "samples=2000", 1.06),
-        ("bit-star", "improve_iterations=4000", 1.04),
+    let nears = ["near=radius", "near=k-nearest"];
+    for (planner, settings, nears, most) in [
+        ("rrt-star", "improve_iterations=3000", &nears[..], 1.04),
+        ("informed-rrt-star", "improve_iterations=3000", &nears, 1.04),
+        ("fmt-star", "samples=2000", &nears, 1.06),
+        ("bit-star", "improve_iterations=4000", &nears, 1.04),
+        ("aorrtc", "improve_iterations=3000", &[""], 1.04),
     ] {
-        for near in ["radius", "k-nearest"] {
+        for near in nears {
             for seed in 0..seeds(3) {
-                let run = finish(begin_with(&world, planner, seed, &format!("near={near} {settings}")));
+                let run = finish(begin_with(&world, planner, seed, &format!("{near} {settings}")));
                 let ratio = run.length() / shortest;
                 assert!((1.0 - 1e-12..most).contains(&ratio), "{planner} {near} {seed}: {ratio}");
                 assert_valid(&world, &*run);

@@ -1,16 +1,13 @@
 //! The shortest path of a query: closed forms, an independent visibility graph on random worlds, ways that only touch, and references.
 
-use crate::common::documents::{
-    BODY, CAR, DISC, arm, disc, judged, polygon, reaching, rectangle, refuses, scenario, with,
-};
-use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, parse, seeds};
+use crate::common::documents::{disc, judged, polygon, rectangle, refuses, scenario};
+use crate::common::{arm_and_wall, arm_of, begin_with, cases, finish, given, no_way, seeds};
 use planarium::geometry::{Point, Polygon, Vector, orientation};
 use planarium::optimum::{Method, MetricOptions, Optimum, optimum};
 use planarium::options::Options;
 use planarium::random::{Random, Stream};
 use planarium::run::inspect::Inspector;
 use planarium::scenario::Scenario;
-use planarium::space::MetricKind;
 use std::f64::consts::{PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -314,22 +311,6 @@ fn a_thousand_corners_are_compared() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_has_no_optimum_is_refused() {
-    let refused = |text: &str, code: &str, pointer: &str| {
-        refuses(optimum(&parse(text), None, MetricOptions::default()), code, pointer)
-    };
-    for text in [CAR, BODY, &reaching()] {
-        assert!(refused(text, "unsupported", "").contains("served are discs"), "{text}");
-    }
-    let three = arm(&[1.0, 0.5, 0.5], 0.0);
-    refuses(
-        optimum(&scenario("", "", &three, r#""start": [0, 0, 0], "goal": [1, 1, 1]"#), None, MetricOptions::default()),
-        "unsupported",
-        "",
-    );
-    refused(&with(DISC, "[1.8, 1.8]", "[1, 1]"), "goal-in-collision", "/queries/0/goal");
-    let world = parse(DISC);
-    refuses(optimum(&world, Some("other"), MetricOptions::default()), "unknown-query", "/query");
-    refuses(optimum(&world, None, MetricOptions { metric: Some(MetricKind::Sum) }), "out-of-range", "/metric");
     // A point that is free by an exact test, but nearer than rounding.
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 /// Whether the value follows the schema: as much of JSON Schema as this schema uses. A keyword that is not known here is a
 /// failure, so that none goes unchecked.
-fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
+pub fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
     if let Some(accepts) = schema.as_bool() {
         return accepts;
     }
@@ -26,6 +26,7 @@ fn follows(root: &Value, schema: &Value, value: &Value) -> bool {
             "array" => value.is_array(),
             "string" => value.is_string(),
             "number" => value.is_number(),
+            "integer" => value.as_f64().is_some_and(|number| number.fract() == 0.0),
             "boolean" => value.is_boolean(),
             other => panic!("no value of this document has the type {other}"),
         },
@@ -63,10 +64,15 @@ fn is_valid(value: &Value) -> bool {
     follows(&schema, &schema, value)
 }
 
-/// The same of an experiment.
-pub fn is_experiment(value: &Value) -> bool {
-    let schema = planarium::experiment::schema();
-    follows(&schema, &schema, value)
+/// The schema of a kind of documents.
+pub fn of(kind: &str) -> Option<Value> {
+    match kind {
+        "scenario" => Some(schema()),
+        "experiment" => Some(planarium::experiment::schema()),
+        "fleet" => Some(planarium::fleet::schema()),
+        "navigation" => Some(planarium::navigation::schema()),
+        _ => None,
+    }
 }
 
 /// Checks that the schema accepts the document, or that it refuses it.

@@ -50,4 +50,7 @@ pair("ties, few", [7, 8, 9, 7, 8, 9, 9, 6, 7, 8, 5, 9], [8, 8, 9, 9, 10, 12, 8, 
 a = rng.poisson(8, 90); pair("ties, many", a, rng.poisson(9, 90), "asymptotic")
 a = rng.lognormal(2, 1, 12).round(3); b = (a * rng.lognormal(0.4, 0.5, 12)).round(3); a[3] = math.nan; b[7] = math.nan
 pair("missing", a, b, "exact")
-json.dump(out, open(sys.argv[1], "w"), separators=(",", ":"), default=float)
+def text(value): return json.dumps(value, separators=(",", ":"), default=float)
+# One case a line.
+fields = [f'"{name}":[\n' + ",\n".join(map(text, value)) + "\n]" if isinstance(value, list) else f'"{name}":{text(value)}' for name, value in out.items()]
+open(sys.argv[1], "w").write("{\n" + ",\n".join(fields) + "\n}\n")

@@ -322,23 +322,6 @@ fn particles(trajectories: &Trajectories) -> Vec<Particle> {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn slices_do_not_change_the_result() {
-    for options in ["count=300", "count=200 model=spiral", "count=100 fastest=40 max_iterations=900"] {
-        let whole = finish(begin(options, 5));
-        for slice in [1, 7, 100] {
-            let mut sliced = begin(options, 5);
-            while sliced.step(slice) == Status::Running {}
-            assert_eq!(sliced.fingerprint(), whole.fingerprint(), "{options}, slices of {slice}");
-            assert_eq!(sliced.tally(), whole.tally());
-            assert_eq!(sliced.tries(), whole.tries());
-        }
-        let before = whole.fingerprint();
-        assert_eq!(finish(whole).fingerprint(), before, "no more is done once it has ended");
-        assert_ne!(finish(begin(options, 6)).fingerprint(), before);
-    }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
 fn the_index_changes_nothing_but_the_work() {
     let worlds = [
         "count=400",
@@ -448,35 +431,6 @@ fn accepted_and_refused_trajectories_are_only_appended() {
     for refused in trajectories.refused() {
         assert_eq!(refused.numbers()[6], f64::from(refused.other));
     }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn bad_options_are_refused_with_code_and_pointer() {
-    let cases = [
-        ("colour=red", "unknown-parameter", "/colour"),
-        ("count=0", "out-of-range", "/count"),
-        ("count=2.5", "out-of-range", "/count"),
-        ("count=many", "wrong-type", "/count"),
-        ("count=5 count=6", "duplicate-field", "/count"),
-        ("half_side=NaN", "not-finite", "/half_side"),
-        ("half_side=0", "out-of-range", "/half_side"),
-        ("spread=4", "out-of-range", "/spread"),
-        ("slowest=-1", "out-of-range", "/slowest"),
-        ("slowest=2", "out-of-range", "/slowest"),
-        ("fastest=1e9", "out-of-range", "/fastest"),
-        ("least_turn_rate=4", "out-of-range", "/least_turn_rate"),
-        ("greatest_turn_rate=1e4", "out-of-range", "/greatest_turn_rate"),
-        ("duration=0", "out-of-range", "/duration"),
-        ("duration=50", "out-of-range", "/duration"),
-        ("model=line", "out-of-range", "/model"),
-        ("index=tree", "out-of-range", "/index"),
-        ("index=3", "wrong-type", "/index"),
-        ("max_iterations=0", "out-of-range", "/max_iterations"),
-    ];
-    for (options, code, pointer) in cases {
-        assert!(refuses(begun(options, 0), code, pointer).len() > 15, "{options}");
-    }
-    refuses(begun("", 1 << 53), "out-of-range", "/seed");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -64,22 +64,7 @@ fn a_path_of_any_robot_is_ensured_by_a_planner() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_cannot_be_ensured_is_refused() {
-    let message = refuses(drawn("maze", &json!({ "ensure": "no-path", "draws": 3 })), "gave-up", "/ensure");
-    assert!(message.contains("none of 3 draws") && message.contains("3 have a path, 0 are undecided"), "{message}");
-    let closed = json!({ "width": 0.05, "ensure": "path", "draws": 2 });
-    let message = refuses(drawn("gap", &closed), "gave-up", "/ensure");
-    assert!(message.contains("2 have no path"), "{message}");
-    refuses(drawn("clutter", &json!({ "robot": "car", "ensure": "no-path" })), "unsupported", "/ensure");
-    refuses(drawn("clutter", &json!({ "ensure": "sometimes" })), "out-of-range", "/ensure");
-    refuses(drawn("clutter", &json!({ "ensure": true })), "wrong-type", "/ensure");
-    refuses(drawn("clutter", &json!({ "draws": 5 })), "unknown-field", "/draws");
-    refuses(drawn("clutter", &json!({ "ensure": "path", "draws": 0 })), "out-of-range", "/draws");
-    refuses(drawn("clutter", &json!({ "ensure": "path", "seed": -1 })), "out-of-range", "/seed");
-    refuses(drawn("desert", &json!({ "ensure": "path" })), "unknown-generator", "");
-    refuses(drawn("clutter", &json!([])), "wrong-type", "");
-    let message = refuses(drawn("forest", &json!({ "ensured": "path" })), "unknown-field", "/ensured");
-    assert!(message.ends_with("ensure, draws"), "{message}");
+fn only_generators_that_draw_again_ensure_a_path() {
     refuses(by_seed("forest", &json!({ "ensure": "path" })), "unknown-field", "/ensure");
     for info in worlds::generators() {
         let names: Vec<&str> = info.options.iter().map(|option| option.name).collect();

@@ -9,8 +9,10 @@ pub mod requests;
 
 use documents::{arm, disc, judged, limited_arm, named, polygon, rectangle, rectangular};
 pub use documents::{deep, parse};
+use planarium::problem::{Status, Stepped};
 use planarium::run::{Request, Run, Value};
 use planarium::scenario::Scenario;
+use std::fmt::Debug;
 
 /// How many seeds a property is tested on: all in a deep run, a quarter natively and at most ten in WebAssembly, but at least ten.
 pub fn seeds(all: u64) -> u64 {
@@ -187,4 +189,24 @@ pub fn assert_valid(scenario: &Scenario, run: &dyn Run) {
 pub fn finish(mut run: Box<dyn Run>) -> Box<dyn Run> {
     run.step(u64::MAX);
     run
+}
+
+/// All that a run has found, in words.
+#[expect(clippy::borrowed_box, reason = "the box is what is stepped")]
+pub fn of_run(run: &Box<dyn Run>) -> String {
+    run.result().to_json()
+}
+
+/// The law of slices: in slices of 1, of 7, and in one the outcome is the same. Returns what was stepped in one.
+#[track_caller]
+pub fn sliced<S: Stepped, T: PartialEq + Debug>(what: &str, begin: impl Fn() -> S, outcome: impl Fn(&S) -> T) -> S {
+    let mut whole = begin();
+    whole.step(u64::MAX);
+    for slice in [1, 7] {
+        let mut run = begin();
+        while run.step(slice) == Status::Running {}
+        assert_eq!(outcome(&run), outcome(&whole), "{what} in slices of {slice}");
+        assert_eq!((run.status(), run.iterations()), (whole.status(), whole.iterations()), "{what}");
+    }
+    whole
 }

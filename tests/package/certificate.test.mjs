@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Scenario } from "planarium";
-import { arm, car, disc, fails } from "./scenes.mjs";
+import { arm, disc, fails } from "./scenes.mjs";
 
 test("a subdivision is stepped to its verdict, and its cells are read by cursors", () => {
   const scenario = Scenario.parse(disc);
@@ -30,12 +30,7 @@ test("a subdivision is stepped to its verdict, and its cells are read by cursors
 });
 
 test("what a subdivision refuses", () => {
-  fails(() => Scenario.parse(car).certify(), "unsupported", "/robot");
   const scenario = Scenario.parse(disc);
-  fails(() => scenario.certify({ clearance: -1 }), "out-of-range", "/clearance");
-  fails(() => scenario.certify({ clearance: NaN }), "not-finite", "/clearance");
-  fails(() => scenario.certify({ cells: 0 }), "out-of-range", "/cells");
-  fails(() => scenario.certify({ query: "nowhere" }), "unknown-query", "/query");
   fails(() => scenario.certify(/** @type {any} */ ({ depth: 3 })), "unknown-field", "/depth");
   const subdivision = scenario.certify();
   fails(() => subdivision.cellsSince(2), "out-of-range", "/row");

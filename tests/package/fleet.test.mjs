@@ -2,14 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Fleet, FleetPlanner, fleetGenerators, fleetPlanners } from "planarium/full";
-
-/** @param {() => unknown} operation @param {string} code @param {string} pointer */
-function refuses(operation, code, pointer) {
-  assert.throws(operation, (/** @type {any} */ error) => {
-    assert.deepEqual([error.code, error.pointer], [code, pointer], error.message);
-    return true;
-  });
-}
+import { fails } from "./scenes.mjs";
 
 /** @type {import("planarium/full").FleetDocument} */
 const pair = {
@@ -24,13 +17,7 @@ test("a document is read, refused with its place, and written again", () => {
   const fleet = Fleet.parse(pair);
   assert.deepEqual([fleet.name, fleet.title, fleet.robotCount], ["pair", "pair", 2]);
   assert.deepEqual(Fleet.parse(JSON.stringify(fleet)).toJSON(), fleet.toJSON());
-  refuses(() => Fleet.parse({ ...pair, robots: [pair.robots[0], { ...pair.robots[1], start: [1.5, 2] }] }), "start-in-collision", "/robots/1/start");
-  refuses(() => Fleet.parse({ ...pair, name: "" }), "out-of-range", "/name");
-  refuses(() => Fleet.generate(/** @type {any} */ ("heap")), "unknown-generator", "");
-  refuses(() => Fleet.generate("hall", { count: 0 }), "out-of-range", "/count");
-  refuses(() => fleet.planner({ order: ["a", "c"] }), "out-of-range", "/order/1");
-  refuses(() => fleet.planner({ algorithm: /** @type {any} */ ("cbs") }), "unknown-planner", "/algorithm");
-  refuses(() => fleet.footprint(2, [0, 0, 0]), "out-of-range", "/robot");
+  fails(() => fleet.footprint(2, [0, 0, 0]), "out-of-range", "/robot");
   assert.throws(() => new /** @type {any} */ (Fleet)(), { code: "illegal-constructor" });
   fleet.free();
   assert.throws(() => fleet.name, { code: "freed" });
@@ -58,31 +45,11 @@ test("robots that would meet on the straight way are planned around each other, 
   const vertices = whole.verticesSince(0, 0).length / 3;
   assert.equal(vertices, whole.result().stats.vertices);
   assert.ok(whole.edgesSince(0, 0).every((vertex) => vertex < vertices));
-  refuses(() => whole.verticesSince(1, 0), "out-of-range", "/roadmap");
-  refuses(() => whole.edgesSince(0, 1e9), "out-of-range", "/row");
+  fails(() => whole.verticesSince(1, 0), "out-of-range", "/roadmap");
+  fails(() => whole.edgesSince(0, 1e9), "out-of-range", "/row");
   const plan = whole.result();
   plan.robots[0].times = plan.robots[0].times.map((time) => time / 2);
   assert.equal(fleet.verify(plan).valid, false);
-});
-
-test("a swap is solved by default and by the composite, and by no order of priorities; the reason is told", () => {
-  const fleet = Fleet.generate("swap", { seed: 1 });
-  const names = fleet.toJSON().robots.map(({ name }) => name);
-  for (const order of [names, [...names].reverse()]) {
-    const planner = fleet.planner({ order });
-    assert.equal(planner.step(1e9), "exhausted");
-    assert.deepEqual([...planner.blocked()], order.map((name) => names.indexOf(name)));
-    assert.equal(planner.result().reason, "order-limit");
-  }
-  const all = fleet.planner({ algorithm: "prioritized" });
-  assert.equal(all.step(1e9), "exhausted");
-  assert.deepEqual([all.result().reason, all.result().stats.restarts], ["no-order", 1]);
-  const byDefault = fleet.planner();
-  assert.equal(byDefault.step(1e9), "solved");
-  assert.deepEqual([byDefault.result().planner, byDefault.result().reason, fleet.verify(byDefault.result()).valid], ["pbs", undefined, true]);
-  const composite = fleet.planner({ algorithm: "composite", seed: 1 });
-  assert.equal(composite.step(1e9), "solved");
-  assert.equal(fleet.verify(composite.result()).valid, true);
 });
 
 test("planners and generators are listed with their options", () => {

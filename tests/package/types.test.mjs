@@ -289,17 +289,6 @@ for (const [name, settings] of Object.entries({
   });
 }
 
-test("the declarations of planarium name nothing that only planarium/full has, and its own alone", () => {
-  const [light, full] = ["core.d.ts", "full/core.d.ts"].map((name) => {
-    const text = readFileSync(join(folder, "node_modules", "planarium", "dist", "package", name), "utf8");
-    return new Set(Array.from(text.matchAll(/^export (?:type|interface|class|function|enum) (\w+)/gm), ([, own]) => own));
-  });
-  assert.deepEqual([...light].filter((name) => !full.has(name)), []);
-  for (const name of ["Scenario", "Problem", "Planner", "PrmOptions", "Neighbours", "InitInput", "OptionInfo"]) assert.ok(light.has(name), name);
-  assert.deepEqual([...light].filter((name) => /Fleet|Navigation|Policy|Training|Trajector|Experiment|Trial|ReachOptions/.test(name)), []);
-  for (const name of ["Fleet", "Navigation", "Experiment", "Trajectories", "Reach", "Training", "FleetOptions"]) assert.ok(full.has(name), name);
-});
-
 test("no declaration says any, and every member is explained", () => {
   const place = join(folder, "node_modules", "planarium", "dist", "package");
   const names = readdirSync(place, { recursive: true, encoding: "utf8" }).filter((file) => file.endsWith(".d.ts"));

@@ -127,7 +127,7 @@ pub fn navigation(bytes: &[u8]) {
     whole.step(u64::MAX);
     while sliced.step(1) == Status::Running {}
     assert_eq!(whole.fingerprint(), sliced.fingerprint(), "slices change nothing");
-    let rollouts = RolloutOptions { rollouts: 1, least_share: 0.0, ..RolloutOptions::default() };
+    let rollouts = RolloutOptions { rollouts: 1, least_share: Some(0.0), ..RolloutOptions::default() };
     let options = Options::new(LazyPrmOptions { samples: Some(8), ..LazyPrmOptions::default() });
     let run = || navigation::start(&task, &whole.policy(), &rollouts, &options);
     let (Ok(mut run), Ok(mut sliced)) = (run(), run()) else { return };

@@ -106,7 +106,7 @@ fn inputs(task: &str, policy: &str) -> Result<(Navigation, Policy), Error> {
 
 #[derive(Args)]
 #[command(after_help = "\
-Options are those of the planner, and rollouts, least_share and longest_edge.
+Options are those of the planner, and rollouts, least_share, reliability and longest_edge.
 Nothing is proven: the result has for each edge how many rollouts reached its end.
 Exit codes: 0 solved; 1 no path; 2 the input is wrong.
 

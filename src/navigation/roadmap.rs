@@ -32,11 +32,30 @@ crate::options! {
     /// Number of rollouts in each direction.
     rollouts: u32 = 20, in 1.0..=1000.0, "Rollouts";
     /// The share of rollouts, in each direction, that must reach the other vertex.
-    least_share: f64 = 0.95, in 0.0..=1.0, "Least share";
-    /// How long a detour is worth a path that succeeds e times as often: 0 prefers the shortest of the reliable edges.
-    reliability: f64 = 0.0, in 0.0..=1e4, "Reliability", unit "m";
+    least_share: Option<f64>, in 0.0..=1.0, "Least share", else "0.6 where reliability counts, else 0.95";
+    /// How long a detour is worth a path that succeeds e times as often; 0 takes the shortest path of reliable edges.
+    reliability: Option<f64>, in 0.0..=1e4, "Reliability", unit "m", else "100 m for lazy planners, else 0";
     /// The longest edges that are tried.
     longest_edge: f64 = 3.0, in 0.1..=1000.0, "Longest edge", unit "m";
+}
+
+impl RolloutOptions {
+    /// The reliability under a planner: only lazy ones know what an edge costs besides its length.
+    ///
+    /// # Errors
+    /// `unsupported` (pointer `/reliability`) for a planner that is not lazy, unless it is 0.
+    fn reliability_of(&self, planner: &PlannerOptions) -> Result<f64, Error> {
+        let is_lazy = matches!(planner, PlannerOptions::LazyPrm(_) | PlannerOptions::LazyPrmStar(_));
+        match self.reliability {
+            Some(given) if given > 0.0 && !is_lazy => {
+                let id = planner.id();
+                let sentence =
+                    format!("{id} goes by the lengths of edges; reliability is for lazy-prm and lazy-prm-star");
+                Err(Error::new(Code::Unsupported, "/reliability", sentence))
+            }
+            given => Ok(given.unwrap_or(if is_lazy { 100.0 } else { 0.0 })),
+        }
+    }
 }
 
 /// Rollouts along an edge that have reached its end.
@@ -105,7 +124,8 @@ impl Rollouts {
 
     /// Whether enough rollouts succeed in both directions.
     fn is_reliable(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        let RolloutOptions { rollouts, least_share, longest_edge, .. } = self.options;
+        let RolloutOptions { rollouts, longest_edge, .. } = self.options;
+        let least_share = self.options.least_share.unwrap_or(if self.reliability() > 0.0 { 0.6 } else { 0.95 });
         let is_enough = |count: &u32| f64::from(*count) / f64::from(rollouts) >= least_share;
         let least = (0..rollouts).find(is_enough).unwrap_or(rollouts);
         let squared = (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
@@ -120,13 +140,16 @@ impl Rollouts {
     /// What the edge that was found reliable last costs besides its length: the logarithm of its share of successes, as those of
     /// the edges of a path multiply.
     fn surcharge(&self) -> f64 {
-        let RolloutOptions { rollouts, reliability, .. } = self.options;
-        if reliability == 0.0 {
+        if self.reliability() == 0.0 {
             return 0.0;
         }
         // An edge that never succeeds is one only if the least share is 0.
-        let share = f64::from(self.least.get().max(1)) / f64::from(rollouts);
-        reliability * f64::max(0.0, -libm::log(share))
+        let share = f64::from(self.least.get().max(1)) / f64::from(self.options.rollouts);
+        self.reliability() * f64::max(0.0, -libm::log(share))
+    }
+
+    fn reliability(&self) -> f64 {
+        self.options.reliability.unwrap_or(0.0)
     }
 
     /// All rollouts along an edge.
@@ -248,17 +271,12 @@ fn start_between(
     let planner = options.planner.unwrap_or_else(default_planner);
     planner.check()?;
     run::check_use(&planner, run::LEARNED)?;
-    let is_lazy = matches!(planner, PlannerOptions::LazyPrm(_) | PlannerOptions::LazyPrmStar(_));
-    if rollouts.reliability > 0.0 && !is_lazy {
-        let sentence =
-            format!("{} goes by the lengths of edges; reliability is for lazy-prm and lazy-prm-star", planner.id());
-        return Err(Error::new(Code::Unsupported, "/reliability", sentence));
-    }
+    let rollouts = RolloutOptions { reliability: Some(rollouts.reliability_of(&planner)?), ..*rollouts };
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
     let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
     let validity = RolloutValidity {
         turning: DiscValidity::new(&disc, task.collision().clone()),
-        rollouts: Rollouts::new(task, policy, *rollouts, options.seed)?,
+        rollouts: Rollouts::new(task, policy, rollouts, options.seed)?,
     };
     let [start, goal] = [&query.start[..2], &query.goal[..]].map(|q| space.state(q));
     let mut problem = Problem::new(space.clone(), Box::new(validity), start, goal)?;

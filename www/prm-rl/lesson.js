@@ -88,13 +88,13 @@ export class Lesson {
         choices: ["It reaches the goal every time", "Now and then it fails: the failures of many edges add up"], answer: 1,
         ends: { start: START, goal: FAR },
         run: async () => {
-          session.given["prm-rl"] = { least_share: CARELESS };
+          session.given["prm-rl"] = { least_share: CARELESS, reliability: 0 };
           await this.drive("prm-rl");
         },
-        text: () => `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share.`,
+        text: () => `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share or the reliability.`,
       },
       {
-        question: "Now 95 % of the rollouts must succeed. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
+        question: "Now the roadmap prefers edges that succeed more often. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
         choices: ["A driver that looks", "Edges that are learned"], answer: 0,
         ends: { start: START, goal: FAR },
         run: async () => {

@@ -33,5 +33,5 @@ export function optionsOf(way) {
 
 /** All options of a way. @param {PlannedWay} way @param {Settings} given  those that differ @returns {Settings} */
 export function withDefaults(way, given) {
-  return { .../** @type {Settings} */ (Object.fromEntries(optionsOf(way).map((info) => [info.name, info.default]))), ...given };
+  return { .../** @type {Settings} */ (Object.fromEntries(optionsOf(way).flatMap((info) => (info.default === null ? [] : [[info.name, info.default]])))), ...given };
 }

@@ -16,7 +16,7 @@ import { optionsOf } from "./options.js";
 /** New seeds are below this: short enough to say aloud. */
 const SEEDS = 100_000;
 /** Options that are not folded away. */
-const FIRST = { floor: ["seed"], train: ["seed", "hidden", "pairs", "tasks", "generations"], "prm-rl": ["algorithm", "rollouts", "least_share", "longest_edge", "seed"], straight: ["algorithm", "margin", "seed"], "straight-policy": ["algorithm", "margin", "seed"], compare: ["seed", "queries", "trials", "least_distance"] };
+const FIRST = { floor: ["seed"], train: ["seed", "hidden", "pairs", "tasks", "generations"], "prm-rl": ["algorithm", "rollouts", "least_share", "reliability", "longest_edge", "seed"], straight: ["algorithm", "margin", "seed"], "straight-policy": ["algorithm", "margin", "seed"], compare: ["seed", "queries", "trials", "least_distance"] };
 
 /** @type {ParameterInfo} */
 const TRIALS = {

@@ -19,8 +19,8 @@ const PRECISION: f64 = 0.05;
 /// The level below which a difference is called significant, before it is divided by the number of tests.
 const LEVEL: f64 = 0.05;
 
-/// Up to this number of differences the distribution of signed ranks is computed exactly: their sums, in doubled ranks, are counted in
-/// 64-bit floats without rounding.
+/// Up to this number of differences the distribution of signed ranks is computed exactly: their sums, in doubled ranks, are
+/// counted in 64-bit floats without rounding.
 const EXACT: usize = 50;
 
 /// The values that are not missing, and how many are.

@@ -119,7 +119,7 @@ objects! {
         /// The most iterations, attempts at improving a path not counted: the parameter `max_iterations` of every planner.
         #[cfg_attr(feature = "schema", schemars(with = "Option<f64>", range(min = 1)))]
         pub iterations: Option<u64>,
-        /// A trial ends with the first iteration after which this number of clearances has been evaluated, as a race on the page does.
+        /// A trial ends with the first iteration after which this number of clearances has been evaluated, as a race does.
         #[cfg_attr(feature = "schema", schemars(with = "Option<f64>", range(min = 1)))]
         pub clearance_evaluations: Option<u64>,
     }

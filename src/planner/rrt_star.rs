@@ -74,8 +74,7 @@ pub(super) const STEER: super::PseudocodeLine =
 pub(super) const REFUSED: super::PseudocodeLine = line(1, "a motion that is not free is rejected", &[Mark::Refused]);
 pub(super) const PARENT: super::PseudocodeLine =
     line(1, "parent of new ← the best of its neighbours", &[Mark::Vertex, Mark::Edge]);
-pub(super) const REWIRE: super::PseudocodeLine =
-    line(1, "new ← parent of those that are nearer through it", &[Mark::Rewired]);
+pub(super) const REWIRE: super::PseudocodeLine = line(1, "new ← parent of those nearer through it", &[Mark::Rewired]);
 pub(super) const ARRIVE: super::PseudocodeLine = line(1, "within a step of the goal, try new – goal", &[Mark::Solved]);
 
 /// The most motions to neighbours that an iteration tries.

@@ -6,8 +6,8 @@ use crate::common::{given, golden};
 use planarium::Error;
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, ComparisonOptions, Executor, Method, Navigation, NavigationResult, Outcome, Policy, Training,
-    TrainingOptions, assess, edge_rollouts, generate, read_options,
+    Comparison, ComparisonOptions, Executor, Navigation, NavigationResult, Outcome, Policy, Training, TrainingOptions,
+    assess, edge_rollouts, generate, read_options,
 };
 use planarium::options::Options;
 use planarium::problem::{Status, Stepped};
@@ -315,7 +315,7 @@ fn there_is_no_way_through_a_wall() {
 #[test]
 fn prm_rl_executes_long_queries_that_the_policy_alone_does_not() {
     let queries = if crate::common::deep() { "queries=50 trials=10" } else { "queries=10 trials=3" };
-    let mut all = [0.0; Method::ALL.len()];
+    let mut all = [0.0; planarium::navigation::Method::ALL.len()];
     for seed in [1, 2, 3] {
         let task = generate("rooms", &json!({ "seed": seed })).expect("rooms");
         let mut comparison = compare(&task, queries, 7).expect("a comparison");

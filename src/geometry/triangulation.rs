@@ -56,7 +56,7 @@ impl Candidates {
     /// The numbers below `n`.
     fn all(n: u32) -> Self {
         let mut words = vec![u64::MAX; n.div_ceil(64) as usize];
-        if let Some(last) = words.last_mut().filter(|_| n % 64 > 0) {
+        if let Some(last) = words.last_mut().filter(|_| !n.is_multiple_of(64)) {
             *last = (1 << (n % 64)) - 1;
         }
         Self(words)

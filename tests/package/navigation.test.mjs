@@ -112,12 +112,12 @@ test("a comparison comes to the same counts in any slices, and sums up its execu
   const options = { queries: 3, trials: 2, samples: 40, leastDistance: 3, rollouts: 3, leastShare: 0.3 };
   const comparison = task.comparison(policy, options);
   assert.ok(comparison instanceof NavigationComparison);
-  assert.equal(comparison.count, 18);
+  assert.equal(comparison.count, 36);
   assert.equal(comparison.step(1e9), "solved");
   const sliced = task.comparison(policy, options);
   while (sliced.step(11) === "running");
   assert.deepEqual(sliced.executionsSince(0), comparison.executionsSince(0));
-  assert.deepEqual(comparison.executionsSince(16), comparison.executionsSince(0).slice(16));
+  assert.deepEqual(comparison.executionsSince(34), comparison.executionsSince(0).slice(34));
   assert.equal(comparison.queries().length, 3);
   for (const { method, reached, collisions, planned } of comparison.summary()) {
     const own = comparison.executionsSince(0).filter((one) => one.method === method);
@@ -133,7 +133,7 @@ test("generators and options are listed, and what is freed is said to be", () =>
     assert.ok(options.every(({ name }) => name !== "seed"));
     assert.deepEqual(Navigation.generate(id, { seed: 5 }).toJSON(), Navigation.generate(id, { seed: 5 }).toJSON());
   }
-  for (const table of [trainingOptions(), rolloutOptions(), comparisonOptions()]) assert.ok(table.every(({ meaning, default: value }) => meaning && value !== null));
+  for (const table of [trainingOptions(), rolloutOptions(), comparisonOptions()]) assert.ok(table.every(({ meaning, default: value, default_meaning: otherwise }) => meaning && (value ?? otherwise) !== null));
   const freed = Navigation.parse(corridor);
   const training = freed.training(SMALL);
   const comparison = freed.comparison(training.policy(), { leastDistance: 3, queries: 1 });

@@ -10,9 +10,9 @@ import { countsOf } from "./session.js";
 export const WAY_WORDS = {
   policy: { title: "Policy alone", does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays." },
   straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. A simple controller follows them and looks at no rays." },
-  "straight-margin": { title: "Straight edges, margin", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
-  "straight-policy": { title: "Straight edges, policy", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. The policy drives from one vertex to the next." },
-  "straight-margin-policy": { title: "Straight edges, margin, policy", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
+  "straight-margin": { title: "Straight + margin", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
+  "straight-policy": { title: "Straight + policy", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. The policy drives from one vertex to the next." },
+  "straight-margin-policy": { title: "Straight + margin + policy", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
   "prm-rl": { title: "PRM-RL", does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next." },
 };
 

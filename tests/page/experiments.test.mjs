@@ -172,6 +172,9 @@ test("charts have the values of the rows; pictures and files hold them", () => o
     ...compared.map(({ name, lengths }) => paired(lengths, base.lengths, name, base.name, "path length", compared.length).words),
     ...without.map(({ name }) => `No pair has a value of both the baseline and ${name}.`),
   ]);
+  const last = settings[settings.length - 1];
+  await page.selectOption("#baseline", last.name);
+  await page.waitForFunction((name) => document.getElementById("words-about")?.textContent?.startsWith(`The baseline is ${name}, as chosen.`), last.name);
   await tableOf(page, "line");
 
   const png = await taken(page, "png");
@@ -366,6 +369,7 @@ test("settings without a path are no baseline, and are in one sentence", () => {
   for (let trial = 0; trial < 12; trial++) rows.set(trial, ["abcd"[Math.floor(trial / 3)], trial % 3, trial < 6 ? "failed" : "solved", trial < 6 ? null : trial], [0, 0]);
   const factor = { column: "planner", title: "planner", unit: "", values: [..."abcd"], isNumeric: false };
   const { about, sentences } = comparisons(rows, [factor], "length");
+  assert.match(comparisons(rows, [factor], "length", "d").about, /^The baseline is d, as chosen\./);
   assert.match(about, /^The baseline is c, the first/);
   assert.deepEqual(sentences, [
     paired(Float64Array.of(9, 10, 11), Float64Array.of(6, 7, 8), "d", "c", "path length", 1).words, "No pair has a value of both the baseline and any of a; b.",

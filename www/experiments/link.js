@@ -27,6 +27,8 @@ const viewRule = record({
   // The columns across and, on the heat map, up, such as "planner.k" or "world".
   axis: text, second: text,
   isLog: flag,
+  // The name of the setting that all others are compared with.
+  baseline: text,
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */
   reported: list(record({ x: rule((value) => typeof value === "string" ? value.length <= 256 : Number.isFinite(value)), value: number, label: text }), 0, 200),
   // The first row of the table of trials.

@@ -74,6 +74,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   app.onTheme(redraw);
   tableFold.addEventListener("toggle", () => showTable());
   wordsFold.addEventListener("toggle", () => showWords());
+  const baselines = byId("baseline", HTMLSelectElement);
+  baselines.addEventListener("change", () => session.show({ baseline: baselines.value }));
   app.onFrame(animate);
   // The core of a worker was lost, not the document: it is opened again with the next trial.
   app.rebuild = () => {};
@@ -251,7 +253,10 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (!wordsFold.open || session.isBusy) return;
     const { rows, factors, view, asked, measures } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
-    const { about, sentences } = comparisons(rows, factors, kind === "ecdf" ? work : measure);
+    const { about, sentences, names, baseline } = comparisons(rows, factors, kind === "ecdf" ? work : measure, view.baseline);
+    byId("baseline-row", HTMLElement).hidden = names.length < 2;
+    baselines.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+    baselines.value = baseline;
     byId("words-about", HTMLElement).textContent = about;
     byId("words", HTMLElement).replaceChildren(...sentences.map((text) => make("li", {}, text)));
   }

@@ -16,6 +16,8 @@ useBrowser();
 
 /** Everything that a link is to bring back. @param {Page} page */
 async function shown(page) {
+  // A stage whose size has changed knows of it by the second frame.
+  await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
   const numbers = await atRest(page);
   // The sliders of a scene are loaded when it is first opened.
   const scene = await page.getAttribute("body", "data-scene");

@@ -100,6 +100,7 @@ export class Sheets {
 
   /** Passes the sizes of the sheets to the stage. */
   measure() {
+    let isOther = false;
     // All boxes are read before a style is written, so that the document is laid out once.
     const boxes = Array.from(this.figures, ([id, { sheet }]) => ({ id, sheet, box: sheet.getBoundingClientRect() }));
     for (const { id, sheet, box } of boxes) {
@@ -108,8 +109,10 @@ export class Sheets {
       if (width < 1 || height < 1) continue;
       // A canvas stretched by a fraction of a pixel is blurred.
       for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
-      this.session.stage.resize(id, width, height);
+      isOther = this.session.stage.resize(id, width, height) || isOther;
     }
+    // What is drawn is out of date until the next frame, which is asked for.
+    if (isOther) this.session.markDirty();
   }
 
   /** Describes the canvases for screen readers, at rest and about once a second. @param {State} state */

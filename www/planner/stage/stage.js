@@ -51,14 +51,15 @@ export class Stage {
     this.stale.delete(id);
   }
 
-  /** @param {string} id @param {number} width @param {number} height  CSS pixels */
+  /** @param {string} id @param {number} width @param {number} height  CSS pixels @returns {boolean} whether it had another size */
   resize(id, width, height) {
     const place = this.places.get(id);
-    if (!place || (place.pane.width === width && place.pane.height === height)) return;
+    if (!place || (place.pane.width === width && place.pane.height === height)) return false;
     place.pane.width = width;
     place.pane.height = height;
     this.stale.add(id);
     this.wake();
+    return true;
   }
 
   /** Sets colours and pixel ratio. @param {Look} look */

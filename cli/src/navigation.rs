@@ -271,8 +271,11 @@ fn say_compared(Compared { comparisons, methods }: &Compared, floors: usize, gro
             _ => "PRM-RL",
         };
         let one = &comparisons[0].methods[i];
-        let (reached, low, high, least) = match groups {
-            1 => (one.reached.share, one.reached.low, one.reached.high, String::new()),
+        let (reached, low, high, more) = match groups {
+            1 => {
+                let collisions = format!(", {:.1} % in collision", percent(one.collisions.share));
+                (one.reached.share, one.reached.low, one.reached.high, collisions)
+            }
             _ => {
                 let what = if floors > 1 { "floors" } else { "runs" };
                 let least = format!(" over {groups} {what}, at least {:.1} %", 100.0 * all.least);
@@ -280,7 +283,7 @@ fn say_compared(Compared { comparisons, methods }: &Compared, floors: usize, gro
             }
         };
         files::say(&format!(
-            "{name:<37} {:>5.1} % reached [{:.1}, {:.1}]{least}, {:.1} % of the queries have a path",
+            "{name:<37} {:>5.1} % reached [{:.1}, {:.1}]{more}, {:.1} % of the queries have a path",
             percent(reached),
             percent(low),
             percent(high),

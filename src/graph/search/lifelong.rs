@@ -149,13 +149,14 @@ impl Lifelong {
 
     /// Notes that an assumed edge is proven, and by how much it costs more than was assumed, 0 or more; `None` refuses it.
     pub fn settle(&mut self, edge: u32, surcharge: Option<f64>) {
+        if surcharge == Some(0.0) {
+            self.edges[edge as usize].state = EdgeState::Proven;
+            return;
+        }
         let costs: Vec<Cost> = self.directions().map(|i| self.cost_along(2 * edge + i)).collect();
         let Edge { state, cost, .. } = &mut self.edges[edge as usize];
         *state = if surcharge.is_some() { EdgeState::Proven } else { EdgeState::Refused };
         *cost += surcharge.unwrap_or(0.0);
-        if surcharge == Some(0.0) {
-            return;
-        }
         for (i, cost) in self.directions().zip(costs) {
             self.withdraw(self.end(2 * edge + i), cost);
         }

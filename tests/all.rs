@@ -40,6 +40,7 @@ mod optimum;
 mod own_space;
 mod pieces;
 mod planners;
+mod prismatic;
 mod proof;
 mod refusals;
 mod roadmap;

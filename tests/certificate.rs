@@ -1,6 +1,8 @@
 //! Certificates: what they say against planners, against known worlds, and against checks by other code; and the refusal of false ones.
 
-use crate::common::documents::{arm, disc, judged, limited_arm, polygon, rectangle, refuses, scenario, text};
+use crate::common::documents::{
+    arm, disc, jointed_arm, judged, limited_arm, polygon, rectangle, refuses, scenario, text,
+};
 use crate::common::{arm_and_wall, begin_with, cases, disc_and_wall, finish, golden, no_way, seeds};
 use planarium::certificate::{Certificate, Kind, Options, Subdivision, Verdict, verify};
 use planarium::problem::Stepped;
@@ -277,11 +279,41 @@ fn random_world(seed: u64) -> Option<Scenario> {
     generate("clutter", &json!({ "robot": "arm", "count": 20, "largest": 0.2, "seed": seed })).ok()
 }
 
+/// A random world of an arm of two links, of which one slides, or both; `None` if its start or goal is in collision.
+fn sliding_world(seed: u64) -> Option<Scenario> {
+    let mut random = Random::new(seed, Stream::Scenario);
+    let mut at = |low: f64, high: f64| low + random.uniform() * (high - low);
+    let slide =
+        |angle: f64, range: [f64; 2]| format!(r#"{{"type": "prismatic", "range": {range:?}, "angle": {angle:?}}}"#);
+    let turn = [r#""revolute""#, r#"{"type": "revolute", "limits": [-2, 2.5]}"#][(seed / 3 % 2) as usize];
+    let radius = [0.0, 0.03][(seed / 6 % 2) as usize];
+    let (joints, middle, half) = match seed % 3 {
+        0 => ([turn.to_owned(), slide(at(-0.5, 0.5), [-0.2, 0.9])], [0.0, 0.3], [2.0, 0.5]),
+        1 => ([slide(at(-1.0, 1.0), [-0.3, 1.0]), turn.to_owned()], [0.3, 0.0], [0.6, 2.0]),
+        _ => ([slide(at(-1.0, 1.0), [-0.3, 1.0]), slide(1.5 + at(-0.3, 0.3), [-0.2, 0.9])], [0.3, 0.3], [0.6, 0.5]),
+    };
+    let mut end = || [0, 1].map(|i| middle[i] + at(-half[i], half[i]));
+    let (start, goal) = (end(), end());
+    let query = format!(r#""start": {start:?}, "goal": {goal:?}"#);
+    let obstacle = |i: usize| {
+        let (angle, far) = (at(-PI, PI), at(0.3, 1.5));
+        let [x, y] = [far * angle.cos(), far * angle.sin()];
+        let size = at(0.02, 0.1);
+        if i.is_multiple_of(2) { disc([x, y], size) } else { rectangle([x, y], [x + size, y + 2.0 * size]) }
+    };
+    let obstacles: Vec<String> = (0..12).map(obstacle).collect();
+    let bounds = ["", "[-1.4, -1.2], [1.5, 1.3]"][(seed / 12 % 2) as usize];
+    let robot = jointed_arm(&[0.4, 0.5], radius, &joints.join(", "));
+    let world = Scenario::parse(&text("sliding", bounds, &obstacles.join(","), &robot, &query)).ok()?;
+    let inspector = Inspector::new(&world);
+    [start, goal].iter().all(|q| inspector.check(q).is_ok_and(|contacts| contacts.is_empty())).then_some(world)
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn verdicts_agree_with_planners() {
     let mut counts = [0; 2];
-    for seed in 0..seeds(200) {
-        let Some(world) = random_world(seed) else { continue };
+    let worlds = (0..seeds(200)).filter_map(|seed| Some((seed, random_world(seed)?)));
+    for (seed, world) in worlds.chain((0..seeds(200)).filter_map(|seed| Some((2 * seed + 1, sliding_world(seed)?)))) {
         let decided = verdict(&world, 0.0);
         let iterations = if decided == Verdict::Connected { 100_000 } else { 2000 };
         let run = finish(begin_with(&world, "rrt-connect", seed, &format!("max_iterations={iterations}")));
@@ -305,6 +337,7 @@ fn verdicts_agree_with_planners() {
 fn certificates() -> Vec<(Scenario, Certificate)> {
     let open =
         (0..seeds(40)).filter_map(random_world).chain([no_way(), disc_and_wall(0.3, 0.5), golden::scene("firs")]);
+    let open = open.chain((0..seeds(40)).filter_map(sliding_world));
     open.flat_map(|world| [0.0, 0.05, 0.3].map(|clearance| (world.clone(), certify(&world, clearance, 3000)))).collect()
 }
 
@@ -322,7 +355,7 @@ fn ranges(world: &Scenario, [depth, column, row]: [u64; 3]) -> [[f64; 2]; 2] {
 }
 
 /// Whether the cells of a wall, as pixels of the depth of the smallest, keep the pixel of the start apart from that of the goal.
-fn keeps_apart(world: &Scenario, cells: &[[u64; 3]], wraps: bool) -> bool {
+fn keeps_apart(world: &Scenario, cells: &[[u64; 3]], wraps: &[bool]) -> bool {
     let depth = cells.iter().map(|cell| cell[0]).max().unwrap_or(0);
     let side = 1usize << depth;
     let mut pixels = vec![false; side * side];
@@ -334,9 +367,10 @@ fn keeps_apart(world: &Scenario, cells: &[[u64; 3]], wraps: bool) -> bool {
     }
     let [x, y] = ranges(world, [0, 0, 0]);
     let pixel = |q: &[f64]| {
-        let angle = |a: f64| if wraps { a - 2.0 * PI * (a / (2.0 * PI)).round() } else { a };
-        let at = [(q[0], x), (q[1], y)]
-            .map(|(a, [low, high])| (((angle(a) - low) / (high - low) * side as f64) as usize).min(side - 1));
+        let angle = |a: f64, wraps: bool| if wraps { a - 2.0 * PI * (a / (2.0 * PI)).round() } else { a };
+        let at = [(q[0], x, wraps[0]), (q[1], y, wraps[1])].map(|(a, [low, high], wraps)| {
+            (((angle(a, wraps) - low) / (high - low) * side as f64) as usize).min(side - 1)
+        });
         at[1] * side + at[0]
     };
     let query = &world.queries()[0];
@@ -352,7 +386,7 @@ fn keeps_apart(world: &Scenario, cells: &[[u64; 3]], wraps: bool) -> bool {
         let (column, row) = (at % side, at / side);
         for (dx, dy) in [(1, 0), (side - 1, 0), (0, 1), (0, side - 1)] {
             let leaves = |a: usize, d: usize| (d == 1 && a == side - 1) || (d == side - 1 && a == 0);
-            if !wraps && (leaves(column, dx) || leaves(row, dy)) {
+            if !wraps[0] && leaves(column, dx) || !wraps[1] && leaves(row, dy) {
                 continue;
             }
             let next = (row + dy) % side * side + (column + dx) % side;
@@ -381,7 +415,7 @@ fn walls_keep_start_and_goal_apart_and_channels_are_free_by_other_means() {
                 assert!(clearance(&q) <= most + 1e-9, "{q:?} keeps {} of {most}", clearance(&q));
             }
             if cells.iter().all(|cell| cell[0] <= 10) {
-                assert!(keeps_apart(&world, &cells, inspector.circles()[0]), "{}", certificate.to_json());
+                assert!(keeps_apart(&world, &cells, &inspector.circles()), "{}", certificate.to_json());
                 seen[0] += 1;
             }
         }

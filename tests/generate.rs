@@ -256,7 +256,7 @@ fn the_table_of_options_is_what_generators_take() {
         for option in info.options {
             let name = option.name;
             let one = |value: String| {
-                let arm = if name == "links" && has_disc { r#""robot": "arm", "# } else { "" };
+                let arm = if matches!(name, "links" | "sliding") && has_disc { r#""robot": "arm", "# } else { "" };
                 try_make(info.id, &format!("{arm}\"{name}\": {value}"))
             };
             match option.kind {
@@ -279,7 +279,7 @@ fn the_table_of_options_is_what_generators_take() {
                             Err(error) => assert_eq!(error.code().as_str(), "out-of-range", "{error}"),
                         }
                     }
-                    if name != "links" && !default.is_nan() {
+                    if !matches!(name, "links" | "sliding") && !default.is_nan() {
                         assert_eq!(one(default.to_string()).as_ref(), Ok(&plain), "{} {name}", info.id);
                     }
                 }
@@ -302,6 +302,8 @@ fn starts_and_goals_are_free_with_every_seed_and_setting() {
         ("discs", r#""count": 200, "smallest": 0.01, "largest": 0.5, "placement": "overlapping", "radius": 0.1"#),
         ("discs", r#""robot": "arm", "links": 1, "radius": 0.1, "count": 24"#),
         ("discs", r#""robot": "arm", "links": 8"#),
+        ("discs", r#""robot": "arm", "links": 3, "sliding": 1"#),
+        ("clutter", r#""robot": "arm", "links": 8, "sliding": 7, "radius": 0.05"#),
         ("clutter", r#""robot": "disc""#),
         ("clutter", r#""robot": "arm", "radius": 0.1"#),
         ("clutter", r#""robot": "arm", "radius": 0.1, "count": 14, "largest": 0.2"#),

@@ -74,7 +74,7 @@ fn the_jacobian_agrees_with_differences() {
             let slope = (tip(1e-6) - tip(-1e-6)) / 2e-6;
             assert!((slope.x - rows[0][i]).abs() < 1e-8 && (slope.y - rows[1][i]).abs() < 1e-8, "case {case}");
         }
-        assert!(angular_distance(orientation(&q), q.iter().sum()) < 1e-14);
+        assert!(angular_distance(orientation(&arm, &q), q.iter().sum()) < 1e-14);
         // The determinant of J times its transpose, and the squares of its singular values.
         let product = |a: usize, b: usize| -> f64 { (0..8).map(|i| rows[a][i] * rows[b][i]).sum() };
         let determinant = product(0, 0) * product(1, 1) - product(0, 1) * product(0, 1);

@@ -5,7 +5,7 @@ use crate::common::graphs::{edges, rows};
 use crate::common::requests::start;
 use crate::common::{
     DRIVEN, PLANNERS, SAMPLERS, arm_and_wall, arm_of, assert_valid, begin_with, body_and_wall, car_and_wall, deep,
-    disc_and_wall, finish, fitting, no_way, options, seeds, thick_arm_and_wall, worlds,
+    disc_and_wall, finish, fitting, no_way, options, seeds, sliding_arm_and_wall, thick_arm_and_wall, worlds,
 };
 use planarium::random::{Random, Stream};
 use planarium::run::{PlannerOptions, Request, Status, planners};
@@ -73,6 +73,7 @@ fn no_path_of_any_planner_crosses_a_wall_however_thin() {
         let worlds = [
             arm_and_wall(thickness),
             thick_arm_and_wall(thickness),
+            sliding_arm_and_wall(thickness),
             disc_and_wall(0.3, thickness),
             body_and_wall(thickness),
             car_and_wall(thickness),

@@ -7,7 +7,7 @@ use planarium::collision::{ArmValidity, DiscValidity, Obstacles};
 use planarium::geometry::{Aabb, Disc, Point};
 use planarium::problem::{Sampled, Samples, Validity};
 use planarium::random::{Random, Stream};
-use planarium::robot::{Arm, MAX_LINKS, joint_space, plane};
+use planarium::robot::{Arm, Joint, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
 use planarium::scenario::generate::{ForestOptions, Generator};
 use planarium::scenario::{Obstacle, Robot, Scenario, World};
@@ -97,8 +97,8 @@ fn no_accepted_motion_is_refuted_by_two_thousand_samples() {
 }
 
 /// An arm of any size, thin or thick, with limits or without, in any unit of length, among up to a hundred obstacles, in
-/// bounds or not.
-fn random_world(random: &mut Random) -> (Arm, World) {
+/// bounds or not. If it slides, some of its joints are prismatic.
+fn random_world(random: &mut Random, slides: bool) -> (Arm, World) {
     let scale = [1.0, 1.0, 1e-3, 1e3, 1e5][random.below(5) as usize];
     let links: Vec<f64> = (0..1 + random.below(8)).map(|_| scale * (0.2 + 0.6 * random.uniform())).collect();
     let radius = if random.below(2) == 0 { 0.0 } else { scale * 0.06 * random.uniform() };
@@ -116,15 +116,38 @@ fn random_world(random: &mut Random) -> (Arm, World) {
         Aabb { min: Point::new(-x, -y), max: Point::new(y, x) }
     });
     let base = Point::new(base.x * scale, base.y * scale);
-    (Arm::new(base, links, radius, limits).expect("an arm"), World { bounds, obstacles })
+    let world = World { bounds, obstacles };
+    if !slides {
+        return (Arm::new(base, links, radius, limits).expect("an arm"), world);
+    }
+    let at_least = random.below(links.len() as u64) as usize;
+    let joint = |(i, length): (usize, &f64)| {
+        if i != at_least && random.below(2) == 0 {
+            return Joint::Revolute { limits: limits.as_ref().map(|limits| limits[i]) };
+        }
+        let range = [-length * random.uniform(), scale * (0.01 + random.uniform())];
+        let angle = [0.0, 0.0, 2.0, 20.0, 90.0][random.below(5) as usize] * (2.0 * random.uniform() - 1.0);
+        Joint::Prismatic { range, angle }
+    };
+    let joints = links.iter().enumerate().map(joint).collect();
+    (Arm::with_joints(base, links, radius, joints).expect("an arm"), world)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_touches() {
+    the_fast_proof_agrees_with_distances(false);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_holds_where_links_slide() {
+    the_fast_proof_agrees_with_distances(true);
+}
+
+fn the_fast_proof_agrees_with_distances(slides: bool) {
     let mut random = Random::new(4, Stream::Samples);
     let (mut accepted, mut refused, mut beyond) = (0, 0, 0);
     for world_number in 0..seeds(400) {
-        let (arm, world) = random_world(&mut random);
+        let (arm, world) = random_world(&mut random, slides);
         let space: ProductSpace<MAX_LINKS> = joint_space(&arm, Metric::Sum);
         let validity = ArmValidity::new(&arm, space.clone(), &world, 1e-4);
         let mut tried = 0;
@@ -136,7 +159,11 @@ fn in_any_world_the_fast_proof_accepts_what_distances_prove_and_nothing_that_tou
                 continue;
             }
             // Far ends are many turns away where limits are wide.
-            let most = if space.range(0)[1] > 10.0 { 0.03 } else { 1.0 };
+            let is_wide = arm
+                .joint_types()
+                .iter()
+                .any(|joint| matches!(joint, Joint::Revolute { limits: Some([_, high]) } if *high > 10.0));
+            let most = if is_wide { 0.03 } else { 1.0 };
             let b = space.interpolate(&a, &far, most * random.uniform() * random.uniform());
             let (fast, slow) = (validity.is_motion_free(&a, &b), validity.first_hit_by_distances(&a, &b).is_none());
             assert!(fast || !slow, "world {world_number}: refused, though distances prove it free: {a:?} {b:?}");

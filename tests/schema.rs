@@ -1,6 +1,6 @@
 //! The committed JSON Schema is the one that the types give, and it agrees with the parser.
 
-use crate::common::documents::{ARM, BODY, CAR, DISC, reaching};
+use crate::common::documents::{ARM, BODY, CAR, DISC, SLIDING, reaching};
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
 use serde_json::Value;
@@ -101,12 +101,12 @@ fn every_property_of_the_schema_is_in_a_document() {
     {
         known.extend(schema().pointer(&format!("{place}/properties")).unwrap().as_object().unwrap().keys().cloned());
     }
-    for union in ["Obstacle", "Robot"] {
+    for union in ["Joint", "Obstacle", "Robot"] {
         for one in schema()["$defs"][union]["oneOf"].as_array().unwrap() {
             known.extend(one["properties"].as_object().unwrap().keys().cloned());
         }
     }
-    let mentioned = [ARM, DISC, BODY, CAR, &reaching()].concat();
+    let mentioned = [ARM, SLIDING, DISC, BODY, CAR, &reaching()].concat();
     for name in known {
         assert!(mentioned.contains(&format!("{name:?}:")), "{name}");
     }
@@ -118,7 +118,7 @@ fn what_is_written_follows_the_schema() {
         let forest = ForestOptions { links: 1 + seed as usize % 8, seed }.generate();
         [forest, ClutterOptions { seed, ..ClutterOptions::default() }.generate()]
     };
-    let parsed = [ARM, DISC, BODY, CAR].map(Scenario::parse);
+    let parsed = [ARM, SLIDING, DISC, BODY, CAR].map(Scenario::parse);
     for scenario in (0..10).flat_map(generated).chain(parsed) {
         assert!(is_valid(&serde_json::from_str(&scenario.unwrap().to_json_string()).unwrap()));
     }

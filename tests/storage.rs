@@ -12,7 +12,7 @@ use planarium::error::Code;
 use planarium::planner::EdgeCheck;
 use planarium::run::storage::{MAGIC, RoadmapDocument, RoadmapMetric, fingerprint};
 use planarium::run::{Run, Status};
-use planarium::scenario::Scenario;
+use planarium::scenario::{Robot, Scenario};
 use quick_xml::events::Event;
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -84,7 +84,15 @@ fn a_document_states_how_the_roadmap_was_built() {
 fn free(world: &Scenario, number: usize) -> Vec<f64> {
     let inspector = planarium::run::inspect::Inspector::new(world);
     let at = |k: usize| (0..inspector.dimension()).map(|i| (0.37 * k as f64 + 0.61 * i as f64 + 0.2) % 3.0).collect();
-    let is_free = |q: &Vec<f64>| inspector.check(q).expect("within the limits").is_empty();
+    let is_within = |q: &Vec<f64>| match world.robot() {
+        Robot::Arm(arm) => arm
+            .joint_types()
+            .iter()
+            .zip(q)
+            .all(|(joint, at)| joint.range().is_none_or(|[low, high]| (low..=high).contains(at))),
+        _ => true,
+    };
+    let is_free = |q: &Vec<f64>| is_within(q) && inspector.check(q).expect("a configuration").is_empty();
     (1..).map(at).filter(is_free).nth(number).expect("much is free")
 }
 

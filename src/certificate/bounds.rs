@@ -8,7 +8,8 @@
 //! the farthest that p is from there.
 //!
 //! **From below.** By the distance of a link from an obstacle at the centre of the cell, less the farthest that any of its points
-//! is from its place there: a turn by d moves p by 2 sin(d / 2) times its distance from the joint.
+//! is from its place there: a turn by d moves p by 2 sin(d / 2) times its distance from the joint, a prismatic joint that slides
+//! by d moves it by d, or on the sliding link itself by the fraction of d at which p lies. The places change linearly with d.
 
 use super::cell::{Cell, Square};
 use crate::collision::{Obstacles, Tolerance, largest_coordinate};
@@ -157,19 +158,32 @@ impl Clearances {
             return vec![Part { axis: point(center), corners, shift, turn: 0.0, swing: 0.0, bulges: [0.0; 2] }];
         };
         let (joints, corners) = (arm.joints(&center), corners.map(|q| arm.joints(&q)));
-        let [turn, own_turn] = half.map(|half| 2.0 * libm::sin(0.5 * half.min(PI)));
-        let [bulge, own_bulge] = half.map(|half| 0.5 * half * half);
+        let turns = half.map(|half| 2.0 * libm::sin(0.5 * half.min(PI)));
+        let bulges = half.map(|half| 0.5 * half * half);
+        let slides = [0, 1].map(|i: usize| arm.joint_types()[i].is_prismatic());
         let part = |link: usize| {
-            // The first link has no turn of its own beside that about the base.
-            let own = if link == 0 { 0.0 } else { arm.links()[1] };
-            Part {
-                axis: Segment::new(joints[link], joints[link + 1]),
-                corners: corners.map(|joints| Segment::new(joints[link], joints[link + 1])),
+            let axis = |joints: &[Point]| Segment::new(joints[link], joints[link + 1]);
+            let mut part = Part {
+                axis: axis(&joints),
+                corners: corners.map(|joints| axis(&joints)),
                 shift: 0.0,
-                turn,
-                swing: own * own_turn,
-                bulges: [bulge, own * own_bulge],
+                turn: 0.0,
+                swing: 0.0,
+                bulges: [0.0; 2],
+            };
+            // The first joint turns all about the base, or shifts the second link.
+            match (slides[0], link) {
+                (false, _) => (part.turn, part.bulges[0]) = (turns[0], bulges[0]),
+                (true, 0) => part.swing = half[0],
+                (true, _) => part.shift = half[0],
             }
+            // The first link has no motion of its own beside that.
+            if link == 1 {
+                let own = arm.links()[1];
+                (part.swing, part.bulges[1]) =
+                    if slides[1] { (half[1], 0.0) } else { (own * turns[1], own * bulges[1]) };
+            }
+            part
         };
         vec![part(0), part(1)]
     }

@@ -7,12 +7,12 @@ use super::proof::{MovingArm, Order, Prover, Scene};
 use super::{CollisionWorld, Obstacles, Tolerance, blend};
 use crate::geometry::{Aabb, Segment};
 use crate::problem::{Contact, Touched, Validity};
-use crate::robot::{Arm, link_name};
+use crate::robot::{Arm, Joint, link_name};
 use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// If joint limits are wider than this, in radians, the slack is doubled.
+/// If joint limits or fixed angles are wider than this, in radians, the slack is doubled.
 const WIDE: f64 = 50.0;
 
 /// The collision checker of an arm, over the space of its joints.
@@ -36,8 +36,11 @@ impl<const N: usize> ArmValidity<N> {
         let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
         let side = world.bounds().map_or(2.0 * arm.reach(), Aabb::longer_side);
         // Sums of angles round more if limits are wide: see `proof/arm.rs`.
-        let widest =
-            arm.joint_limits().unwrap_or_default().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let widest = arm.joint_types().iter().map(|joint| match *joint {
+            Joint::Revolute { limits } => limits.map_or(0.0, |[low, high]| low.abs().max(high.abs())),
+            Joint::Prismatic { angle, .. } => angle.abs(),
+        });
+        let widest = widest.fold(0.0, f64::max);
         let scale = if widest > WIDE { 2.0 * scale } else { scale };
         let tolerance = Tolerance::new(scale, tolerance * side);
         let prover = RefCell::new(Prover::new(MovingArm::new(arm, tolerance.eta)));
@@ -101,7 +104,7 @@ impl<const N: usize> ArmValidity<N> {
         prover.may_meet(boxes, state)
     }
 
-    /// The turn of each joint on the motion from `a` to `b`; `None` if the short way round is ambiguous.
+    /// How far each joint moves on the motion from `a` to `b`; `None` if the short way round is ambiguous.
     #[inline(always)]
     fn delta(&self, a: &[f64; N], b: &[f64; N]) -> Option<[f64; N]> {
         let delta = self.space.difference(a, b);

@@ -19,6 +19,10 @@ pub(super) fn closed_form(
     near: &[f64; MAX_LINKS],
     tolerance: f64,
 ) -> Result<Vec<[f64; MAX_LINKS]>, Error> {
+    if task.joints.has_prismatic() {
+        let sentence = "there is no closed form for an arm with a prismatic joint; choose another method";
+        return Err(Error::new(Code::Unsupported, "/method", sentence));
+    }
     let (wrist, count) = task.wrist();
     let mut found = Vec::new();
     match count {

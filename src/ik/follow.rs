@@ -29,7 +29,7 @@ const BEND: f64 = 0.3;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Followed {
-    /// The configuration, in radians.
+    /// The configuration: radians, or metres of prismatic joints.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]
     pub configuration: Vec<f64>,
     /// The position of the tip, in metres.
@@ -130,8 +130,8 @@ fn bent(task: &Task, q: &[f64; MAX_LINKS]) -> [f64; MAX_LINKS] {
     let mut bent = *q;
     for i in 1..joints.count {
         let [low, high] = joints.ranges[i];
-        let side = if !joints.are_circles && high - q[i] < q[i] - low { -angle } else { angle };
-        bent[i] = joints.hold(i, q[i] + side);
+        let side = if !joints.is_circle(i) && high - q[i] < q[i] - low { -angle } else { angle };
+        bent[i] = joints.hold(i, q[i] + side * joints.unit(i));
     }
     bent
 }

@@ -4,7 +4,7 @@ use super::iterative::{Method, widest};
 use super::task::{Linear, Task};
 use crate::robot::MAX_LINKS;
 
-/// The most that a joint turns in one update, in radians.
+/// The most that a joint moves in one update, in its unit.
 const LARGEST: f64 = 1.0;
 
 /// The fraction of the decrease predicted by the gradient that an update must achieve (Armijo 1966, "Minimization of functions
@@ -42,7 +42,7 @@ impl Method for GradientDescent {
         for i in 0..joints.count {
             downhill[i] = (0..model.rows).map(|row| model.jacobian[row][i] * model.vector[row]).sum();
             let [low, high] = joints.ranges[i];
-            if !joints.are_circles && (downhill[i] < 0.0 && q[i] <= low || downhill[i] > 0.0 && q[i] >= high) {
+            if !joints.is_circle(i) && (downhill[i] < 0.0 && q[i] <= low || downhill[i] > 0.0 && q[i] >= high) {
                 downhill[i] = 0.0;
             }
         }
@@ -55,8 +55,8 @@ impl Method for GradientDescent {
             let mut next = [0.0; MAX_LINKS];
             let mut promised = 0.0;
             for i in 0..joints.count {
-                next[i] = joints.hold(i, q[i] + step * downhill[i]);
-                promised += downhill[i] * joints.turn(q[i], next[i]);
+                next[i] = joints.hold(i, q[i] + step * downhill[i] * joints.unit(i));
+                promised += downhill[i] * joints.turn(i, q[i], next[i]);
             }
             let after = task.deviation(&next).square();
             if promised > 0.0 && after <= largest - 2.0 * PROMISED * promised {
@@ -96,7 +96,7 @@ fn learned_step(
 ) -> Option<f64> {
     let (mut turned, mut curved) = (0.0, 0.0);
     for i in 0..task.joints.count {
-        let turn = task.joints.turn(last.0[i], q[i]);
+        let turn = task.joints.turn(i, last.0[i], q[i]);
         turned += turn * turn;
         curved += turn * (last.1[i] - downhill[i]);
     }

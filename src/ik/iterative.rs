@@ -27,7 +27,7 @@ pub(super) trait Method {
 pub(super) struct Newton;
 
 impl Newton {
-    /// The most that a joint turns in one update, in radians.
+    /// The most that a joint moves in one update, in its unit.
     const LARGEST: f64 = 0.5;
 
     /// Directions in which the tip moves less than this fraction of the reach per radian are omitted.
@@ -57,7 +57,7 @@ pub(super) struct DampedLeastSquares {
 }
 
 impl DampedLeastSquares {
-    /// The most that a joint turns in one update, in radians.
+    /// The most that a joint moves in one update, in its unit.
     const LARGEST: f64 = 1.0;
 
     /// The initial damping and the least, fractions of the squared error, and the factor by which it changes.
@@ -125,8 +125,9 @@ fn rotate(
                 continue;
             }
             let [low, high] = joints.ranges[i];
-            next[i] = joints.hold(i, q[i] + turn[i]);
-            if !joints.are_circles && !(low..=high).contains(&(q[i] + turn[i])) {
+            let wanted = q[i] + turn[i] * joints.unit(i);
+            next[i] = joints.hold(i, wanted);
+            if !joints.is_circle(i) && !(low..=high).contains(&wanted) {
                 (is_fixed[i], is_within) = (true, false);
             }
         }
@@ -136,7 +137,7 @@ fn rotate(
         // The model is reduced to the joints that are still free.
         for i in (0..joints.count).filter(|&i| is_fixed[i]) {
             for row in 0..model.rows {
-                model.vector[row] -= model.jacobian[row][i] * (next[i] - q[i]);
+                model.vector[row] -= model.jacobian[row][i] * ((next[i] - q[i]) / joints.unit(i));
                 model.jacobian[row][i] = 0.0;
             }
         }
@@ -144,7 +145,7 @@ fn rotate(
     next
 }
 
-/// The largest rotation of a joint, in radians.
+/// The largest movement of a joint, in its unit.
 #[inline(never)]
 pub(super) fn widest(turn: &[f64; MAX_LINKS]) -> f64 {
     turn.iter().fold(0.0, |most: f64, angle| most.max(angle.abs()))

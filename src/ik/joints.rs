@@ -1,7 +1,7 @@
-//! The joints of an arm: circles, or intervals that no angle leaves.
+//! The joints of an arm: circles, or intervals that no coordinate leaves.
 
 use crate::random::Random;
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::{Arm, Joint, MAX_LINKS};
 use crate::space::wrap;
 use std::array::from_fn;
 use std::f64::consts::{PI, TAU};
@@ -9,34 +9,58 @@ use std::f64::consts::{PI, TAU};
 /// Computed angles up to this far outside the limits, in radians, mean the limit. The result is measured afterwards.
 const SLACK: f64 = 1e-7;
 
-/// The ranges of up to eight joints, in radians; the rest of the arrays is 0.
+/// The ranges of up to eight joints, in radians, or metres of prismatic ones; the rest of the arrays is 0.
 #[derive(Debug, Clone)]
 pub(super) struct Joints {
     pub count: usize,
-    pub are_circles: bool,
-    /// The lowest and the highest angle of each joint; of a circle, -pi and pi.
+    types: [Joint; MAX_LINKS],
+    /// The lowest and the highest coordinate of each joint; of a circle, -pi and pi.
     pub ranges: [[f64; 2]; MAX_LINKS],
+    /// The unit of each coordinate in the equations: a radian, or the reach of the arm in metres.
+    units: [f64; MAX_LINKS],
 }
 
 impl Joints {
     /// The joints of the arm.
     pub fn of(arm: &Arm) -> Self {
-        let (count, limits) = (arm.links().len(), arm.joint_limits());
-        let range = |i| if i < count { limits.map_or([-PI, PI], |limits| limits[i]) } else { [0.0; 2] };
-        Self { count, are_circles: limits.is_none(), ranges: from_fn(range) }
+        let (count, reach) = (arm.links().len(), arm.reach());
+        let types = from_fn(|i| arm.joint_types().get(i).copied().unwrap_or(Joint::CIRCLE));
+        let range = |i: usize| if i < count { types[i].range().unwrap_or([-PI, PI]) } else { [0.0; 2] };
+        let unit = |i: usize| if types[i].is_prismatic() { reach } else { 1.0 };
+        Self { count, types, ranges: from_fn(range), units: from_fn(unit) }
+    }
+
+    /// The joint.
+    pub fn joint(&self, i: usize) -> &Joint {
+        &self.types[i]
+    }
+
+    /// The unit of its coordinate in the equations: a radian, or the reach of the arm in metres.
+    pub fn unit(&self, i: usize) -> f64 {
+        self.units[i]
+    }
+
+    /// Whether the joint turns without limits.
+    pub fn is_circle(&self, i: usize) -> bool {
+        self.types[i] == Joint::CIRCLE
+    }
+
+    /// Whether a joint slides.
+    pub fn has_prismatic(&self) -> bool {
+        self.types.iter().any(Joint::is_prismatic)
     }
 
     /// Whether the joint can point its link in every direction: a circle, or limits a whole turn apart.
     pub fn turns_around(&self, i: usize) -> bool {
         let [low, high] = self.ranges[i];
-        self.are_circles || high - low >= TAU
+        self.is_circle(i) || high - low >= TAU
     }
 
     /// The angle that differs from the given one by whole turns, lies within the limits, and is the nearest of these to `near`;
     /// `None` if there is none. On circles it is the one in (-pi, pi]. Up to 1e-7 outside counts as the limit itself.
     #[inline(never)]
     pub fn fit(&self, i: usize, angle: f64, near: f64) -> Option<f64> {
-        if self.are_circles {
+        if self.is_circle(i) {
             return Some(wrap(angle));
         }
         let [low, high] = self.ranges[i];
@@ -54,10 +78,10 @@ impl Joints {
         }
     }
 
-    /// The angle within the limits that is nearest to the given one; on a circle the same one in (-pi, pi].
+    /// The coordinate within the limits that is nearest to the given one; on a circle the same angle in (-pi, pi].
     #[inline(never)]
     pub fn hold(&self, i: usize, angle: f64) -> f64 {
-        if self.are_circles {
+        if self.is_circle(i) {
             return wrap(angle);
         }
         // Not `clamp`, whose panic would link the formatting of floats.
@@ -65,12 +89,12 @@ impl Joints {
         angle.max(low).min(high) + 0.0
     }
 
-    /// The rotation of the joint from one angle to another: in the shorter direction on circles.
-    pub fn turn(&self, from: f64, to: f64) -> f64 {
-        if self.are_circles { wrap(to - from) } else { to - from }
+    /// How far the joint moves from one coordinate to another, in its unit: in the shorter direction on a circle.
+    pub fn turn(&self, i: usize, from: f64, to: f64) -> f64 {
+        if self.is_circle(i) { wrap(to - from) } else { (to - from) / self.unit(i) }
     }
 
-    /// The configuration within the limits nearest to the one with these angles, in canonical form.
+    /// The configuration within the limits nearest to the one with these coordinates, in canonical form.
     #[inline(never)]
     pub fn hold_all(&self, mut angle: impl FnMut(usize) -> f64) -> [f64; MAX_LINKS] {
         from_fn(|i| if i < self.count { self.hold(i, angle(i)) } else { 0.0 })

@@ -6,18 +6,19 @@ use crate::space::wrap;
 use nalgebra::{Const, SMatrix, SVD, Vector3};
 
 /// The absolute angle of the last link at `q`, in (-pi, pi].
-pub fn orientation(q: &[f64]) -> f64 {
-    wrap(q.iter().sum())
+pub fn orientation(arm: &Arm, q: &[f64]) -> f64 {
+    wrap(arm.last_angle(q))
 }
 
-/// The Jacobian of the tip's position at `q` (as many angles as links, in radians): how x and y move with each joint, in metres
-/// per radian. Two rows; entries past the last link are 0. O(links).
+/// The Jacobian of the tip's position at `q` (as many coordinates as links): how x and y move with each joint, in metres per
+/// radian, or per metre of a prismatic joint. Two rows; entries past the last link are 0. O(links).
 pub fn jacobian(arm: &Arm, q: &[f64]) -> [[f64; MAX_LINKS]; 2] {
     let [x, y, _] = linear(arm, q).jacobian;
     [x, y]
 }
 
-/// The singular values of the Jacobian of the tip's position at `q`, the larger first, in metres per radian.
+/// The singular values of the Jacobian of the tip's position at `q`, the larger first, in metres per radian, a metre of a
+/// prismatic joint counted as a radian.
 pub fn singular_values(arm: &Arm, q: &[f64]) -> [f64; 2] {
     let [large, small, _] = Singular::of(&linear(arm, q)).0.singular_values.into();
     [large, small]
@@ -35,7 +36,12 @@ pub fn manipulability(arm: &Arm, q: &[f64]) -> f64 {
 fn linear(arm: &Arm, q: &[f64]) -> Linear {
     let mut angles = [0.0; MAX_LINKS];
     angles[..arm.links().len()].copy_from_slice(q);
-    Task::new(arm, &Target { point: arm.base(), orientation: None }).linear(&angles)
+    let task = Task::new(arm, &Target { point: arm.base(), orientation: None });
+    let mut model = task.linear(&angles);
+    for i in 0..arm.links().len() {
+        model.jacobian.iter_mut().for_each(|row| row[i] /= task.joints.unit(i));
+    }
+    model
 }
 
 /// The singular value decomposition of a Jacobian of three rows, the third 0 without a wanted orientation (Golub and Kahan 1965,

@@ -16,7 +16,7 @@
 //! workspaces".
 
 use super::task::{Deviation, Task};
-use crate::error::Error;
+use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::robot::{Arm, MAX_LINKS, Target};
 use serde::Serialize;
@@ -47,9 +47,14 @@ pub struct Nearest {
 /// can reach in that orientation, or in the nearest one that the limits allow. O(4^links) with limits, O(2^links) without.
 ///
 /// # Errors
-/// Of the target: `not-finite`, `out-of-range`, `unsupported` (see [`Target`]).
+/// Of the target: `not-finite`, `out-of-range`, `unsupported` (see [`Target`]); `unsupported` (pointer `/robot/joints`) for an
+/// arm with a prismatic joint, for which the search is not exact.
 pub fn nearest_reachable(arm: &Arm, target: Target) -> Result<Nearest, Error> {
     let target = target.checked(arm)?;
+    if arm.has_prismatic_joint() {
+        let sentence = "the nearest point that an arm with a prismatic joint can reach is not computed";
+        return Err(Error::new(Code::Unsupported, "/robot/joints", sentence));
+    }
     Ok(nearest(arm, &Task::new(arm, &target)))
 }
 

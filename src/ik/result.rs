@@ -26,9 +26,10 @@ pub enum Verdict {
         /// How near the arm can come.
         nearest: Nearest,
     },
-    /// The target can be reached, and the run continues.
+    /// The target can be reached, and the run continues. With a prismatic joint: it is not known whether it can.
     Running,
-    /// The target can be reached, but the budget is spent without a solution.
+    /// The target can be reached, but the budget is spent without a solution. With a prismatic joint: nothing was found, and it
+    /// is not known whether there is anything to find.
     NotFound,
 }
 
@@ -48,10 +49,15 @@ pub enum Reason {
 }
 
 impl Verdict {
+    /// The verdict on a task without any solution of which nothing else is known.
+    pub(super) fn open(status: Status) -> Self {
+        if status == Status::Running { Verdict::Running } else { Verdict::NotFound }
+    }
+
     /// The verdict on a task without any solution, by how near the arm can come.
     pub(super) fn of(task: &Task, nearest: Nearest, tolerance: f64, status: Status) -> Self {
         if nearest.distance <= tolerance && nearest.turn <= tolerance {
-            return if status == Status::Running { Verdict::Running } else { Verdict::NotFound };
+            return Self::open(status);
         }
         let ([x, y], count) = task.wrist();
         let ([inner, outer], r) = (task.ring(count), (x * x + y * y).sqrt());
@@ -78,7 +84,8 @@ impl Verdict {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(rename = "ReachVerdict", missing_as_null))]
 struct VerdictDocument<'a> {
     /// `reached`; `in-collision` if the target is reached in collision only; `out-of-reach` if no configuration reaches it;
-    /// `running`, or `not-found` once the budget is spent, if one does that has not been found.
+    /// `running`, or `not-found` once the budget is spent, if one does that has not been found, or if a joint is prismatic: then
+    /// it is not known whether one does.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = r#""reached" | "in-collision" | "out-of-reach" | "running" | "not-found""#)

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::fingerprint::Fingerprint;
 use crate::problem::{Status, Stepped, Validity};
 use crate::random::{Random, Stream, check_seed};
-use crate::robot::{Arm, MAX_LINKS, Target};
+use crate::robot::{Arm, Joint, MAX_LINKS, Target};
 use crate::space::{MotionSpace, angular_distance};
 use crate::world::PlanningWorld;
 use std::iter::Enumerate;
@@ -21,7 +21,8 @@ use std::vec::IntoIter;
 /// Unused: only configurations are checked, not motions.
 const TOLERANCE: f64 = 1e-4;
 
-/// Solutions nearer to each other than this, in radians, are one; the second is for redundant arms.
+/// Solutions nearer to each other than this, in radians, or parts of the reach for prismatic joints, are one; the second is for
+/// redundant arms.
 const SEPARATION: [f64; 2] = [1e-3, 0.5];
 
 /// One iterate of a run.
@@ -210,7 +211,12 @@ impl Solver {
     fn find(&mut self, q: &[f64; MAX_LINKS]) {
         let configuration = q[..self.dimension()].to_vec();
         let mut known = self.solutions.iter().chain(self.rejected.iter().map(|one| &one.configuration));
-        let is_same = |known: &Vec<f64>| known.iter().zip(q).all(|(&a, &b)| angular_distance(a, b) <= self.separation);
+        let joints = &self.task.joints;
+        let apart = |i: usize, a: f64, b: f64| match joints.joint(i) {
+            Joint::Revolute { .. } => angular_distance(a, b),
+            Joint::Prismatic { .. } => joints.turn(i, a, b).abs(),
+        };
+        let is_same = |known: &Vec<f64>| known.iter().enumerate().all(|(i, &at)| apart(i, at, q[i]) <= self.separation);
         if known.any(is_same) {
             return;
         }
@@ -285,6 +291,9 @@ impl Solver {
         }
         if let Some(first) = self.rejected.first() {
             return Verdict::InCollision { contacts: first.contacts.clone() };
+        }
+        if self.task.joints.has_prismatic() {
+            return Verdict::open(self.status);
         }
         Verdict::of(&self.task, nearest(&self.arm, &self.task), self.stopping.tolerance, self.status)
     }

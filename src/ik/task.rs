@@ -15,10 +15,10 @@ const LEVER: f64 = 0.3;
 /// An arm with its base moved to the origin, and a target.
 #[derive(Debug, Clone)]
 pub(super) struct Task {
-    /// The lengths of the links, in metres; 0 past the last.
+    /// The lengths of the links, in metres, of prismatic ones at the coordinate 0; 0 past the last.
     pub links: [f64; MAX_LINKS],
     pub joints: Joints,
-    /// The sum of the lengths, in metres.
+    /// The sum of the greatest lengths, in metres.
     pub reach: f64,
     /// The weight of a radian of the orientation, in metres.
     pub lever: f64,
@@ -59,7 +59,7 @@ impl Deviation {
 pub(super) struct Linear {
     /// See [`Deviation`].
     pub vector: [f64; 3],
-    /// How the tip (metres) and the last link (radians times the lever) move with each joint (radians).
+    /// How the tip (metres) and the last link (radians times the lever) move with each joint, in its unit.
     pub jacobian: [[f64; MAX_LINKS]; 3],
     /// 2, or 3 with an orientation.
     pub rows: usize,
@@ -90,12 +90,19 @@ impl Task {
         let mut positions = [[0.0; 2]; MAX_LINKS + 1];
         let mut angle = 0.0;
         for i in 0..self.joints.count {
-            angle += q[i];
+            let joint = self.joints.joint(i);
+            angle += joint.angle(q[i]);
+            let length = self.links[i] + joint.extension(q[i]);
             let (sin, cos) = libm::sincos(angle);
             let [x, y] = positions[i];
-            positions[i + 1] = [x + self.links[i] * cos, y + self.links[i] * sin];
+            positions[i + 1] = [x + length * cos, y + length * sin];
         }
         positions
+    }
+
+    /// The angle of the last link, in radians, not wrapped.
+    fn last_angle(&self, q: &[f64; MAX_LINKS]) -> f64 {
+        (0..MAX_LINKS).map(|i| self.joints.joint(i).angle(q[i])).sum()
     }
 
     /// How far the configuration is from the target. O(links).
@@ -106,7 +113,7 @@ impl Task {
 
     fn deviation_at(&self, q: &[f64; MAX_LINKS], tip: [f64; 2]) -> Deviation {
         let [x, y] = [self.point[0] - tip[0], self.point[1] - tip[1]];
-        let turn = self.orientation.map_or(0.0, |wanted| wrap(wanted - q.iter().sum::<f64>()));
+        let turn = self.orientation.map_or(0.0, |wanted| wrap(wanted - self.last_angle(q)));
         Deviation { vector: [x, y, self.lever * turn], distance: (x * x + y * y).sqrt(), turn: turn.abs() }
     }
 
@@ -115,7 +122,15 @@ impl Task {
         let positions = self.positions(q);
         let count = self.joints.count;
         let (mut jacobian, tip) = ([[0.0; MAX_LINKS]; 3], positions[count]);
+        let mut angle = 0.0;
         for i in 0..count {
+            let joint = self.joints.joint(i);
+            angle += joint.angle(q[i]);
+            if joint.is_prismatic() {
+                let ((sin, cos), unit) = (libm::sincos(angle), self.joints.unit(i));
+                (jacobian[0][i], jacobian[1][i]) = (unit * cos, unit * sin);
+                continue;
+            }
             jacobian[0][i] = positions[i][1] - tip[1];
             jacobian[1][i] = tip[0] - positions[i][0];
             if self.orientation.is_some() {
@@ -127,24 +142,27 @@ impl Task {
     }
 
     /// The inner and the outer radius, in metres, of the ring that the tip of the first `count` links can reach without joint
-    /// limits.
+    /// limits; with a prismatic joint of one that holds it.
     pub fn ring(&self, count: usize) -> [f64; 2] {
+        if self.joints.has_prismatic() {
+            return [0.0, self.reach];
+        }
         let links = &self.links[..count];
         let (sum, longest) = (links.iter().sum::<f64>(), links.iter().copied().fold(0.0, f64::max));
         [(longest - (sum - longest)).max(0.0), sum]
     }
 
-    /// The position of the last joint that a wanted orientation requires, relative to the base, or the target without one; and
-    /// the number of links up to it.
+    /// The position of the last joint that a wanted orientation requires, relative to the base, or the target without one or
+    /// if a joint is prismatic; and the number of links up to it.
     pub fn wrist(&self) -> ([f64; 2], usize) {
         let count = self.joints.count;
         match self.orientation {
-            None => (self.point, count),
-            Some(angle) => {
+            Some(angle) if !self.joints.has_prismatic() => {
                 let (sin, cos) = libm::sincos(angle);
                 let last = self.links[count - 1];
                 ([self.point[0] - last * cos, self.point[1] - last * sin], count - 1)
             }
+            _ => (self.point, count),
         }
     }
 }

@@ -11,7 +11,7 @@ mod range;
 mod space;
 
 pub(crate) use arm::link_name;
-pub use arm::{Arm, MAX_LINKS, Target};
+pub use arm::{Arm, Joint, MAX_LINKS, Target};
 pub use body::{RigidBody, Weights};
 pub use car::Car;
 pub use differential_drive::{DifferentialDrive, Footprint, Round};

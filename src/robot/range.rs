@@ -20,9 +20,8 @@ pub(super) fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -
 
 /// Returns an error unless the limits are an increasing pair within [-most, most].
 pub(super) fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f64) -> Result<(), Error> {
-    let range = format!("lie within [{}, {}]", Number(-most), Number(most));
     for (k, value) in limits.into_iter().enumerate() {
-        check(&format!("{pointer}/{k}"), what, value, value.abs() <= most, &range)?;
+        check_size(&format!("{pointer}/{k}"), what, value, most)?;
     }
     if limits[0] >= limits[1] {
         let [low, high] = limits.map(Number);
@@ -30,6 +29,12 @@ pub(super) fn check_limits(pointer: &str, what: &str, limits: [f64; 2], most: f6
         return Err(Error::new(Code::OutOfRange, pointer, sentence));
     }
     Ok(())
+}
+
+/// Returns an error unless the value is finite and within [-most, most].
+pub(super) fn check_size(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
+    let range = format!("lie within [{}, {}]", Number(-most), Number(most));
+    check(pointer, what, value, value.abs() <= most, &range)
 }
 
 /// Returns an error unless the value is finite and within its range.

@@ -1,18 +1,20 @@
 //! The configuration space of each robot.
 
-use super::{Arm, Weights};
+use super::{Arm, Joint, Weights};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::space::{Coordinate, Metric, ProductSpace};
 
-/// The space of an arm: a circle for each joint, or an interval if the arm has limits; angles in radians.
+/// The space of an arm: a circle for each joint without limits, an interval for any other; angles in radians, the coordinates of
+/// prismatic joints in metres, a metre as far as a radian.
 ///
 /// # Panics
 /// If the arm has more than `N` links.
 pub fn joint_space<const N: usize>(arm: &Arm, metric: Metric) -> ProductSpace<N> {
-    let joints: Vec<Coordinate> = match arm.joint_limits() {
-        Some(limits) => limits.iter().map(|&[low, high]| Coordinate::Interval { low, high }).collect(),
-        None => vec![Coordinate::Circle; arm.links().len()],
+    let coordinate = |joint: &Joint| match joint.range() {
+        Some([low, high]) => Coordinate::Interval { low, high },
+        None => Coordinate::Circle,
     };
+    let joints: Vec<Coordinate> = arm.joint_types().iter().map(coordinate).collect();
     ProductSpace::new(&joints, metric)
 }
 

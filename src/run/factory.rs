@@ -385,15 +385,18 @@ pub(super) fn only_metric(robot: &Robot) -> RoadmapMetric {
 
 /// A lower bound on the distance of two configurations of the arm from those of the end effector: joint j turns what lies beyond
 /// it, which reaches r_j at most, so the end effector moves at most sum r_j |turn j|, which is at most r_1 times their sum,
-/// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz).
+/// and at most the root of sum r_j^2 times the root of the sum of their squares (Cauchy and Schwarz). A prismatic joint moves the
+/// end effector by as much as it slides: its r_j is 1.
 fn from_end_effector<const N: usize>(arm: &Arm, is_sum: bool) -> Estimate<[f64; N]> {
     let arm = arm.clone();
-    let (mut reach, mut squares) = (0.0, 0.0);
-    for length in arm.links().iter().rev() {
+    let (mut reach, mut most, mut squares) = (0.0, 0.0, 0.0);
+    for (length, joint) in arm.longest().zip(arm.joint_types()).rev() {
         reach += length;
-        squares += reach * reach;
+        let factor = if joint.is_prismatic() { 1.0 } else { reach };
+        most = f64::max(most, factor);
+        squares += factor * factor;
     }
-    let furthest = if is_sum { reach } else { f64::sqrt(squares) };
+    let furthest = if is_sum { most } else { f64::sqrt(squares) };
     Box::new(move |a, b| {
         let tip = |q: &[f64; N]| arm.end_effector(&q[..arm.links().len()]);
         (tip(a) - tip(b)).norm() / furthest

@@ -22,7 +22,7 @@ const ITERATIONS: u64 = 4000;
 
 /// The goal of the query; of a query with a target distinct free configurations that reach it, at least one: all there are
 /// if the arm has a closed form, else those that damped least squares finds from the start and from starts that the seed decides;
-/// if it finds none, the one of the exact search for the nearest point.
+/// if it finds none, and no joint is prismatic, the one of the exact search for the nearest point.
 ///
 /// # Errors
 /// `target-unreachable` if none was found, naming the nearest point; `goal-in-collision` if all that were found
@@ -39,9 +39,10 @@ pub(super) fn goals(world: &PlanningWorld, query: &Query, index: usize, seed: u6
     let mut wanted = options(scenario, query, target, seed);
     let mut reach = Solver::new(world, &wanted).map_err(at_target)?;
     reach.step(u64::MAX);
-    if reach.explain() == Verdict::NotFound {
+    let arm = arm_of(scenario)?;
+    if reach.explain() == Verdict::NotFound && !arm.has_prismatic_joint() {
         // Joints that can hardly move are hard to search, but the exact search knows a configuration.
-        let nearest = nearest_reachable(arm_of(scenario)?, target).map_err(at_target)?;
+        let nearest = nearest_reachable(arm, target).map_err(at_target)?;
         wanted.start = Some(nearest.configuration[..reach.dimension()].to_vec());
         reach = Solver::new(world, &wanted).map_err(at_target)?;
         reach.step(u64::MAX);
@@ -85,9 +86,12 @@ fn readable(value: f64) -> Number {
 
 /// The request to inverse kinematics.
 fn options(scenario: &Scenario, query: &Query, target: Target, seed: u64) -> SolverOptions {
-    let (joints, reach) =
-        if let Robot::Arm(arm) = scenario.robot() { (arm.links().len(), arm.reach()) } else { (0, 1.0) };
-    let has_closed_form = joints <= 2 + usize::from(target.orientation.is_some());
+    let (has_closed_form, reach) = if let Robot::Arm(arm) = scenario.robot() {
+        let few = 2 + usize::from(target.orientation.is_some());
+        (arm.links().len() <= few && !arm.has_prismatic_joint(), arm.reach())
+    } else {
+        (false, 1.0)
+    };
     let [finest, tolerance, part] = TOLERANCE;
     let stopping = Stopping { tolerance: tolerance.min(part * reach).max(finest), max_iterations: ITERATIONS };
     let finding = Finding { solutions: MOST, free_only: true, ..Finding::default() };

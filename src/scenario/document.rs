@@ -1,7 +1,9 @@
 //! The types that a scenario document is read into, and that the JSON Schema is generated from: fields, their types, and
 //! the ranges of numbers. [`validate`](super::validate) checks the remaining rules.
 
-use super::number::{AngleOrCoordinate, Coordinate, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step};
+use super::number::{
+    AngleOrCoordinate, Coordinate, JointAngle, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step,
+};
 use crate::json::{by_type, objects, one_format};
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
@@ -67,7 +69,7 @@ objects! {
     pub(crate) struct Arm {
         /// The position of the base; no obstacle may lie within `radius` of it.
         pub base: Point,
-        /// The lengths of the links in metres, from the base outwards.
+        /// The lengths of the links in metres, from the base outwards; those of prismatic links at the coordinate 0.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         pub links: Vec<Positive>,
         /// Half the width of the links in metres; 0 makes them segments.
@@ -75,10 +77,33 @@ objects! {
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub radius: NonNegative,
         /// One pair (low, high) per link, low less than high, in radians: such a joint does not wrap. Without limits a joint is
-        /// a circle.
+        /// a circle. Not together with `joints`.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Point[]"))]
         pub joint_limits: Option<Vec<[JointLimit; 2]>>,
+        /// How each link moves against the one before, one joint per link; if absent all are revolute.
+        #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8), with = "Option<Vec<JointOrWord>>"))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "(\"revolute\" | Joint)[]"))]
+        pub joints: Option<Vec<Value>>,
+    }
+
+    /// A joint that turns: its coordinate is the angle of its link to the link before, in radians.
+    pub(crate) struct Revolute {
+        /// The least and the greatest angle, the first less than the second; without limits the joint is a circle.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Point"))]
+        pub limits: Option<[JointLimit; 2]>,
+    }
+
+    /// A joint that slides: its link goes on in the direction of the link before, turned by a fixed angle, and is its length
+    /// plus the coordinate long.
+    pub(crate) struct Prismatic {
+        /// The least and the greatest coordinate in metres, the first less than the second; the link is nowhere shorter than 0.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
+        pub range: [Coordinate; 2],
+        /// The fixed angle to the link before, in radians; 0 by default.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub angle: JointAngle,
     }
 
     pub(crate) struct RigidBody {
@@ -191,7 +216,8 @@ by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
 pub(crate) enum Robot {
-    /// A planar arm of revolute joints. A configuration contains one angle per link, each relative to the link before.
+    /// A planar arm. A configuration contains one number per link: its angle to the link before, or what a prismatic link is
+    /// longer than its given length.
     Arm(Arm),
     /// A polygon that translates and rotates. A configuration is [x, y, theta], the position and rotation of its frame.
     RigidBody(RigidBody),
@@ -203,6 +229,37 @@ pub(crate) enum Robot {
 }
 
 by_type!(Robot { "arm" => Arm, "disc" => Disc, "rigid_body" => RigidBody, "car" => Car });
+
+/// A joint of an arm.
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
+pub(crate) enum Joint {
+    /// A joint that turns.
+    Revolute(Revolute),
+    /// A joint that slides.
+    Prismatic(Prismatic),
+}
+
+by_type!(Joint { "revolute" => Revolute, "prismatic" => Prismatic });
+
+/// A joint of an arm, or the word "revolute".
+#[cfg(feature = "schema")]
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+#[expect(dead_code, reason = "it is for the schema alone")]
+enum JointOrWord {
+    Word(Turning),
+    Joint(Joint),
+}
+
+/// A joint that turns without limits.
+#[cfg(feature = "schema")]
+#[derive(JsonSchema)]
+#[schemars(rename_all = "snake_case")]
+#[expect(dead_code, reason = "it is for the schema alone")]
+enum Turning {
+    Revolute,
+}
 
 /// The shape of a body in its own frame.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]

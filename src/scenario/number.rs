@@ -56,6 +56,7 @@ number!(AngleOrCoordinate, "an angle or a coordinate", -1e6, 1e6, false);
 number!(NonNegative, "a radius or a tolerance", 0.0, 1e6, false);
 number!(Positive, "a radius, a length or a weight", 0.0, 1e6, true);
 number!(JointLimit, "a joint limit", -100.0, 100.0, false);
+number!(JointAngle, "the angle of a joint", -100.0, 100.0, false);
 number!(Speed, "a speed", -1e6, 1e6, false);
 number!(SteeringAngle, "a steering angle", -1.55, 1.55, false);
 number!(Step, "the step of integration", 0.0, 10.0, true);

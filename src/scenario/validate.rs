@@ -6,7 +6,7 @@ use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, 
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment};
 use crate::json;
-use crate::robot::{Arm, Car, DiscRobot, RigidBody, Target, Weights};
+use crate::robot::{Arm, Car, DiscRobot, Joint, RigidBody, Target, Weights};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
@@ -179,12 +179,44 @@ impl Obstacle {
     }
 }
 
+fn checked_joints(joints: &[Value]) -> Result<Vec<Joint>, Error> {
+    let joint = |(i, joint): (usize, &Value)| {
+        let pointer = format!("/joints/{i}");
+        Ok(match joint {
+            Value::String(word) if word == "revolute" => Joint::CIRCLE,
+            Value::String(word) => {
+                let word = quoted(word);
+                let sentence = format!("a joint is \"revolute\" or an object with a type, not the string {word}");
+                return Err(Error::new(Code::UnknownType, pointer, sentence));
+            }
+            object => match read_under(object, &pointer)? {
+                document::Joint::Revolute(document::Revolute { limits }) => {
+                    Joint::Revolute { limits: limits.map(|limits| limits.map(|limit| limit.0)) }
+                }
+                document::Joint::Prismatic(document::Prismatic { range, angle }) => {
+                    Joint::Prismatic { range: range.map(|end| end.0), angle: angle.0 }
+                }
+            },
+        })
+    };
+    joints.iter().enumerate().map(joint).collect()
+}
+
 pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
     let made = match robot {
         document::Robot::Arm(arm) => {
             let links = arm.links.iter().map(|length| length.0).collect();
             let limits = arm.joint_limits.map(|limits| limits.iter().map(|pair| pair.map(|limit| limit.0)).collect());
-            Arm::new(point(arm.base), links, arm.radius.0, limits).map(Robot::Arm)
+            let (base, radius) = (point(arm.base), arm.radius.0);
+            match (arm.joints, limits) {
+                (None, limits) => Arm::new(base, links, radius, limits).map(Robot::Arm),
+                (Some(joints), None) => checked_joints(&joints)
+                    .and_then(|joints| Arm::with_joints(base, links, radius, joints).map(Robot::Arm)),
+                (Some(_), Some(_)) => {
+                    let sentence = "the limits of an arm with joints stand in these, as \"limits\" of each";
+                    Err(Error::new(Code::UnknownField, "/joint_limits", sentence))
+                }
+            }
         }
         document::Robot::Disc(disc) => DiscRobot::new(disc.radius.0).map(Robot::Disc),
         document::Robot::RigidBody(body) => checked_shape(&body.shape)
@@ -275,11 +307,12 @@ pub(crate) fn checked_configuration(
         return Err(Error::new(Code::WrongDimension, pointer, sentence));
     }
     if let Robot::Arm(arm) = robot {
-        for (i, (angle, &[low, high])) in q.iter().zip(arm.joint_limits().unwrap_or_default()).enumerate() {
-            if !(low..=high).contains(angle) {
-                let [low, high, angle] = [low, high, *angle].map(Number);
+        for (i, (at, joint)) in q.iter().zip(arm.joint_types()).enumerate() {
+            if let Some([low, high]) = joint.range().filter(|[low, high]| !(*low..=*high).contains(at)) {
+                let [low, high, at] = [low, high, *at].map(Number);
+                let (what, range) = if joint.is_prismatic() { ("coordinate", "range") } else { ("angle", "limits") };
                 let sentence =
-                    format!("the angle of joint {i} must be within its limits, from {low} to {high}, not {angle}");
+                    format!("the {what} of joint {i} must be within its {range}, from {low} to {high}, not {at}");
                 return Err(Error::new(Code::OutOfRange, format!("{pointer}/{i}"), sentence));
             }
         }

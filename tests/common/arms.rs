@@ -25,7 +25,7 @@ pub fn at(x: f64, y: f64) -> Target {
 
 /// The target that the configuration reaches, with its orientation if that is wanted.
 pub fn target_of(arm: &Arm, q: &[f64], is_oriented: bool) -> Target {
-    Target { point: arm.end_effector(q), orientation: is_oriented.then(|| orientation(q)) }
+    Target { point: arm.end_effector(q), orientation: is_oriented.then(|| orientation(arm, q)) }
 }
 
 /// A run to its end.
@@ -61,7 +61,7 @@ pub fn reachable(random: &mut Random, arm: &Arm, is_oriented: bool) -> Target {
 
 /// The deviation of the arm at `q` from the target: metres and radians.
 pub fn deviation(arm: &Arm, q: &[f64], target: &Target) -> [f64; 2] {
-    let turn = target.orientation.map_or(0.0, |wanted| angular_distance(wanted, orientation(q)));
+    let turn = target.orientation.map_or(0.0, |wanted| angular_distance(wanted, orientation(arm, q)));
     [(arm.end_effector(q) - target.point).norm(), turn]
 }
 

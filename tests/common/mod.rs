@@ -7,7 +7,7 @@ pub mod golden;
 pub mod graphs;
 pub mod requests;
 
-use documents::{arm, disc, judged, limited_arm, named, polygon, rectangle, rectangular};
+use documents::{arm, disc, jointed_arm, judged, limited_arm, named, polygon, rectangle, rectangular};
 pub use documents::{deep, parse};
 use planarium::problem::{Status, Stepped};
 use planarium::run::{Request, Run, Value};
@@ -41,6 +41,13 @@ fn arm_at_wall(thickness: f64, bounds: &str, radius: f64) -> Scenario {
     let name = if radius > 0.0 { "thick-arm-and-wall" } else { "arm-and-wall" };
     let wall = rectangle([0.7, -thickness / 2.0], [3.0, thickness / 2.0]);
     named(name, bounds, &wall, &arm(&[1.0, 0.8], radius), r#""start": [0.6, 0.2], "goal": [-0.6, -0.2]"#)
+}
+
+/// An arm whose second link slides out of the first, at the same wall: it is passed round the back, or drawn in.
+pub fn sliding_arm_and_wall(thickness: f64) -> Scenario {
+    let wall = rectangle([0.7, -thickness / 2.0], [3.0, thickness / 2.0]);
+    let robot = jointed_arm(&[0.4, 0.1], 0.02, r#""revolute", {"type": "prismatic", "range": [0, 1.2], "angle": 0}"#);
+    named("sliding-arm-and-wall", "[-2, -2], [2, 2]", &wall, &robot, r#""start": [0.6, 0.9], "goal": [-0.6, 0.8]"#)
 }
 
 /// A disc of the given radius in a box of side 10, cut by a wall of the given thickness with a gap of width 1 near the top.
@@ -103,10 +110,10 @@ fn placed_at_wall(kind: &str, fields: &str, region: &str, thickness: f64, height
     named(kind, "[0, 0], [2, 2]", &obstacles, &rectangular(kind, 0.1, 0.05, fields), &query)
 }
 
-/// Arms, thin and thick, and a disc.
-pub fn worlds() -> [Scenario; 5] {
-    let [thin, thick] = [arm_and_wall(0.1), thick_arm_and_wall(0.2)];
-    [thin, thick, arm_of(3, true, 0.02), arm_of(6, false, 0.0), disc_and_wall(0.3, 0.5)]
+/// Arms, thin and thick, one of them with a link that slides, and a disc.
+pub fn worlds() -> [Scenario; 6] {
+    let [thin, thick, sliding] = [arm_and_wall(0.1), thick_arm_and_wall(0.2), sliding_arm_and_wall(0.1)];
+    [thin, thick, arm_of(3, true, 0.02), arm_of(6, false, 0.0), disc_and_wall(0.3, 0.5), sliding]
 }
 
 /// The planners by controls with settings that show their features, small enough for many runs.

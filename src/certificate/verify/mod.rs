@@ -11,7 +11,7 @@ use super::document::{Blocked, Certificate, Verdict};
 use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, Vector, convex_pieces};
 use crate::problem::Touched;
-use crate::robot::link_name;
+use crate::robot::{Joint, link_name};
 use crate::scenario::{Obstacle, Robot, Scenario};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
@@ -92,16 +92,32 @@ fn check_claims(certificate: &Certificate) -> Result<(), String> {
     Ok(())
 }
 
+/// A link of an arm.
+#[derive(Clone, Copy)]
+struct Link {
+    /// Its length, if it is prismatic at the coordinate 0, and the greatest.
+    length: f64,
+    longest: f64,
+    /// Its fixed angle, if it is prismatic.
+    fixed: Option<f64>,
+}
+
+impl Link {
+    fn turns(&self) -> bool {
+        self.fixed.is_none()
+    }
+}
+
 struct Verifier<'a> {
     scenario: &'a Scenario,
-    /// The base and the lengths of the links of an arm; `None` for a disc.
-    arm: Option<(Point, [f64; 2])>,
+    /// The base, and of both links the length, the greatest length, and the joint, of an arm; `None` for a disc.
+    arm: Option<(Point, [Link; 2])>,
     radius: f64,
     ranges: Ranges,
-    wraps: bool,
+    wraps: [bool; 2],
     slack: f64,
-    /// How far rounding may move a coordinate.
-    rounded: f64,
+    /// How far rounding may move each coordinate.
+    rounded: [f64; 2],
     examined: u64,
 }
 
@@ -110,13 +126,23 @@ impl<'a> Verifier<'a> {
         let bounds = scenario.world().bounds;
         let (arm, radius, ranges, wraps) = match (scenario.robot(), bounds) {
             (Robot::Arm(arm), _) if arm.links().len() == 2 => {
-                let limits = arm.joint_limits().map_or([[-PI, PI]; 2], |limits| [limits[0], limits[1]]);
-                let links = [arm.links()[0], arm.links()[1]];
-                (Some((arm.base(), links)), arm.radius(), limits, arm.joint_limits().is_none())
+                let ranges = [0, 1].map(|i: usize| arm.joint_types()[i].range());
+                let link = |i: usize| {
+                    let length = arm.links()[i];
+                    match arm.joint_types()[i] {
+                        Joint::Revolute { .. } => Link { length, longest: length, fixed: None },
+                        Joint::Prismatic { range, angle } => {
+                            Link { length, longest: length + range[1], fixed: Some(angle) }
+                        }
+                    }
+                };
+                let limits = ranges.map(|range| range.unwrap_or([-PI, PI]));
+                let wraps = ranges.map(|range| range.is_none());
+                (Some((arm.base(), [link(0), link(1)])), arm.radius(), limits, wraps)
             }
             (Robot::Disc(disc), Some(Aabb { min, max })) => {
                 let r = disc.radius();
-                (None, r, [[min.x + r, max.x - r], [min.y + r, max.y - r]], false)
+                (None, r, [[min.x + r, max.x - r], [min.y + r, max.y - r]], [false; 2])
             }
             _ => return Err(Error::new(Code::Unsupported, "/robot", "this robot has no certificates")),
         };
@@ -124,19 +150,20 @@ impl<'a> Verifier<'a> {
         let boxes = scenario.world().obstacles.iter().map(Obstacle::aabb).chain(bounds).chain(base);
         let largest =
             boxes.flat_map(|b| [b.min.x, b.min.y, b.max.x, b.max.y]).fold(0.0, |most: f64, x| most.max(x.abs()));
-        let reach = arm.map_or(0.0, |(_, links)| links[0] + links[1]);
+        let reach = arm.map_or(0.0, |(_, links)| links[0].longest + links[1].longest);
         let slack = (1e-12 * (largest + radius + reach)).max(SMALLEST_SLACK);
         // A joint that turns by this moves no point of the arm farther than the same part of the slack.
-        let rounded = ROUNDED * if arm.is_some() { slack / reach } else { slack };
+        let turns = |axis: usize| arm.is_some_and(|(_, links)| links[axis].turns());
+        let rounded = [0, 1].map(|axis| ROUNDED * if turns(axis) { slack / reach } else { slack });
         // In a world as wide as the disc rounding may exchange the ends.
         let ranges = ranges.map(|[low, high]| [f64::min(low, high), f64::max(low, high)]);
         Ok(Self { scenario, arm, radius, ranges, wraps, slack, rounded, examined: 0 })
     }
 
-    /// A configuration within the ranges: angles are turned into them. A disc may be outside its range by the slack, as contact
-    /// with the bounds is allowed; `None` if it is farther outside.
+    /// A configuration within the ranges: angles of circles are turned into them. A disc may be outside its range by the
+    /// slack, as contact with the bounds is allowed; `None` if it is farther outside.
     fn placed(&self, q: &[f64]) -> Option<[f64; 2]> {
-        let at = [0, 1].map(|axis| if self.wraps { libm::remainder(q[axis], TAU) } else { q[axis] });
+        let at = [0, 1].map(|axis| if self.wraps[axis] { libm::remainder(q[axis], TAU) } else { q[axis] });
         let within = [0, 1].map(|axis| at[axis].clamp(self.ranges[axis][0], self.ranges[axis][1]));
         (0..2).all(|axis| (at[axis] - within[axis]).abs() <= self.slack).then_some(within)
     }
@@ -170,8 +197,8 @@ impl<'a> Verifier<'a> {
         }
         let cells: Vec<Cell> = wall.iter().map(|blocked| blocked.cell).collect();
         let points = ends.map(|q| [0, 1].map(|axis| self.units(axis, q[axis] - self.ranges[axis][0])));
-        let rounded = [0, 1].map(|axis| self.units(axis, self.rounded));
-        if separation::separates(&cells, [self.wraps; 2], points, rounded) {
+        let rounded = [0, 1].map(|axis| self.units(axis, self.rounded[axis]));
+        if separation::separates(&cells, self.wraps, points, rounded) {
             return Ok(());
         }
         Err("the wall does not separate start and goal".into())
@@ -257,10 +284,13 @@ impl<'a> Verifier<'a> {
         }
         for (what, cell, q) in [("start", first, ends[0]), ("goal", last, ends[1])] {
             let ranges = self.ranges_of(cell, what)?;
-            let is_in = |[low, high]: [f64; 2], x: f64| low - self.rounded <= x && x <= high + self.rounded;
+            let is_in = |axis: usize, turn: f64| {
+                let ([low, high], x, rounded) = (ranges[axis], q[axis] + turn, self.rounded[axis]);
+                low - rounded <= x && x <= high + rounded
+            };
             // Both ends of a range that wraps are the same angle.
-            let turns: &[f64] = if self.wraps { &[0.0, -TAU, TAU] } else { &[0.0] };
-            if !(0..2).all(|axis| turns.iter().any(|turn| is_in(ranges[axis], q[axis] + turn))) {
+            let turns = |axis: usize| if self.wraps[axis] { &[0.0, -TAU, TAU][..] } else { &[0.0] };
+            if !(0..2).all(|axis| turns(axis).iter().any(|&turn| is_in(axis, turn))) {
                 return Err(format!("the channel does not contain the {what}"));
             }
         }
@@ -270,7 +300,7 @@ impl<'a> Verifier<'a> {
             (0..2).all(|axis| {
                 let ([a, b], [c, d]) = (here[axis], there[axis]);
                 let gap = apart(c, b).max(apart(a, d));
-                gap == 0 || (self.wraps && gap + (b - a) + (d - c) == SIDE)
+                gap == 0 || (self.wraps[axis] && gap + (b - a) + (d - c) == SIDE)
             })
         };
         match channel.windows(2).position(|pair| !do_touch(pair)) {
@@ -289,9 +319,13 @@ impl<'a> Verifier<'a> {
         let (mut is_proven, mut is_hopeless) = (true, false);
         for part in 0..=usize::from(self.arm.is_some()) {
             let axis = Segment::new(self.place(middle, part, 0.0), self.place(middle, part, 1.0));
+            // A joint that slides moves no point farther than it slides.
+            let moved = |link: &Link, far: f64, half: f64| if link.turns() { far * half } else { half };
             let travel = match (self.arm, part) {
-                (Some((_, [inner, _])), 0) => inner * half[0],
-                (Some((_, [inner, outer])), _) => (inner + outer) * half[0] + outer * half[1],
+                (Some((_, [inner, _])), 0) => moved(&inner, inner.longest, half[0]),
+                (Some((_, [inner, outer])), _) => {
+                    moved(&inner, inner.longest + outer.longest, half[0]) + moved(&outer, outer.longest, half[1])
+                }
                 (None, _) => Vector::from(half).norm(),
             };
             let mut keeps = |room: f64| {
@@ -323,19 +357,30 @@ impl<'a> Verifier<'a> {
     /// bilinear interpolation by the squares of the sides times its second derivatives, over 8.
     fn bulge(&self, [[a, b], [c, d]]: Ranges, part: usize, along: f64) -> f64 {
         self.arm.map_or(0.0, |(_, [inner, outer])| {
-            let (first, second) = if part == 0 { (inner * along, 0.0) } else { (inner, outer * along) };
-            ((b - a) * (b - a) * (first + second) + (d - c) * (d - c) * second) / 8.0
+            // The second derivatives: the distance from the joint that turns, nothing along one that slides.
+            let (first, second) = if part == 0 {
+                (inner.longest * along, 0.0)
+            } else {
+                (inner.longest + outer.longest * along, outer.longest * along)
+            };
+            let share = |link: &Link, side: f64, derivative: f64| {
+                if link.turns() { side * side * derivative } else { 0.0 }
+            };
+            (share(&inner, b - a, first) + share(&outer, d - c, second)) / 8.0
         })
     }
 
     /// The point at a fraction of the axis of a part.
     fn place(&self, q: [f64; 2], part: usize, along: f64) -> Point {
-        let Some((base, lengths)) = self.arm else { return Point::new(q[0], q[1]) };
-        let link = |angle: f64, length: f64| Vector::new(length * libm::cos(angle), length * libm::sin(angle));
-        match part {
-            0 => base + link(q[0], along * lengths[0]),
-            _ => base + link(q[0], lengths[0]) + link(q[0] + q[1], along * lengths[1]),
+        let Some((base, links)) = self.arm else { return Point::new(q[0], q[1]) };
+        let (mut at, mut angle) = (base, 0.0);
+        for (i, link) in links.iter().enumerate().take(part + 1) {
+            angle += link.fixed.unwrap_or(q[i]);
+            let length = if link.turns() { link.length } else { link.length + q[i] };
+            let length = if i == part { along * length } else { length };
+            at += Vector::new(length * libm::cos(angle), length * libm::sin(angle));
         }
+        at
     }
 
     /// The ranges over a cell.

@@ -1,19 +1,30 @@
-//! A moving arm, for the driver of the proof: every joint turns at a constant rate.
+//! A moving arm, for the driver of the proof: every joint turns or slides at a constant rate.
 //!
 //! **Bounds.** The outer end of link i is the sum of L_j e_j over the links j up to it, e_j the unit vector along link j.
 //! With w_j the absolute rate of link j, its acceleration is minus the sum of L_j w_j^2 e_j, and W = sum of L_j |w_j|^3
 //! bounds its third derivative (see `moving_point.rs`). Its bound of first order is the sum of L_j |w_j|, about half of
 //! the textbook's sum of reaches.
 //!
+//! **Prismatic joints.** A link that grows at the constant rate d_j has the length L_j = l_j + t d_j, t in [0, 1] along the
+//! motion. With J the rotation by a right angle, the derivatives of L_j e_j are
+//!
+//! d_j e_j + L_j w_j J e_j,   2 d_j w_j J e_j - L_j w_j^2 e_j,   -3 d_j w_j^2 e_j - L_j w_j^3 J e_j,
+//!
+//! so the bound of first order is the sum of M_j |w_j| + |d_j|, and W that of M_j |w_j|^3 + 3 |d_j| w_j^2, M_j the greater of
+//! the link's lengths at both ends of the motion. A point at a fixed fraction of a link remains a fixed convex combination of its
+//! ends.
+//!
 //! **Slack.** S is the largest coordinate plus the reach; the slack is 1e-12 S. A test passes only if its terms sum to no more
 //! than about 2 S. As W has no cancelling terms and the L_j sum to at most S, then h |v| < 3 S and h^2 |a| / 2 < 3 S, so that
-//! each of the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Unit vectors are products of those of
-//! `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by 2.8e-14; a quarter, an eighth and so
-//! on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times 2^-53 each: 9e-14 in all, and so much
-//! times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by 1.4e-14, until
+//! each of the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Links that grow add some 10 roundings,
+//! less than S / 4 to the first, and by the inequality of Cauchy and Schwarz less than S to the second.
+//!
+//! Unit vectors are products of those of `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by
+//! 2.8e-14; a quarter, an eighth and so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times
+//! 2^-53 each: 9e-14 in all, and so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by 1.4e-14, until
 //! they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more. Absolute angles and rates are sums of
 //! up to eight joints: of circles up to 26 radians; with limits up to 50, sums up to 800 and differences up to 100, rounded to
-//! 5e-13 in all at worst. If limits are wider, up to twice that, the slack is doubled.
+//! 5e-13 in all at worst, fixed angles like limits. If limits are wider, up to twice that, the slack is doubled.
 
 use super::driver::{Interval, Moving};
 use super::moving_point::{Halves, MovingPoint, Plane, around};
@@ -21,7 +32,7 @@ use super::pair::{Direction, Part, nearest_point};
 use super::rotation::{SMALL, doubled, series, unit};
 use crate::collision::obstacles::Face;
 use crate::geometry::{Aabb, Point, Vector};
-use crate::robot::{Arm, MAX_LINKS};
+use crate::robot::{Arm, Joint, MAX_LINKS};
 use crate::space::Lanes;
 
 /// Turns over this many halvings are found together, by squaring the smallest.
@@ -79,10 +90,20 @@ fn two<const N: usize>(numbers: &[f64; N], i: usize) -> Halves {
     Halves::new([numbers[i], numbers[if N.is_multiple_of(2) { i + 1 } else { (i + 1).min(N - 1) }]])
 }
 
+/// The prismatic joints of an arm, and how its links grow on a motion.
+struct Slides<const N: usize> {
+    joints: [Joint; N],
+    /// The lengths of the links at the coordinate 0; at the start of the motion; and what they grow over all of it.
+    given: [f64; N],
+    lengths: [f64; N],
+    growth: [f64; N],
+}
+
 /// An arm of up to `N` links, and its motion.
 pub(in crate::collision) struct MovingArm<const N: usize> {
     base: Point,
     links: usize,
+    /// Of every link the length; of one that grows, the greatest on the motion.
     lengths: [f64; N],
     eta: f64,
     /// The radius and the slack.
@@ -90,6 +111,8 @@ pub(in crate::collision) struct MovingArm<const N: usize> {
     /// The configuration last begun from, and its unit vectors: roadmaps try many motions from one.
     from: [f64; N],
     from_along: UnitVectors<N>,
+    /// `None` if no joint is prismatic.
+    slides: Option<Box<Slides<N>>>,
     /// Of every link: its absolute rate, in radians over the whole motion, its bound of first order, and W of its outer end.
     rates: [f64; N],
     travel: [f64; N],
@@ -111,6 +134,11 @@ impl<const N: usize> MovingArm<N> {
     pub fn new(arm: &Arm, eta: f64) -> Self {
         let mut lengths = [0.0; N];
         lengths[..arm.links().len()].copy_from_slice(arm.links());
+        let slides = arm.has_prismatic_joint().then(|| {
+            let mut joints = [Joint::CIRCLE; N];
+            joints[..arm.links().len()].copy_from_slice(arm.joint_types());
+            Box::new(Slides { joints, given: lengths, lengths, growth: [0.0; N] })
+        });
         Self {
             base: arm.base(),
             links: arm.links().len(),
@@ -119,6 +147,7 @@ impl<const N: usize> MovingArm<N> {
             margin: arm.radius() + eta,
             from: [f64::NAN; N],
             from_along: UnitVectors::ZERO,
+            slides,
             rates: [0.0; N],
             travel: [0.0; N],
             third: [0.0; N],
@@ -136,8 +165,8 @@ impl<const N: usize> MovingArm<N> {
         self.margin = radius + self.eta;
     }
 
-    /// Begins a motion in which joint i turns by `delta[i]` radians; entries past the arm's links are 0. Returns the unit
-    /// vectors along the links in its middle.
+    /// Begins a motion in which joint i turns by `delta[i]` radians, or slides by as many metres; entries past the arm's links
+    /// are 0. Returns the unit vectors along the links in its middle.
     #[inline(always)]
     pub fn begin(&mut self, from: &[f64; N], delta: &[f64; N]) -> UnitVectors<N> {
         self.finer_turns.clear();
@@ -145,18 +174,22 @@ impl<const N: usize> MovingArm<N> {
             self.from = *from;
             self.from_along = self.directions(from);
         }
-        let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
-        for (i, &turn) in delta.iter().enumerate().take(self.links) {
-            rate += turn;
-            let spin = f64::abs(rate);
-            let speed = self.lengths[i] * spin;
-            travel += speed;
-            third += speed * rate * rate;
-            fastest = spin.greater(fastest);
-            (self.rates[i], self.travel[i], self.third[i]) = (rate, travel, third);
+        if self.slides.is_some() {
+            self.begin_sliding(from, delta);
+        } else {
+            let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
+            for (i, &turn) in delta.iter().enumerate().take(self.links) {
+                rate += turn;
+                let spin = f64::abs(rate);
+                let speed = self.lengths[i] * spin;
+                travel += speed;
+                third += speed * rate * rate;
+                fastest = spin.greater(fastest);
+                (self.rates[i], self.travel[i], self.third[i]) = (rate, travel, third);
+            }
+            self.fastest = fastest;
         }
-        self.fastest = fastest;
-        let half_turn = if fastest <= FASTEST_SQUARED {
+        let half_turn = if self.fastest <= FASTEST_SQUARED {
             let mut turns = self.turned(1.0 / 32.0);
             for level in (0..SQUARED).rev() {
                 self.turns[level] = turns;
@@ -172,6 +205,48 @@ impl<const N: usize> MovingArm<N> {
             self.turned(0.5)
         };
         UnitVectors::new(self.links, |i| self.from_along.two(i).rotated(half_turn.two(i)))
+    }
+
+    /// The rates and bounds of a motion of an arm with a prismatic joint.
+    #[cold]
+    fn begin_sliding(&mut self, from: &[f64; N], delta: &[f64; N]) {
+        let slides = self.slides.as_mut().expect("the arm has a prismatic joint");
+        let (mut rate, mut travel, mut third, mut fastest) = (0.0, 0.0, 0.0, 0.0);
+        for i in 0..self.links {
+            let joint = slides.joints[i];
+            let growth = joint.extension(delta[i]);
+            rate += if joint.is_prismatic() { 0.0 } else { delta[i] };
+            let length = slides.given[i] + joint.extension(from[i]);
+            (slides.lengths[i], slides.growth[i]) = (length, growth);
+            self.lengths[i] = length.max(length + growth);
+            let spin = f64::abs(rate);
+            travel += self.lengths[i] * spin + growth.abs();
+            third += (self.lengths[i] * spin + 3.0 * growth.abs()) * rate * rate;
+            fastest = spin.max(fastest);
+            (self.rates[i], self.travel[i], self.third[i]) = (rate, travel, third);
+        }
+        self.fastest = fastest;
+    }
+
+    /// Places the joints of an arm with a prismatic joint on the halves of an interval, half the length of a half being `h`; the
+    /// unit vectors along the links are known.
+    #[cold]
+    fn place_sliding(&mut self, middle: f64, h: f64, parts: usize) {
+        let Some(slides) = &self.slides else { return };
+        let (times, sixth) = (Halves::new([middle - h, middle + h]), h * h * h / 6.0);
+        let (mut position, mut velocity, mut acceleration) = (self.joints[0].position, Plane::ZERO, Plane::ZERO);
+        for i in 0..parts {
+            let (along, growth) = (self.along[i], Halves::splat(h * slides.growth[i]));
+            let length = Halves::splat(slides.lengths[i]) + Halves::splat(slides.growth[i]) * times;
+            let (link, rate) = (along * length, Halves::splat(h * self.rates[i]));
+            let swing = link * rate;
+            position = position + link;
+            velocity = velocity + swing.left() + along * growth;
+            let quarter = Halves::splat(0.25) * rate;
+            acceleration = acceleration + swing * quarter - along.left() * (growth * (quarter + quarter));
+            let remainder = sixth * self.third[i];
+            self.joints[i + 1] = MovingPoint { position, velocity, acceleration, remainder };
+        }
     }
 
     /// The turn of every link over a part of the motion.
@@ -190,7 +265,7 @@ impl<const N: usize> MovingArm<N> {
     fn directions(&self, q: &[f64; N]) -> UnitVectors<N> {
         let (mut angles, mut angle) = ([0.0; N], 0.0);
         for i in 0..self.links {
-            angle += q[i];
+            angle += self.slides.as_ref().map_or(q[i], |slides| slides.joints[i].angle(q[i]));
             angles[i] = angle;
         }
         UnitVectors::new(self.links, |i| unit(two(&angles, i)))
@@ -199,6 +274,9 @@ impl<const N: usize> MovingArm<N> {
     /// Places the arm at rest.
     #[inline(always)]
     pub fn rest(&mut self, q: &[f64; N]) {
+        if self.slides.is_some() {
+            self.begin_sliding(q, &[0.0; N]);
+        }
         let along = self.directions(q);
         (self.half, self.fastest) = (0.0, 0.0);
         for i in 0..self.links {
@@ -248,6 +326,13 @@ impl<const N: usize> Moving for MovingArm<N> {
             }
         };
         self.half = h;
+        if self.slides.is_some() {
+            for i in 0..parts {
+                let turn = Plane { x: Halves::splat(turns.x[i]), y: Halves::new([-turns.y[i], turns.y[i]]) };
+                self.along[i] = state.of_both(i).rotated(turn);
+            }
+            return self.place_sliding(interval.middle, h, parts);
+        }
         let sixth = h * h * h / 6.0;
         // The base does not move.
         let (mut position, mut velocity, mut acceleration) = (self.joints[0].position, Plane::ZERO, Plane::ZERO);

@@ -31,12 +31,12 @@ impl Quadratic {
     }
 
     /// Along the blends of a path, each with the index of its waypoint; `shares` are those of its inner waypoints.
-    pub fn blends(first_circle: usize, path: &[Vec<f64>], shares: &[[f64; 2]]) -> Vec<(usize, Self)> {
+    pub fn blends(circles: &[bool], path: &[Vec<f64>], shares: &[[f64; 2]]) -> Vec<(usize, Self)> {
         let blend = |(i, (at, &[before, after])): (usize, (&[Vec<f64>], &[f64; 2]))| {
             let [a, b, c] = [0, 1, 2].map(|k| &at[k]);
-            let leg = |share: f64, to: &[f64]| difference(first_circle, b, to).into_iter().map(move |d| share * d);
+            let leg = |share: f64, to: &[f64]| difference(circles, b, to).into_iter().map(move |d| share * d);
             let (u, v): (Vec<f64>, Vec<f64>) = leg(before, a).zip(leg(after, c)).unzip();
-            let origin = difference(first_circle, &vec![0.0; b.len()], b);
+            let origin = difference(circles, &vec![0.0; b.len()], b);
             let sums = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect();
             let rate = u.iter().map(|u| -2.0 * u).collect();
             (i + 1, Self { from: sums(&origin, &u), rate, bend: sums(&u, &v) })

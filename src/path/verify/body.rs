@@ -7,7 +7,7 @@
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
-use super::{Examined, Scale, difference};
+use super::{Examined, PLACEMENT, Scale, difference};
 use crate::geometry::{Polygon, arc_pose};
 use crate::scenario::World;
 use std::f64::consts::{PI, TAU};
@@ -36,7 +36,7 @@ impl Leg {
     /// # Panics
     /// If either has fewer than three entries.
     pub fn straight(a: &[f64], b: &[f64]) -> Self {
-        let step = difference(2, a, b);
+        let step = difference(&PLACEMENT, a, b);
         Self { from: placement(a), line: [step[0], step[1]], arc: 0.0, turn: step[2], bend: [0.0; 3] }
     }
 
@@ -96,7 +96,7 @@ fn length(x: f64, y: f64) -> f64 {
 
 /// (x, y, theta) without whole turns.
 fn placement(q: &[f64]) -> [f64; 3] {
-    [q[0], q[1], difference(2, &[0.0; 3], q)[2]]
+    [q[0], q[1], difference(&PLACEMENT, &[0.0; 3], q)[2]]
 }
 
 /// Examines every leg of a body of this shape, each with its name.

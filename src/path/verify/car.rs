@@ -2,7 +2,7 @@
 
 use super::body::{self, Leg};
 use super::moving::Stretch;
-use super::{Examined, LENGTH, Scale, difference};
+use super::{Examined, LENGTH, PLACEMENT, Scale, difference};
 use crate::path::ResultDocument;
 use crate::problem::Motion;
 use crate::robot::Car;
@@ -45,7 +45,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         }
         let leg = Leg::arc(&ends[0], distance, turn);
         let size = ends.iter().flat_map(|q| &q[..2]).fold(1.0, |most: f64, x| most.max(x.abs()));
-        let off = difference(2, &leg.at(1.0), &ends[1]);
+        let off = difference(&PLACEMENT, &leg.at(1.0), &ends[1]);
         let most = LED * size + scale.overstep;
         if let Some(k) = off.iter().position(|gap| gap.is_nan() || gap.abs() > most) {
             return Err(format!(
@@ -57,7 +57,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
         }
         length += distance.abs();
         legs.push((Stretch::Edge(i), leg));
-        let chord = difference(2, &ends[0], &ends[1]);
+        let chord = difference(&PLACEMENT, &ends[0], &ends[1]);
         chords += car.weights().translation * libm::hypot(chord[0], chord[1]) + car.weights().rotation * chord[2].abs();
         // The rest of the path to the waypoint, if it matters, is examined as well.
         if off[0].abs() + off[1].abs() + off[2].abs() * car.shape().reach() > scale.slack {

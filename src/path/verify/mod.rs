@@ -29,7 +29,7 @@ use crate::error::{Code, Error};
 use crate::geometry::{Aabb, Point, Polygon};
 use crate::path::{LengthMeasure, ResultDocument};
 use crate::problem::Status;
-use crate::robot::{LARGEST, Target};
+use crate::robot::{Joint, LARGEST, Target};
 use crate::scenario::{Goal, GoalTolerance, Obstacle, Query, Robot, Scenario, World};
 use std::f64::consts::{PI, TAU};
 
@@ -180,7 +180,7 @@ fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[
         return car::check(world, car, result, &scale);
     }
     check_steps(robot, path)?;
-    let blends = Quadratic::blends(first_circle(robot), path, shares);
+    let blends = Quadratic::blends(&circles(robot), path, shares);
     let examined = examine(world, robot, path, &blends, &scale)?;
     check_length(robot, result, &blends)?;
     Ok(examined)
@@ -312,7 +312,7 @@ fn check_ends(
     let ends = [("start", &path[0], start), ("goal", &path[path.len() - 1], goal)];
     for (what, waypoint, wanted) in ends.into_iter().filter_map(|(what, at, wanted)| Some((what, at, wanted?))) {
         let verb = if what == "start" { "starts" } else { "ends" };
-        let gaps = difference(first_circle(robot), wanted, waypoint);
+        let gaps = difference(&circles(robot), wanted, waypoint);
         if let (Some(GoalTolerance { translation, rotation }), "goal") = (region, what) {
             let (apart, turned) = ((gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt(), gaps[2].abs());
             if apart > translation + REACHED || turned > rotation + REACHED {
@@ -330,10 +330,14 @@ fn check_ends(
 /// Returns an error if the end effector is not at the target at the last waypoint, by forward kinematics of its own.
 fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), String> {
     let Robot::Arm(arm) = robot else { return Err("only an arm reaches for a target".into()) };
-    let (mut x, mut y, mut angle, mut reach) = (arm.base().x, arm.base().y, 0.0, 0.0);
-    for (length, joint) in arm.links().iter().zip(last) {
-        angle += joint;
-        reach += length;
+    let (mut x, mut y, mut angle, reach) = (arm.base().x, arm.base().y, 0.0, arm.reach());
+    for ((length, joint), &at) in arm.links().iter().zip(arm.joint_types()).zip(last) {
+        let (turn, growth) = match *joint {
+            Joint::Revolute { .. } => (at, 0.0),
+            Joint::Prismatic { angle, .. } => (angle, at),
+        };
+        let length = length + growth;
+        angle += turn;
         let (sine, cosine) = libm::sincos(angle);
         (x, y) = (x + length * cosine, y + length * sine);
     }
@@ -357,13 +361,13 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
 
 /// Returns an error if a step turns a circle joint, or a body, by half a turn: the shorter direction is ambiguous.
 fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
-    let first = first_circle(robot);
+    let circles = circles(robot);
     for (edge, ends) in path.windows(2).enumerate() {
-        let turns = difference(first, &ends[0], &ends[1]);
-        let is_ambiguous = |&i: &usize| i >= first && turns[i].abs() >= PI - AMBIGUOUS;
+        let turns = difference(&circles, &ends[0], &ends[1]);
+        let is_ambiguous = |&i: &usize| circles[i] && turns[i].abs() >= PI - AMBIGUOUS;
         if let Some(i) = (0..turns.len()).find(is_ambiguous) {
             let turn = turns[i].abs();
-            let what = if first == 0 { format!("joint {i}") } else { "the body".into() };
+            let what = if matches!(robot, Robot::Arm(_)) { format!("joint {i}") } else { "the body".into() };
             return Err(format!("edge {edge} turns {what} by {turn} rad: the shorter direction is ambiguous"));
         }
     }
@@ -380,7 +384,7 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
         Some((_, weights)) => weights.translation * length(&step[..2]) + weights.rotation * step[2].abs(),
         None => length(step),
     };
-    let steps: Vec<_> = path.windows(2).map(|ends| difference(first_circle(robot), &ends[0], &ends[1])).collect();
+    let steps: Vec<_> = path.windows(2).map(|ends| difference(&circles(robot), &ends[0], &ends[1])).collect();
     let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
     let is_right = |given: f64, measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
     let norms: &[(Norm, &str)] = match (robot, result.length_measure) {
@@ -409,23 +413,25 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
     })
 }
 
-/// The index from which on all coordinates are circles.
-fn first_circle(robot: &Robot) -> usize {
+/// The coordinates of a placement that are circles.
+const PLACEMENT: [bool; 3] = [false, false, true];
+
+/// Which coordinates of the robot are circles.
+fn circles(robot: &Robot) -> Vec<bool> {
     match robot {
-        Robot::Arm(arm) if arm.joint_limits().is_none() => 0,
-        Robot::RigidBody(_) | Robot::Car(_) => 2,
-        _ => usize::MAX,
+        Robot::Arm(arm) => arm.joint_types().iter().map(|joint| joint.range().is_none()).collect(),
+        Robot::RigidBody(_) | Robot::Car(_) => PLACEMENT.to_vec(),
+        Robot::Disc(_) => vec![false; 2],
     }
 }
 
-/// The step from `a` to `b`, angles in the shorter direction from the first circle on. The double nearest to 2 pi stands for a
-/// turn: its error is less than the rounding of an angle.
-fn difference(first_circle: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
-    let step = |i: usize| {
-        let (a, b) = (a[i], b[i]);
-        if i >= first_circle { libm::remainder(libm::remainder(b, TAU) - libm::remainder(a, TAU), TAU) } else { b - a }
+/// The step from `a` to `b`, angles of circles in the shorter direction. The double nearest to 2 pi stands for a turn: its error
+/// is less than the rounding of an angle.
+fn difference(circles: &[bool], a: &[f64], b: &[f64]) -> Vec<f64> {
+    let step = |((&is_circle, &a), &b): ((&bool, &f64), &f64)| {
+        if is_circle { libm::remainder(libm::remainder(b, TAU) - libm::remainder(a, TAU), TAU) } else { b - a }
     };
-    (0..a.len().min(b.len())).map(step).collect()
+    circles.iter().zip(a).zip(b).map(step).collect()
 }
 
 impl Scale {

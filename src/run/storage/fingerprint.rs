@@ -8,7 +8,7 @@ use serde_json::Value;
 
 /// The fields of world and robot in the order of their contract, which is that of their objects' fields; then those of a space.
 const ORDER: &str = "type bounds min max obstacles shape center vertices base links wheelbase speed steering \
-    integration_step radius joint_limits metric translation rotation coordinates kind low high weight";
+    integration_step radius joint_limits metric translation rotation coordinates kind low high weight joints limits range angle";
 
 /// 64-bit FNV-1a over world and robot of the scenario in their normal form: scenarios that differ in name, title or queries
 /// alone have the same. Numbers count by their bits, however they are written. O(size).

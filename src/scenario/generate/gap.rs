@@ -80,7 +80,7 @@ impl Generator for GapOptions {
                 (choice.placed()?, start, goal)
             }
         };
-        let [_, id, title] = choice.words(links);
+        let [_, id, title] = choice.words(links, 0);
         let title = match choice {
             RobotChoice::Disc if width <= 2.0 * radius => {
                 format!("Disc of radius {radius} m at a gap of {width} m, too narrow for it: no path, seed {seed}")

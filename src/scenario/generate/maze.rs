@@ -100,7 +100,7 @@ impl Generator for MazeOptions {
             MazeRobot::RigidBody => RobotChoice::RigidBody,
             MazeRobot::Car => RobotChoice::Car,
         };
-        let [_, short, long] = choice.words(0);
+        let [_, short, long] = choice.words(0, 0);
         let short = if robot == MazeRobot::Disc { String::new() } else { format!("{short}-") };
         let name = format!("maze-{short}{word}-{seed}");
         let title = format!("{long} in a maze of {cells} by {cells} cells, {word}, seed {seed}");

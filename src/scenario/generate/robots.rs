@@ -6,8 +6,8 @@ use super::free::polygon;
 use super::query;
 use crate::error::{Code, Error};
 use crate::geometry::Point;
-use crate::options::{Value, refusal};
-use crate::robot::{Arm, Car, DiscRobot, RigidBody, Weights};
+use crate::options::{Value, out_of_range, refusal};
+use crate::robot::{Arm, Car, DiscRobot, Joint, RigidBody, Weights};
 use crate::scenario::{GoalTolerance, Query, Robot};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -33,10 +33,15 @@ pub(super) const SIDE: f64 = 2.0;
 const REACH: f64 = 0.8;
 
 impl RobotChoice {
-    /// With an article, as in a scenario's name (`disc`, `3r`, `body` or `car`) and as in its title.
-    pub(super) fn words(self, links: usize) -> [String; 3] {
+    /// With an article, as in a scenario's name (`disc`, `3r`, `rrp`, `body` or `car`) and as in its title; of an arm the outer
+    /// links slide.
+    pub(super) fn words(self, links: usize, sliding: usize) -> [String; 3] {
         match self {
             RobotChoice::Disc => ["a disc", "disc", "Disc"].map(str::to_owned),
+            RobotChoice::Arm if sliding > 0 => {
+                let chain = "r".repeat(links.saturating_sub(sliding)) + &"p".repeat(sliding);
+                ["an arm".to_owned(), chain.clone(), format!("{} arm", chain.to_uppercase())]
+            }
             RobotChoice::Arm => ["an arm".to_owned(), format!("{links}r"), format!("{links}R arm")],
             RobotChoice::RigidBody => ["a rigid body", "body", "Rigid body"].map(str::to_owned),
             RobotChoice::Car => ["a car", "car", "Car"].map(str::to_owned),
@@ -66,15 +71,26 @@ impl RobotChoice {
     }
 
     /// The robot in the box, and a query across it: a disc, a body or a car between opposite corners, an
-    /// arm in the middle from one side to the other.
-    pub(super) fn across(self, links: usize, radius: f64) -> Result<(Robot, Query), Error> {
+    /// arm in the middle from one side to the other. Its outer links slide from a quarter of their length to all of it.
+    pub(super) fn across(self, links: usize, sliding: usize, radius: f64) -> Result<(Robot, Query), Error> {
         let (robot, start, goal) = match self {
             RobotChoice::Disc => (Robot::Disc(DiscRobot::new(radius)?), vec![0.2, 0.2], vec![SIDE - 0.2, SIDE - 0.2]),
             RobotChoice::Arm => {
                 let base = Point::new(SIDE / 2.0, SIDE / 2.0);
-                let arm = Arm::new(base, vec![REACH / links as f64; links], radius, None)?;
-                let bent = |first: f64, rest: f64| (0..links).map(|i| if i == 0 { first } else { rest }).collect();
-                (Robot::Arm(arm), bent(0.5, 0.3), bent(-2.6, -0.3))
+                let (length, turning) = (REACH / links as f64, links.saturating_sub(sliding));
+                if sliding > 0 && turning == 0 {
+                    let sentence = format!("sliding must be less than the number of links, {links}, not {sliding}");
+                    return Err(out_of_range("sliding", sentence));
+                }
+                let slide = Joint::Prismatic { range: [0.0, 0.75 * length], angle: 0.0 };
+                let lengths = (0..links).map(|i| if i < turning { length } else { 0.25 * length }).collect();
+                let joints = (0..links).map(|i| if i < turning { Joint::CIRCLE } else { slide }).collect();
+                let arm = Arm::with_joints(base, lengths, radius, joints)?;
+                let bent = |first: f64, rest: f64, out: f64| {
+                    let at = |i: usize| if i >= turning { out * length } else { [first, rest][usize::from(i > 0)] };
+                    (0..links).map(at).collect()
+                };
+                (Robot::Arm(arm), bent(0.5, 0.3, 0.5), bent(-2.6, -0.3, 0.5))
             }
             RobotChoice::RigidBody | RobotChoice::Car => {
                 let turn = if self == RobotChoice::Car { 0.0 } else { FRAC_PI_2 };
@@ -92,11 +108,13 @@ pub(super) fn check_given(given: &[(String, Value)]) -> Result<(), Error> {
         _ => None,
     });
     let robot = robot.unwrap_or(RobotChoice::Disc);
-    let [article, ..] = robot.words(0);
+    let [article, ..] = robot.words(0, 0);
     let is_given = |option: &str| given.iter().any(|(name, _)| name == option);
-    if is_given("links") && robot != RobotChoice::Arm {
+    if let Some(option) = ["links", "sliding"].into_iter().find(|option| is_given(option))
+        && robot != RobotChoice::Arm
+    {
         let sentence = format!("{article} has no links; give \"robot\": \"arm\" for an arm");
-        return Err(refusal(Code::UnknownField, "links", sentence));
+        return Err(refusal(Code::UnknownField, option, sentence));
     }
     if is_given("radius") && matches!(robot, RobotChoice::RigidBody | RobotChoice::Car) {
         let sentence = format!("{article} has no radius: it is a rectangle");

@@ -34,6 +34,8 @@ crate::options! {
     robot: RobotChoice = RobotChoice::Disc, "Robot";
     /// Number of links; arms only.
     links: usize = 2, in 1.0..=8.0, "Links";
+    /// Number of outer links that slide out of the link before, fewer than `links`; arms only.
+    sliding: usize = 0, in 0.0..=7.0, "Sliding links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// Number of polygons.
@@ -55,6 +57,8 @@ crate::options! {
     robot: RobotChoice = RobotChoice::Disc, "Robot";
     /// Number of links; arms only.
     links: usize = 2, in 1.0..=8.0, "Links";
+    /// Number of outer links that slide out of the link before, fewer than `links`; arms only.
+    sliding: usize = 0, in 0.0..=7.0, "Sliding links";
     /// The radius of the disc, or half the width of the arm's links; not for a body or a car.
     radius: f64 = 0.03, in 0.0..=0.1, "Radius of the robot", unit "m";
     /// Number of discs.
@@ -79,11 +83,11 @@ impl Generator for ClutterOptions {
     }
 
     fn make(&self) -> Result<Scenario, Error> {
-        let Self { robot, links, radius, count, smallest, largest, gap, seed } = *self;
+        let Self { robot, links, sliding, radius, count, smallest, largest, gap, seed } = *self;
         // Never less than a smallest one that is given.
         let largest = largest.unwrap_or(if robot == RobotChoice::Arm { smallest.max(0.12) } else { 0.2 });
         let (count, placement) = (Some(count_for(count, robot, links, 14)), Placement::Apart);
-        let options = DiscsOptions { robot, links, radius, count, smallest, largest, gap, placement, seed };
+        let options = DiscsOptions { robot, links, sliding, radius, count, smallest, largest, gap, placement, seed };
         scattered(&options, "clutter", "convex polygons", draw_polygon)
     }
 }
@@ -109,13 +113,14 @@ fn scattered(
     what: &str,
     draw: fn(&mut Random, f64, f64) -> Obstacle,
 ) -> Result<Scenario, Error> {
-    let DiscsOptions { robot: choice, links, radius, count, smallest, largest, gap, placement, seed } = *options;
+    let DiscsOptions { robot: choice, links, sliding, radius, count, smallest, largest, gap, placement, seed } =
+        *options;
     if smallest > largest {
         let sentence = format!("smallest must be at most largest, {largest}, not {smallest}");
         return Err(out_of_range("smallest", sentence));
     }
     let count = count_for(count, choice, links, 24);
-    let (robot, query) = choice.across(links, radius)?;
+    let (robot, query) = choice.across(links, sliding, radius)?;
     let keep_clear: Vec<Part> = query.ends().flat_map(|q| robot.footprint(q)).collect();
     let mut random = Random::new(seed, Stream::Scenario);
     let placed = scatter("count", count, |placed: &[Obstacle]| {
@@ -123,7 +128,7 @@ fn scattered(
         let is_apart = || placement == Placement::Overlapping || placed.iter().all(|p| are_apart(p, &drawn, gap));
         (is_clear_of(&drawn, &keep_clear, gap) && is_apart()).then_some(drawn)
     })?;
-    let [_, word, title] = choice.words(links);
+    let [_, word, title] = choice.words(links, sliding);
     let name = format!("{id}-{word}-{count}-{seed}");
     let title = format!("{title} among {count} {what}, seed {seed}");
     Ok(in_box(name, title, SIDE, placed, robot, query))

@@ -2,13 +2,48 @@
 import { difference, wrap } from "planarium/draw";
 
 /** @import { Coordinate, Scenario, ScenarioDocument } from "./types.js" */
+/** @typedef {Extract<ScenarioDocument["robot"], { type: "arm" }>} ArmRobot */
+
+/**
+ * How each link of an arm moves against the one before: it turns, with limits in radians or without, or it slides, within a range in
+ * metres, at a fixed angle.
+ * @typedef {{ type: "revolute", limits?: [number, number] } | { type: "prismatic", range: [number, number], angle: number }} LinkJoint
+ */
+
+/** The joints of an arm, one a link. @param {ArmRobot} arm @returns {LinkJoint[]} */
+export function jointsOf({ links, joints, joint_limits: limits }) {
+  return links.map((_, i) => {
+    const joint = joints?.[i] ?? "revolute";
+    if (joint === "revolute") return { type: "revolute", limits: limits?.[i] };
+    return joint.type === "prismatic" ? { type: "prismatic", range: joint.range, angle: joint.angle ?? 0 } : { type: "revolute", limits: joint.limits };
+  });
+}
+
+/** The arm with these joints, written as briefly as its document allows. @param {ArmRobot} arm @param {LinkJoint[]} joints @returns {ArmRobot} */
+export function withJoints({ joints: _, joint_limits: __, ...arm }, joints) {
+  const limits = joints.flatMap((joint) => (joint.type === "revolute" && joint.limits ? [joint.limits] : []));
+  if (limits.length === joints.length) return { ...arm, joint_limits: limits };
+  if (limits.length === 0 && joints.every(({ type }) => type === "revolute")) return arm;
+  return { ...arm, joints: joints.map((joint) => (joint.type === "revolute" && !joint.limits ? "revolute" : joint)) };
+}
+
+/** The greatest length of each link, metres. @param {ArmRobot} arm */
+export function longestOf(arm) { return jointsOf(arm).map((joint, i) => arm.links[i] + (joint.type === "prismatic" ? joint.range[1] : 0)); }
+
+/** The direction of each link at a configuration, radians, not wrapped. @param {ArmRobot} arm @param {ArrayLike<number>} q */
+export function directionsOf(arm, q) {
+  let angle = 0;
+  return jointsOf(arm).map((joint, i) => (angle += joint.type === "prismatic" ? joint.angle : q[i]));
+}
 
 /** @param {{ scenario: Scenario, document: ScenarioDocument }} shown @returns {Coordinate[]} */
 export function coordinatesOf({ scenario, document: { robot } }) {
   if (robot.type === "arm") {
-    return robot.links.map((_, i) => {
-      const [low, high] = robot.joint_limits?.[i] ?? [-Math.PI, Math.PI];
-      return { name: `joint ${i + 1}`, low, high, unit: "rad", isCircle: !robot.joint_limits };
+    return jointsOf(robot).map((joint, i) => {
+      const isSlide = joint.type === "prismatic";
+      const range = isSlide ? joint.range : joint.limits;
+      const [low, high] = range ?? [-Math.PI, Math.PI];
+      return { name: `joint ${i + 1}`, low, high, unit: isSlide ? "m" : "rad", isCircle: !range };
     });
   }
   const { min, max } = scenario.extent();

@@ -1,6 +1,8 @@
 /** Names of robots, parts, obstacles and lengths. Links are counted from 1, obstacles from 0 as in the scenario document. */
 
-/** @import { Check, Scenario } from "./types.js" */
+import { jointsOf } from "./coordinates.js";
+
+/** @import { Check, Scenario, ScenarioDocument } from "./types.js" */
 
 /** @param {Scenario["robot"]} robot */
 export function robotName(robot) { return robot === "rigid_body" ? "body" : robot; }
@@ -11,18 +13,28 @@ export function isPlaced(robot) { return robot === "rigid_body" || robot === "ca
 /** The usual axes of the configuration space: for a body x and theta, since the workspace shows x and y. @param {Scenario["robot"]} robot @returns {[number, number]} */
 export function axesOf(robot) { return [0, isPlaced(robot) ? 2 : 1]; }
 
-/** The unit of path lengths; empty for a body, whose metres and radians are weighted together. @param {Scenario["robot"]} robot */
-export function unitOf(robot) { return robot === "arm" ? "rad" : robot === "rigid_body" ? "" : "m"; }
+/** The unit of path lengths; empty for a body and for an arm whose links slide, whose metres and radians are added. @param {ScenarioDocument["robot"]} robot */
+export function unitOf(robot) { return robot.type === "arm" ? (slides(robot) ? "" : "rad") : robot.type === "rigid_body" ? "" : "m"; }
 
-/** A length of a path, in words. @param {number} length @param {Scenario["robot"]} robot */
-export function lengthText(length, robot) { return `${length.toFixed(2)} ${unitOf(robot)}`.trim(); }
+/** Whether a link slides. @param {ScenarioDocument["robot"]} robot */
+function slides(robot) { return robot.type === "arm" && jointsOf(robot).some(({ type }) => type === "prismatic"); }
+
+/** The units, by scenario. @type {WeakMap<Scenario, string>} */
+const units = new WeakMap();
+
+/** A length of a path, in words. @param {number} length @param {Scenario} scenario */
+export function lengthText(length, scenario) {
+  let unit = units.get(scenario);
+  if (unit === undefined) units.set(scenario, unit = unitOf(scenario.document().robot));
+  return `${length.toFixed(2)} ${unit}`.trim();
+}
 
 /** The weights of metres and radians in words, by scenario. @type {WeakMap<Scenario, string>} */
 const weights = new WeakMap();
 
 /** A path's length in words; of a body, whose metres and radians are weighted together, a cost. @param {number} length @param {Scenario} scenario */
 export function costText(length, scenario) {
-  return scenario.robot === "rigid_body" ? `cost ${weightedText(length, scenario)}` : `length ${lengthText(length, scenario.robot)}`;
+  return scenario.robot === "rigid_body" ? `cost ${weightedText(length, scenario)}` : `length ${lengthText(length, scenario)}`;
 }
 
 /** A distance in the metric of a body or a car, in words. @param {number} distance @param {Scenario} scenario */

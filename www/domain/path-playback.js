@@ -41,7 +41,7 @@ export class PathPlayback {
       this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
     }
     this.length = this.reached[this.reached.length - 1];
-    /** How far each joint of an arm turns from the start to the end of the path, radians, counter-clockwise above 0. */
+    /** How far each joint of an arm turns from the start to the end of the path, radians, counter-clockwise above 0, or slides, metres. */
     this.turns = scenario.robot === "arm" ? turnsAlong(this.waypoints, scenario.circles()) : null;
     const speed = scenario.robot === "arm" ? 1.5 : sizeOf(scenario) / 4;
     this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));

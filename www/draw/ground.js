@@ -1,7 +1,9 @@
 /** The ground of the workspace: a grid, the world, the reach of an arm, its base. */
 import { View, drawWorld } from "planarium/draw";
+import { longestOf } from "../domain/coordinates.js";
 import { disc, ring, setStroke } from "./marks.js";
 
+/** @import { ArmRobot } from "../domain/coordinates.js" */
 /** @import { Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @import { Brush } from "./figure.js" */
@@ -43,11 +45,11 @@ function drawGrid(context, view, palette) {
   }
 }
 
-/** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {{ base: ArrayLike<number>, links: number[], radius?: number }} arm @param {Palette} palette */
-function drawReach(context, view, { base, links, radius = 0 }, palette) {
-  const reach = links.reduce((sum, link) => sum + link, radius);
+/** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {ArmRobot} arm @param {Palette} palette */
+function drawReach(context, view, arm, palette) {
+  const reach = longestOf(arm).reduce((sum, link) => sum + link, arm.radius ?? 0);
   setStroke(context, palette.line, 1, [2, 5]);
-  ring(context, ...view.place(base), reach * view.scaleX);
+  ring(context, ...view.place(arm.base), reach * view.scaleX);
   context.setLineDash([]);
 }
 

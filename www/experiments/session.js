@@ -113,7 +113,7 @@ export class ExperimentSession extends Observable {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
       }
-      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(this.robots), factors: factorsOf(document, this.naming) });
+      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(document), factors: factorsOf(document, this.naming) });
       this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
       this.setPhase("ready");
       this.update("checked");

@@ -51,23 +51,26 @@ export function titleOf(world) {
 }
 
 /** The types of robots of all worlds. @param {ExperimentDocument} document @returns {Robot[]}  empty: a world has a fault, which the core names */
-export function robotsOf({ worlds }) {
+export function robotsOf(document) { return ofWorlds(document, ({ robot }) => robot); }
+
+/** The unit of path lengths; empty where it differs, or where metres and radians are added. @param {ExperimentDocument} document */
+export function lengthUnit(document) {
+  const units = ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
+  return units.length === 1 ? units[0] : "";
+}
+
+/** What there is in all worlds, each once; nothing if a world has a fault. @template T @param {ExperimentDocument} document @param {(scenario: Scenario) => T} read @returns {T[]} */
+function ofWorlds({ worlds }, read) {
   try {
     return [...new Set(worlds.map((world) => {
       const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
-      const { robot } = scenario;
+      const found = read(scenario);
       scenario.free();
-      return robot;
+      return found;
     }))];
   } catch {
     return [];
   }
-}
-
-/** The unit of path lengths; empty where it differs, or for bodies, whose metres and radians are weighted together. @param {Robot[]} robots */
-export function lengthUnit(robots) {
-  const units = new Set(robots.map(unitOf));
-  return units.size === 1 ? [...units][0] : "";
 }
 
 /** The first world of a generator. @param {Extract<ExperimentWorld, { generate: string }>} world */

@@ -1,6 +1,8 @@
 /** Dragging the target: its handles in the workspace, anywhere in the square, and arrow keys. */
+import { directionsOf } from "../domain/coordinates.js";
 import { watchArrows, watchDrag } from "../draw/drag.js";
 
+/** @import { ArmRobot } from "../domain/coordinates.js" */
 /** @import { Figure } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
 /** @import { Square } from "./square.js" */
@@ -26,13 +28,17 @@ export function watchHandles(session, stage, { workspace, square }) {
     return true;
   });
 
-  /** Turns the joint of a link towards a point, moves a body, or turns it. @param {number} handle @param {number} x @param {number} y */
+  /** Turns or slides a link towards a point, moves a body, or turns it. @param {number} handle @param {number} x @param {number} y */
   function moveHandle(handle, x, y) {
     const { q, isArm, scenario } = session;
     const part = isArm ? scenario.footprint(q)[handle] : null;
     if (part?.type === "capsule") {
-      const before = q.subarray(0, handle).reduce((sum, angle) => sum + angle, 0);
-      session.setCoordinate(handle, Math.atan2(y - part.a[1], x - part.a[0]) - before);
+      const arm = /** @type {ArmRobot} */ (session.entry.document.robot);
+      const directions = directionsOf(arm, q);
+      const [dx, dy] = [x - part.a[0], y - part.a[1]];
+      const isSlide = session.coordinates[handle].unit === "m";
+      const along = dx * Math.cos(directions[handle]) + dy * Math.sin(directions[handle]) - arm.links[handle];
+      session.setCoordinate(handle, isSlide ? along : Math.atan2(dy, dx) - (directions[handle - 1] ?? 0));
     } else if (handle === 0) session.moveTo([x, y, ...q.subarray(2)]);
     else session.setCoordinate(2, Math.atan2(y - q[1], x - q[0]));
   }

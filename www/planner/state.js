@@ -94,7 +94,7 @@ function laneState(lane) {
     vertices: past[PAST.vertices], edges: past[PAST.edges] - run.countOf(EVENT.rewired), checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
     cost: past[PAST.cost], gap: gapOf(past[PAST.cost], truth),
     length: isEnd && status === "solved" ? run.result.blended_length ?? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
-    unit: unitOf(scenario.robot),
+    unit: unitOf(scenario.document().robot),
     reason: isEnd ? run.result.reason ?? null : null,
     fingerprint: isEnd ? run.result.fingerprint : "",
     kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,

@@ -3,7 +3,7 @@ import { counted, grouped } from "../app/dom.js";
 import { leaders, letter, letters } from "./race/standings.js";
 import { costText, endText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
 import { EVENT, PAST } from "./run-log/run-log.js";
-import { turnsAlong } from "../domain/coordinates.js";
+import { coordinatesOf, turnsAlong } from "../domain/coordinates.js";
 import { capital, duration, num } from "../widgets/format.js";
 
 /** @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own planner, and whether that proves its edges */
@@ -75,14 +75,14 @@ export function ending(run, playback) {
   const { length, blends, blended_length: blended, approximate } = run.result;
   if (run.status === "solved") {
     const early = run.result.explanation ? ` ${capital(run.result.explanation)}.` : "";
-    const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, robot)}` : "";
+    const shorter = playback?.raw ? `, shortened from ${lengthText(run.rawLength, run.scenario)}` : "";
     if (playback?.flaw) return `Path found, but not verified: ${collision(run.scenario, playback.flaw.check)}`;
     // A tree that grows past its first path finds shorter ones.
     if (run.goesOn && run.countOf(EVENT.solved) > 1) {
-      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, robot)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.${early}`;
+      return `First path after ${grouped(run.foundBy(run.made))} iterations, ${lengthText(run.rawLength, run.scenario)}; after ${grouped(run.made)} the best: ${costText(length, run.scenario)}, ${certainty(run.isProven)}.${early}`;
     }
     const round = blends?.filter(([before]) => before > 0).length ?? 0;
-    const rounded = blends && blended !== undefined ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, robot)}` : "";
+    const rounded = blends && blended !== undefined ? `, ${round} of ${counted(blends.length, "corner")} rounded: ${lengthText(blended, run.scenario)}` : "";
     return `Path found after ${iterations}: ${costText(length, run.scenario)}${shorter}${rounded}, ${certainty(run.isProven)}.${early}`;
   }
   const { reason, explanation = "no path was found" } = run.result;
@@ -97,7 +97,7 @@ export function ending(run, playback) {
   if (!run.isTree) return `${why}.`;
   if (!approximate || !playback) return `${why}: ${run.kind === "trees" ? "the two trees never met" : "the tree never got closer to the goal than its root"}.`;
   // Under controls nearness to the goal is not a length of a drive.
-  const left = robot === "rigid_body" || run.isDriven ? weightedText(approximate.goal_distance, run.scenario) : lengthText(approximate.goal_distance, robot);
+  const left = robot === "rigid_body" || run.isDriven ? weightedText(approximate.goal_distance, run.scenario) : lengthText(approximate.goal_distance, run.scenario);
   const miss = `${why}. The closest approach, dashed, ends ${left} from the goal`;
   if (run.isProven) return `${miss}.`;
   return `${miss}, not proven${playback.flaw ? `: ${collision(run.scenario, playback.flaw.check)}` : "."}`;
@@ -133,7 +133,7 @@ export function poseSentence(scenario, check) {
 }
 
 /**
- * How far each joint of an arm turns: along its path, or the short way from the start to the configuration posed by hand.
+ * How far each joint of an arm turns or slides: along its path, or the short way from the start to the configuration posed by hand.
  * @param {Session} session
  */
 export function turnsSentence({ shown, playbacks: [playback] }) {
@@ -142,8 +142,9 @@ export function turnsSentence({ shown, playbacks: [playback] }) {
   const circles = scenario.circles();
   const turns = !hand ? playback?.turns : start && turnsAlong([start, hand], circles);
   if (!turns) return "";
-  const words = turns.map((turn, i) => `joint ${i + 1} ${turn > 0 ? "+" : ""}${num(turn)} rad${Math.abs(turn) > Math.PI && circles[i] ? ", the long way round" : ""}`);
-  return `Turns ${hand ? "from the start, the short way round" : "along the path"} (+ is counter-clockwise): ${words.join("; ")}.`;
+  const units = coordinatesOf(shown).map(({ unit }) => unit);
+  const words = turns.map((turn, i) => `joint ${i + 1} ${turn > 0 ? "+" : ""}${num(turn)} ${units[i]}${Math.abs(turn) > Math.PI && circles[i] ? ", the long way round" : ""}`);
+  return `${units.includes("m") ? "Turns and slides" : "Turns"} ${hand ? "from the start, the short way round" : "along the path"} (+ is counter-clockwise): ${words.join("; ")}.`;
 }
 
 /** @param {number} touches */
@@ -177,7 +178,7 @@ function standing(lanes, standings) {
   const { found } = standings[first[0]];
   if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0)) return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";
   const [best] = shortest;
-  const length = best === undefined ? "" : lengthText(standings[best].cost, lanes[best].scenario.robot);
+  const length = best === undefined ? "" : lengthText(standings[best].cost, lanes[best].scenario);
   const effort = `after ${grouped(found ?? 0)} clearance evaluations`;
   const isTied = first.length > 1;
   const winner = isTied ? `${letters(first)} tied: ${first.length === 2 ? "both" : "all"} found a path ${effort}` : `${letters(first)} found a path first, ${effort}`;

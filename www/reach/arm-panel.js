@@ -1,8 +1,9 @@
-/** The panels of the coordinates and of the arm: angles, orientation of the last link, links, radius and joint limits. */
+/** The panels of the coordinates and of the arm: coordinates, orientation of the last link, links, radius, joints and their ranges. */
 import { byId, make } from "../app/dom.js";
+import { withJoints } from "../domain/coordinates.js";
 import { Slider } from "../widgets/slider.js";
 
-/** @import { ArmRobot } from "./robot.js" */
+/** @import { ArmRobot, LinkJoint } from "../domain/coordinates.js" */
 /** @import { ReachSession, Change } from "./session.js" */
 
 /** Links at most, as in the core. */
@@ -12,6 +13,8 @@ const ORIENTED = 3;
 /** Joint limits at first, and at most, radians. */
 const LIMITS = /** @type {[number, number]} */ ([-2.5, 2.5]);
 const WIDEST = 2 * Math.PI;
+/** The range of a link that begins to slide, metres. */
+const RANGE = /** @type {[number, number]} */ ([0, 0.5]);
 
 /** @param {ReachSession} session @param {() => void} onOrientation   another orientation is wanted */
 export function showArmPanel(session, onOrientation) {
@@ -22,8 +25,12 @@ export function showArmPanel(session, onOrientation) {
   let angles = [];
   /** @type {Slider[]} */
   let lengths = [];
-  /** The fields of the joint limits, two for each joint. @type {HTMLInputElement[]} */
-  let ends = [];
+  /** The choice of each joint: it turns or it slides. @type {HTMLSelectElement[]} */
+  let kinds = [];
+  /** The fields of the joints: limits or a range, and a fixed angle. @type {{ input: HTMLInputElement, read: (joint: LinkJoint) => number }[]} */
+  let fields = [];
+  /** The joints that the fields are for. */
+  let fielded = "";
   const setOrientation = (/** @type {number | null} */ angle) => {
     session.orientation = angle;
     onOrientation();
@@ -34,15 +41,15 @@ export function showArmPanel(session, onOrientation) {
   const hint = byId("keep-hint", HTMLElement);
   hint.before(direction.element);
   const count = new Slider({ name: "links", title: "Links", min: 1, max: MOST_LINKS, kind: "integer" }, 2, (length) => {
-    const { links, joint_limits: limits } = session.robot.arm;
+    const { arm: { links }, joints, hasLimits } = session.robot;
     const grown = Array.from({ length }, (_, i) => links[i] ?? links[links.length - 1]);
-    change({ links: grown, joint_limits: limits && grown.map((_, i) => limits[i] ?? LIMITS) });
+    change({ links: grown }, grown.map((_, i) => joints[i] ?? turning(hasLimits)));
   });
   const thickness = new Slider({ name: "radius", title: "Radius", unit: "m", min: 0, max: 0.15, step: 0.005 }, 0, (radius) => change({ radius }));
   lengthRows.before(count.element);
   lengthRows.after(thickness.element);
   const isLimited = byId("stops", HTMLInputElement);
-  isLimited.addEventListener("change", () => change({ joint_limits: isLimited.checked ? session.robot.arm.links.map(() => LIMITS) : undefined }));
+  isLimited.addEventListener("change", () => change({}, session.robot.joints.map((joint) => (joint.type === "prismatic" ? joint : turning(isLimited.checked)))));
   const takesBack = byId("back", HTMLInputElement);
   takesBack.addEventListener("change", () => { session.takesBack = takesBack.checked; });
   session.onChange(show);
@@ -52,7 +59,7 @@ export function showArmPanel(session, onOrientation) {
     const { robot, orientation } = session;
     const { arm, isArm, hasLimits, dimension } = robot;
     // Controls are rebuilt only if their number differs, so that a slider can be held meanwhile.
-    if (kind !== robot.scenario.robot || dimension !== angles.length || ends.length !== (hasLimits ? 2 * dimension : 0)) build();
+    if (kind !== robot.scenario.robot || dimension !== angles.length || fielded !== fieldsOf(session)) build();
     angles.forEach((slider, i) => slider.show(robot.q[i]));
     takesBack.checked = session.takesBack;
     isOriented.disabled = dimension < ORIENTED;
@@ -71,52 +78,87 @@ export function showArmPanel(session, onOrientation) {
       slider.setLimits(slider.info.min, Math.max(slider.info.max, arm.links[i]));
       slider.show(arm.links[i]);
     });
-    const limits = (arm.joint_limits ?? []).flat();
-    ends.forEach((input, k) => { if (document.activeElement !== input) input.value = limits[k].toFixed(2); });
+    kinds.forEach((select, i) => { select.value = robot.joints[i].type; });
+    for (const { input, read } of fields) {
+      if (document.activeElement !== input) input.value = read(robot.joints[Number(input.dataset.joint)]).toFixed(2);
+    }
   }
 
   function build() {
     const { coordinates, q, isArm, scenario } = session.robot;
     kind = scenario.robot;
-    const { links = [], joint_limits: limits = [] } = isArm ? session.robot.arm : {};
+    fielded = fieldsOf(session);
+    const { links = [] } = isArm ? session.robot.arm : {};
+    const joints = isArm ? session.robot.joints : [];
     angles = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `joint-${i}`, title: name, unit, min: low, max: high }, q[i], (angle) => session.setCoordinate(i, angle)));
     lengths = links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i + 1}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
       change({ links: session.robot.arm.links.with(i, value) });
     }));
-    ends = limits.flatMap((_, i) => ["minimum", "maximum"].map((word, end) => {
-      const ariaLabel = `${coordinates[i].name}, ${word} angle, radians`;
-      const input = make("input", { type: "number", id: `stop-${i}-${end}`, step: "any", min: String(-WIDEST), max: String(WIDEST), autocomplete: "off", ariaLabel });
-      input.addEventListener("change", () => setLimit(i, end, input));
+    kinds = joints.map(({ type }, i) => {
+      const select = make("select", { id: `joint-${i}-type`, ariaLabel: `Link ${i + 1} turns or slides` }, make("option", { value: "revolute" }, "turns"), make("option", { value: "prismatic" }, "slides"));
+      select.value = type;
+      select.addEventListener("change", () => setKind(i, select.value === "prismatic"));
+      return select;
+    });
+    fields = [];
+    const field = (/** @type {number} */ i, /** @type {string} */ id, /** @type {string} */ word, /** @type {(joint: LinkJoint) => number} */ read, /** @type {(joint: LinkJoint, value: number) => LinkJoint | null} */ write) => {
+      const input = make("input", { type: "number", id: `stop-${i}-${id}`, step: "any", autocomplete: "off", ariaLabel: `${coordinates[i].name}, ${word}`, dataset: { joint: String(i) } });
+      input.addEventListener("change", () => setField(i, input, write));
+      fields.push({ input, read });
       return input;
+    };
+    /** The two ends of what a joint may do. @param {number} i @param {string} what */
+    const ends = (i, what) => ["minimum", "maximum"].map((word, end) => field(i, String(end), `${word} ${what}`, (joint) => rangeOf(joint)[end], (joint, value) => {
+      const [low, high] = rangeOf(joint).with(end, value);
+      if (!(low < high)) return null;
+      if (joint.type === "prismatic") return { ...joint, range: [low, high] };
+      return Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST ? { ...joint, limits: [low, high] } : null;
     }));
+    const rows = joints.map((joint, i) => {
+      const row = make("div", { className: "interval" }, make("span", { className: "name" }, coordinates[i].name), kinds[i]);
+      if (joint.type === "prismatic") {
+        const [from, to] = ends(i, "coordinate, metres");
+        const angle = field(i, "angle", "fixed angle to the link before, radians", (one) => (one.type === "prismatic" ? one.angle : 0), (one, value) => (one.type === "prismatic" && Number.isFinite(value) ? { ...one, angle: value } : null));
+        return [make("div", {}, row, make("div", { className: "interval more" }, from, make("span", {}, "to"), to, make("span", { className: "unit" }, "m at"), angle, make("span", { className: "unit" }, "rad")))];
+      }
+      if (!joint.limits) return [row];
+      const [from, to] = ends(i, "angle, radians");
+      return [make("div", {}, row, make("div", { className: "interval more" }, from, make("span", {}, "to"), to, make("span", { className: "unit" }, "rad")))];
+    });
     byId("joints", HTMLElement).replaceChildren(...angles.map(({ element }) => element));
     lengthRows.replaceChildren(...lengths.map(({ element }) => element));
-    byId("intervals", HTMLElement).replaceChildren(...limits.map((_, i) => make("div", { className: "interval" },
-      make("span", { className: "name" }, coordinates[i].name), ends[2 * i], make("span", {}, "to"), ends[2 * i + 1], make("span", { className: "unit" }, "rad"))));
+    byId("intervals", HTMLElement).replaceChildren(...rows.flat());
   }
 
-  /** @param {number} joint @param {number} end  0 or 1 @param {HTMLInputElement} input */
-  function setLimit(joint, end, input) {
-    const { coordinates, arm: { joint_limits: limits = [] } } = session.robot;
-    const [low, high] = limits[joint].with(end, input.value.trim() === "" ? NaN : Number(input.value));
-    if (Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST && low < high) change({ joint_limits: limits.with(joint, [low, high]) }, input);
-    else refuse(`The limits of ${coordinates[joint].name} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
+  /** Makes a joint turn or slide. @param {number} i @param {boolean} slides */
+  function setKind(i, slides) {
+    const { joints, hasLimits } = session.robot;
+    change({}, joints.with(i, slides ? { type: "prismatic", range: RANGE, angle: 0 } : turning(hasLimits)), kinds[i]);
   }
 
-  /** Changes the arm; what the core refuses is explained. @param {Partial<ArmRobot>} changes @param {HTMLInputElement} [input]  where it was asked for */
-  function change(changes, input) {
-    const arm = /** @type {ArmRobot} */ ({ ...session.robot.arm, ...changes });
-    if (!arm.joint_limits) delete arm.joint_limits;
+  /** @param {number} i  the joint @param {HTMLInputElement} input @param {(joint: LinkJoint, value: number) => LinkJoint | null} write */
+  function setField(i, input, write) {
+    const { coordinates, joints } = session.robot;
+    const joint = write(joints[i], input.value.trim() === "" ? NaN : Number(input.value));
+    if (joint) return change({}, joints.with(i, joint), input);
+    if (joints[i].type === "prismatic") refuse(`The range of ${coordinates[i].name} must be two numbers, the lower first, and its angle a number.`, input);
+    else refuse(`The limits of ${coordinates[i].name} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
+  }
+
+  /** Changes the arm; what the core refuses is explained. @param {Partial<ArmRobot>} changes @param {LinkJoint[]} [joints] @param {HTMLInputElement | HTMLSelectElement} [input]  where it was asked for */
+  function change(changes, joints = session.robot.joints, input = undefined) {
+    const arm = withJoints({ ...session.robot.arm, ...changes }, joints);
     try {
       session.changeArm({ ...session.robot.document, robot: arm });
       input?.removeAttribute("aria-invalid");
     } catch (error) {
       refuse(error instanceof Error ? error.message : String(error), input);
       isLimited.checked = session.robot.hasLimits;
+      kinds.forEach((select, i) => { select.value = session.robot.joints[i].type; });
     }
   }
 
-  /** @param {string} reason @param {HTMLInputElement} [input] */
+  /** @param {string} reason @param {HTMLInputElement | HTMLSelectElement} [input] */
   function refuse(reason, input) {
     input?.setAttribute("aria-invalid", "true");
     const element = byId("arm-reason", HTMLElement);
@@ -124,3 +166,12 @@ export function showArmPanel(session, onOrientation) {
     element.hidden = reason === "";
   }
 }
+
+/** A joint that turns. @param {boolean} isLimited @returns {LinkJoint} */
+function turning(isLimited) { return { type: "revolute", limits: isLimited ? LIMITS : undefined }; }
+
+/** @param {LinkJoint} joint */
+function rangeOf(joint) { return (joint.type === "prismatic" ? joint.range : joint.limits) ?? LIMITS; }
+
+/** Which fields the joints need, as a key. @param {ReachSession} session */
+function fieldsOf({ robot }) { return robot.isArm ? robot.joints.map((joint) => (joint.type === "prismatic" ? "p" : joint.limits ? "l" : "r")).join("") : ""; }

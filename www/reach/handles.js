@@ -16,8 +16,9 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 
 /** The step of an arrow key, as a part of the reach of an arm or of the size of a body's world. */
 const STEP = 0.01;
-/** The turn of a key, five degrees. */
+/** The turn of a key, five degrees; of a link that slides, a part of the reach. */
 const TURN = Math.PI / 36;
+const SLIDE = 0.02;
 
 /**
  * @param {ReachSession} session @param {HTMLElement} stage   receives keys
@@ -52,7 +53,8 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     const joint = Number(/^(?:Digit|Numpad)([1-8])$/.exec(event.code)?.[1]) - 1;
     if (event.target !== stage || event.ctrlKey || event.metaKey || event.altKey || !session.robot.isArm || !(joint < session.robot.dimension)) return;
     event.preventDefault();
-    session.turn(joint, event.shiftKey ? -TURN : TURN);
+    const by = session.robot.coordinates[joint].unit === "m" ? SLIDE * session.robot.reach : TURN;
+    session.turn(joint, event.shiftKey ? -by : by);
   });
 
   /** Moves the tip or the body; in inverse kinematics the target. @param {Point} point */
@@ -74,7 +76,8 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     const [px, py] = view.toPlane(x, y);
     const distances = robot.parts.map((part) => (part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity));
     const least = Math.min(...distances);
-    if (least * view.scaleX <= near) return turnLink(distances.indexOf(least), px, py, pointOf);
+    const link = distances.indexOf(least);
+    if (least * view.scaleX <= near) return robot.coordinates[link].unit === "m" ? slideLink(link, px, py, pointOf) : turnLink(link, px, py, pointOf);
     // A finger elsewhere scrolls the page; a click with the mouse moves the tip or the target there.
     return isTouch ? null : (place) => moveEnd(pointOf(place));
   }
@@ -96,6 +99,16 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     return (place) => {
       const [toX, toY] = pointOf(place);
       moveEnd([toX + dx, toY + dy]);
+    };
+  }
+
+  /** Slides a link along its direction with the pointer. @param {number} joint @param {number} px @param {number} py @param {(place: Place) => Point} pointOf @returns {Grip} */
+  function slideLink(joint, px, py, pointOf) {
+    const { robot } = session;
+    const [before, angle] = [robot.q[joint], robot.slidesAt(robot.q)[joint] ?? 0];
+    return (place) => {
+      const [x, y] = pointOf(place);
+      session.setCoordinate(joint, before + (x - px) * Math.cos(angle) + (y - py) * Math.sin(angle));
     };
   }
 

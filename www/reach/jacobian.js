@@ -2,7 +2,7 @@
  * The velocities of the tip for joint velocities of norm 1: the manipulability ellipse.
  *
  * Source: Yoshikawa 1985, "Manipulability of Robotic Mechanisms". Column i of the Jacobian is the velocity of the tip as joint i
- * turns: the vector from that joint to the tip, rotated by a quarter turn. The half axes are the roots of the eigenvalues of J J^T.
+ * turns: the vector from that joint to the tip, rotated by a quarter turn; of a joint that slides, the direction of its link. The half axes are the roots of the eigenvalues of J J^T.
  */
 
 /** @import { Part, Point } from "../domain/types.js" */
@@ -11,18 +11,19 @@
 const NEARLY = 0.06;
 
 /**
- * The half axes, metres per radian; the angle of the major one, radians; and their product, square metres, 0 where the arm is singular.
- * @param {Part[]} parts   the links, from the base on
+ * The half axes, metres per radian, or per metre of a joint that slides; the angle of the major one, radians; and their product, square
+ * metres, 0 where the arm is singular.
+ * @param {Part[]} parts   the links, from the base on @param {(number | null)[]} [slides]   the direction of each joint that slides, radians
  */
-export function ellipseOf(parts) {
+export function ellipseOf(parts, slides = []) {
   const [tipX, tipY] = tipOf(parts);
   let xx = 0;
   let xy = 0;
   let yy = 0;
-  for (const part of parts) {
+  for (const [i, part] of parts.entries()) {
     if (part.type !== "capsule") continue;
-    const x = -(tipY - part.a[1]);
-    const y = tipX - part.a[0];
+    const slide = slides[i] ?? null;
+    const [x, y] = slide === null ? [-(tipY - part.a[1]), tipX - part.a[0]] : [Math.cos(slide), Math.sin(slide)];
     xx += x * x;
     xy += x * y;
     yy += y * y;

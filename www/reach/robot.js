@@ -1,12 +1,12 @@
 /** The robot, an arm or a body: its document, the core's scenario of it, its configuration and what the core computes of it. */
 import { Scenario } from "planarium/full";
 import { wrap } from "planarium/draw";
-import { coordinatesOf, fitted } from "../domain/coordinates.js";
+import { coordinatesOf, directionsOf, fitted, jointsOf, longestOf } from "../domain/coordinates.js";
 import { robotName } from "../domain/names.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
-/** @typedef {Extract<import("planarium/full").Robot, { type: "arm" }>} ArmRobot */
+/** @import { ArmRobot } from "../domain/coordinates.js" */
 
 export class Robot {
   /** @param {ScenarioDocument | string} document @param {ArrayLike<number>} q @throws {Error} with `code` and `pointer`, if the core refuses it */
@@ -33,25 +33,40 @@ export class Robot {
   /** The document of an arm. */
   get arm() { return /** @type {ArmRobot} */ (this.document.robot); }
   get base() { return this.arm.base; }
-  get hasLimits() { return this.isArm && this.arm.joint_limits !== undefined; }
+  get joints() { return jointsOf(this.arm); }
 
-  /** The sum of the links of an arm, metres. */
-  get reach() { return this.arm.links.reduce((sum, link) => sum + link, 0); }
+  /** Whether every joint that turns has limits, and one does. */
+  get hasLimits() {
+    const turning = this.isArm ? this.joints.flatMap((joint) => (joint.type === "revolute" ? [joint] : [])) : [];
+    return turning.length > 0 && turning.every(({ limits }) => limits !== undefined);
+  }
+
+  /** Whether a link of the arm slides. */
+  get slides() { return this.isArm && this.joints.some(({ type }) => type === "prismatic"); }
+
+  /** The sum of the greatest lengths of the links of an arm, metres. */
+  get reach() { return longestOf(this.arm).reduce((sum, link) => sum + link, 0); }
 
   /** The tip of an arm, the reference point of a body. @returns {Point} */
   get tip() { return this.isArm ? tipOf(this.parts) : [this.q[0], this.q[1]]; }
 
   /** The direction of the last link, or of a body, radians in (-pi, pi]. */
-  get orientation() { return this.isArm ? wrap(this.q.reduce((sum, angle) => sum + angle, 0)) : this.q[2]; }
+  get orientation() { return this.isArm ? wrap(directionsOf(this.arm, this.q)[this.dimension - 1]) : this.q[2]; }
 
   /** A configuration of this robot from one with more or fewer numbers. @param {ArrayLike<number>} q */
   fitted(q) { return fitted(q, this.coordinates); }
+
+  /** The direction in which each joint that slides moves the tip, radians; null for one that turns. @param {ArrayLike<number>} q */
+  slidesAt(q) {
+    const { joints } = this;
+    return directionsOf(this.arm, q).map((direction, i) => (joints[i].type === "prismatic" ? direction : null));
+  }
 
   /** @param {ArrayLike<number>} values */
   poseAt(values) {
     const q = this.fitted(values);
     const parts = this.scenario.footprint(q);
-    return { q, parts, check: this.scenario.check(q), ellipse: ellipseOf(parts) };
+    return { q, parts, check: this.scenario.check(q), ellipse: ellipseOf(parts, this.isArm ? this.slidesAt(q) : []) };
   }
 
   /** @param {ArrayLike<number>} q */

@@ -7,7 +7,7 @@ import { sceneDocument } from "../planner/scenes/document.js";
 import { SCENES as PLANNED } from "../planner/scenes/scenes.js";
 
 /** @import { Obstacle, Point, ScenarioDocument } from "../domain/types.js" */
-/** @import { ArmRobot } from "./robot.js" */
+/** @import { ArmRobot } from "../domain/coordinates.js" */
 
 /** @typedef {{ q: number[], a: number[], b: number[], target: Point }} Configurations   at first, of the motion, and of inverse kinematics */
 /** @typedef {{ id: string, title: string, document: ScenarioDocument } & Partial<Configurations>} SceneEntry   those that are absent are chosen for the scenario */
@@ -30,6 +30,11 @@ const ARMS = [
     id: "limits", title: "Joint limits", obstacles: [disc(0.9, 0.75, 0.18), disc(-0.55, 0.8, 0.16)],
     robot: { base: [0, 0], links: [0.55, 0.45, 0.3], radius: 0.035, joint_limits: [[-0.4, 3.5], [-2.2, 2.2], [-1.6, 1.6]] },
     q: [0.5, 0.9, 0.4], a: [0, 0.55, 0.5], b: [2.9, -0.75, -0.45], target: [0.2, 1],
+  },
+  {
+    id: "boom", title: "A boom that slides", obstacles: [disc(0.75, 0.5, 0.16), box(-0.75, 0.35, 0.5, 0.12), disc(0.2, -0.75, 0.15)],
+    robot: { base: [0, 0], links: [0.3, 0.15], radius: 0.035, joints: ["revolute", { type: "prismatic", range: [0, 0.7], angle: 0 }] },
+    q: [0.1, 0.35], a: [0.15, 0.6], b: [1.5, 0.6], target: [-0.1, 0.8],
   },
   {
     id: "corner", title: "Round a corner", obstacles: [box(0.15, 0.35, 0.75, 0.14), box(0.76, -0.25, 0.14, 0.6), disc(-0.6, 0.5, 0.18)],

@@ -16,7 +16,7 @@ import { SCENES } from "./scenes.js";
  * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
-/** A turn that was taken back: the coordinate, the angle in radians, and the collisions at its end. @typedef {{ i: number, angle: number, check: Check }} Refusal */
+/** A turn or a slide that was taken back: the coordinate, the angle in radians or the way in metres, and the collisions at its end. @typedef {{ i: number, angle: number, check: Check }} Refusal */
 
 /** The robot itself; its configuration, by the user or by inverse kinematics; another mode; or anything else. @typedef {"robot" | "pose" | "iterate" | "mode" | "rest"} Change */
 
@@ -95,7 +95,7 @@ export class ReachSession extends Observable {
   /** @param {number} i @param {number} value */
   setCoordinate(i, value) { this.moveTo(this.robot.q.with(i, value)); }
 
-  /** Turns a joint or a body; a turn that collides, also on its way, is taken back if that is wanted. @param {number} i  the coordinate @param {number} angle  radians */
+  /** Moves a joint or a body; a motion that collides, also on its way, is taken back if that is wanted. @param {number} i  the coordinate @param {number} angle  radians, or metres */
   turn(i, angle) {
     const { robot, takesBack } = this;
     const q = robot.fitted(robot.q.with(i, robot.q[i] + angle));
@@ -110,7 +110,8 @@ export class ReachSession extends Observable {
     const { robot } = this;
     const orientation = this.orientation ?? undefined;
     const { configuration, point, distance, reached } = robot.scenario.follow(robot.q, wanted, orientation);
-    const nearest = reached ? null : robot.scenario.nearestReachable(wanted, orientation);
+    // With a link that slides only the arm's own way there is known.
+    const nearest = reached || robot.slides ? null : robot.scenario.nearestReachable(wanted, orientation);
     const isStuck = nearest !== null && nearest.distance < distance - STUCK * robot.reach;
     this.moveTo(configuration, "pose", { wanted, reached, isStuck, ...(nearest && !isStuck ? { point: nearest.point, distance: nearest.distance } : { point, distance }) });
   }
@@ -161,6 +162,7 @@ function configurationsOf(robot) {
   const free = isArm ? [robot.base[0] + 0.6 * robot.reach, robot.base[1] + 0.2 * robot.reach] : [0, 0];
   const target = wanted?.point ?? (goal ? scenario.endEffector(goal) : free);
   const orientation = wanted?.orientation ?? null;
-  const b = goal ?? (isArm ? scenario.nearestReachable(target, orientation).configuration : middle);
+  const near = () => (robot.slides ? scenario.follow(robot.fitted(q), target, orientation) : scenario.nearestReachable(target, orientation)).configuration;
+  const b = goal ?? (isArm ? near() : middle);
   return { q, a: q, b, target, orientation };
 }

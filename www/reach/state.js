@@ -4,7 +4,7 @@ import { sceneOf } from "./scenes.js";
 
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
 /** @import { Rule } from "../formats/rules.js" */
-/** @import { ArmRobot } from "./robot.js" */
+/** @import { ArmRobot } from "../domain/coordinates.js" */
 /** @import { IkPanel } from "./ik-panel.js" */
 /** @import { Direction } from "./motion.js" */
 /** @import { ReachSession, Mode } from "./session.js" */
@@ -15,9 +15,9 @@ const angles = list(number, 1, 8);
 const pair = /** @type {Rule<Point>} */ (list(number, 2, 2));
 
 export const stateRule = withDefaults({
-  // A scene of this page or of the planner's, or a world; and what differs from the scene: the robot, and whether its joint limits are off.
+  // A scene of this page or of the planner's, or a world; and what differs from the scene: the robot, and whether its joints are no longer the scene's.
   scene: name, world: /** @type {Rule<ScenarioDocument["world"]>} */ (record({}, json(8))),
-  robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8), shape: record({}, json(5)), metric: record({ translation: number, rotation: number }) }),
+  robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8), joints: list(json(3), 1, 8), shape: record({}, json(5)), metric: record({ translation: number, rotation: number }) }),
   free: flag,
   // The configuration, in inverse kinematics that of the start.
   q: angles, mode: oneOf(/** @type {Mode[]} */ (["hand", "between", "solve"])),
@@ -39,7 +39,7 @@ export function stateOf(session, ik) {
   return {
     ...(entry ? { scene: entry.id } : { world }),
     robot: Object.fromEntries(Object.entries(robot).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(scene[key]))),
-    free: Boolean(scene.joint_limits && !("joint_limits" in robot)),
+    free: ["joint_limits", "joints"].some((name) => name in scene && !(name in robot)),
     q: Array.from(mode === "solve" ? ik.start : q), mode, back: takesBack, a: Array.from(a), b: Array.from(b),
     long: those("long"), faulty: those("faulty"), along: mode === "between" ? progress : 0,
     lock: orientation ?? undefined, target: isArm ? target : undefined, solve: isArm ? { method: ik.method.id, ...ik.given } : {}, steps: run?.run.iterations ?? 0,
@@ -52,8 +52,9 @@ export async function openState(session, ik, { scene, world, robot: changes, fre
   if (typeof method === "string") ik.choose(method, given);
   if (entry) {
     session.openScene(entry);
-    const changed = /** @type {ArmRobot} */ ({ ...entry.document.robot, ...changes });
-    if (free) delete changed.joint_limits;
+    const { joint_limits: limits, joints, ...rest } = /** @type {ArmRobot} */ (entry.document.robot);
+    const own = free ? rest : { ...rest, ...(limits && { joint_limits: limits }), ...(joints && { joints }) };
+    const changed = /** @type {ArmRobot} */ ({ ...own, ...changes });
     if (free || Object.keys(changes).length > 0) session.changeArm({ ...entry.document, robot: changed });
   } else {
     session.open(/** @type {ScenarioDocument} */ ({ format: "planarium-scenario-1", name: "link", title: "From a link", world, robot: { type: "arm", ...changes }, queries: [] }));

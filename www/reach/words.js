@@ -24,8 +24,14 @@ export function collisionText({ robot: { scenario, check } }) { return check.fre
 /** The robot for screen readers. @param {ReachSession} session */
 export function descriptionOf(session) {
   const { robot, robot: { q, isArm, tip, document: { world } } } = session;
-  const where = isArm ? `Joints at ${[...q].map((angle) => num(angle)).join(", ")} radians; the tip is at ${tuple(tip)} metres.` : `Its reference point is at ${tuple(tip)} metres, theta is ${num(q[2])} radians.`;
+  const where = isArm ? `${jointsText(robot)}; the tip is at ${tuple(tip)} metres.` : `Its reference point is at ${tuple(tip)} metres, theta is ${num(q[2])} radians.`;
   return `${capital(robotText(robot))}, ${world.obstacles.length} obstacles. ${where} ${collisionText(session) || "No collision."}`;
+}
+
+/** The joints of an arm in words. @param {Robot} robot */
+function jointsText({ q, slides, coordinates }) {
+  if (!slides) return `Joints at ${[...q].map((angle) => num(angle)).join(", ")} radians`;
+  return `Joints at ${coordinates.map(({ unit }, i) => `${num(q[i])} ${unit === "m" ? "metres" : "radians"}`).join(", ")}`;
 }
 
 /** @param {Robot} robot */
@@ -33,7 +39,7 @@ export function robotText({ isArm, dimension }) { return isArm ? `${dimension} $
 
 /** @param {ReachSession} session @returns {Sentence} */
 export function sentenceOf(session) {
-  const { mode, run, tipGoal, refusal, robot: { isArm, dimension, ellipse }, orientation } = session;
+  const { mode, run, tipGoal, refusal, robot: { isArm, slides, dimension, ellipse }, orientation } = session;
   if (refusal) return refusalSentence(session, refusal);
   if (mode === "between") return motionSentence(session);
   if (run) return ikSentence(session, run);
@@ -45,14 +51,16 @@ export function sentenceOf(session) {
   }
   if (isBad) return { text: collision, isBad };
   if (!isArm) return { text: "Drag the body to move it; drag the ring in front of it to turn it.", isBad };
-  if (!isNearlySingular(ellipse)) return { text: "Drag the ring to move the tip; drag a link to turn its joint.", isBad };
-  if (dimension === 1) return { text: "One joint: the tip can only move along a circle.", isBad };
+  if (!isNearlySingular(ellipse)) return { text: `Drag the ring to move the tip; drag a link to ${slides ? "turn or slide it" : "turn its joint"}.`, isBad };
+  if (dimension === 1) return { text: `One joint: the tip can only move along a ${slides ? "line" : "circle"}.`, isBad };
   return { text: `Nearly singular: the links are almost in line, and the tip can hardly move along them (manipulability ${num(ellipse.manipulability, 3)} m\u00b2).`, isBad };
 }
 
 /** @param {ReachSession} session @param {Refusal} refusal @returns {Sentence} */
 function refusalSentence({ robot: { coordinates, scenario } }, { i, angle, check }) {
-  const turn = `${coordinates[i].name} turned ${Math.round((180 * Math.abs(angle)) / Math.PI)}\u00b0 ${angle > 0 ? "counter-clockwise" : "clockwise"}`;
+  const { name, unit } = coordinates[i];
+  const turn = unit === "m" && scenario.robot === "arm" ? `${name} slid ${num(Math.abs(angle), 3)} m ${angle > 0 ? "out" : "in"}`
+    : `${name} turned ${Math.round((180 * Math.abs(angle)) / Math.PI)}\u00b0 ${angle > 0 ? "counter-clockwise" : "clockwise"}`;
   return { text: check.free ? `Taken back: the robot collides on the way as ${turn}.` : `Taken back: ${turn}, and ${touchingSentence(scenario, check)}.`, isBad: true };
 }
 
@@ -68,12 +76,14 @@ function motionSentence(session) {
 }
 
 /** How a motion that ends at B gets there. @param {ReachSession} session */
-function wayText({ motion, motion: { turns }, robot: { isArm, coordinates }, directions }) {
+function wayText({ motion, motion: { turns }, robot: { isArm, slides, coordinates }, directions }) {
   const long = coordinates.filter(({ isCircle }, i) => isCircle && Math.abs(turns[i]) > Math.PI).map(({ name }) => name);
   const faulty = directions.includes("faulty") ? " Here the faulty way is right: no two angles differ by more than half a turn." : "";
   if (!isArm) return `The body moves ${num(Math.hypot(turns[0], turns[1]))} m, and theta turns ${num(Math.abs(turns[2]))} rad the ${long.length > 0 ? "long" : "short"} way round.${faulty}`;
   const how = long.length === 0 ? "Each joint turns the short way round" : `${capital(long.join(" and "))} ${long.length > 1 ? "turn" : "turns"} the long way round`;
-  return `${how}, ${num(motion.length)} rad in total.${faulty}`;
+  const sum = (/** @type {"rad" | "m"} */ wanted) => turns.reduce((total, turn, i) => total + (coordinates[i].unit === wanted ? Math.abs(turn) : 0), 0);
+  const total = slides ? `${num(sum("rad"))} rad and ${num(sum("m"))} m` : `${num(motion.length)} rad`;
+  return `${how}, ${total} in total.${faulty}`;
 }
 
 /** Where a motion ends by the faulty way. @param {Robot} robot @param {Motion} motion @param {ArrayLike<number>} b */
@@ -85,7 +95,7 @@ function missText(robot, motion, b) {
 }
 
 /** @param {ReachSession} session @param {IkRun} run @returns {Sentence} */
-function ikSentence({ target, orientation, robot: { scenario } }, run) {
+function ikSentence({ target, orientation, robot: { scenario, slides } }, run) {
   const { method, verdict, solutions: { length: count } } = run;
   if (run.isRunning) {
     const { run: { iterations, restarts }, last: { error } } = run;
@@ -104,7 +114,10 @@ function ikSentence({ target, orientation, robot: { scenario } }, run) {
       const { touching } = verdict;
       return { text: touching ? `All solutions found collide: ${touchingSentence(scenario, { free: false, touching })}.` : "All solutions found collide.", isBad: true };
     }
-    case "not-found": return { text: `The target is reachable, but ${inSentence(method.title)} did not converge.`, isBad: false };
+    case "not-found": {
+      const known = slides ? "Whether the target is reachable is not known" : "The target is reachable";
+      return { text: `${known}${slides ? ":" : ", but"} ${inSentence(method.title)} did not converge.`, isBad: false };
+    }
     default: {
       const elbows = method.id === "closed-form" && count === 2 ? " (elbow up and elbow down)" : "";
       const found = count === 1 ? "One configuration reaches the target" : `${count === 2 ? "Two" : count} configurations reach the target${elbows}`;

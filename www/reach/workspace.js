@@ -38,6 +38,7 @@ export class Workspace {
     const { session: { robot, mode, tipGoal, run }, view } = this;
     if (mode === "between") this.drawMotion(brush);
     if (run) this.drawRun(brush, run);
+    if (robot.slides) this.drawSlides(brush);
     if (robot.isArm) this.drawEllipse(brush);
     const shown = { scenario: robot.scenario, world: robot.document.world, parts: robot.parts, touching: robot.check.touching };
     drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, robot.parts, palette));
@@ -69,6 +70,22 @@ export class Workspace {
     context.globalAlpha = 0.9;
     context.stroke();
     context.restore();
+  }
+
+  /** How far each link that slides can do so: a line from where it ends at the least to where it ends at the most. @param {Brush} brush */
+  drawSlides({ context, palette }) {
+    const { robot: { joints, parts, q, arm, slidesAt }, robot } = this.session;
+    const directions = slidesAt.call(robot, q);
+    setStroke(context, palette.quiet, 1.4, [1, 4]);
+    for (const [i, joint] of joints.entries()) {
+      const [part, angle] = [parts[i], directions[i]];
+      if (joint.type !== "prismatic" || part.type !== "capsule" || angle === null) continue;
+      const end = (/** @type {number} */ at) => this.view.place([part.a[0] + (arm.links[i] + at) * Math.cos(angle), part.a[1] + (arm.links[i] + at) * Math.sin(angle)]);
+      const [low, high] = joint.range.map(end);
+      drawLine(context, ...low, ...high);
+      for (const [x, y] of [low, high]) drawLine(context, x - 6 * Math.sin(angle), y - 6 * Math.cos(angle), x + 6 * Math.sin(angle), y + 6 * Math.cos(angle));
+    }
+    context.setLineDash([]);
   }
 
   /** The tip as a handle, with an arrow if its orientation is fixed; of a body the reference point, and a handle to turn it. @param {Brush} brush */

@@ -130,7 +130,7 @@ export class Editor {
 
   /** Moves the selection by a hundred units, or a joint or a heading by a degree. @param {number} dx @param {number} dy  one of both is 0 @param {boolean} goesOn  a key is held down */
   nudge(dx, dy, goesOn) {
-    const { selected, part, obstacle, document, fields, unit } = this;
+    const { selected, part, obstacle, document, fields, unit, tip } = this;
     const step = 100 * unit;
     if (!selected) return;
     if (obstacle && part === null) {
@@ -138,7 +138,8 @@ export class Editor {
       return;
     }
     const isHeading = fields.length > 2 && part !== null;
-    const index = fields[0].unit === "rad" ? part ?? 0 : isHeading ? 2 : Number(dx === 0);
+    const isArm = document.robot.type === "arm" && !tip && poseOf(document, selected) !== null;
+    const index = isArm ? part ?? 0 : isHeading ? 2 : Number(dx === 0);
     const { value, unit: measure } = fields[index];
     const next = measure === "rad" ? rounded(value + ((dx + dy) * Math.PI) / 180, ANGLE) : rounded(value + (dx + dy) * step, unit);
     this.set(index, next, goesOn);

@@ -95,9 +95,9 @@ export class Pointing {
   }
 
   /** The element under the pointer, in words. @param {Hover} hover */
-  text({ lane: { run, scenario, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
-    const { robot } = scenario;
-    const numbers = `${[...pose].map((value) => num(value)).join(", ")}${placed ? " (m, m, rad)" : robot === "arm" ? " rad" : " m"}`;
+  text({ lane: { run, scenario, shown, shown: { placed } }, vertex, pose, check, edge = -1, motions = new Float64Array(0) }) {
+    const units = coordinatesOf(shown).map(({ unit }) => unit);
+    const numbers = `${[...pose].map((value) => num(value)).join(", ")}${units.some((unit) => unit !== units[0]) ? ` (${units.join(", ")})` : ` ${units[0]}`}`;
     const control = placed && motions.length > 0 ? ` ${placed.motionsText(motions)}` : "";
     if (vertex < 0 && edge >= 0 && run) {
       const [from, to] = run.edges.row(edge);
@@ -116,7 +116,7 @@ export class Pointing {
     const parent = adjacency.parent(vertex, edges);
     if (parent < 0) return `${name}: ${vertex === 0 || run.kind === "trees" ? "the root of its tree" : "not connected yet"}.`;
     const length = run.lengthOf(adjacency.edgeTo(vertex, edges));
-    return `${name}. Parent ${parent}, ${lengthText(length, robot)} away; ${lengthText(adjacency.cost(vertex, edges), robot)} from the root.${control}`;
+    return `${name}. Parent ${parent}, ${lengthText(length, scenario)} away; ${lengthText(adjacency.cost(vertex, edges), scenario)} from the root.${control}`;
   }
 }
 

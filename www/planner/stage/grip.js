@@ -1,16 +1,17 @@
 /**
- * A robot that the pointer moves, by hand and in the editor: as a point of the configuration space; an arm by a link, which turns its
- * joint, or by its end effector, which it follows; a disc; a body, or its heading.
+ * A robot that the pointer moves, by hand and in the editor: as a point of the configuration space; an arm by a link, which turns or
+ * slides, or by its end effector, which it follows; a disc; a body, or its heading.
  */
 import { wrap } from "planarium/draw";
 import { contains } from "../../draw/shapes.js";
 import { distanceToSegment } from "../../draw/trace.js";
-import { contained, coordinatesOf } from "../../domain/coordinates.js";
+import { contained, coordinatesOf, directionsOf } from "../../domain/coordinates.js";
 
 /** @import { View } from "planarium/draw" */
 /** @import { CSpace } from "./cspace-pane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Coordinate, Obstacle, Part, Scenario } from "../../domain/types.js" */
+/** @import { ArmRobot } from "../../domain/coordinates.js" */
 /** @import { Shown } from "../lane.js" */
 /** @typedef {(x: number, y: number, shift: boolean) => Float64Array} Grip   the configuration for a position of the pointer in the plane */
 /** @typedef {(value: number, unit: Coordinate["unit"], shift: boolean) => number} Snap   rounds a coordinate */
@@ -76,6 +77,13 @@ export function gripOf(shown, pose, part, square, { 0: x0, 1: y0 }, snap = (valu
       const moved = [snap(start[0] + x - x0, "m", shift), snap(start[1] + y - y0, "m", shift)];
       return contained(Float64Array.of(...moved, ...start.slice(2)), coordinates);
     };
+  }
+  const slide = coordinates[part ?? 0];
+  if (link?.type === "capsule" && slide.unit === "m") {
+    // A link that slides follows the pointer along its direction.
+    const directions = directionsOf(/** @type {ArmRobot} */ (shown.document.robot), start);
+    const [c, s] = [Math.cos(directions[part ?? 0]), Math.sin(directions[part ?? 0])];
+    return (x, y, shift) => contained(start.with(part ?? 0, snap(start[part ?? 0] + (x - x0) * c + (y - y0) * s, "m", shift)), coordinates);
   }
   // A joint or a heading turns with the pointer.
   const [turning, [cx, cy]] = link?.type === "capsule" ? [part ?? 0, link.a] : [2, start];

@@ -197,3 +197,53 @@ test("in any state axe finds nothing and all fits; forced colours are honoured",
   assert.notEqual(colour, ground);
   assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
 }));
+
+test("a link that slides is dragged along its direction, moved by keys, and changed; the link holds it", () => onReach(async (page) => {
+  await choose(page, "boom");
+  const { a, b } = windowAxes(await poseOf(page));
+  // The middle of the second link: dragged out by 0.1 m, and aside, which does nothing.
+  const middle = /** @type {[number, number]} */ ([0.5 * a[0], 0.5 * a[1]]);
+  const out = /** @type {[number, number]} */ ([middle[0] + 0.1 * b[0] - 0.05 * b[1], middle[1] + 0.1 * b[1] + 0.05 * b[0]]);
+  await drag(page, [await windowOf(page, "boom", middle), await windowOf(page, "boom", out)]);
+  await rest(page);
+  const [angle, slid] = await poseOf(page);
+  assert.equal(angle, 0.1);
+  assert.ok(Math.abs(slid - 0.45) < 0.01, `${slid}`);
+  // The tip follows the core, also beyond its reach, where nothing is claimed to be nearest.
+  await press(page, "#stage", "ArrowUp", "2", "Shift+2");
+  assert.ok(Math.abs((await poseOf(page))[1] - slid) < 0.1);
+  await page.click("#mode-between");
+  await rest(page);
+  assert.match(await page.innerText("#story"), /1\.35 rad and 0\.00 m in total/);
+  await page.click("#mode-hand");
+  // A third link turns, then slides at an angle.
+  await put(page, "links-number", "3");
+  assert.equal((await poseOf(page)).length, 3);
+  await page.selectOption("#joint-2-type", "prismatic");
+  await rest(page);
+  await put(page, "stop-2-angle", "1.5");
+  await put(page, "stop-2-1", "0.25");
+  await put(page, "stop-2-0", "0.3");
+  assert.match(await page.innerText("#arm-reason"), /The range of joint 3 must be two numbers, the lower first/);
+  await put(page, "joint-2-number", "0.2");
+  const q = await poseOf(page);
+  const fragment = await linkOf(page);
+  await onReach(async (other) => {
+    assert.deepEqual(await poseOf(other), q);
+    assert.deepEqual(await other.locator("#intervals select").evaluateAll((all) => all.map((one) => /** @type {HTMLSelectElement} */ (one).value)), ["revolute", "prismatic", "prismatic"]);
+    assert.equal(await other.inputValue("#stop-2-angle"), "1.50");
+  }, DESK, { path: `reach.html${fragment}` });
+  // All turn again: the scene's joints are gone, and the link says so.
+  for (const i of [1, 2]) await page.selectOption(`#joint-${i}-type`, "revolute");
+  await rest(page);
+  const turning = await linkOf(page);
+  await onReach(async (other) => {
+    assert.equal(await other.locator("#intervals select").evaluateAll((all) => all.filter((one) => /** @type {HTMLSelectElement} */ (one).value === "revolute").length), 3);
+  }, DESK, { path: `reach.html${turning}` });
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
+/** The tip of the boom from its base, and the direction of its second link. @param {number[]} q */
+function windowAxes([angle, slid]) {
+  const b = [Math.cos(angle), Math.sin(angle)];
+  return { a: b.map((x) => x * (0.45 + slid + 0.3)), b };
+}

@@ -36,6 +36,15 @@ export function directionsOf(arm, q) {
   return jointsOf(arm).map((joint, i) => (angle += joint.type === "prismatic" ? joint.angle : q[i]));
 }
 
+/** Whether a link of an arm slides. @param {ArmRobot} arm */
+export function hasSlide(arm) { return jointsOf(arm).some(({ type }) => type === "prismatic"); }
+
+/** The direction of each link that slides at a configuration, radians; null for one that turns. @param {ArmRobot} arm @param {ArrayLike<number>} q */
+export function slidesOf(arm, q) {
+  const joints = jointsOf(arm);
+  return directionsOf(arm, q).map((direction, i) => (joints[i].type === "prismatic" ? direction : null));
+}
+
 /** @param {{ scenario: Scenario, document: ScenarioDocument }} shown @returns {Coordinate[]} */
 export function coordinatesOf({ scenario, document: { robot } }) {
   if (robot.type === "arm") {

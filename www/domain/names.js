@@ -1,6 +1,6 @@
 /** Names of robots, parts, obstacles and lengths. Links are counted from 1, obstacles from 0 as in the scenario document. */
 
-import { jointsOf } from "./coordinates.js";
+import { hasSlide } from "./coordinates.js";
 
 /** @import { Check, Scenario, ScenarioDocument } from "./types.js" */
 
@@ -14,10 +14,7 @@ export function isPlaced(robot) { return robot === "rigid_body" || robot === "ca
 export function axesOf(robot) { return [0, isPlaced(robot) ? 2 : 1]; }
 
 /** The unit of path lengths; empty for a body and for an arm whose links slide, whose metres and radians are added. @param {ScenarioDocument["robot"]} robot */
-export function unitOf(robot) { return robot.type === "arm" ? (slides(robot) ? "" : "rad") : robot.type === "rigid_body" ? "" : "m"; }
-
-/** Whether a link slides. @param {ScenarioDocument["robot"]} robot */
-function slides(robot) { return robot.type === "arm" && jointsOf(robot).some(({ type }) => type === "prismatic"); }
+export function unitOf(robot) { return robot.type === "arm" ? (hasSlide(robot) ? "" : "rad") : robot.type === "rigid_body" ? "" : "m"; }
 
 /** The units, by scenario. @type {WeakMap<Scenario, string>} */
 const units = new WeakMap();

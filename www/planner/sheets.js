@@ -24,12 +24,12 @@ export class Sheets {
   }
 
   /** Shows the figures for a scenario. @param {SceneFacts} facts */
-  arrange({ robot, dimension }) {
+  arrange({ robot, dimension, coordinates }) {
     const square = robot !== "disc" && dimension >= 2;
     const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
     this.show([
       { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `dots mark the ${robotName(robot)}\u2019s ${marked}` },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each dot: two ${dimension > 2 ? "of its " : ""}${robot === "arm" ? "joint angles" : "coordinates"}` }] : []),
+      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each dot: two ${dimension > 2 ? "of its " : ""}${coordinates.every(({ unit }) => unit === "rad") ? "joint angles" : "coordinates"}` }] : []),
     ]);
   }
 

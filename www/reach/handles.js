@@ -1,6 +1,6 @@
 /** Handles to drag: the tip, a link, a body, the target, a configuration in the square, a coordinate on its axis. And keys. */
 import { wrap } from "planarium/draw";
-import { sizeOf } from "../domain/coordinates.js";
+import { sizeOf, slidesOf } from "../domain/coordinates.js";
 import { placedHandles } from "../draw/placed-handles.js";
 import { contains } from "../draw/shapes.js";
 import { distanceToSegment } from "../draw/trace.js";
@@ -105,7 +105,7 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
   /** Slides a link along its direction with the pointer. @param {number} joint @param {number} px @param {number} py @param {(place: Place) => Point} pointOf @returns {Grip} */
   function slideLink(joint, px, py, pointOf) {
     const { robot } = session;
-    const [before, angle] = [robot.q[joint], robot.slidesAt(robot.q)[joint] ?? 0];
+    const [before, angle] = [robot.q[joint], slidesOf(robot.arm, robot.q)[joint] ?? 0];
     return (place) => {
       const [x, y] = pointOf(place);
       session.setCoordinate(joint, before + (x - px) * Math.cos(angle) + (y - py) * Math.sin(angle));

@@ -53,7 +53,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const ik = new IkPanel(session);
   const figures = {
     workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "each point: two joint angles" }, new Square(session)),
+    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "" }, new Square(session)),
     axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
@@ -111,6 +111,7 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       const [who, axis] = robot.isArm ? ["arm", "joint"] : ["body", "coordinate"];
       figures.workspace.note.textContent = `the ${who} and its obstacles`;
       figures.axes.note.textContent = `one axis per ${axis}`;
+      figures.square.note.textContent = robot.slides ? "each point: two coordinates" : "each point: two joint angles";
       byId("mode-solve", HTMLElement).hidden = !robot.isArm;
       gallery.mark(entry?.id ?? null);
       if (isSquare) void showObstacles();

@@ -1,7 +1,7 @@
 /** The robot, an arm or a body: its document, the core's scenario of it, its configuration and what the core computes of it. */
 import { Scenario } from "planarium/full";
 import { wrap } from "planarium/draw";
-import { coordinatesOf, directionsOf, fitted, jointsOf, longestOf } from "../domain/coordinates.js";
+import { coordinatesOf, directionsOf, fitted, hasSlide, jointsOf, longestOf, slidesOf } from "../domain/coordinates.js";
 import { robotName } from "../domain/names.js";
 import { ellipseOf, tipOf } from "./jacobian.js";
 
@@ -42,7 +42,7 @@ export class Robot {
   }
 
   /** Whether a link of the arm slides. */
-  get slides() { return this.isArm && this.joints.some(({ type }) => type === "prismatic"); }
+  get slides() { return this.isArm && hasSlide(this.arm); }
 
   /** The sum of the greatest lengths of the links of an arm, metres. */
   get reach() { return longestOf(this.arm).reduce((sum, link) => sum + link, 0); }
@@ -56,17 +56,11 @@ export class Robot {
   /** A configuration of this robot from one with more or fewer numbers. @param {ArrayLike<number>} q */
   fitted(q) { return fitted(q, this.coordinates); }
 
-  /** The direction in which each joint that slides moves the tip, radians; null for one that turns. @param {ArrayLike<number>} q */
-  slidesAt(q) {
-    const { joints } = this;
-    return directionsOf(this.arm, q).map((direction, i) => (joints[i].type === "prismatic" ? direction : null));
-  }
-
   /** @param {ArrayLike<number>} values */
   poseAt(values) {
     const q = this.fitted(values);
     const parts = this.scenario.footprint(q);
-    return { q, parts, check: this.scenario.check(q), ellipse: ellipseOf(parts, this.isArm ? this.slidesAt(q) : []) };
+    return { q, parts, check: this.scenario.check(q), ellipse: ellipseOf(parts, this.isArm ? slidesOf(this.arm, q) : []) };
   }
 
   /** @param {ArrayLike<number>} q */

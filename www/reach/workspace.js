@@ -1,5 +1,6 @@
 /** The workspace: the world, the arm with its manipulability ellipse or the body, the motion from A to B, and a run of inverse kinematics. */
 import { drawRobot, isThin } from "planarium/draw";
+import { slidesOf } from "../domain/coordinates.js";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawWorkspace } from "../draw/ground.js";
 import { addLine, disc, drawCross, drawHandle, drawLine, setStroke, strokeWithHalo } from "../draw/marks.js";
@@ -74,8 +75,8 @@ export class Workspace {
 
   /** How far each link that slides can do so: a line from where it ends at the least to where it ends at the most. @param {Brush} brush */
   drawSlides({ context, palette }) {
-    const { robot: { joints, parts, q, arm, slidesAt }, robot } = this.session;
-    const directions = slidesAt.call(robot, q);
+    const { joints, parts, q, arm } = this.session.robot;
+    const directions = slidesOf(arm, q);
     setStroke(context, palette.quiet, 1.4, [1, 4]);
     for (const [i, joint] of joints.entries()) {
       const [part, angle] = [parts[i], directions[i]];

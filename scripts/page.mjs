@@ -16,6 +16,8 @@ const PAGES = [["index", "Plan"], ["reach", "Reach"], ["neighbours", "Neighbours
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const NOTICES = "THIRD-PARTY-NOTICES.txt";
 const ROOMS = PAGES.slice(1).map(([name]) => name);
+/** The gallery's entries as a draft has them. */
+let draft = "";
 /** The page that computes nothing: it needs neither the core nor a script to be read. */
 const GALLERY = "gallery";
 
@@ -27,11 +29,13 @@ const GALLERY = "gallery";
  * `www/NAME/style.css`; the worker of the rooms is `www/rooms/worker.js`. The rooms share parts, none of them with the planner's page,
  * and the core of `planarium/full`; the planner's page has that of `planarium`.
  * The gallery's entries, pictures and links are made here from the data in `www/gallery/`.
+ *
+ * @param {{ out?: string, isDraft?: boolean }} [options]   the folder; and whether files are neither compressed nor kept for use without a network, which takes
+ *   most of the time. In a draft the gallery's pictures are made once.
  */
-export async function assemblePage() {
+export async function assemblePage({ out = join(dist, "page"), isDraft = false } = {}) {
   const page = join(root, "www");
-  const out = join(dist, "page");
-  rmSync(out, { recursive: true, force: true });
+  if (!isDraft) rmSync(out, { recursive: true, force: true });
   mkdirSync(join(out, "planarium"), { recursive: true });
   for (const part of ["icon.svg", "scenes", "experiments/documents", "gallery/worlds"]) cpSync(join(page, part), join(out, part), { recursive: true });
   for (const [name, folder] of [["planarium", "."], ["full", "full"]]) {
@@ -45,11 +49,12 @@ export async function assemblePage() {
   const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   const rooms = assembleRooms(inParts);
-  const figures = await assembleGallery(join(out, GALLERY));
+  const figures = isDraft && draft !== "" ? draft : draft = await assembleGallery(join(out, GALLERY));
   for (const [name] of PAGES) {
     const scripts = ROOMS.includes(name) ? importsOf(rooms, `www/${name}/main.js`) : importsOf(planner, "www/planner/main.js");
     writeFileSync(join(out, `${name}.html`), documentOf(name, scripts.map((file) => relative(out, file).split(sep).join("/")), name === GALLERY ? { figures } : {}));
   }
+  if (isDraft) return;
   const files = readdirSync(out, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map"))
     .map((entry) => relative(out, join(entry.parentPath, entry.name)).split(sep).join("/"))
@@ -94,9 +99,10 @@ function importsOf({ outputs }, entry) {
  */
 function assembleRooms(inParts) {
   const page = join(root, "www");
+  const out = /** @type {string} */ (inParts.outdir);
   const entries = [join(page, "rooms", "worker.js"), ...ROOMS.map((name) => join(page, name, "main.js"))];
   const made = joinModules("", "", { ...inParts, entryPoints: entries, define: { "globalThis.EXPERIMENTS": JSON.stringify(readyExperiments()) }, outbase: page, alias: { ...DRAW, planarium: "../planarium/full.js", "planarium/full": "../planarium/full.js" }, external: ["../planarium/full.js"] });
-  for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(dist, "page", name, "style.css"));
+  for (const name of ROOMS) joinModules(join(page, name, "style.css"), join(out, name, "style.css"));
   return made;
 }
 

@@ -2,12 +2,12 @@
 import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
 import { assemblePage } from "./page.mjs";
-import { Problem, root, script } from "./run.mjs";
-import { pagePolicy, requireFreePort, serve } from "./serve.mjs";
+import { root, script } from "./run.mjs";
+import { pagePolicy, requireFreePort, serve, wantedPort } from "./serve.mjs";
 import { buildSite } from "./site.mjs";
 
 await script(async () => {
-  const port = wantedPort();
+  const port = wantedPort(8080);
   // A port in use is reported before the build.
   await requireFreePort(port);
   await buildPackage();
@@ -17,11 +17,3 @@ await script(async () => {
   await buildSite();
   console.log(`\nThe documentation is at ${url}docs/`);
 });
-
-/** @returns {number} */
-function wantedPort() {
-  const text = process.env.PORT ?? "8080";
-  const port = Number(text);
-  if (!/^\d+$/.test(text) || port > 65535) throw new Problem(`PORT must be an integer from 0 to 65535, not \`${text}\`.`);
-  return port;
-}

@@ -308,3 +308,14 @@ fn queries_with_a_target_are_planned() {
     assert_eq!(error.code().as_str(), "target-unreachable");
     assert!(error.message().contains("was found"), "{}", error.message());
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_shortest_path_of_a_boom_is_a_reference() {
+    let world = sliding_arm_and_wall(0.1);
+    let options = planarium::optimum::MetricOptions::default();
+    let found = planarium::optimum::optimum(&world, None, options).expect("two joints");
+    let (least, run) =
+        (found.length.expect("a path"), finish(begin_with(&world, "rrt-star", 4, "improve_iterations=2000")));
+    assert_eq!(run.status(), Status::Solved);
+    assert!(run.length() > 0.99 * least && run.length() < 1.3 * least, "{} and {least}", run.length());
+}

@@ -271,20 +271,23 @@ fn begin<const N: usize>(
     stated.end_effector = Some(Box::new(move |a, b| measure.distance(a, b)));
     stated.records_events = options.events;
     let described = problem.space.in_full();
-    let roadmap = RoadmapDocument {
+    let circles: Vec<bool> = (0..space.dimension()).map(|i| space.product().is_circle(i)).collect();
+    let edge_samples = edges.samples().filter(|_| !problem.is_sampled());
+    let (planner_id, edge_check) = (info.planner, info.edge_check);
+    let roadmap = Box::new(move || RoadmapDocument {
         scenario: String::new(),
         fingerprint: fingerprint_of_space(&described),
-        circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
-        planner: info.planner.to_owned(),
-        metric: RoadmapMetric::Space(described),
+        circles: circles.clone(),
+        planner: planner_id.to_owned(),
+        metric: RoadmapMetric::Space(described.clone()),
         k: 0,
         radius: f64::INFINITY,
-        edge_check: info.edge_check,
-        edge_samples: edges.samples().filter(|_| !problem.is_sampled()),
+        edge_check,
+        edge_samples,
         tolerance,
         vertices: Vec::new(),
         edges: Vec::new(),
-    };
+    });
     let launch = Launch { roadmap: Some(roadmap), ..Launch::new(stated, info) };
     match saved {
         None => launch.run(|problem, seed| planner.begin(problem, seed)),

@@ -1,7 +1,7 @@
 //! From a scenario and options to a run: names of robots and options become types.
 
 use super::goals::goals;
-use super::info::{Reopen, RunInfo};
+use super::info::{EmptyRoadmap, Reopen, RunInfo};
 use super::launch::{Begin, Launch};
 use super::options::{SLOWEST, TURNING_RADII};
 use super::reopen::{Changes, Kept};
@@ -15,7 +15,7 @@ use crate::problem::{Estimate, GoalRegion, Problem, Sampled, Samples, Validity};
 use crate::random::check_seed;
 use crate::robot::{Arm, Car, Weights};
 use crate::run::storage::{RoadmapDocument, RoadmapMetric, fingerprint};
-use crate::scenario::{GoalTolerance, Query, Robot, Scenario};
+use crate::scenario::{GoalTolerance, Query, Robot};
 use crate::space::steering::Steering;
 use crate::space::{MAX_DIMENSION, MetricKind, MotionSpace, ProductSpace, Space};
 use crate::world::{PlanningWorld, SMALL};
@@ -242,7 +242,7 @@ impl<'a> Setup<'a> {
             let checked = checked.clone();
             problem.checkers = Some(Box::new(move || checked(fitted().validity())));
         }
-        let roadmap = Some(self.empty_document(&space));
+        let roadmap = Some(self.empty_roadmap(&space));
         let own = self.world.clone();
         let launch = Launch { problem, info: self.info, roadmap, reopen: None };
         let (options, before) = match source {
@@ -295,30 +295,33 @@ impl<'a> Setup<'a> {
         }
     }
 
-    /// The document of this run's roadmap, without vertices, edges, and how they were chosen.
-    fn empty_document<const N: usize>(&self, space: &MotionSpace<N>) -> RoadmapDocument {
-        let scenario: &Scenario = self.world.scenario();
-        let robot = scenario.robot();
+    /// The maker of the document of this run's roadmap, without vertices, edges, and how they were chosen.
+    fn empty_roadmap<const N: usize>(&self, space: &MotionSpace<N>) -> EmptyRoadmap {
+        let robot = self.world.robot();
         let metric = match (self.metric, space.steering()) {
             (_, Some((steering, radius))) => RoadmapMetric::of_curves(steering, radius),
             (None | Some(MetricKind::Sum), None) if matches!(robot, Robot::Arm(_)) => RoadmapMetric::Sum,
             (Some(MetricKind::Naive), None) => RoadmapMetric::Naive,
             (None | Some(MetricKind::Sum | MetricKind::Euclidean), None) => only_metric(robot),
         };
-        RoadmapDocument {
-            scenario: scenario.name().to_owned(),
-            fingerprint: fingerprint(scenario),
-            circles: (0..space.dimension()).map(|i| space.product().is_circle(i)).collect(),
-            planner: self.info.planner.to_owned(),
-            metric,
+        let circles: Vec<bool> = (0..space.dimension()).map(|i| space.product().is_circle(i)).collect();
+        let edge_samples = self.edges.and_then(|edges| edges.samples());
+        let (world, planner, edge_check) = (self.world.clone(), self.info.planner, self.info.edge_check);
+        let tolerance = self.info.limits.tolerance;
+        Box::new(move || RoadmapDocument {
+            scenario: world.scenario().name().to_owned(),
+            fingerprint: fingerprint(world.scenario()),
+            circles: circles.clone(),
+            planner: planner.to_owned(),
+            metric: metric.clone(),
             k: 0,
             radius: f64::INFINITY,
-            edge_check: self.info.edge_check,
-            edge_samples: self.edges.and_then(|edges| edges.samples()),
-            tolerance: self.info.limits.tolerance,
+            edge_check,
+            edge_samples,
+            tolerance,
             vertices: Vec::new(),
             edges: Vec::new(),
-        }
+        })
     }
 
     /// The space of a car: along the named curves or those that its speeds allow, or straight for a planner by controls.

@@ -1,6 +1,7 @@
 //! What a run copies into its result, and how it is begun again.
 
 use super::Run;
+use super::storage::RoadmapDocument;
 use crate::error::Error;
 use crate::path::{LengthMeasure, Wanted};
 use crate::planner::{
@@ -94,6 +95,10 @@ impl RunInfo {
         }
     }
 }
+
+/// Makes the document of a roadmap without its vertices, its edges and how they were chosen. Most runs are never asked for it, and it
+/// takes time in proportion to the world.
+pub(super) type EmptyRoadmap = Box<dyn Fn() -> RoadmapDocument + Send>;
 
 /// Begins a run in another world with a roadmap of this one.
 pub(super) type Reopen<S> = Box<dyn Fn(&PlanningWorld, &Roadmap<S>) -> Result<Box<dyn Run>, Error> + Send>;

@@ -1,7 +1,7 @@
 //! The launch of a run, whatever its robot: what all runs need once their space, their checker and their ends are known.
 
 use super::Run;
-use super::info::{Reopen, RunInfo};
+use super::info::{EmptyRoadmap, Reopen, RunInfo};
 use super::runner::Runner;
 use super::storage::{RoadmapDocument, checked_states};
 use crate::error::Error;
@@ -17,9 +17,9 @@ pub(super) type Begin<'a, S> = dyn FnOnce(&Problem<S>, u64) -> Result<Box<dyn Pl
 pub(super) struct Launch<S: Space> {
     pub problem: Problem<S>,
     pub info: RunInfo,
-    /// The document of a roadmap without its vertices, its edges and how they were chosen; `None` if a roadmap of this run cannot
-    /// be saved.
-    pub roadmap: Option<RoadmapDocument>,
+    /// Makes the document of a roadmap without its vertices, its edges and how they were chosen; `None` if a roadmap of this run
+    /// cannot be saved.
+    pub roadmap: Option<EmptyRoadmap>,
     /// `None` if no scenario describes the problem.
     pub reopen: Option<Reopen<S>>,
 }

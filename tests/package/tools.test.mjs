@@ -118,3 +118,24 @@ test("peers get polygons counter-clockwise, and none that they cannot read", () 
   assert.equal(flat(document([[2, 0], [2, 1], [3, 0]])), "base 0 0\nradius 0\nlinks 1\nstart 0\ngoal 1\npolygon 3 0 2 1 2 0\n");
   assert.throws(() => flat(document([[2, 0], [4, 0], [3, 0.2], [3, 2]])), /convex/);
 });
+
+test("pages that reload have one more script, and are told when they are made again; nothing is kept for use without a network", async () => {
+  const folder = emptyFolder();
+  addFiles(folder, { "index.html": "<head></head>", "offline.js": "kept", "main.js": "1" });
+  const { url, close, reload } = await serve({ root: folder, port: 0, reloads: true });
+  try {
+    const text = async (/** @type {string} */ path) => (await fetch(url + path)).text();
+    assert.equal(await text(""), '<head><script type="module" src="/reload.js"></script></head>');
+    assert.match(await text("reload.js"), /location\.reload\(\)/);
+    assert.equal(await text("main.js"), "1");
+    assert.equal((await fetch(`${url}offline.js`)).status, 404);
+    const events = (await fetch(`${url}reload`)).body?.getReader() ?? assert.fail();
+    const next = async () => new TextDecoder().decode((await events.read()).value);
+    assert.equal(await next(), ":\n\n");
+    reload();
+    assert.equal(await next(), "data:\n\n");
+    await events.cancel();
+  } finally {
+    await close();
+  }
+});

@@ -21,10 +21,11 @@
 //!
 //! Unit vectors are products of those of `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by
 //! 2.8e-14; a quarter, an eighth and so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times
-//! 2^-53 each: 9e-14 in all, and so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level by level, each off by 1.4e-14, until
-//! they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more. Absolute angles and rates are sums of
-//! up to eight joints: of circles up to 26 radians; with limits up to 50, sums up to 800 and differences up to 100, rounded to
-//! 5e-13 in all at worst, fixed angles like limits. If limits are wider, up to twice that, the slack is doubled.
+//! 2^-53 each: 9e-14 in all, and so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level
+//! by level, each off by 1.4e-14, until they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more.
+//! Absolute angles and rates are sums of up to eight joints: of circles up to 26 radians; with limits up to 50, sums up to 800
+//! and differences up to 100, rounded to 5e-13 in all at worst, fixed angles like limits. If limits are wider, up to twice that,
+//! the slack is doubled.
 
 use super::driver::{Interval, Moving};
 use super::moving_point::{Halves, MovingPoint, Plane, around};

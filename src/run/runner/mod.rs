@@ -5,8 +5,7 @@ mod report;
 mod run;
 
 use super::Run;
-use super::info::{Reopen, RunInfo};
-use super::storage::RoadmapDocument;
+use super::info::{EmptyRoadmap, Reopen, RunInfo};
 use super::termination::{Limiting, Progress};
 use super::work::Weights;
 use crate::path::{self, Improvement};
@@ -19,8 +18,8 @@ pub(super) struct Runner<S: Space> {
     problem: Problem<S>,
     planner: Box<dyn Planner<S>>,
     info: RunInfo,
-    /// The document of the roadmap without vertices and edges; `None` for planners that build none.
-    roadmap: Option<RoadmapDocument>,
+    /// Makes the document of the roadmap without vertices and edges; `None` if it cannot be saved.
+    roadmap: Option<EmptyRoadmap>,
     /// `None` if no scenario describes the problem.
     reopen: Option<Reopen<S>>,
     /// Iterations of the planner.
@@ -48,7 +47,7 @@ impl<S: Space> Runner<S> {
         problem: Problem<S>,
         planner: Box<dyn Planner<S>>,
         info: RunInfo,
-        roadmap: Option<RoadmapDocument>,
+        roadmap: Option<EmptyRoadmap>,
         reopen: Option<Reopen<S>>,
     ) -> Self {
         // A motion by controls may end before the goal.

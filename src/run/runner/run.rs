@@ -230,7 +230,7 @@ impl<S: Space> Run for Runner<S> {
     fn roadmap(&self) -> Option<RoadmapDocument> {
         let roadmap = self.planner.roadmap()?;
         let (k, radius) = (roadmap.connection.k() as u32, roadmap.connection.radius());
-        let document = RoadmapDocument { k, radius, ..self.roadmap.clone()? };
+        let document = RoadmapDocument { k, radius, ..self.roadmap.as_ref()?() };
         // Where obstacles have moved, one may be upon a vertex that no path has wanted since.
         let is_free = |(i, state)| !roadmap.is_unchecked(i) || self.problem.validity().is_free(state);
         let kept: Vec<bool> = roadmap.graph().states().iter().enumerate().map(is_free).collect();

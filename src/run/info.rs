@@ -96,8 +96,8 @@ impl RunInfo {
     }
 }
 
-/// Makes the document of a roadmap without its vertices, its edges and how they were chosen. Most runs are never asked for it, and it
-/// takes time in proportion to the world.
+/// Makes the document of a roadmap without its vertices, its edges and how they were chosen. Most runs are never asked for it,
+/// and it takes time in proportion to the world.
 pub(super) type EmptyRoadmap = Box<dyn Fn() -> RoadmapDocument + Send>;
 
 /// Begins a run in another world with a roadmap of this one.

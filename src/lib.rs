@@ -5,6 +5,31 @@
 //! metres, angles radians, counter-clockwise, y up. Scenario, planner, parameters and seed decide every bit of a result, on every
 //! platform.
 //!
+//! An arm of two links between two discs, planned for and verified:
+//!
+//! ```
+//! use planarium::geometry::{Aabb, Point};
+//! use planarium::path::verify;
+//! use planarium::robot::Arm;
+//! use planarium::run::{self, PrmOptions, Status};
+//! use planarium::scenario::{Obstacle, Query, Scenario, World};
+//!
+//! let bounds = Aabb::of(Point::new(-2.0, -2.0), Point::new(2.0, 2.0));
+//! let obstacles = [Obstacle::disc(Point::new(1.0, 1.0), 0.2), Obstacle::disc(Point::new(-1.0, 0.4), 0.2)];
+//! let arm = Arm::new(Point::new(0.0, 0.0), vec![0.9, 0.7], 0.03, None)?;
+//! let query = Query::new("over", [0.0, 0.3], [2.4, -0.5]);
+//! let scenario = Scenario::new("two discs", World::new(Some(bounds), obstacles), arm, [query])?;
+//!
+//! let mut run = run::start(&scenario, PrmOptions { samples: Some(400), ..PrmOptions::default() })?;
+//! while run.step(100) == Status::Running {}
+//! assert_eq!(run.status(), Status::Solved);
+//! assert!(verify(&scenario, &run.result())?.is_valid());
+//! # Ok::<(), planarium::Error>(())
+//! ```
+//!
+//! Generators take options as a `serde_json::Value`: add `serde_json` to your dependencies for them. The feature `parallel`
+//! builds roadmaps in several threads, the feature `schema` makes JSON Schemas.
+//!
 //! # Where to start
 //! - [`scenario::Scenario::new`] makes a scenario of values, [`scenario::Scenario::parse`] reads a document, [`worlds::generate`]
 //!   makes one from a seed;

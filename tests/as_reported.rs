@@ -11,11 +11,11 @@ use crate::common::{
 };
 use planarium::geometry::{Point, Segment};
 use planarium::planner::{EdgeCheck, planners};
-use planarium::problem::Motion;
+use planarium::problem::{Motion, Reason};
 use planarium::run::storage::RoadmapDocument;
-use planarium::run::{Request, Status};
-use planarium::scenario::Robot;
+use planarium::run::{Request, Run, Status};
 use planarium::scenario::generate::generate;
+use planarium::scenario::{Robot, Scenario};
 use planarium::space::angular_distance;
 use std::f64::consts::TAU;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -361,5 +361,81 @@ fn every_preset_runs() {
             let is_hopeful = run.status() == Status::Solved || run.result().approximate.is_some();
             assert!(is_hopeful || preset.id.contains("three-nearest"), "{} {}", planner.info().id, preset.id);
         }
+    }
+}
+
+/// What a search of the same roadmaps finds.
+fn searched(world: &Scenario, seed: u64, settings: &str) -> Box<dyn Run> {
+    finish(begin_with(world, "prm", seed, &format!("samples=300 k=10 direct=false {settings}")))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_stale_a_star_finds_a_path_wherever_there_is_one_and_not_always_the_shortest() {
+    let mut longer = 0;
+    for seed in 0..seeds(60) {
+        let world = generate("forest", &serde_json::json!({ "links": 2, "seed": seed })).expect("a forest");
+        let [right, stale] =
+            ["a-star", "a-star-stale"].map(|search| searched(&world, seed, &format!("search={search}")));
+        assert_eq!((stale.status(), edges(&*stale)), (right.status(), edges(&*right)), "seed {seed}");
+        assert_eq!(stale.stats().reopened, 0, "what is closed stays closed");
+        assert!(stale.stats().visited <= stale.vertex_count() as u64);
+        if right.status() == Status::Solved {
+            assert_valid(&world, &*stale);
+            assert!(stale.length() >= right.length() * (1.0 - 1e-12), "seed {seed}");
+            longer += u64::from(stale.length() > right.length() * (1.0 + 1e-9));
+        }
+    }
+    assert!(longer > 0, "of {} forests", seeds(60));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn overwritten_parents_lead_to_the_start_now_and_then_and_a_miss_is_not_called_unconnected() {
+    let mut counts = [0; 2];
+    for seed in 0..seeds(60) {
+        let world = generate("forest", &serde_json::json!({ "links": 2, "seed": seed })).expect("a forest");
+        for insertion in ["batch", "one-by-one"] {
+            let given = |search: &str| format!("insertion={insertion} search={search}");
+            let [right, parents] = ["a-star", "parents"].map(|search| searched(&world, seed, &given(search)));
+            assert_eq!(edges(&*parents), edges(&*right));
+            assert!(parents.stats().visited <= parents.vertex_count() as u64, "no vertex twice");
+            if parents.status() == Status::Solved {
+                assert_valid(&world, &*parents);
+                assert!(parents.length() >= right.length() * (1.0 - 1e-12));
+            } else {
+                assert_eq!(parents.reason(), Some(Reason::SearchFailed));
+                assert!(parents.explanation().expect("a reason").contains("may have one"));
+            }
+            counts[usize::from(parents.status() == Status::Solved)] += u64::from(right.status() == Status::Solved);
+        }
+    }
+    assert!(counts[0] > 0 && counts[1] > 0, "missed and found: {counts:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn consistent_heuristics_expand_nothing_again_and_goals_drawn_are_counted() {
+    let mut reopened = 0;
+    for seed in 0..seeds(40) {
+        let world = generate("forest", &serde_json::json!({ "links": 3, "seed": seed })).expect("a forest");
+        for heuristic in ["metric", "end-effector", "none"] {
+            assert_eq!(searched(&world, seed, &format!("heuristic={heuristic}")).stats().reopened, 0, "{heuristic}");
+        }
+        reopened += searched(&world, seed, "heuristic=naive").stats().reopened;
+    }
+    assert!(reopened > 0, "the naive heuristic is not consistent");
+    for (settings, low, high) in [("goal_every=5", 200, 200), ("goal_bias=0", 0, 0), ("goal_bias=0.05", 20, 90)] {
+        let run = finish(begin_with(&no_way(), "rrt", 3, &format!("direct=false max_iterations=1000 {settings}")));
+        let drawn = run.stats().goal_samples;
+        assert!((low..=high).contains(&drawn), "{settings}: {drawn}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rrt_may_grow_towards_free_samples_only() {
+    for (world, seed) in [(arm_and_wall(0.1), 2), (disc_and_wall(0.3, 0.5), 3)] {
+        let run = finish(begin_with(&world, "rrt", seed, "direct=false free_samples=true"));
+        assert_eq!(run.status(), Status::Solved);
+        assert_valid(&world, &*run);
+        let anywhere = finish(begin_with(&world, "rrt", seed, "direct=false"));
+        assert!(run.stats().rejected_samples > 0 && anywhere.stats().rejected_samples == 0);
     }
 }

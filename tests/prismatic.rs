@@ -1,6 +1,6 @@
 //! Arms with prismatic joints: kinematics, documents, paths, the verifier, and inverse kinematics.
 
-use crate::common::documents::{disc, jointed_arm, judged, rectangle, refuses, result, scenario};
+use crate::common::documents::{arm, disc, jointed_arm, judged, rectangle, refuses, result, scenario};
 use crate::common::{PLANNERS, arm_and_wall, assert_valid, begin_with, finish, seeds, sliding_arm_and_wall};
 use planarium::geometry::Point;
 use planarium::ik::{
@@ -318,4 +318,52 @@ fn the_shortest_path_of_a_boom_is_a_reference() {
         (found.length.expect("a path"), finish(begin_with(&world, "rrt-star", 4, "improve_iterations=2000")));
     assert_eq!(run.status(), Status::Solved);
     assert!(run.length() > 0.99 * least && run.length() < 1.3 * least, "{} and {least}", run.length());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rrt_ends_in_the_goal_region_of_an_arm_or_a_disc_and_others_at_the_goal() {
+    let boom = jointed_arm(&[0.4, 0.1], 0.02, r#""revolute", {"type": "prismatic", "range": [0, 1.2], "angle": 0}"#);
+    let wall = rectangle([0.7, -0.05], [3.0, 0.05]);
+    let worlds = [
+        (arm(&[1.0, 0.8], 0.0), r#""start": [0.6, 0.2], "goal": [-0.6, -0.2]"#, r#"{"rotation": 0.3}"#, 0.0, 0.3),
+        (boom, r#""start": [0.6, 0.9], "goal": [-0.6, 0.8]"#, r#"{"translation": 0.2, "rotation": 0.4}"#, 0.2, 0.4),
+        (
+            r#"{"type": "disc", "radius": 0.1}"#.to_owned(),
+            r#""start": [0.3, 1], "goal": [0.3, -1]"#,
+            r#"{"translation": 0.3}"#,
+            0.3,
+            0.0,
+        ),
+    ];
+    for (robot, query, region, translation, rotation) in worlds {
+        let query = format!(r#"{query}, "goal_tolerance": {region}"#);
+        let world = scenario("[-2, -2], [2, 2]", &wall, &robot, &query);
+        assert_eq!(Scenario::parse(&world.to_json_string()).as_ref(), Ok(&world));
+        let goal = world.queries()[0].configuration().expect("a goal").to_vec();
+        let mut inside = 0;
+        for seed in 0..seeds(40) {
+            let run = finish(begin_with(&world, "rrt", seed, "direct=false goal_bias=0.02 step=0.2"));
+            assert_eq!(run.status(), Status::Solved);
+            assert_valid(&world, &*run);
+            let end = run.path().last().expect("a path").to_vec();
+            let gaps: Vec<f64> = end.iter().zip(&goal).map(|(a, b)| (a - b).abs()).collect();
+            assert!(gaps.iter().all(|gap| *gap <= f64::max(translation, rotation) + 1e-9), "{gaps:?}");
+            inside += u64::from(gaps.iter().any(|gap| *gap > 1e-9));
+        }
+        assert!(inside > 0, "some end before the goal");
+        for planner in ["rrt-connect", "prm"] {
+            let run = finish(begin_with(&world, planner, 1, ""));
+            assert_eq!(run.path().last().map(|q| q.to_vec()), Some(goal.clone()), "{planner}");
+            assert_valid(&world, &*run);
+        }
+        // Without the region that path does not reach the goal.
+        let exact = Scenario::parse(&world.to_json_string().replace(
+            &world.to_json_string()[world.to_json_string().find(r#","goal_tolerance""#).expect("a region")..],
+            "}]}",
+        ))
+        .expect("a scenario");
+        let run = finish(begin_with(&world, "rrt", 0, "direct=false goal_bias=0.02 step=0.2"));
+        let is_at_goal = run.path().last().map(|q| q.to_vec()) == Some(goal);
+        assert_eq!(judged(&exact, &run.result()).is_ok(), is_at_goal);
+    }
 }

@@ -77,7 +77,7 @@ export function writeWorlds(Scenario, { name, generator, options }, first, count
 export function flat({ world, robot, queries: [query] }) {
   /** @type {(string | number)[][]} */
   const items = [...machine(robot), ["start", ...query.start], ["goal", ...(query.goal ?? [])]];
-  if (query.goal_tolerance) items.push(["tolerance", query.goal_tolerance.translation, query.goal_tolerance.rotation]);
+  if (query.goal_tolerance) items.push(["tolerance", query.goal_tolerance.translation ?? 0, query.goal_tolerance.rotation ?? 0]);
   if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
   for (const obstacle of world.obstacles) {
     items.push(obstacle.type === "disc" ? ["disc", ...obstacle.center, obstacle.radius] : ["polygon", ...counterClockwise(obstacle.vertices).flat()]);

@@ -112,6 +112,7 @@ pub enum Reason {
     GraphFull = "graph-full",
     NotConnected = "not-connected",
     NothingToExtend = "nothing-to-extend",
+    SearchFailed = "search-failed",
 }
 
 impl From<problem::Reason> for Reason {

@@ -170,6 +170,8 @@ pub enum Measure {
     ConfigurationChecks,
     /// Samples drawn in collision.
     RejectedSamples,
+    /// Samples that were a goal.
+    GoalSamples,
     /// Motions tested for collision.
     MotionChecks,
     /// Candidate edges of a lazy roadmap that were not tested.
@@ -178,6 +180,8 @@ pub enum Measure {
     NearestQueries,
     /// Vertices that the search expanded.
     Visited,
+    /// Vertices that the search expanded again.
+    Reopened,
     /// Evaluations of the clearance of a part.
     ClearanceEvaluations,
     /// Motions refused because their proof had spent its budget.

@@ -257,6 +257,8 @@ impl Measure {
             Measure::Edges => stats.edges,
             Measure::ConfigurationChecks => stats.configuration_checks,
             Measure::RejectedSamples => stats.rejected_samples,
+            Measure::GoalSamples => stats.goal_samples,
+            Measure::Reopened => stats.reopened,
             Measure::MotionChecks => stats.motion_checks,
             Measure::UncheckedEdges => stats.unchecked_edges,
             Measure::NearestQueries => stats.nearest_queries,

@@ -151,7 +151,27 @@ pub struct FleetRobot {
     pub goal: Vec<f64>,
 }
 
+/// A fleet as its document has it.
+#[derive(Serialize)]
+struct Values {
+    format: &'static str,
+    name: String,
+    world: World,
+    robots: Vec<FleetRobot>,
+}
+
 impl FleetRobot {
+    /// A robot, its greatest speed in metres per second, and where it stands at first and at last.
+    pub fn new(
+        name: impl Into<String>,
+        robot: impl Into<Robot>,
+        speed: f64,
+        start: impl Into<Vec<f64>>,
+        goal: impl Into<Vec<f64>>,
+    ) -> Self {
+        Self { name: name.into(), robot: robot.into(), speed, start: start.into(), goal: goal.into() }
+    }
+
     /// The parts of the robot at a configuration.
     pub fn footprint(&self, q: &[f64]) -> Vec<Part> {
         self.robot.footprint(q)
@@ -202,14 +222,54 @@ impl Fleet {
             note_name(&mut names, &member.name, "robot", &format!("/robots/{i}/name"))?;
             checked.push(member);
         }
-        Self::new(name, title, world, checked)
+        Self::of(name, title, world, checked)
+    }
+
+    /// A fleet of values: the same rules hold as for documents.
+    ///
+    /// # Errors
+    /// Those of [`Fleet::parse`], with the pointer that the value has in the document; `not-finite`. None is about the text.
+    ///
+    /// # Example
+    /// Two discs that exchange places:
+    ///
+    /// ```
+    /// use planarium::fleet::{self, Fleet, FleetPlanner, FleetRobot, PbsOptions};
+    /// use planarium::geometry::{Aabb, Point};
+    /// use planarium::problem::{Status, Stepped};
+    /// use planarium::robot::DiscRobot;
+    /// use planarium::scenario::World;
+    ///
+    /// let world = World::new(Some(Aabb::of(Point::new(0.0, 0.0), Point::new(4.0, 2.0))), []);
+    /// let disc = DiscRobot::new(0.3)?;
+    /// let robots = [
+    ///     FleetRobot::new("left", disc.clone(), 1.0, [0.5, 1.0], [3.5, 1.0]),
+    ///     FleetRobot::new("right", disc, 1.0, [3.5, 1.0], [0.5, 1.0]),
+    /// ];
+    /// let fleet = Fleet::new("exchange", world, robots)?;
+    /// let mut planner = FleetPlanner::new(&fleet, PbsOptions::default())?;
+    /// assert_eq!(planner.step(u64::MAX), Status::Solved);
+    /// assert!(fleet::verify(&fleet, &planner.result())?.is_valid());
+    /// # Ok::<(), planarium::Error>(())
+    /// ```
+    pub fn new(
+        name: impl Into<String>,
+        world: World,
+        robots: impl IntoIterator<Item = FleetRobot>,
+    ) -> Result<Self, Error> {
+        let robots: Vec<FleetRobot> = robots.into_iter().collect();
+        let tree = json::to_tree(&Values { format: FORMAT, name: name.into(), world, robots });
+        match json::first_null(&tree) {
+            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
+            None => Self::read(&tree),
+        }
     }
 
     /// The fleet of these robots, whose starts and goals are checked.
     ///
     /// # Errors
     /// `start-in-collision` and `goal-in-collision`.
-    pub(super) fn new(
+    pub(super) fn of(
         name: String,
         title: Option<String>,
         world: World,

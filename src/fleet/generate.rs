@@ -150,7 +150,7 @@ impl FleetRobots {
         };
         let bounds = Some(Aabb { min: Point::origin(), max: Point::new(width, height) });
         let world = World { bounds, obstacles: obstacles.into() };
-        Fleet::new(name, Some(title), world, ways.iter().enumerate().map(member).collect())
+        Fleet::of(name, Some(title), world, ways.iter().enumerate().map(member).collect())
     }
 
     /// The plural of the robots, for titles.

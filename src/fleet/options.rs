@@ -125,6 +125,25 @@ pub struct FleetOptions {
     pub order: Option<Vec<String>>,
 }
 
+impl From<&FleetOptions> for FleetOptions {
+    fn from(options: &FleetOptions) -> Self {
+        options.clone()
+    }
+}
+
+/// The options of a planner of fleets, with seed 0.
+macro_rules! of_planner {
+    ($($Options:ty),*) => { $(
+        impl From<$Options> for FleetOptions {
+            fn from(options: $Options) -> Self {
+                Self { planner: Some(options.into()), ..Self::default() }
+            }
+        }
+    )* };
+}
+
+of_planner!(PbsOptions, PrioritizedOptions, CompositeOptions, FleetPlannerOptions);
+
 impl FleetOptions {
     /// These options with the planner of this id, and options of the planner by name.
     ///

@@ -61,13 +61,14 @@ impl Stepped for FleetPlanner {
 }
 
 impl FleetPlanner {
-    /// Begins.
+    /// Begins, with options or those of a planner alone. Import [`Stepped`] to step it.
     ///
     /// # Errors
     /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name
     /// every robot once; `unsupported` for an order of another planner than `prioritized`, and for a composite of fewer than two
     /// or more than three robots, or of more than eight coordinates.
-    pub fn new(fleet: &Fleet, options: &FleetOptions) -> Result<Self, Error> {
+    pub fn new(fleet: &Fleet, options: impl Into<FleetOptions>) -> Result<Self, Error> {
+        let options = options.into();
         check_seed(options.seed)?;
         let planner = options.planner();
         if options.order.is_some() && !matches!(planner, FleetPlannerOptions::Prioritized(_)) {

@@ -81,9 +81,9 @@ pub struct Optimum {
 pub fn optimum(
     scenario: impl Into<PlanningWorld>,
     query: Option<&str>,
-    MetricOptions { metric }: MetricOptions,
+    options: MetricOptions,
 ) -> Result<Optimum, Error> {
-    let world = scenario.into();
+    let (world, MetricOptions { metric }) = (scenario.into(), options);
     let (index, query) = world.scenario().find_query(query)?;
     let at_query = |error: Error| match error.code() {
         Code::StartInCollision | Code::GoalInCollision => error.under(&format!("/queries/{index}")),

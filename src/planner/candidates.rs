@@ -23,7 +23,7 @@ impl Candidates {
 
 /// Whether paths are as long as they have edges.
 pub(super) fn counts_edges(rules: Searching) -> bool {
-    rules.cost == Cost::Hops || !matches!(rules.search, Algorithm::AStar | Algorithm::Dijkstra)
+    rules.cost == Cost::Hops || !matches!(rules.search, Algorithm::AStar | Algorithm::Dijkstra | Algorithm::AStarStale)
 }
 
 /// An estimate of the cost from a vertex to the nearest of the goals that are there, which never exceeds it.

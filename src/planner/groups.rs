@@ -220,6 +220,8 @@ crate::options! {
 pub(super) struct Aim<S: Space> {
     pub reaching: GoalBias,
     sampler: Box<dyn Sampler<S>>,
+    /// Whether a sample in collision is no target.
+    is_free: bool,
     /// Draws whether the next target is a goal.
     random: Random,
     /// How many goals were drawn.
@@ -229,7 +231,12 @@ pub(super) struct Aim<S: Space> {
 impl<S: Space> Aim<S> {
     pub fn new(reaching: GoalBias, sampling: &Sampling, space: &S, seed: u64) -> Self {
         let random = Random::new(seed, Stream::Bias);
-        Self { reaching, sampler: sampling.sampler(space, seed), random, goals: 0 }
+        Self { reaching, sampler: sampling.sampler(space, seed), is_free: false, random, goals: 0 }
+    }
+
+    /// The same, whose targets are free.
+    pub fn with_free(self, is_free: bool) -> Self {
+        Self { is_free, ..self }
     }
 
     /// The next target; `None`, with an event, if the sampler found none.
@@ -240,10 +247,16 @@ impl<S: Space> Aim<S> {
             None => goal_bias > 0.0 && self.random.uniform() < goal_bias,
         };
         if !is_due {
-            return Some(growth.draw(problem, iteration, &mut *self.sampler)?.state);
+            let sampler = &mut *self.sampler;
+            return if self.is_free {
+                growth.draw_free(problem, iteration, sampler)
+            } else {
+                Some(growth.draw(problem, iteration, sampler)?.state)
+            };
         }
         let goal = *problem.goal_in_turn(self.goals);
         self.goals = self.goals.wrapping_add(1);
+        growth.counters.goal_samples += 1;
         Some(goal)
     }
 }

@@ -181,7 +181,7 @@ impl<S: Space> Roadmap<S> {
         } else {
             self.growth.counters.unchecked_edges = unchecked_edges;
         }
-        QueryResult { path, visited }
+        QueryResult { path, visited, is_exhaustive: true }
     }
 }
 

@@ -103,12 +103,13 @@ pub trait Planner<S: Space>: MaybeSend {
         self.graph().is_full()
     }
 
-    /// Why an iteration has returned [`Status::Exhausted`].
+    /// Why an iteration has returned [`Status::Exhausted`]; by default [`Reason::NotConnected`], which is about roadmaps.
     fn reason(&self) -> Reason {
         Reason::NotConnected
     }
 
-    /// The vertices of the path from start to goal; empty until solved.
+    /// The vertices of the path from start to goal; empty until solved. A run panics if it is empty once the planner has returned
+    /// [`Status::Solved`].
     fn path(&self) -> Vec<VertexId>;
 
     /// The vertices of the path from the start to the vertex nearest to the goal, for planners that have one; else empty.

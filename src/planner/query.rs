@@ -1,6 +1,8 @@
 //! A search of a roadmap for a path: algorithm, cost of an edge, estimate of the remaining cost.
 
-use crate::graph::search::{BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, Requeued, View, Walker};
+use crate::graph::search::{
+    BestFirst, Bidirectional, BreadthFirst, Expansion, Goals, Parents, Requeued, Stale, View, Walker,
+};
 use crate::graph::{Adjacency, Graph, VertexId};
 use crate::problem::Problem;
 use crate::space::Space;
@@ -18,6 +20,11 @@ crate::choice! {
         Bidirectional,
         /// Bidirectional breadth-first with the fault of a course report, which visits more vertices than there are.
         BidirectionalRequeued,
+        /// A* with the fault of a course report: what waits keeps its place and its parent when a cheaper way is found.
+        AStarStale,
+        /// From the goal from parent to parent, where each edge of the roadmap has overwritten the parent of its later end, as in
+        /// a course report: it may miss the start.
+        Parents,
     }
 }
 
@@ -52,7 +59,7 @@ crate::choice! {
 crate::options! {
     /// How a roadmap is searched.
     pub struct Searching for crate::options::ALL;
-    /// Graph search: A* is guided, bidirectional starts at both ends (requeued is faulty), others spread evenly.
+    /// Graph search: A* is guided, bidirectional starts at both ends; requeued, stale and parents are faulty.
     search: Algorithm = Algorithm::AStar, "Search";
     /// Cost that A* and Dijkstra minimise: path length or number of edges; breadth-first always counts edges.
     cost: Cost = Cost::Metric, "Cost of an edge";
@@ -98,6 +105,10 @@ impl Query {
             Algorithm::BreadthFirst => Box::new(BreadthFirst::new(vertices, start, goals.clone())),
             Algorithm::Bidirectional => Box::new(Bidirectional::new(vertices, start, goals.clone())),
             Algorithm::BidirectionalRequeued => Box::new(Requeued::new(vertices, start, goals.clone())),
+            Algorithm::AStarStale => Box::new(Stale::new(vertices, start, goals.clone())),
+            Algorithm::Parents => {
+                Box::new(Parents::new(vertices, graph.edges().iter().chain(added), start, goals.clone()))
+            }
         };
         let scale = match (rules.cost, rules.heuristic) {
             (Cost::Hops, Heuristic::Metric | Heuristic::EndEffector) => {
@@ -123,17 +134,24 @@ impl Query {
             (goals.start.0..goals.end.0).map(|goal| estimate(VertexId(goal))).fold(f64::INFINITY, f64::min)
         };
         let cost = |a, b| if rules.cost == Cost::Metric { distance(a, b) } else { 1.0 };
-        let heuristic = |vertex| match (rules.search, rules.heuristic, &problem.end_effector) {
-            (Algorithm::AStar, Heuristic::Metric | Heuristic::MetricAsHops, _) => {
-                scale * least(&|goal| distance(vertex, goal))
-            }
-            (Algorithm::AStar, Heuristic::EndEffector, Some(estimate)) => {
-                scale * least(&|goal| estimate(at(vertex), at(goal)))
-            }
-            (Algorithm::AStar, Heuristic::Naive, _) => least(&|goal| unwrapped(space, at(vertex), at(goal))),
+        let is_guided = matches!(rules.search, Algorithm::AStar | Algorithm::AStarStale);
+        let heuristic = |vertex| match (is_guided, rules.heuristic, &problem.end_effector) {
+            (true, Heuristic::Metric | Heuristic::MetricAsHops, _) => scale * least(&|goal| distance(vertex, goal)),
+            (true, Heuristic::EndEffector, Some(estimate)) => scale * least(&|goal| estimate(at(vertex), at(goal))),
+            (true, Heuristic::Naive, _) => least(&|goal| unwrapped(space, at(vertex), at(goal))),
             _ => 0.0,
         };
         self.walker.step(&View { adjacency: &self.adjacency, cost: &cost, heuristic: &heuristic })
+    }
+
+    /// Whether there is no path if a step has returned `Nothing`.
+    pub fn is_exhaustive(&self) -> bool {
+        self.walker.is_exhaustive()
+    }
+
+    /// How many vertices were expanded again.
+    pub fn reopened(&self) -> u64 {
+        self.walker.reopened()
     }
 
     /// The vertices of the path, once the goal is reached.

@@ -8,7 +8,7 @@ use super::growth::{GOAL, Growth, START};
 use super::info::{Mark, PseudocodeLine, line};
 use super::neighbours::Neighbours;
 use super::query::{Query, Searching, state};
-use super::{Phase, Planner, Status};
+use super::{Phase, Planner, Reason, Status};
 use crate::graph::search::{Expansion, Goals};
 use crate::graph::{EventKind, Graph, MAX_RECORDS, VertexId, append};
 use crate::nearest::{self, Direction, Neighbour, Neighbourhood};
@@ -204,11 +204,14 @@ impl<S: Space> Roadmap<S> {
         }
         let mut query =
             Query::new(space, &self.growth.graph, &added, &ends, start, goal..VertexId(count + 2), self.rules);
-        let mut visited = 0;
+        let (mut visited, mut is_exhaustive) = (0, true);
         let path = loop {
             match query.step(problem, &self.growth.graph, &ends) {
                 Expansion::Vertex(_) => visited += 1,
-                Expansion::Nothing => break Vec::new(),
+                Expansion::Nothing => {
+                    is_exhaustive = query.is_exhaustive();
+                    break Vec::new();
+                }
                 Expansion::Goal => {
                     visited += 1;
                     break query.path().iter().map(|&v| *state(&self.growth.graph, &ends, v)).collect();
@@ -216,13 +219,14 @@ impl<S: Space> Roadmap<S> {
             }
         };
         self.growth.counters.visited += visited;
+        self.growth.counters.reopened += query.reopened();
         if let Some(iteration) = added_in {
             for end in ends {
                 self.add_vertex(space, iteration, end);
             }
             added.into_iter().for_each(|[from, to]| self.growth.graph.add_edge(iteration, from, to));
         }
-        QueryResult { path, visited }
+        QueryResult { path, visited, is_exhaustive }
     }
 }
 
@@ -255,13 +259,15 @@ pub(super) struct RoadmapPlanner<S: Space, B> {
     search: Option<Query>,
     /// The path from start to goal, once the search is over; empty if there is none.
     path: Option<Vec<VertexId>>,
+    /// Whether there is no path if the last search has found none.
+    is_exhaustive: bool,
 }
 
 impl<S: Space, B: Build<S>> RoadmapPlanner<S, B> {
     /// A planner that continues with a roadmap; if it is complete, it is only searched.
     pub fn new(problem: &Problem<S>, roadmap: Roadmap<S>, builder: B, is_complete: bool) -> Self {
         let search = is_complete.then(|| roadmap.begin_search(problem.space()));
-        Self { roadmap, builder, search, path: None }
+        Self { roadmap, builder, search, path: None, is_exhaustive: true }
     }
 }
 
@@ -278,10 +284,13 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         let (kind, vertex, status) = match search.step(problem, &growth.graph, &[]) {
             Expansion::Vertex(vertex) => (EventKind::VertexExpanded, vertex, Status::Running),
             Expansion::Goal => {
+                growth.counters.reopened += search.reopened();
                 let path = self.path.insert(search.path());
                 (EventKind::SolutionFound, path.last().copied().unwrap_or(GOAL), Status::Solved)
             }
             Expansion::Nothing => {
+                self.is_exhaustive = search.is_exhaustive();
+                growth.counters.reopened += search.reopened();
                 self.search = None;
                 if self.builder.grow(&mut self.roadmap, problem.space().dimension()) {
                     return Status::Running;
@@ -322,6 +331,10 @@ impl<S: Space, B: Build<S>> Planner<S> for RoadmapPlanner<S, B> {
         self.path.clone().unwrap_or_default()
     }
 
+    fn reason(&self) -> Reason {
+        if self.is_exhaustive { Reason::NotConnected } else { Reason::SearchFailed }
+    }
+
     fn coverage(&self) -> Option<f64> {
         self.builder.coverage()
     }
@@ -342,6 +355,8 @@ pub struct QueryResult<S> {
     pub path: Vec<S>,
     /// How many vertices the search expanded.
     pub visited: u64,
+    /// Whether the roadmap has no path if none was found; a faulty search may miss one.
+    pub is_exhaustive: bool,
 }
 
 // Lines of pseudo-code that roadmap planners share.

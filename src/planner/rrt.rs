@@ -35,6 +35,8 @@ crate::options! {
         else "it adapts to the scene: a fifth of the largest distance in the space at first, half as long where that is refused";
     /// How far the tree grows towards a sample: one step, half the distance, or until just before an obstacle.
     extend: Extend = Extend::Step, "Growth";
+    /// Whether samples in collision are rejected, as in some course reports, at the price of a check each.
+    free_samples: bool = false, "Free samples only";
     /// When the tree grows towards the goal.
     reaching: GoalBias;
     /// Growth past the goal.
@@ -104,7 +106,7 @@ impl PlannerKind for RrtOptions {
             strides: Strides::new(self.step, space.extent())?,
             extend: self.extend,
             overgrowth: self.overgrowth,
-            aim: Aim::new(self.reaching, &self.sampling, space, seed),
+            aim: Aim::new(self.reaching, &self.sampling, space, seed).with_free(self.free_samples),
             growth,
             tree,
             nearest,
@@ -125,7 +127,7 @@ struct Rrt<S: Space> {
     nearest: Index,
     /// The vertex of the tree nearest to a goal, and its distance.
     closest: (VertexId, f64),
-    /// The goal that was reached.
+    /// The goal that was reached, or a vertex in the goal region.
     arrived: Option<VertexId>,
 }
 
@@ -208,6 +210,12 @@ impl<S: Space> Rrt<S> {
         if left < self.closest.1 {
             self.closest = (vertex, left);
         }
+        if self.arrived.is_none() && problem.ends_in_region && problem.is_goal(&reached) {
+            self.growth.add_event(EventKind::SolutionFound, iteration, Some(vertex), Some(near), reached);
+            self.closest = (vertex, 0.0);
+            self.arrived = Some(vertex);
+            return;
+        }
         if left <= self.strides.longest() && self.arrived.is_none() {
             let target = self.growth.state(goal);
             if self.growth.is_motion_free(problem, &reached, &target) {
@@ -221,7 +229,9 @@ impl<S: Space> Rrt<S> {
 impl<S: Space> Planner<S> for Rrt<S> {
     fn iterate(&mut self, problem: &Problem<S>, iteration: u32) -> Status {
         self.grow(problem, iteration);
-        let vertices = Nearest::<S>::len(&self.nearest) + usize::from(self.arrived.is_some());
+        // A goal is no vertex of the index.
+        let is_goal = |vertex: VertexId| goals(problem).any(|(goal, _)| goal == vertex);
+        let vertices = Nearest::<S>::len(&self.nearest) + usize::from(self.arrived.is_some_and(is_goal));
         self.overgrowth.status(self.arrived.is_some(), vertices)
     }
 

@@ -75,6 +75,8 @@ pub struct Problem<S: Space> {
     pub end_effector: Option<Estimate<S::State>>,
     /// The states that are as good as the goal; `None` if only the goals themselves are.
     pub goal_region: Option<GoalRegion<S::State>>,
+    /// Whether RRT, too, ends in the goal region; other planners without controls reach the goal itself.
+    pub ends_in_region: bool,
     /// The dynamics; `None` if the system is not moved by controls.
     pub dynamics: Option<Box<dyn Dynamics<S::State>>>,
     /// Whether planners record events, for viewers; the rest of a run is the same without. `true` at first.
@@ -108,6 +110,7 @@ impl<S: Space> Problem<S> {
             goals,
             end_effector: None,
             goal_region: None,
+            ends_in_region: false,
             dynamics: None,
             records_events: true,
             #[cfg(feature = "parallel")]

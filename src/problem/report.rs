@@ -48,6 +48,8 @@ pub enum Reason {
     NotConnected,
     /// No vertex of the tree may be extended any more.
     NothingToExtend,
+    /// The search of the roadmap, one that is faulty, has ended without a path. There may be one.
+    SearchFailed,
 }
 
 impl Reason {
@@ -59,8 +61,9 @@ impl Reason {
         self.into()
     }
 
-    /// The reason in words, with the number that it depends on: the limit; for [`Reason::NotConnected`] the vertices; for
-    /// [`Reason::NothingToExtend`] none. With a path, the reason why the run has ended before it had done all that was asked.
+    /// The reason in words, with the number that it depends on: the limit; for [`Reason::NotConnected`] and
+    /// [`Reason::SearchFailed`] the vertices; for [`Reason::NothingToExtend`] none. With a path, the reason why the run has ended
+    /// before it had done all that was asked.
     pub fn sentence(self, number: u64, has_path: bool) -> String {
         let n = grouped(number);
         match (self, has_path) {
@@ -78,6 +81,9 @@ impl Reason {
             }
             (Self::NotConnected, _) => format!("start and goal are not connected in this roadmap of {n} vertices"),
             (Self::NothingToExtend, _) => "gave up: no vertex of the tree may be extended again".to_owned(),
+            (Self::SearchFailed, _) => {
+                format!("the search ended without a path; it is faulty, and this roadmap of {n} vertices may have one")
+            }
         }
     }
 }
@@ -151,6 +157,12 @@ pub struct Stats {
     pub nearest_queries: u64,
     /// Vertices that the search of the graph expanded.
     pub visited: u64,
+    /// Those that it expanded again, since it had found a cheaper way to them: with a consistent heuristic none but by rounding.
+    #[serde(default)] // Absent in results written before they were counted.
+    pub reopened: u64,
+    /// Samples that were the goal, or one of the goals.
+    #[serde(default)] // Absent in results written before they were counted.
+    pub goal_samples: u64,
     /// Evaluations of the clearance of a part.
     pub clearance_evaluations: u64,
     /// Motions refused because their proof had spent its budget of evaluations.

@@ -183,11 +183,12 @@ impl CustomProblem {
 /// assert!(run.length() > 3.0);
 /// # Ok::<(), planarium::Error>(())
 /// ```
-pub fn start_problem(problem: &CustomProblem, options: &Options) -> Result<Box<dyn Run>, Error> {
+pub fn start_problem(problem: &CustomProblem, options: impl Into<Options>) -> Result<Box<dyn Run>, Error> {
+    let options = options.into();
     let planner = options.planner_for(None);
     check_seed(options.seed)?;
     planner.check()?;
-    launch_problem(problem, options, None)
+    launch_problem(problem, &options, None)
 }
 
 /// Begins a run of a planner, from nothing or with a saved roadmap of the same space.

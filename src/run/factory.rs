@@ -231,10 +231,12 @@ impl<'a> Setup<'a> {
         let mut problem = Problem::new(space.clone(), checked(validity), start, goals[0]).map_err(in_query)?;
         problem.add_goals(&goals[1..]);
         problem.end_effector = Some(self.estimate(&space));
-        problem.goal_region = query
-            .goal_tolerance
-            .zip(robot.placed_shape())
-            .map(|(region, (_, weights))| goal_region(product, goals[0], weights, region));
+        problem.goal_region = query.goal_tolerance.map(|region| match (robot, robot.placed_shape()) {
+            (_, Some((_, weights))) => placed_region(product, goals[0], weights, region),
+            (Robot::Arm(arm), _) => joint_region(product, goals[0], arm, region),
+            _ => placed_region(product, goals[0], Weights { translation: 1.0, rotation: 1.0 }, region),
+        });
+        problem.ends_in_region = robot.placed_shape().is_none();
         problem.dynamics = dynamics;
         problem.records_events = self.events;
         #[cfg(feature = "parallel")]
@@ -363,18 +365,38 @@ impl<'a> Setup<'a> {
     }
 }
 
-/// The placements within the tolerance of the goal.
-fn goal_region<const N: usize>(
+/// The placements, or the centres of a disc, within the tolerance of the goal.
+fn placed_region<const N: usize>(
     space: ProductSpace<N>,
     goal: [f64; N],
     weights: Weights,
     GoalTolerance { translation, rotation }: GoalTolerance,
 ) -> GoalRegion<[f64; N]> {
     let reach = weights.translation * translation + weights.rotation * rotation;
+    let turns = space.dimension() > 2;
     let contains = move |q: &[f64; N]| {
         let gap = space.difference(q, &goal);
-        (gap[0] * gap[0] + gap[1] * gap[1]).sqrt() <= translation && gap[2].abs() <= rotation
+        let is_near = (gap[0] * gap[0] + gap[1] * gap[1]).sqrt() <= translation;
+        is_near && (!turns || gap[2].abs() <= rotation)
     };
+    GoalRegion { contains: Box::new(contains), reach }
+}
+
+/// The configurations of an arm of which each joint is within its tolerance of the goal.
+fn joint_region<const N: usize>(
+    space: ProductSpace<N>,
+    goal: [f64; N],
+    arm: &Arm,
+    GoalTolerance { translation, rotation }: GoalTolerance,
+) -> GoalRegion<[f64; N]> {
+    let mut most = [0.0; N];
+    for (most, joint) in most.iter_mut().zip(arm.joint_types()) {
+        *most = if joint.is_prismatic() { translation } else { rotation };
+    }
+    // No farther in either metric than the sum of all.
+    let reach = most.iter().sum();
+    let contains =
+        move |q: &[f64; N]| space.difference(q, &goal).iter().zip(&most).all(|(gap, most)| gap.abs() <= *most);
     GoalRegion { contains: Box::new(contains), reach }
 }
 

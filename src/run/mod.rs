@@ -68,16 +68,17 @@ pub(crate) use suitable::{LEARNED, check_use};
 
 pub use crate::options::Value;
 pub use crate::planner::{
-    AorrtcOptions, BitStarOptions, EdgeOptions, FmtStarOptions, Improving, InformedRrtStarOptions, LazyPrmOptions,
-    LazyPrmStarOptions, Limits, Phase, PlannerInfo, PlannerOptions, Preset, PrmOptions, PrmStarOptions, Reason,
-    RrtConnectOptions, RrtControlOptions, RrtOptions, RrtStarOptions, SstOptions, Status, VisibilityPrmOptions,
-    planners,
+    AorrtcOptions, BitStarOptions, EdgeOptions, FmtStarOptions, GoalBias, Improving, InformedRrtStarOptions,
+    LazyPrmOptions, LazyPrmStarOptions, Limits, Phase, PlannerInfo, PlannerOptions, Preset, PrmOptions, PrmStarOptions,
+    Reason, RrtConnectOptions, RrtControlOptions, RrtOptions, RrtStarOptions, Sampling, Searching, SstOptions, Status,
+    Termination, VisibilityPrmOptions, planners,
 };
 
 pub use crate::graph::{Event, EventKind, VertexId};
 
 use crate::error::Error;
 use crate::path::ResultDocument;
+pub use crate::path::Wanted;
 use crate::problem::{MaybeSend, Stats, Stepped};
 use crate::run::storage::RoadmapDocument;
 use crate::world::PlanningWorld;
@@ -101,7 +102,29 @@ mod sealed {
 /// copied into a table of numbers ([`Run::vertex_rows`] and its siblings).
 ///
 /// Natively a `Box<dyn Run>` is `Send`, and not `Sync`: threads share a [`PlanningWorld`], and each starts or steps runs. A
-/// function of runs takes a `&dyn Run`.
+/// function of runs takes a `&dyn Run`. To cancel a run, stop stepping it: its result then says `running`.
+///
+/// # Example
+/// A run in another thread, with progress; it ends early if nobody listens:
+///
+/// ```
+/// use planarium::run::{self, PrmOptions, Status};
+/// use std::sync::mpsc;
+///
+/// let scenario = planarium::worlds::generate("discs", &serde_json::json!({ "seed": 3 }))?;
+/// let mut run = run::start(&scenario, PrmOptions { samples: Some(400), ..PrmOptions::default() })?;
+/// let (send, receive) = mpsc::channel();
+/// let worker = std::thread::spawn(move || {
+///     while run.step(100) == Status::Running && send.send(run.vertex_count()).is_ok() {}
+///     run
+/// });
+/// for vertices in receive {
+///     println!("{vertices} vertices");
+/// }
+/// let run = worker.join().expect("the thread does not panic");
+/// assert_eq!(run.status(), Status::Solved);
+/// # Ok::<(), planarium::Error>(())
+/// ```
 pub trait Run: MaybeSend + sealed::Sealed {
     /// Makes at most `iterations` iterations, and nothing once the status is no longer `Running`. A run without a path ends by
     /// itself, by default after 5,000,000 units of work ([`Limits`]), about a microsecond each in a release build; so
@@ -201,14 +224,15 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn goals(&self) -> Vec<Vec<f64>>;
 
     /// The path from start to goal, with its corners, split so that no step turns a circle joint by more than 3 radians; empty
-    /// until solved.
+    /// until solved, also while it is being improved.
     fn path(&self) -> Vec<Vec<f64>>;
 
     /// The path as the planner found it, before any improvement, split likewise; empty until it is found. Available while
     /// the path is being improved, and after.
     fn raw_path(&self) -> Vec<Vec<f64>>;
 
-    /// The length of the path as [`ResultDocument::length`] states it; 0 until solved.
+    /// The length of the path as [`ResultDocument::length`] states it; 0 until solved. While a planner goes on to shorter paths,
+    /// the length of its best is the last column of [`Run::history_since`], and the path [`Run::raw_path`].
     fn length(&self) -> f64;
 
     /// The first refused points of motions, in the run's own space and by its own test, proven or sampled: `ends` are rows of two

@@ -32,12 +32,12 @@ use crate::world::PlanningWorld;
 /// parameters of a growth that is over; and those of [`start`](super::start).
 pub fn resume(
     scenario: impl Into<PlanningWorld>,
-    options: &Options,
+    options: impl Into<Options>,
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
     let world = scenario.into();
     check_scenario(world.scenario(), document)?;
-    launch(&world, continued(options, document)?, Some(document))
+    launch(&world, continued(&options.into(), document)?, Some(document))
 }
 
 /// Refuses a roadmap of another world or robot.
@@ -84,11 +84,11 @@ pub(super) fn check_scenario(scenario: &Scenario, document: &RoadmapDocument) ->
 /// of the function.
 pub fn resume_problem(
     problem: &CustomProblem,
-    options: &Options,
+    options: impl Into<Options>,
     document: &RoadmapDocument,
 ) -> Result<Box<dyn Run>, Error> {
     check_problem(problem, document)?;
-    launch_problem(problem, &continued(options, document)?, Some(document))
+    launch_problem(problem, &continued(&options.into(), document)?, Some(document))
 }
 
 /// Refuses a roadmap of another space, or whose edges were checked in another way.

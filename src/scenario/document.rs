@@ -161,7 +161,7 @@ objects! {
         /// has limits; coordinates in metres.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         pub start: Vec<AngleOrCoordinate>,
-        /// The configuration to reach: exactly, except for a body or a car with a tolerance.
+        /// The configuration to reach: exactly, unless there is a tolerance.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub goal: Option<Vec<AngleOrCoordinate>>,
@@ -169,7 +169,7 @@ objects! {
         #[cfg_attr(feature = "schema", schemars(with = "Option<Target>"))]
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Target"))]
         pub target: Option<Value>,
-        /// The goal region; for bodies and cars only. Planners that grow by controls require it.
+        /// The goal region. Planners that grow by controls require it.
         #[cfg_attr(feature = "schema", schemars(with = "Option<GoalTolerance>"))]
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "GoalTolerance"))]
         pub goal_tolerance: Option<Value>,
@@ -184,12 +184,15 @@ objects! {
         pub orientation: Option<AngleOrCoordinate>,
     }
 
-    /// A goal region: both bounds must hold.
+    /// A goal region: both bounds must hold. Bodies and cars need both; a disc has no rotation, an arm no translation unless a
+    /// link slides.
     pub(crate) struct GoalTolerance {
-        /// The largest distance, in metres.
-        pub translation: NonNegative,
-        /// The largest turn, in radians.
-        pub rotation: NonNegative,
+        /// The largest distance, in metres; of an arm the farthest that each prismatic joint may be from its goal.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number"))]
+        pub translation: Option<NonNegative>,
+        /// The largest turn, in radians; of an arm the most that each revolute joint may be from its goal.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number"))]
+        pub rotation: Option<NonNegative>,
     }
 }
 

@@ -247,7 +247,7 @@ pub struct Query {
     /// The goal or the target.
     #[serde(flatten)]
     pub goal: Goal,
-    /// The goal region of bodies and cars; the goal must be reached exactly if it is absent.
+    /// The goal region; the goal must be reached exactly if it is absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub goal_tolerance: Option<GoalTolerance>,
 }
@@ -285,11 +285,11 @@ impl Query {
     }
 }
 
-/// A goal region about a configuration (x, y, theta): both bounds must hold.
+/// A goal region: both bounds must hold. Of a disc the rotation is 0, of an arm without prismatic joints the translation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GoalTolerance {
-    /// The largest distance, in metres.
+    /// The largest distance, in metres; of an arm the farthest that each prismatic joint may be from its goal.
     pub translation: f64,
-    /// The largest turn, in the shorter direction, in radians.
+    /// The largest turn, in the shorter direction, in radians; of an arm the most that each revolute joint may be from its goal.
     pub rotation: f64,
 }

@@ -1,7 +1,7 @@
 //! From a document to a checked scenario: the rules that types cannot express. The first one violated is the error.
 
 use super::document::{self, Document};
-use super::number::AngleOrCoordinate;
+use super::number::{AngleOrCoordinate, NonNegative};
 use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Parts, Query, Robot, Scenario, World};
 use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment};
@@ -32,8 +32,8 @@ impl Scenario {
     /// A scenario of values: the same rules hold as for documents, and the same normal form is made of them.
     ///
     /// # Errors
-    /// Those of [`Scenario::parse`], except about the text and its fields, with the pointer that the value has in the document;
-    /// `not-finite`.
+    /// Those of [`Scenario::parse`], with the pointer that the value has in the document, such as `missing-field` for a world
+    /// without bounds; `not-finite`. None is about the text.
     ///
     /// # Complexity
     /// As for a document of the size of the scenario.
@@ -69,7 +69,7 @@ impl Scenario {
         let tree = json::to_tree(&Parts { name, title: None, world, robot, queries });
         // Optional fields are left out, so that nothing but a number which JSON does not have is null.
         match json::first_null(&tree) {
-            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite")),
+            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
             None => Self::read(&tree),
         }
     }
@@ -262,13 +262,11 @@ pub(crate) fn note_name(names: &mut Names, name: &str, what: &str, pointer: &str
 
 fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> {
     let unknown = |field: &str, sentence: String| Err(Error::new(Code::UnknownField, format!("/{field}"), sentence));
-    if query.goal_tolerance.is_some() && robot.placed_shape().is_none() {
-        let robot = if matches!(robot, Robot::Arm(_)) { "an arm" } else { "a disc" };
-        let sentence = format!("goal_tolerance is for rigid bodies and cars; {robot} reaches its goal exactly");
-        return unknown("goal_tolerance", sentence);
-    }
     if query.target.is_some() && !matches!(robot, Robot::Arm(_)) {
         return unknown("target", "a target is for the end effector of an arm; other robots have a goal".to_owned());
+    }
+    if query.goal_tolerance.is_some() && query.target.is_some() {
+        return unknown("goal_tolerance", "a target is reached exactly; a goal may have a tolerance".to_owned());
     }
     check_name(&query.name, "/name")?;
     let start = checked_configuration(&query.start, "/start", robot)?;
@@ -283,12 +281,38 @@ fn checked_query(query: document::Query, robot: &Robot) -> Result<Query, Error> 
             return Err(Error::new(Code::MissingField, "/goal", "the field \"goal\" or \"target\" is missing"));
         }
     };
-    let region = |value| {
-        let document::GoalTolerance { translation, rotation } = read_under(&value, "/goal_tolerance")?;
-        Ok(GoalTolerance { translation: translation.0, rotation: rotation.0 })
-    };
-    let goal_tolerance = query.goal_tolerance.map(region).transpose()?;
+    let goal_tolerance = query.goal_tolerance.map(|value| checked_region(&value, robot)).transpose()?;
     Ok(Query { name: query.name, start, goal, goal_tolerance })
+}
+
+/// A goal region with the bounds that the robot has.
+fn checked_region(value: &Value, robot: &Robot) -> Result<GoalTolerance, Error> {
+    let document::GoalTolerance { translation, rotation } = read_under(value, "/goal_tolerance")?;
+    let [slides, turns] = match robot {
+        Robot::RigidBody(_) | Robot::Car(_) => [true; 2],
+        Robot::Disc(_) => [true, false],
+        Robot::Arm(arm) => {
+            [true, false].map(|is_slide| arm.joint_types().iter().any(|joint| joint.is_prismatic() == is_slide))
+        }
+    };
+    let bound = |name: &str, given: Option<NonNegative>, is_there: bool| {
+        let pointer = format!("/goal_tolerance/{name}");
+        match (given.map(|bound| bound.0), is_there) {
+            (Some(bound), true) => Ok(bound),
+            (None, true) => {
+                Err(Error::new(Code::MissingField, pointer, format!("the field {} is missing", quoted(name))))
+            }
+            (None | Some(0.0), false) => Ok(0.0),
+            (Some(_), false) => {
+                let sentence = format!("this robot has no coordinate for a {name} other than 0");
+                Err(Error::new(Code::OutOfRange, pointer, sentence))
+            }
+        }
+    };
+    Ok(GoalTolerance {
+        translation: bound("translation", translation, slides)?,
+        rotation: bound("rotation", rotation, turns)?,
+    })
 }
 
 fn read_under<T: DeserializeOwned>(value: &Value, pointer: &str) -> Result<T, Error> {

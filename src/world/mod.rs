@@ -182,6 +182,12 @@ impl<T> fmt::Debug for Derived<T> {
     }
 }
 
+impl From<Scenario> for PlanningWorld {
+    fn from(scenario: Scenario) -> Self {
+        Self::new(scenario)
+    }
+}
+
 impl From<&Scenario> for PlanningWorld {
     fn from(scenario: &Scenario) -> Self {
         Self::new(scenario.clone())

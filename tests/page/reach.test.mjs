@@ -230,7 +230,7 @@ test("the last link keeps its direction while the tip goes, where there are join
 test("its ellipse is the core's manipulability, and what the tip does when the joints turn a little", () => {
   for (const { id, q } of SCENES) {
     const scenario = scenarioOf(id);
-    const { major, minor, angle, manipulability } = ellipseOf(scenario.footprint(q), slidesOf(scenario.document().robot, q));
+    const { major, minor, angle, manipulability } = ellipseOf(scenario.footprint(q), slidesOf(/** @type {import("../../www/domain/coordinates.js").ArmRobot} */ (scenario.document().robot), q));
     const tip = scenario.endEffector(q);
     const { manipulability: wanted } = scenario.follow(q, tip);
     assert.ok(Math.abs(manipulability - wanted) < 1e-9 * (1 + wanted), `${id}: ${manipulability} ${wanted}`);

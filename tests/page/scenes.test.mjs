@@ -69,7 +69,7 @@ for (const entry of SCENES) {
       const [x, y] = scenario.endEffector(end);
       assert.ok(Math.hypot(x - target.point[0], y - target.point[1]) < 1e-8);
     } else if (!goal) assert.fail("a query has a goal or a target");
-    else if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= near.translation && Math.abs(turnBetween(end[2], goal[2])) <= near.rotation);
+    else if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= (near.translation ?? 0) && Math.abs(turnBetween(end[2], goal[2])) <= (near.rotation ?? 0));
     else assert.ok(scenario.distance(end, goal) < 1e-9);
     assert.equal(scenario.robot === "car" ? isDriven(scenario, result) : isFree(scenario, path), entry.id !== "veil");
   });

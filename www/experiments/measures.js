@@ -18,8 +18,9 @@ export function allMeasures(columns) { return [SOLVED, ...columns.filter((column
 const TITLES = {
   [SOLVED]: ["trials solved", "%"], [VALID]: ["valid paths", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
   waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["weighted length by chords", ""],
-  rejected_samples: ["samples in collision", ""], configuration_checks: ["configurations tested", ""],
+  rejected_samples: ["samples in collision", ""], goal_samples: ["samples at the goal", ""], configuration_checks: ["configurations tested", ""],
   motion_checks: ["motions tested", ""], unchecked_edges: ["edges never tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
+  reopened: ["vertices expanded again", ""],
   clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""], work: ["work", ""],
   build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
 };

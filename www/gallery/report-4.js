@@ -141,7 +141,7 @@ export const REPORT_4 = {
       see: "Each placement is connected to its three nearest before it. One roadmap serves many queries.", try: "Choose the query 3-2, or \u201cAsk this roadmap from here\u201d.", holds: "yes", chosen: `${BODY} N = 500 and k = 3.` },
     { id: "4-a-star", title: "A* at work", name: "Algorithm 5", kind: "algorithm", robot: "body",
       page: "planner", world: "rigid-1", state: { query: "1-2", iteration: 1326, lanes: [{ algorithm: "prm", settings: { samples: 500, k: 5, search: "a-star", seed: 1 } }] }, expect: "running",
-      see: "The search in its middle: visited vertices, and the frontier that waits.", try: "Step on, and watch which vertex is next.",
+      see: "The search in its middle: visited vertices, and the frontier that waits.", try: "Step on, and watch which vertex is next. Set \u201cSearch\u201d to \u201ca-star-stale\u201d for the report\u2019s own.",
       report: "A* lowers G of a node that is in the fringe already.", holds: "no", why: "Its place in the heap stays, and no parent is stored: the path may be longer, and cannot be read off.", chosen: `${BODY} 500 samples and k = 5.` },
     { id: "4-consistent", title: "A* and Dijkstra agree", name: "2.5.2", kind: "claim", robot: "body",
       page: "planner", world: "rigid-1", state: { query: "1-2", lanes: [

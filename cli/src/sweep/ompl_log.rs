@@ -19,7 +19,7 @@ const TIMEOUT: usize = 4;
 const EXACT: usize = 6;
 
 /// The properties of runs that are columns of rows: OMPL's name and type, and the column.
-const COLUMNS: [(&str, &str); 19] = [
+const COLUMNS: [(&str, &str); 21] = [
     ("world TEXT", "world"),
     ("world seed INTEGER", "world_seed"),
     ("query TEXT", "query"),
@@ -32,9 +32,11 @@ const COLUMNS: [(&str, &str); 19] = [
     ("chord length REAL", "chord_length"),
     ("configuration checks INTEGER", "configuration_checks"),
     ("rejected samples INTEGER", "rejected_samples"),
+    ("goal samples INTEGER", "goal_samples"),
     ("motion checks INTEGER", "motion_checks"),
     ("nearest queries INTEGER", "nearest_queries"),
     ("visited INTEGER", "visited"),
+    ("reopened INTEGER", "reopened"),
     ("clearance evaluations INTEGER", "clearance_evaluations"),
     ("unproven motions INTEGER", "unproven_motions"),
     ("work INTEGER", "work"),

@@ -16,6 +16,8 @@ pub struct BestFirst {
     cost: Vec<f64>,
     tree: Tree,
     frontier: BinaryHeap<Open>,
+    expanded: Vec<bool>,
+    reopened: u64,
 }
 
 /// An entry of the frontier: estimate, cost and vertex. The largest is expanded first: the smallest estimate, then the larger
@@ -30,7 +32,7 @@ impl BestFirst {
         tree.add_root(start);
         // Alone in the frontier, the start needs no estimate.
         let frontier = BinaryHeap::from([(Reverse(Ordered::ZERO), Ordered::ZERO, Reverse(start))]);
-        Self { goals, reached: None, cost, tree, frontier }
+        Self { goals, reached: None, cost, tree, frontier, expanded: vec![false; vertices], reopened: 0 }
     }
 }
 
@@ -49,6 +51,7 @@ impl Walker for BestFirst {
             self.reached = Some(vertex);
             return Expansion::Goal;
         }
+        self.reopened += u64::from(std::mem::replace(&mut self.expanded[vertex.index()], true));
         for &next in view.adjacency.neighbours(vertex) {
             let cost = reached_at + (view.cost)(vertex, next);
             if cost < self.cost[next.index()] {
@@ -63,5 +66,9 @@ impl Walker for BestFirst {
 
     fn path(&self) -> Vec<VertexId> {
         self.reached.map_or(Vec::new(), |goal| self.tree.from_root(goal))
+    }
+
+    fn reopened(&self) -> u64 {
+        self.reopened
     }
 }

@@ -5,13 +5,17 @@ mod best_first;
 mod bidirectional;
 mod breadth_first;
 mod lifelong;
+mod parents;
 mod requeued;
+mod stale;
 
 pub use best_first::BestFirst;
 pub use bidirectional::Bidirectional;
 pub use breadth_first::BreadthFirst;
 pub use lifelong::{Edge, EdgeState, Lifelong};
+pub use parents::Parents;
 pub use requeued::Requeued;
+pub use stale::Stale;
 
 use super::{Adjacency, VertexId};
 
@@ -44,6 +48,16 @@ pub trait Walker {
 
     /// The path from the start to the goal, both included, once a step has returned `Goal`.
     fn path(&self) -> Vec<VertexId>;
+
+    /// Whether there is no path if a step has returned `Nothing`; a faulty search may miss one.
+    fn is_exhaustive(&self) -> bool {
+        true
+    }
+
+    /// How many of the vertices expanded had been expanded before, at a greater cost.
+    fn reopened(&self) -> u64 {
+        0
+    }
 }
 
 /// The vertices that a search may end at: those from the first to before the last.

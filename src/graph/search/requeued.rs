@@ -62,12 +62,16 @@ impl Requeued {
         let starts = start..VertexId(start.0 + 1);
         Self { sides: [starts, goals].map(|roots| Side::new(vertices, roots)), turn: 0, path: Vec::new() }
     }
+
+    fn is_full(&self) -> bool {
+        self.sides.iter().map(|side| side.queue.len()).sum::<usize>() > MOST_ENTRIES
+    }
 }
 
 impl Walker for Requeued {
     fn step(&mut self, view: &View) -> Expansion {
+        let is_full = self.is_full();
         let (turn, [first, second]) = (self.turn, &mut self.sides);
-        let is_full = first.queue.len() + second.queue.len() > MOST_ENTRIES;
         let (ours, theirs) = if turn == 0 { (first, second) } else { (second, first) };
         if is_full || [&ours, &theirs].iter().any(|side| side.next == side.queue.len()) {
             return Expansion::Nothing;
@@ -96,5 +100,10 @@ impl Walker for Requeued {
 
     fn path(&self) -> Vec<VertexId> {
         self.path.clone()
+    }
+
+    /// It gives up where its queues have grown too long.
+    fn is_exhaustive(&self) -> bool {
+        !self.is_full()
     }
 }

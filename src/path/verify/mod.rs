@@ -314,7 +314,7 @@ fn check_ends(
         let verb = if what == "start" { "starts" } else { "ends" };
         let gaps = difference(&circles(robot), wanted, waypoint);
         if let (Some(GoalTolerance { translation, rotation }), "goal") = (region, what) {
-            let (apart, turned) = ((gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt(), gaps[2].abs());
+            let [apart, turned] = apart(robot, &gaps);
             if apart > translation + REACHED || turned > rotation + REACHED {
                 return Err(format!(
                     "the path ends at {waypoint:?}, {apart} m and {turned} rad from the goal {wanted:?}"
@@ -325,6 +325,18 @@ fn check_ends(
         }
     }
     Ok(())
+}
+
+/// How far a robot with these gaps between its coordinates is from the goal: in metres, and in radians.
+fn apart(robot: &Robot, gaps: &[f64]) -> [f64; 2] {
+    let largest = |gaps: &mut dyn Iterator<Item = f64>| gaps.map(f64::abs).fold(0.0, f64::max);
+    match robot {
+        Robot::Arm(arm) => [true, false].map(|is_slide| {
+            let joints = arm.joint_types().iter().zip(gaps).filter(|(joint, _)| joint.is_prismatic() == is_slide);
+            largest(&mut joints.map(|(_, gap)| *gap))
+        }),
+        _ => [(gaps[0] * gaps[0] + gaps[1] * gaps[1]).sqrt(), gaps.get(2).map_or(0.0, |turn| turn.abs())],
+    }
 }
 
 /// Returns an error if the end effector is not at the target at the last waypoint, by forward kinematics of its own.

@@ -180,7 +180,8 @@ impl<S: Space> Runner<S> {
     /// Accepts the planner's path as it is now.
     fn accept(&mut self) {
         let graph = self.planner.graph();
-        let path = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
+        let path: Vec<S::State> = self.planner.path().into_iter().map(|vertex| *graph.state(vertex)).collect();
+        assert!(!path.is_empty(), "a planner that has returned `Solved` has a path");
         let improvement = Improvement::new(path, self.info.wanted, self.info.seed);
         self.status = if improvement.is_done() { Status::Solved } else { Status::Running };
         self.improvement = Some(improvement);

@@ -59,10 +59,10 @@ impl<S: Space> Runner<S> {
         let Limits { max_iterations, .. } = self.info.limits;
         let termination = self.info.termination.unwrap_or_default();
         let number = match reason {
-            Reason::IterationLimit => u64::from(max_iterations.unwrap_or(u32::MAX)),
+            Reason::IterationLimit => u64::from(max_iterations.unwrap_or(self.iteration)),
             Reason::WorkLimit => self.info.limits.work(),
-            Reason::EvaluationLimit => termination.stop_evaluations.unwrap_or_default(),
-            Reason::VertexLimit => self.info.vertices.map_or(0, u64::from),
+            Reason::EvaluationLimit => termination.stop_evaluations.unwrap_or_else(|| self.evaluations()),
+            Reason::VertexLimit => self.info.vertices.map_or(self.vertex_count() as u64, u64::from),
             Reason::GraphFull => MAX_RECORDS as u64,
             _ => self.vertex_count() as u64,
         };

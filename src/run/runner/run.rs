@@ -256,9 +256,10 @@ impl<S: Space> Run for Runner<S> {
         if let Some(error) = self.failure() {
             return Err(error);
         }
-        let ended = match found.path.is_empty() {
-            true => (Status::Exhausted, Some(Reason::NotConnected)),
-            false => (Status::Solved, None),
+        let ended = match (found.path.is_empty(), found.is_exhaustive) {
+            (true, true) => (Status::Exhausted, Some(Reason::NotConnected)),
+            (true, false) => (Status::Exhausted, Some(Reason::SearchFailed)),
+            (false, _) => (Status::Solved, None),
         };
         let path = EmittedPath::through(&self.problem, &found.path);
         Ok(self.document(ASKED, ended, path))

@@ -260,6 +260,8 @@ export class RunLog {
   /** The components of a roadmap without a path, or else null. */
   get pieces() {
     if (this.isTree || this.isLazy || this.status !== "exhausted" || this.visited === 0) return null;
+    // A faulty search may miss a path within one component.
+    if (this.known?.result.reason === "search-failed") return null;
     return this.components ??= componentsOf(this);
   }
 

@@ -50,7 +50,7 @@ export const SCENES = [
   scene("shelf", "Into the shelf", "rrt-connect", 30, { step: 0.2, seed: 8 },
     "The three-link arm must withdraw from one compartment before entering the next."),
   scene("boom", "A boom that slides", "prm", 110, { samples: 220, k: 8, seed: 2 },
-    "One link slides out of the other: configuration space is a cylinder, and the boom must draw in to pass."),
+    "A link slides: the configuration space is a cylinder, and the boom draws in to pass."),
   scene("thicket", "Four links in a thicket", "rrt-connect", 22, { step: 0.5, seed: 1 },
     "The configuration space has four dimensions; the square shows two of them."),
   scene("tentacle", "Six links, two doors", "rrt-connect", 45, { step: 1, shortcut: 120, seed: 1 },

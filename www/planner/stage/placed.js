@@ -99,8 +99,9 @@ export class Placed {
     const tolerance = document.queries.find(({ name }) => name === query)?.goal_tolerance;
     if (!tolerance) return;
     const [x, y] = [view.x(goal[0]), view.y(goal[1])];
-    const radius = tolerance.translation * view.scaleX;
-    const turn = Math.min(tolerance.rotation, Math.PI);
+    const { translation = 0, rotation = 0 } = tolerance;
+    const radius = translation * view.scaleX;
+    const turn = Math.min(rotation, Math.PI);
     const arm = Math.max(radius, 1.25 * this.reach * view.scaleX);
     context.save();
     context.strokeStyle = context.fillStyle = colour;
@@ -180,7 +181,7 @@ export class Placed {
   isNear(pose, goal, { document, query, scenario }) {
     const { min, max } = scenario.extent();
     const near = { translation: 0.015 * Math.max(max[0] - min[0], max[1] - min[1]), rotation: 0.08 };
-    const { translation, rotation } = document.queries.find(({ name }) => name === query)?.goal_tolerance ?? near;
+    const { translation = 0, rotation = 0 } = document.queries.find(({ name }) => name === query)?.goal_tolerance ?? near;
     return Math.hypot(pose[0] - goal[0], pose[1] - goal[1]) <= Math.max(translation, near.translation)
       && Math.abs(wrap(pose[2] - goal[2])) <= Math.max(rotation, near.rotation);
   }

@@ -10,6 +10,7 @@ mod as_reported;
 mod blend;
 mod body_proof;
 mod budget;
+mod cargo;
 mod catalogue;
 mod certificate;
 mod control;

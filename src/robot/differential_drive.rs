@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 const FASTEST_TURN: f64 = 100.0;
 
 /// The time steps, in seconds: a shorter one would not come far in the greatest number of steps of a drive.
-const STEPS: RangeInclusive<f64> = 0.001..=1.0;
+pub(super) const STEPS: RangeInclusive<f64> = 0.001..=1.0;
 
 /// The shape of a robot on wheels, in its own frame; x is forward.
 #[derive(Debug, Clone, PartialEq, Serialize)]

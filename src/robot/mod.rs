@@ -5,6 +5,7 @@
 mod arm;
 mod body;
 mod car;
+mod cargo;
 mod differential_drive;
 mod disc;
 mod range;
@@ -14,6 +15,7 @@ pub(crate) use arm::link_name;
 pub use arm::{Arm, Joint, MAX_LINKS, Target};
 pub use body::{RigidBody, Weights};
 pub use car::Car;
+pub use cargo::{Cargo, CargoLimits, CargoState, GRAVITY};
 pub use differential_drive::{DifferentialDrive, Footprint, Round};
 pub use disc::DiscRobot;
 pub use range::LARGEST;

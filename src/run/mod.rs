@@ -12,7 +12,7 @@
 //! | the planner knows that it finds no path | `Exhausted` |
 //! | `max_iterations` are made or `max_work` is spent without a path, or the graph is full (`graph::MAX_RECORDS`) | `Exhausted` |
 //! | the planner improves its path itself, or grows past the goal | `Running`, if it improves in the phase `Improving` |
-//! | then the conditions of [`Termination`](crate::planner::Termination) hold, or it has as many `vertices` as were asked for | as if it had just found the path |
+//! | then the conditions of [`Termination`] hold, or it has as many `vertices` as were asked for | as if it had just found the path |
 //! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path, or the graph is full | the same, with a reason |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
 //! | the collision checker of a robot of your own has failed | `Failed` |

@@ -34,7 +34,7 @@ impl Parents {
             parents[child.index()] = Some(parent);
         }
         let has_parent = |goal: &VertexId| parents[goal.index()].is_some();
-        let from = (goals.start.0..goals.end.0).map(VertexId).filter(has_parent).last().unwrap_or(goals.start);
+        let from = (goals.start.0..goals.end.0).map(VertexId).rfind(has_parent).unwrap_or(goals.start);
         Self { start, parents, walked: vec![from], is_there: false }
     }
 }

@@ -73,7 +73,7 @@ pub fn roadmap(bytes: &[u8]) {
         // That of another world is refused; so it is made one of this.
         for fingerprint in [document.fingerprint, run::storage::fingerprint(world.scenario())] {
             let document = RoadmapDocument { fingerprint, ..document.clone() };
-            let Ok(mut run) = run::resume(world, &Options::default(), &document) else { continue };
+            let Ok(mut run) = run::resume(world, Options::default(), &document) else { continue };
             run.step(ITERATIONS);
             assert_valid(world.scenario(), &*run);
             assert!(run.roadmap().is_some(), "world {i}");
@@ -95,11 +95,11 @@ fn own_roadmap(document: &RoadmapDocument) {
     });
     for free in [clearance, samples] {
         let Ok(problem) = CustomProblem::new(space.clone(), free, q, &[q.to_vec()]) else { return };
-        let _ = run::resume_problem(&problem, &Options::default(), document).map(|mut run| run.step(ITERATIONS));
+        let _ = run::resume_problem(&problem, Options::default(), document).map(|mut run| run.step(ITERATIONS));
         let options = Options::new(PrmOptions { samples: Some(0), ..PrmOptions::default() });
         let own = run::start_problem(&problem, &options).expect("it is free").roadmap().expect("a roadmap");
         let document = RoadmapDocument { fingerprint: own.fingerprint, ..document.clone() };
-        let Ok(mut run) = run::resume_problem(&problem, &Options::default(), &document) else { continue };
+        let Ok(mut run) = run::resume_problem(&problem, Options::default(), &document) else { continue };
         run.step(ITERATIONS);
         let again = run.roadmap().expect("a roadmap");
         assert_eq!(RoadmapDocument::from_bytes(&again.to_bytes()).as_ref(), Ok(&again));

@@ -183,7 +183,7 @@ fn joints_on_straight_lines_miss_collisions_and_refuse_free_motions() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn interpolation_by_the_sign_of_the_difference_misses_goals_across_the_cut() {
-    let inspector = planarium::run::inspect::Inspector::new(&arm_of(2, false, 0.0));
+    let inspector = planarium::run::inspect::Inspector::new(arm_of(2, false, 0.0));
     let is_near = |q: &[f64], other: &[f64]| q.iter().zip(other).all(|(a, b)| angular_distance(*a, *b) < 1e-12);
     for t in [0.0, 0.25, 0.5, 1.0] {
         let [a, b] = [[-1.0, 0.5], [1.5, -1.0]];
@@ -200,7 +200,7 @@ fn interpolation_by_the_sign_of_the_difference_misses_goals_across_the_cut() {
 /// The pointer of the first edge that is not free.
 fn first_blocked(document: &RoadmapDocument) -> String {
     let rows: Vec<&[f64]> = document.rows().collect();
-    let inspector = planarium::run::inspect::Inspector::new(&arm_and_wall(0.1));
+    let inspector = planarium::run::inspect::Inspector::new(arm_and_wall(0.1));
     let is_hit =
         |&[a, b]: &[u32; 2]| inspector.first_hit(rows[a as usize], rows[b as usize]).expect("configurations").is_some();
     format!("/edges/{}", document.edges.iter().position(is_hit).expect("some edge crosses the wall"))

@@ -26,7 +26,7 @@ fn car(speed: &str, steering: &str) -> Scenario {
 }
 
 fn drive() -> Drive {
-    Drive::new(&road(), None).expect("a drive")
+    Drive::new(road(), None).expect("a drive")
 }
 
 /// Presses the keys of a text: faster, slower, left, right, keep.
@@ -69,7 +69,7 @@ fn keys_change_the_control_within_its_limits() {
         (None, "+", 0.25, 0.1),
     ] {
         if let Some([speeds, angles]) = limits {
-            drive = Drive::new(&car(speeds, angles), None).expect("a drive");
+            drive = Drive::new(car(speeds, angles), None).expect("a drive");
         }
         press(&mut drive, keys);
         assert_eq!(drive.control(), Control { speed, steering }, "{keys}");
@@ -180,7 +180,7 @@ fn a_replay_stops_at_the_given_step() {
 fn a_rollout_is_the_arc_up_to_what_it_hits() {
     let hold = |speed, steering, duration| {
         let motion = Motion { control: Control { speed, steering }, duration };
-        rollout(&road(), &[0.5, 0.5, 0.0], motion, RolloutOptions::default())
+        rollout(road(), &[0.5, 0.5, 0.0], motion, RolloutOptions::default())
     };
     let free = hold(0.5, PI / 4.0, 1.234).expect("a rollout");
     assert_eq!((free.poses.len(), free.seconds, free.blocked), (125, 1.234, None));
@@ -204,7 +204,7 @@ fn a_rollout_is_the_arc_up_to_what_it_hits() {
     let motion = Motion { control: Control { speed: 0.1, steering: 0.0 }, duration: 1.0 };
     for integration in [Integration::Exact, Integration::Euler] {
         let options = RolloutOptions { integration, step: None };
-        let inside = rollout(&road(), &[1.5, 0.5, 0.0], motion, options).expect("a rollout that goes nowhere");
+        let inside = rollout(road(), &[1.5, 0.5, 0.0], motion, options).expect("a rollout that goes nowhere");
         assert_eq!((inside.poses.len(), inside.blocked), (1, Some(Some(Touched::Obstacle(1)))));
     }
 }
@@ -213,7 +213,7 @@ fn a_rollout_is_the_arc_up_to_what_it_hits() {
 fn euler_steps_drift_from_the_arc_in_proportion_to_their_length() {
     let hold = |speed, steering, duration, integration, step| {
         let motion = Motion { control: Control { speed, steering }, duration };
-        rollout(&road(), &[0.5, 0.5, 0.0], motion, RolloutOptions { integration, step })
+        rollout(road(), &[0.5, 0.5, 0.0], motion, RolloutOptions { integration, step })
     };
     let rolled = |step| {
         let of = |integration| hold(0.5, PI / 4.0, 1.234, integration, Some(step)).expect("a rollout");
@@ -251,15 +251,15 @@ fn bad_input_is_refused_with_code_and_pointer() {
         (&[0.0, 1e7, 0.0], "out-of-range", "/q/1"),
         (&[1.5, 0.5, 0.0], "start-in-collision", "/q"),
     ] {
-        refuses(Drive::new(&road(), Some(start)), code, pointer);
+        refuses(Drive::new(road(), Some(start)), code, pointer);
     }
-    refuses(Drive::new(&common::disc_and_wall(0.1, 0.1), None), "unsupported", "");
+    refuses(Drive::new(common::disc_and_wall(0.1, 0.1), None), "unsupported", "");
     refuses(drive().tick(MAX_STEPS + 1), "out-of-range", "/n");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_drive_ends_after_a_million_steps() {
-    let mut drive = Drive::new(&car("[-0.5, 0.5]", "[-1.5, 1.5]"), Some(&[0.8, 1.0, 0.0])).expect("a drive");
+    let mut drive = Drive::new(car("[-0.5, 0.5]", "[-1.5, 1.5]"), Some(&[0.8, 1.0, 0.0])).expect("a drive");
     press(&mut drive, "+llllll");
     // It drives in a small circle, without end.
     if cfg!(target_arch = "wasm32") {

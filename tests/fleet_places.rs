@@ -83,7 +83,7 @@ fn four_robots_pass_in_a_corridor_with_one_bay() {
         disc("d", 0.35, [9.4, 0.5], [1.6, 0.5])
     ]);
     let fleet = Fleet::read(&document([10.0, 3.0], &walls, &robots)).expect("a fleet");
-    let begin = || FleetPlanner::new(&fleet, &FleetOptions::default()).expect("a planner");
+    let begin = || FleetPlanner::new(&fleet, FleetOptions::default()).expect("a planner");
     let planner = sliced("two pairs", begin, FleetPlanner::result);
     assert_eq!(planner.status(), Status::Solved);
     assert_free(&planner, "two pairs");
@@ -203,7 +203,7 @@ fn is_proven_stuck(fleet: &Fleet, robot: usize) -> bool {
     let mut document = document;
     document["robots"] = json!([alone]);
     let disc = Fleet::read(&document).expect("the disc is inside of the robot");
-    let Ok(mut cells) = Subdivision::new(&disc.scenario(0), &Options::default()) else { return false };
+    let Ok(mut cells) = Subdivision::new(disc.scenario(0), &Options::default()) else { return false };
     cells.step(u64::MAX);
     cells.verdict() == Some(Verdict::Infeasible)
 }

@@ -37,7 +37,7 @@ fn planned(case: &Json) -> Json {
         parameters: parameters(&case["parameters"]),
         ..Request::default()
     };
-    let run = finish(start(&scenario(case), &options).expect("it starts"));
+    let run = finish(start(scenario(case), &options).expect("it starts"));
     assert_eq!(run.stats().unproven_motions, 0, "no ordinary motion spends its budget: {case}");
     let mut outcome = json!({
         "status": run.status().as_str(),

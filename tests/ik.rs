@@ -150,7 +150,7 @@ fn wrong_targets_and_angles_are_refused() {
     let endless = Stopping { tolerance: 0.0, ..Stopping::default() };
     let endless = IterativeOptions { stopping: endless, ..IterativeOptions::default() };
     let endless = SolverOptions { method: MethodOptions::Newton(endless), ..SolverOptions::to(at(1.0, 0.5)) };
-    refuses(Solver::new(&scenario(&limited, ""), &endless), "out-of-range", "/tolerance");
+    refuses(Solver::new(scenario(&limited, ""), &endless), "out-of-range", "/tolerance");
     let turned = Target { orientation: Some(0.0), ..at(0.5, 0.0) };
     refuses(nearest_reachable(&free(&[1.0]), turned), "unsupported", "/orientation");
     refuses(nearest_reachable(&limited, at(f64::NAN, 0.0)), "not-finite", "/target/0");

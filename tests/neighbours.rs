@@ -147,7 +147,7 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
         assert_eq!(some_free.take(100).collect::<Vec<_>>().concat(), free, "{name}: those of all that are free");
         assert_ne!(inspector.samples(100, 12, true).expect("samples"), free);
     }
-    let inspector = Inspector::new(&scene("firs"));
+    let inspector = Inspector::new(scene("firs"));
     assert_eq!(inspector.samples(0, 0, true), Ok(Vec::new()));
     refuses(inspector.samples(MAX_SAMPLES + 1, 0, false), "out-of-range", "/n");
     refuses(inspector.samples(1, 1 << 53, false), "out-of-range", "/seed");

@@ -315,5 +315,5 @@ fn what_has_no_optimum_is_refused() {
     let beside = room(ROOM, &[rectangle([4.0, 4.0], [6.0, 6.0])], 0.0, [[4.0_f64.next_down(), 5.0], [9.0, 9.0]]);
     refuses(optimum(&beside, None, MetricOptions::default()), "start-in-collision", "/queries/0/start");
     let many: Vec<_> = (0..4001).map(|i| disc([5.0 + 1e-4 * f64::from(i), 5.0], 1e-5)).collect();
-    refuses(optimum(&room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, MetricOptions::default()), "too-large", "");
+    refuses(optimum(room(ROOM, &many, 0.0, [[1.0; 2], [9.0; 2]]), None, MetricOptions::default()), "too-large", "");
 }

@@ -146,7 +146,7 @@ impl Case<'_> {
             },
             "generate-fleet" => fleet::generate_with(id, &given.parameters()).map(drop),
             "generate-navigation" => navigation::generate_with(id, &given.parameters()).map(drop),
-            "plan" => requests::start(&self.scenario(), &given.request()).map(drop),
+            "plan" => requests::start(self.scenario(), &given.request()).map(drop),
             "plan-problem" => requests::start_problem(&self.problem()?, &given.request()).map(drop),
             "resume" => {
                 let scenario = self.scenario();
@@ -182,7 +182,7 @@ impl Case<'_> {
                 let start = start.as_ref().map(numbers);
                 let method = MethodOptions::read(method.as_deref(), &given.parameters())?;
                 let options = SolverOptions { target, method, start, seed };
-                Solver::new(&self.scenario(), &options).map(drop)
+                Solver::new(self.scenario(), &options).map(drop)
             }
             "trajectories" => {
                 let seed = given.seed();
@@ -191,19 +191,19 @@ impl Case<'_> {
             "neighbours" => {
                 let index = given.text("index");
                 let options = IndexOptions::read(index.as_deref(), &given.parameters())?;
-                neighbours::index(&self.scenario(), &options).map(drop)
+                neighbours::index(self.scenario(), &options).map(drop)
             }
             "certify" => {
                 let mut options =
                     certificate::Options { query: given.text("query"), ..certificate::Options::default() };
                 options.clearance = given.0.get("clearance").map_or(options.clearance, number);
                 options.cells = given.0.get("cells").map_or(options.cells, |cells| number(cells) as usize);
-                Subdivision::new(&self.scenario(), &options).map(drop)
+                Subdivision::new(self.scenario(), &options).map(drop)
             }
             "optimum" => {
                 let query = given.text("query");
                 let options = MetricOptions::read(&given.parameters())?;
-                planarium::optimum::optimum(&self.scenario(), query.as_deref(), options).map(drop)
+                planarium::optimum::optimum(self.scenario(), query.as_deref(), options).map(drop)
             }
             other => panic!("no kind {other}"),
         }
@@ -232,7 +232,7 @@ fn every_case_has_its_code_its_pointer_and_its_sentence() {
 /// No object has a field twice, but a list of options may.
 #[wasm_bindgen_test(unsupported = test)]
 fn an_option_given_twice_is_refused() {
-    let run = requests::start(&arm_and_wall(0.1), &options("rrt-connect", 0, "step=1 step=2"));
+    let run = requests::start(arm_and_wall(0.1), &options("rrt-connect", 0, "step=1 step=2"));
     refuses(run.map(drop), "duplicate-field", "/step");
     refuses(TrajectoryOptions::read(&given("count=5 count=6")), "duplicate-field", "/count");
     let twice = given("seed=1 seed=2");

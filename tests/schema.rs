@@ -1,6 +1,6 @@
 //! The committed JSON Schema is the one that the types give, and it agrees with the parser.
 
-use crate::common::documents::{ARM, BODY, CAR, DISC, SLIDING, reaching};
+use crate::common::documents::{ARM, BODY, CAR, DISC, reaching};
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
 use serde_json::Value;
@@ -91,6 +91,14 @@ fn the_committed_schemas_are_those_of_the_types() {
     crate::common::golden::committed("schema/navigation.schema.json", &navigation);
     crate::common::golden::committed("schema/scenario.schema.json", &format!("{:#}\n", schema()));
 }
+
+/// A document with every field that a scenario with an arm whose joints are given one by one may have.
+const SLIDING: &str = r#"{
+  "format": "planarium-scenario-1", "name": "sliding", "title": "An arm that slides", "world": {"obstacles": []},
+  "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5, 0.5], "radius": 0.05, "joints": [
+    "revolute", {"type": "prismatic", "range": [0, 0.5], "angle": 0.1}, {"type": "revolute", "limits": [-1, 1]}]},
+  "queries": [{"name": "out", "start": [-1, 0, 0], "goal": [1, 0.5, 1]}]
+}"#;
 
 /// What the parser is tested on is all that the schema knows.
 #[test]

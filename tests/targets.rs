@@ -133,7 +133,7 @@ fn an_unreachable_target_is_refused_with_the_nearest_point() {
         (r#"{"point": [0, 0.1]}"#, "target-unreachable", ["0.2", ""]),
         (r#"{"point": [1.2, 0]}"#, "goal-in-collision", ["obstacle 0", ""]),
     ] {
-        let error = start(&reaching(&arm_and_wall(0.1), target), &options("prm", 1, "")).err().expect(target);
+        let error = start(reaching(&arm_and_wall(0.1), target), &options("prm", 1, "")).err().expect(target);
         assert_eq!((error.code().as_str(), error.pointer()), (code, "/queries/0/target"));
         assert!(words.iter().all(|word| error.message().contains(word)), "{error}");
     }
@@ -169,7 +169,7 @@ fn the_end_of_a_path_is_judged_by_the_size_of_the_arm() {
     // An arm of a third of a micrometre.
     let small = arm(0.0, 1e-7, r#"{"point": [0.0, 2e-7]}"#);
     assert!(!is_accepted_for(&small, r#"{"point": [0.0, 2.01e-7]}"#), "a nanometre is much for it");
-    let error = start(&arm(0.0, 1e-7, r#"{"point": [0.0, 3.005e-7]}"#), &options("rrt-connect", 1, ""));
+    let error = start(arm(0.0, 1e-7, r#"{"point": [0.0, 3.005e-7]}"#), &options("rrt-connect", 1, ""));
     assert_eq!(error.err().map(|error| error.code().as_str()), Some("target-unreachable"));
     // Far from the origin a millionth of a metre is rounding, a ten thousandth is not.
     let far = arm(1e6 - 8.0, 1.0, r#"{"point": [999994, 0.5]}"#);

@@ -293,7 +293,7 @@ fn a_run_with_a_path_ends_where_nothing_is_gained() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_default_limit_is_counted_from_the_last_sample() {
     let options = options("prm", 1, "samples=200000");
-    assert!(requests::start(&disc_and_wall(0.3, 0.5), &options).is_ok());
+    assert!(requests::start(disc_and_wall(0.3, 0.5), &options).is_ok());
 }
 
 /// Where no number of samples is given, the roadmap grows as long as work is left.

@@ -213,14 +213,14 @@ fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
         }
     }
     assert!(free > 200 && touching > 200, "{free} free, {touching} touching");
-    let empty = Inspector::new(&scenario("", "", &arm(&[1.0], 0.0), ""));
+    let empty = Inspector::new(scenario("", "", &arm(&[1.0], 0.0), ""));
     assert_eq!(empty.clearance(&[0.0]).expect("a configuration"), None);
     refuses(empty.clearance(&[f64::NAN]), "not-finite", "/q/0");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_corners_of_a_body_and_what_they_touch_are_shown() {
-    let inspector = Inspector::new(&parse(CAR));
+    let inspector = Inspector::new(parse(CAR));
     assert_eq!((inspector.dimension(), inspector.circles()), (3, vec![false, false, true]));
     let parts = inspector.footprint(&[1.0, 0.5, std::f64::consts::FRAC_PI_2]).unwrap();
     let [Part::Polygon { vertices }] = &parts[..] else { panic!("one polygon: {parts:?}") };
@@ -234,7 +234,7 @@ fn the_corners_of_a_body_and_what_they_touch_are_shown() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn wrong_configurations_are_refused_before_any_proof() {
-    let inspector = Inspector::new(&arm_of(2, true, 0.0));
+    let inspector = Inspector::new(arm_of(2, true, 0.0));
     let hit = |a: &[f64], b: &[f64], code, pointer| refuses(inspector.first_hit(a, b), code, pointer);
     hit(&[-1.7e308, 0.0], &[0.0, 0.0], "out-of-range", "/a/0");
     hit(&[0.0, 0.0], &[0.0, 50.0], "out-of-range", "/b/1");

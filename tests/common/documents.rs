@@ -19,14 +19,6 @@ pub const ARM: &str = r#"{
   "queries": [{"name": "first", "start": [-1, 0], "goal": [1, 2]}, {"name": "second", "start": [0, 0], "goal": [0, 1]}]
 }"#;
 
-/// A document with every field that a scenario with an arm whose joints are given one by one may have.
-pub const SLIDING: &str = r#"{
-  "format": "planarium-scenario-1", "name": "sliding", "title": "An arm that slides", "world": {"obstacles": []},
-  "robot": {"type": "arm", "base": [0, 0], "links": [1, 0.5, 0.5], "radius": 0.05, "joints": [
-    "revolute", {"type": "prismatic", "range": [0, 0.5], "angle": 0.1}, {"type": "revolute", "limits": [-1, 1]}]},
-  "queries": [{"name": "out", "start": [-1, 0, 0], "goal": [1, 0.5, 1]}]
-}"#;
-
 /// A document with every field that a scenario with a disc may have.
 pub const DISC: &str = r#"{
   "format": "planarium-scenario-1", "name": "disc", "title": "A disc",

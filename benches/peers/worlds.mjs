@@ -91,7 +91,7 @@ export function flat({ world, robot, queries: [query] }) {
  * @returns {(string | number)[][]}
  */
 function machine(robot) {
-  if (robot.type === "arm" && robot.joint_limits !== undefined) throw new Error("the peers know arms without joint limits, discs, bodies and cars");
+  if (robot.type === "arm" && (robot.joint_limits ?? robot.joints) !== undefined) throw new Error("the peers know arms whose joints turn without limits, discs, bodies and cars");
   if (robot.type === "disc") return [["radius", robot.radius]];
   if (robot.type === "arm") return [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links]];
   const shape = ["shape", ...counterClockwise(robot.shape.vertices).flat()];

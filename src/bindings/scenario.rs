@@ -297,7 +297,7 @@ impl Scenario {
 
     /// The point nearest to a target that the arm's tip can reach, exactly, within the limits; with an `orientation`, the nearest
     /// in that orientation.
-    /// @throws {PlanariumError} `unsupported` for any robot but an arm
+    /// @throws {PlanariumError} `unsupported` for any robot but an arm whose links all turn
     #[wasm_bindgen(js_name = nearestReachable)]
     pub fn nearest_reachable(&self, target: &JsPoint, orientation: Option<JsNumber>) -> Result<Ts<ik::Nearest>, Error> {
         let nearest = ik::nearest_reachable(arm_of(self.scenario())?, self::target(target, orientation)?)?;

@@ -15,7 +15,7 @@ mod value;
 pub use fields::{Change, Choice, Field, Given, Options, Single, Visitor};
 pub use value::{Value, out_of_range, refusal};
 
-/// The range of an option that is a number; of no meaning for others.
+/// The range of an option that is a number; other options ignore it.
 pub type Range = std::ops::RangeInclusive<f64>;
 
 /// Every number.

@@ -23,15 +23,15 @@ use crate::space::Space;
 #[cfg(feature = "parallel")]
 use std::num::NonZeroUsize;
 
-/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never
-/// leave their thread.
+/// [`Send`], except in WebAssembly, where functions of JavaScript never leave their thread: what moves to another thread with its
+/// run.
 #[cfg(not(target_arch = "wasm32"))]
 pub trait MaybeSend: Send {}
 #[cfg(not(target_arch = "wasm32"))]
 impl<T: Send + ?Sized> MaybeSend for T {}
 
-/// What moves to another thread with its run: [`Send`] natively. In WebAssembly everything, as functions of JavaScript never
-/// leave their thread.
+/// [`Send`], except in WebAssembly, where functions of JavaScript never leave their thread: what moves to another thread with its
+/// run.
 #[cfg(target_arch = "wasm32")]
 pub trait MaybeSend {}
 #[cfg(target_arch = "wasm32")]

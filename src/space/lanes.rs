@@ -17,11 +17,11 @@ pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = S
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// The lesser numbers. Neither is NaN, or both are: then the result is NaN.
+    /// The lesser numbers. Of two numbers in a lane neither may be NaN unless both are; the result is then NaN.
     #[must_use]
     fn lesser(self, other: Self) -> Self;
 
-    /// The greater numbers. Neither is NaN, or both are: then the result is NaN.
+    /// The greater numbers. Of two numbers in a lane neither may be NaN unless both are; the result is then NaN.
     #[must_use]
     fn greater(self, other: Self) -> Self;
 

@@ -11,6 +11,7 @@ import {
 } from "./browser.mjs";
 import { load, planned } from "./library.mjs";
 import { EVENT } from "../../www/planner/run-log/run-log.js";
+import { SIDE as CELLS, addVertex, emptyCells } from "../../www/planner/stage/regions.js";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -355,4 +356,47 @@ test("the shortest path is drawn on request, with the gap of the path found, and
   assert.ok(await gap() > 0);
   await chooseScene(page, "shelf");
   assert.deepEqual([await page.isVisible("#view-optimum"), await page.isVisible("#gap"), await page.isVisible("#legend-optimum")], [false, false, false]);
+}));
+
+test("Voronoi regions: each cell belongs to the vertex nearest to it, in the metric of the run, across the borders", () => {
+  for (const [id, algorithm, metric] of /** @type {const} */ ([["pillar", "rrt", "sum"], ["pillar", "rrt", "euclidean"], ["rings", "rrt", "euclidean"]])) {
+    const scenario = load(id);
+    const isDisc = scenario.robot === "disc";
+    const planner = scenario.planner({ algorithm, seed: 3, step: 0.3, direct: false, ...(isDisc ? {} : { metric }) });
+    planner.step(120);
+    const rows = planner.verticesSince(0);
+    const count = rows.length / 2;
+    const box = isDisc ? scenario.extent() : { min: [-Math.PI, -Math.PI], max: [Math.PI, Math.PI] };
+    const circles = scenario.circles();
+    const cells = emptyCells();
+    for (let vertex = 0; vertex < count; vertex++) addVertex(cells, rows.subarray(2 * vertex, 2 * vertex + 2), vertex, metric, box, circles);
+    const { nearest } = cells;
+    const gap = (/** @type {number} */ a, /** @type {number} */ b, /** @type {boolean} */ isCircle) => (isCircle ? Math.abs(a - b - 2 * Math.PI * Math.round((a - b) / (2 * Math.PI))) : Math.abs(a - b));
+    let far = 0;
+    for (let at = 0; at < CELLS * CELLS; at += 37) {
+      const place = [at % CELLS, Math.floor(at / CELLS)].map((cell, i) => box.min[i] + ((cell + 0.5) / CELLS) * (box.max[i] - box.min[i]));
+      const distance = (/** @type {number} */ vertex) => {
+        const [x, y] = [0, 1].map((i) => gap(place[i], rows[2 * vertex + i], circles[i]));
+        return metric === "sum" ? x + y : Math.hypot(x, y);
+      };
+      const least = Math.min(...Array.from({ length: count }, (_, vertex) => distance(vertex)));
+      assert.ok(distance(nearest[at]) <= least + 1e-9, `${id} ${metric}: cell ${at}`);
+      far += Number(!isDisc && [0, 1].some((i) => Math.abs(place[i] - rows[2 * nearest[at] + i]) > Math.PI));
+    }
+    assert.ok(isDisc || far > 0, "some vertex is nearest across a border");
+  }
+});
+
+test("Voronoi regions are drawn under a tree of two coordinates, kept in the link, and offered there alone", () => onPausedPage(async (page) => {
+  await chooseScene(page, "pillar");
+  await finish(page);
+  const painted = async (/** @type {string} */ pane) => (await alphaOf(page, pane, "top")).alpha.filter((dense) => dense > 40).length;
+  const before = await painted("cspace");
+  await see(page, "view-regions", true);
+  await atRest(page);
+  assert.ok(await painted("cspace") > before + 10_000, "the whole square");
+  await chooseScene(page, "rings");
+  await finish(page);
+  await chooseScene(page, "shelf");
+  assert.equal(await page.isVisible("#view-regions"), false);
 }));

@@ -35,6 +35,7 @@
  * @property {boolean} raw        the path before shortcutting
  * @property {boolean} slice      the obstacles in the plane of the two axes, with the other coordinates as they are now
  * @property {boolean} optimum    the shortest path, where it is known
+ * @property {boolean} regions    the Voronoi regions of a tree, where a pane shows all coordinates
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *

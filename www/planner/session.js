@@ -65,7 +65,7 @@ export class Session {
     /** The name of the current query. @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false, optimum: false };
+    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false, optimum: false, regions: false };
     this.optima = new Optima(app, () => this.markDirty());
     this.optima.viewers.push(() => this.view.optimum);
     /** The scene's sentence about its own planner. */

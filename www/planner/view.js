@@ -29,18 +29,19 @@ export function watchView(page) {
     return select;
   });
   const lengths = make("p", { className: "hint", id: "view-lengths" });
-  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"), optimum: toggle("optimum") };
+  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"), optimum: toggle("optimum"), regions: toggle("regions") };
   const plane = make("div", { id: "view-plane" }, row("Horizontal axis", selects[0]), row("Vertical axis", selects[1]),
     row("Obstacle slice", switches.slice, "Configurations of this plane that collide, with the other coordinates as they are now."));
   const raw = row("Path before shortcutting", switches.raw);
   raw.append(lengths);
   const shortest = row("Shortest path", switches.optimum);
+  const regions = row("Voronoi regions", switches.regions, "Of a tree: each place has the colour of the vertex that is nearest to it. A sample there extends that vertex.");
   const about = make("p", { className: "hint" });
   shortest.append(about);
   const number = inspector();
   byId("view", HTMLElement).append(
     row("Show rejected", switches.refused, "Colliding samples as crosses, blocked motions as dashed lines up to the collision."),
-    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, shortest, plane,
+    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, shortest, regions, plane,
     row("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
   );
 
@@ -53,13 +54,14 @@ export function watchView(page) {
     shortest.hidden = !hasOptimum({ robot, dimension });
     write(about, robot === "disc" ? "Dashed: no free path is shorter." : "Dashed: a reference, found on a fine grid. A run may find a shorter path.");
     plane.hidden = !many;
+    regions.hidden = dimension !== 2;
     for (const select of selects) select.replaceChildren(...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)));
   }
 
   /** @param {State} state */
   function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum"])) switches[option].checked = view[option];
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"])) switches[option].checked = view[option];
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
     write(lengths, found !== null && length !== null
@@ -79,7 +81,7 @@ export function watchView(page) {
     });
   }
 
-  /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum"} option */
+  /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum" | "regions"} option */
   function toggle(option) {
     /** @type {HTMLInputElement} */
     const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, onchange: () => page.setView({ [option]: input.checked }) });

@@ -54,7 +54,7 @@ const EDGE_CHECKS: [&str; 4] = ["sampled", "none", "joint-lines", "rollouts"];
 /// The most samples in between that may be taken for one path.
 const MOST_REFINEMENTS: u64 = 10_000_000;
 
-/// The verdict on a path. That there is one does not mean that the path is valid.
+/// The verdict on a path, which may be that it is not valid: see [`Verdict::is_valid`].
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "the path may be invalid"]
 pub enum Verdict {

@@ -28,7 +28,7 @@ const experimentRule = withDefaults({
   lanes: list(record({ algorithm: name, settings }), 1, 4),
   iteration: whole(Number.MAX_SAFE_INTEGER),
   view: record({
-    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, optimum: flag, projector: flag,
+    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, optimum: flag, regions: flag, projector: flag,
     lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
   }),
   // Of the scene.

@@ -27,7 +27,7 @@ const MADE = "make-";
 export function experimentOf({ entry, source, facts, state, current, panel, race, session }) {
   if (!source || !facts || !state) throw new Error("No scene is open.");
   const query = panel.query.value;
-  const { axes, refused, strobe, poses, raw, slice, optimum } = state.view;
+  const { axes, refused, strobe, poses, raw, slice, optimum, regions } = state.view;
   /** @type {Experiment} */
   const experiment = {
     version: 1,
@@ -38,7 +38,7 @@ export function experimentOf({ entry, source, facts, state, current, panel, race
     }),
     iteration: state.clock.now,
     view: {
-      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice, optimum,
+      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice, optimum, regions,
       projector: isProjected(), lens: current.length > 1 ? race?.picture : undefined,
     },
   };

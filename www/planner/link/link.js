@@ -69,8 +69,8 @@ export class Link {
     const [across, up] = view.axes ?? usual;
     const areThere = Math.max(across, up) < facts.dimension && across !== up;
     if (view.axes && !areThere) faults.push(`This robot has no coordinates ${across} and ${up}.`);
-    const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, optimum = false, projector = false, lens = "workspace" } = view;
-    page.setView({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice, optimum });
+    const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, optimum = false, regions = false, projector = false, lens = "workspace" } = view;
+    page.setView({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice, optimum, regions });
     this.projector.turn(projector);
     if (page.current.length > 1) page.race?.setPicture(lens);
     this.wanted = iteration;

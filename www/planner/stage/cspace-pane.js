@@ -14,7 +14,7 @@ import { folded, unrolled } from "../../draw/trace.js";
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
-/** @import { Coordinate } from "../../domain/types.js" */
+/** @import { Coordinate, Scenario } from "../../domain/types.js" */
 /** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles in the worker; null after an error */
 
 /** Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for so many device pixels. */
@@ -42,6 +42,9 @@ export class CSpace extends Pane {
     /** The world shown, and how many there have been. */
     this.world = { document: /** @type {object | null} */ (null), count: 0 };
   }
+
+  /** @param {Scenario} scenario @override */
+  isPlaneOf({ robot, dimension }) { return robot !== "disc" && dimension === 2; }
 
   /** @param {Lane} lane @override */
   fits({ scenario }) { return scenario.robot !== "disc" && scenario.dimension >= 2; }

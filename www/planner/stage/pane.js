@@ -9,6 +9,7 @@ import { hatch } from "../../draw/hatch.js";
 import { LAYERS, Layer } from "../../draw/layer.js";
 import { disc, ring } from "../../draw/marks.js";
 import { strokeLine, tracePen } from "../../draw/pen.js";
+import { Regions } from "./regions.js";
 import { VertexIndex } from "./vertex-index.js";
 import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
 import { Strobe } from "./strobe.js";
@@ -18,7 +19,7 @@ import { Strobe } from "./strobe.js";
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
 /** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Look } from "../../domain/types.js" */
+/** @import { Look, Scenario } from "../../domain/types.js" */
 /** @import { View } from "planarium/draw" */
 /** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
 
@@ -27,6 +28,8 @@ export class Pane {
   constructor(canvases) {
     this.layers = /** @type {Record<LayerName, Layer>} */ (Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])])));
     this.growth = new Growth(this);
+    /** The Voronoi regions of a tree, once they are asked for. @type {Regions | null} */
+    this.regions = null;
     this.glow = new Glow();
     /** @type {Lane | null} */
     this.lane = null;
@@ -149,6 +152,7 @@ export class Pane {
     this.layers.top.clear();
     context.save();
     this.clip(context);
+    if (lane.shown.view.regions) this.drawRegions(context, lane);
     lane.shown.certifying?.draw(this, context, lane);
     this.drawWaiting(context, lane, palette);
     this.glow.draw(context, palette, now);
@@ -166,6 +170,22 @@ export class Pane {
     this.drawRobot(context, lane);
     lane.shown.driven?.drawOver(this, context, lane);
     lane.shown.overlay?.draw(this, context, lane);
+  }
+
+  /** Whether each point of the pane is one configuration. @param {Scenario} scenario */
+  isPlaneOf({ robot }) { return robot === "disc"; }
+
+  /** The Voronoi regions of a tree, where each point of the pane is one configuration. @param {CanvasRenderingContext2D} context @param {Lane} lane */
+  drawRegions(context, lane) {
+    const { view } = this;
+    if (!view || !this.isPlaneOf(lane.scenario)) return;
+    const { min, max } = lane.scenario.robot === "disc" ? lane.scenario.extent() : view.box;
+    const image = (this.regions ??= new Regions()).image(lane, { min, max }, lane.scenario.circles());
+    if (!image) return;
+    context.save();
+    context.imageSmoothingEnabled = false;
+    context.drawImage(image, view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
+    context.restore();
   }
 
   /** In a roadmap without a path: the connected components of start and goal. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */

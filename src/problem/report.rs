@@ -157,7 +157,8 @@ pub struct Stats {
     pub nearest_queries: u64,
     /// Vertices that the search of the graph expanded.
     pub visited: u64,
-    /// Those that it expanded again, since it had found a cheaper way to them: with a consistent heuristic none but by rounding.
+    /// Those that it expanded again, since it had found a way to them that is cheaper by more than rounding; with a consistent
+    /// heuristic none.
     #[serde(default)] // Absent in results written before they were counted.
     pub reopened: u64,
     /// Samples that were the goal, or one of the goals.

@@ -28,7 +28,7 @@ export class Counters {
       waypoints: waypoints === null ? "" : grouped(waypoints),
       checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",
-      visited: visited === null ? "" : `${short(visited)}${stats?.reopened ? ` (${short(stats.reopened)} again)` : ""}`,
+      visited: visited === null ? "" : short(visited),
       build: stats ? duration(stats.build) : "",
       search: stats ? duration(stats.search) : "",
       rate: stats && stats.rate < Infinity ? short(stats.rate) : "",

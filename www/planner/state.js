@@ -75,7 +75,7 @@ const NO_RUN = {
   visited: null,
   /** Samples drawn that were in collision. */
   rejected: 0,
-  /** Known of the newest iteration only. @type {{ nearest: number, reopened: number, build: number, search: number, rate: number } | null} */
+  /** Known of the newest iteration only. @type {{ nearest: number, build: number, search: number, rate: number } | null} */
   stats: null,
   /** The iteration's marks on the pseudocode. @type {string[]} */
   marks: [],
@@ -103,7 +103,7 @@ function laneState(lane) {
     raw: playback?.raw ? run.rawLength : null,
     waypoints: status === "solved" ? run.result.path.length : null,
     visited: run.isTree ? null : run.visited, rejected: run.countOf(EVENT.rejected),
-    stats: stats && { nearest: stats.nearest_queries, reopened: stats.reopened, build: stats.build_seconds, search: stats.search_seconds, rate: run.made / (stats.build_seconds + stats.search_seconds) },
+    stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds, rate: run.made / (stats.build_seconds + stats.search_seconds) },
     marks: [...run.marks()],
   };
   if (!asked) return state;

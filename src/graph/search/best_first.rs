@@ -6,6 +6,9 @@ use crate::graph::{Ordered, Tree, VertexId};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// Costs that differ by no more than this, as a part of them, are the same but for rounding.
+const ROUNDED: f64 = 1e-12;
+
 /// A* from one vertex to the cheapest of the goals. A vertex is reopened if a cheaper path to it is found, so the path is the
 /// cheapest for every admissible heuristic, consistent or not. O((v + e) log e) for a consistent one.
 #[derive(Debug, Clone)]
@@ -16,7 +19,8 @@ pub struct BestFirst {
     cost: Vec<f64>,
     tree: Tree,
     frontier: BinaryHeap<Open>,
-    expanded: Vec<bool>,
+    /// The cost at which each vertex was expanded last; infinite if it was not.
+    expanded: Vec<f64>,
     reopened: u64,
 }
 
@@ -32,7 +36,7 @@ impl BestFirst {
         tree.add_root(start);
         // Alone in the frontier, the start needs no estimate.
         let frontier = BinaryHeap::from([(Reverse(Ordered::ZERO), Ordered::ZERO, Reverse(start))]);
-        Self { goals, reached: None, cost, tree, frontier, expanded: vec![false; vertices], reopened: 0 }
+        Self { goals, reached: None, cost, tree, frontier, expanded: vec![f64::INFINITY; vertices], reopened: 0 }
     }
 }
 
@@ -51,7 +55,9 @@ impl Walker for BestFirst {
             self.reached = Some(vertex);
             return Expansion::Goal;
         }
-        self.reopened += u64::from(std::mem::replace(&mut self.expanded[vertex.index()], true));
+        let before = std::mem::replace(&mut self.expanded[vertex.index()], reached_at);
+        // A path of the same length may be shorter by a rounding.
+        self.reopened += u64::from(before < f64::INFINITY && reached_at < before * (1.0 - ROUNDED));
         for &next in view.adjacency.neighbours(vertex) {
             let cost = reached_at + (view.cost)(vertex, next);
             if cost < self.cost[next.index()] {

@@ -54,7 +54,7 @@ pub trait Walker {
         true
     }
 
-    /// How many of the vertices expanded had been expanded before, at a greater cost.
+    /// How many of the vertices expanded had been expanded before, at a cost that was greater by more than rounding.
     fn reopened(&self) -> u64 {
         0
     }

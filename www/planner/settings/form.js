@@ -11,7 +11,7 @@ export const FIRST = new Set(["k", "k_rule", "samples", "failures", "batch_size"
 
 /** The groups of the others; parameters of no group come last. @type {[string, string[]][]} */
 const GROUPS = [
-  ["Samples", ["insertion", "discard", "spread", "goal_every"]],
+  ["Samples", ["insertion", "discard", "spread", "goal_every", "free_samples"]],
   ["Controls", ["controls", "duration_steps", "shortest_steps", "near_goal_steps", "blocked", "integration"]],
   ["Tree", ["vertices", "nearest", "once", "goal_test", "selection_radius", "pruning_radius"]],
   ["Last quarter", ["late_duration_steps", "late_goal_every"]],

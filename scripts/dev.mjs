@@ -25,15 +25,17 @@ await script(async () => {
   const { url, reload } = await serve({ root: out, port, reloads: true });
   console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). A change of www is shown at once; press Enter after a change of Rust.`);
 
-  let [isBuilding, isStale] = [false, false];
-  /** Makes the pages, after the package if that is wanted; again if something changed meanwhile. @param {boolean} isDue */
-  const make = async (isDue) => {
-    if (isBuilding) return void (isStale = true);
+  let isBuilding = false;
+  /** What is asked for while pages are made: pages again, after the package or not. @type {{ withPackage: boolean } | null} */
+  let wanted = null;
+  /** Makes the pages, after the package if that is wanted; again if something changed meanwhile. @param {boolean} withPackage */
+  const make = async (withPackage) => {
+    if (isBuilding) return void (wanted = { withPackage: withPackage || Boolean(wanted?.withPackage) });
     isBuilding = true;
-    isStale = false;
+    wanted = null;
     const begun = performance.now();
     try {
-      if (isDue) await buildPackage();
+      if (withPackage) await buildPackage();
       await assemblePage({ out, isDraft: true });
       reload();
       console.log(`made in ${((performance.now() - begun) / 1000).toFixed(2)} s`);
@@ -41,7 +43,9 @@ await script(async () => {
       console.error(error instanceof Problem || error instanceof Error ? error.message : error);
     }
     isBuilding = false;
-    if (isStale) await make(false);
+    // A function of its own may have set it while it waited, which the checker of types cannot see.
+    const next = /** @type {{ withPackage: boolean } | null} */ (wanted);
+    if (next) await make(next.withPackage);
   };
   /** @type {NodeJS.Timeout | undefined} */
   let timer;

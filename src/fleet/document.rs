@@ -258,11 +258,7 @@ impl Fleet {
         robots: impl IntoIterator<Item = FleetRobot>,
     ) -> Result<Self, Error> {
         let robots: Vec<FleetRobot> = robots.into_iter().collect();
-        let tree = json::to_tree(&Values { format: FORMAT, name: name.into(), world, robots });
-        match json::first_null(&tree) {
-            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
-            None => Self::read(&tree),
-        }
+        Self::read(&json::finite_tree(&Values { format: FORMAT, name: name.into(), world, robots })?)
     }
 
     /// The fleet of these robots, whose starts and goals are checked.

@@ -15,8 +15,8 @@ pub use tree::parse;
 pub(crate) use tree::{Unread, in_javascript, read_tree};
 pub(crate) use typed::by_type;
 pub use typed::{not_negative, read, some_not_negative};
+pub(crate) use write::finite_tree;
 pub use write::to_string;
-pub(crate) use write::{first_null, to_tree};
 
 /// The longest text that is read, in bytes.
 pub const MAX_TEXT: usize = 64 << 20;

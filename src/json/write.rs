@@ -1,6 +1,7 @@
 //! Values as JSON text in one normal form.
 
 use super::push_field;
+use crate::error::{Code, Error};
 use serde::Serialize;
 use serde_json::Value;
 use serde_json::ser::{Formatter, Serializer};
@@ -24,12 +25,27 @@ pub fn to_string<T: Serialize + ?Sized>(value: &T) -> String {
 ///
 /// # Panics
 /// As [`to_string`].
-pub(crate) fn to_tree<T: Serialize + ?Sized>(value: &T) -> Value {
+fn to_tree<T: Serialize + ?Sized>(value: &T) -> Value {
     serde_json::to_value(value).expect("the value has a form in JSON")
 }
 
+/// The value as a tree, if its numbers are finite. Its absent options must be left out, not written as null.
+///
+/// # Errors
+/// `not-finite` with the pointer of the first NaN or infinity.
+///
+/// # Panics
+/// As [`to_string`].
+pub(crate) fn finite_tree<T: Serialize + ?Sized>(value: &T) -> Result<Value, Error> {
+    let tree = to_tree(value);
+    match first_null(&tree) {
+        Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
+        None => Ok(tree),
+    }
+}
+
 /// The pointer of the first null in a tree.
-pub(crate) fn first_null(tree: &Value) -> Option<String> {
+fn first_null(tree: &Value) -> Option<String> {
     let below = |name: &str, part: &Value| {
         first_null(part).map(|rest| {
             let mut pointer = String::new();

@@ -66,12 +66,7 @@ impl Scenario {
         queries: impl IntoIterator<Item = Query>,
     ) -> Result<Self, Error> {
         let (name, robot, queries) = (name.into(), robot.into(), queries.into_iter().collect());
-        let tree = json::to_tree(&Parts { name, title: None, world, robot, queries });
-        // Optional fields are left out, so that nothing but a number which JSON does not have is null.
-        match json::first_null(&tree) {
-            Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
-            None => Self::read(&tree),
-        }
+        Self::read(&json::finite_tree(&Parts { name, title: None, world, robot, queries })?)
     }
 
     /// Reads a scenario from a tree of JSON values.

@@ -26,26 +26,27 @@ await script(async () => {
   console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). A change of www is shown at once; press Enter after a change of Rust.`);
 
   let isBuilding = false;
-  /** What is asked for while pages are made: pages again, after the package or not. @type {{ withPackage: boolean } | null} */
-  let wanted = null;
-  /** Makes the pages, after the package if that is wanted; again if something changed meanwhile. @param {boolean} withPackage */
+  const due = { pages: false, package: false };
+  /** Makes the pages, after the package if that is wanted; what is wanted meanwhile is made afterwards. @param {boolean} withPackage */
   const make = async (withPackage) => {
-    if (isBuilding) return void (wanted = { withPackage: withPackage || Boolean(wanted?.withPackage) });
+    due.pages = true;
+    due.package ||= withPackage;
+    if (isBuilding) return;
     isBuilding = true;
-    wanted = null;
-    const begun = performance.now();
-    try {
-      if (withPackage) await buildPackage();
-      await assemblePage({ out, isDraft: true });
-      reload();
-      console.log(`made in ${((performance.now() - begun) / 1000).toFixed(2)} s`);
-    } catch (error) {
-      console.error(error instanceof Problem || error instanceof Error ? error.message : error);
+    while (due.pages) {
+      const isPackageDue = due.package;
+      due.pages = due.package = false;
+      const begun = performance.now();
+      try {
+        if (isPackageDue) await buildPackage();
+        await assemblePage({ out, isDraft: true });
+        reload();
+        console.log(`made in ${((performance.now() - begun) / 1000).toFixed(2)} s`);
+      } catch (error) {
+        console.error(error instanceof Problem || error instanceof Error ? error.message : error);
+      }
     }
     isBuilding = false;
-    // A function of its own may have set it while it waited, which the checker of types cannot see.
-    const next = /** @type {{ withPackage: boolean } | null} */ (wanted);
-    if (next) await make(next.withPackage);
   };
   /** @type {NodeJS.Timeout | undefined} */
   let timer;

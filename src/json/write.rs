@@ -21,14 +21,6 @@ pub fn to_string<T: Serialize + ?Sized>(value: &T) -> String {
     String::from_utf8(text).expect("JSON is UTF-8")
 }
 
-/// The value as a tree; NaN and infinities are null.
-///
-/// # Panics
-/// As [`to_string`].
-fn to_tree<T: Serialize + ?Sized>(value: &T) -> Value {
-    serde_json::to_value(value).expect("the value has a form in JSON")
-}
-
 /// The value as a tree, if its numbers are finite. Its absent options must be left out, not written as null.
 ///
 /// # Errors
@@ -37,7 +29,8 @@ fn to_tree<T: Serialize + ?Sized>(value: &T) -> Value {
 /// # Panics
 /// As [`to_string`].
 pub(crate) fn finite_tree<T: Serialize + ?Sized>(value: &T) -> Result<Value, Error> {
-    let tree = to_tree(value);
+    let tree = serde_json::to_value(value).expect("the value has a form in JSON");
+    // NaN and infinities are null in it, and nothing else is.
     match first_null(&tree) {
         Some(pointer) => Err(Error::new(Code::NotFinite, pointer, "a number must be finite, not NaN or infinite")),
         None => Ok(tree),

@@ -116,7 +116,7 @@ pub fn navigation(bytes: &[u8]) {
     let Some(task) = read(text, Navigation::parse) else { return };
     assert_eq!(Navigation::parse(&task.to_json_string()).as_ref(), Ok(&task));
     let Some(query) = task.queries().first() else { return };
-    assert!(task.sense(query.start).iter().all(|distance| (0.0..=task.robot().sensor.range).contains(distance)));
+    assert!(task.sense(query.start).iter().all(|distance| (0.0..=task.robot().sensor().range).contains(distance)));
     let path = [[query.start[0], query.start[1]], query.goal];
     let drive = Executor::new(&task, None).and_then(|executor| executor.drive(query.start, &path, 0, 0));
     assert!(drive.expect("its ends are checked").trace.iter().flatten().all(|x| x.is_finite()));

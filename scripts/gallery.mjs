@@ -9,7 +9,10 @@ const www = join(root, "www");
 export const documents = {
   world: (name) => JSON.parse(readFileSync(join(www, "gallery", "worlds", `${name}.json`), "utf8")),
   scene: (name) => readFileSync(join(www, "scenes", `${name}.json`), "utf8"),
-  policy: () => JSON.parse(readFileSync(join(www, "prm-rl", "policy.json"), "utf8")),
+  policies: () => ({
+    differential_drive: JSON.parse(readFileSync(join(www, "prm-rl", "policy.json"), "utf8")),
+    cargo: JSON.parse(readFileSync(join(www, "prm-rl", "policy-cargo.json"), "utf8")),
+  }),
   experiment: (name) => {
     const folder = join(www, "experiments", "documents");
     const document = JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8"));

@@ -15,6 +15,7 @@ mod catalogue;
 mod certificate;
 mod control;
 mod custom;
+mod delivery;
 mod direct;
 mod directed;
 mod driving;

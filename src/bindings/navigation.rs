@@ -20,7 +20,7 @@ use std::cell::RefCell;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-/// A navigation task: a floor, a differential drive with a range sensor and noise, and queries. `Navigation.parse` and
+/// A navigation task: a floor, a robot with a range sensor and noise, and queries. `Navigation.parse` and
 /// `Navigation.generate` make it.
 #[wasm_bindgen]
 pub struct Navigation(navigation::Navigation);
@@ -28,7 +28,7 @@ pub struct Navigation(navigation::Navigation);
 /// A robot that has driven.
 #[derive(Serialize, Tsify)]
 pub struct Execution {
-    /// How it ended: `collision` if the next arc was not proven free.
+    /// How it ended: `collision` if the next arc was not proven free, `swing` if the load would have swung too far.
     #[tsify(type = "DriveOutcome")]
     outcome: Outcome,
     /// The length of the trace, in metres.
@@ -37,6 +37,8 @@ pub struct Execution {
     time: f64,
     /// The configurations after each time step, from the start on: x, y, theta, one after the other.
     trace: Vec<f64>,
+    /// The displacement of the load at each of them: x, y, one after the other; empty for a robot without a load.
+    swing: Vec<f64>,
 }
 
 impl Execution {
@@ -47,6 +49,7 @@ impl Execution {
             length: drive.length(),
             time,
             trace: drive.trace.iter().flatten().copied().collect(),
+            swing: drive.swing.iter().flatten().copied().collect(),
         }
     }
 }
@@ -97,7 +100,7 @@ impl Navigation {
         let mut fields = fields(options)?;
         let seed = fields.take("seed")?.unwrap_or(0);
         let training = navigation::Training::new(&self.0, &Options::read(&fields.parameters())?, seed)?;
-        let time_step = self.0.robot().drive.time_step();
+        let time_step = self.0.robot().time_step();
         Ok(Training(RefCell::new(Timed::new(training)), time_step))
     }
 
@@ -163,7 +166,7 @@ impl Navigation {
         fields.finish("policy, query, seed, trial")?;
         let (_, query) = self.0.find_query(query.as_deref())?;
         let drive = Executor::new(&self.0, policy.as_ref())?.drive(query.start, &positions(path)?, seed, trial)?;
-        Ok(record(&Execution::new(&drive, self.0.robot().drive.time_step())))
+        Ok(record(&Execution::new(&drive, self.0.robot().time_step())))
     }
 
     /// Begins to compare three ways to drive long ways on this floor: the policy alone, straight edges, and PRM-RL.
@@ -188,7 +191,7 @@ impl Navigation {
         Ok(self.0.sense([pose[0], pose[1], pose[2]]))
     }
 
-    /// The part of the robot at a pose (x, y, theta), to draw.
+    /// The part of the robot at a pose (x, y, theta), to draw; of a carrier of cargo without its load.
     /// @throws {PlanariumError} `wrong-dimension`, `not-finite`, `wrong-type`
     pub fn footprint(&self, pose: &Rows) -> Result<Ts<Part>, Error> {
         let pose = row(pose, 3, "pose")?;

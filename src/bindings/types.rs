@@ -155,7 +155,7 @@ export type Configuration = readonly number[] | Float64Array;
 export type RoadmapFormat = "json" | "binary" | "graphml";
 
 /** How a drive ends: at its goal, before an arc that is not proven free, or when the time is over. */
-export type DriveOutcome = "reached" | "collision" | "timeout";
+export type DriveOutcome = "reached" | "collision" | "swing" | "timeout";
 
 /** A way to drive far: the policy alone, straight edges tracked by a simple controller, or PRM-RL. */
 export type NavigationMethod = "policy" | "straight" | "straight-margin" | "straight-policy" | "straight-margin-policy" | "prm-rl";

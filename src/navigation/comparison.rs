@@ -115,6 +115,8 @@ pub struct MethodSummary {
     pub reached: Share,
     /// Those that ended in a collision.
     pub collisions: Share,
+    /// Those in which the load swung too far; of a robot without a load none.
+    pub swings: Share,
     /// The queries for which the roadmap has a path; all of them for the policy alone.
     pub planned: Share,
     /// The lengths of executions that reached the goal, in metres.
@@ -191,7 +193,7 @@ impl Comparison {
         Ok(Self {
             options: *options,
             seed,
-            time_step: task.robot().drive.time_step(),
+            time_step: task.robot().time_step(),
             queries,
             roadmaps: [straight, with_margin, learned],
             executors: [Executor::new(&task, None)?, Executor::new(&task, Some(policy))?],
@@ -259,6 +261,7 @@ impl Comparison {
                 method,
                 reached: is(Some(Outcome::Reached)),
                 collisions: is(Some(Outcome::Collision)),
+                swings: is(Some(Outcome::Swing)),
                 planned: share(&firsts.map(|execution| f64::from(execution.outcome.is_some())).collect::<Vec<_>>()),
                 length: reached(|execution| execution.length),
                 time: reached(|execution| execution.time),

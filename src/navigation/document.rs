@@ -1,30 +1,26 @@
-//! A navigation task: a floor, a differential drive with a range sensor and noise, and queries. The types that its document is
-//! read into, and the rules that they cannot express.
+//! A navigation task: a floor, a robot with a range sensor and noise, and queries. The types that its document is read into, and
+//! the rules that they cannot express.
 
 use super::FORMAT;
 use super::floor::Floor;
-use super::sensor::{Fan, Sensor};
+use super::navigator::{Navigator, RobotDocument};
+use super::sensor::Fan;
 use crate::collision::CollisionWorld;
 use crate::error::{Code, Error, within};
-use crate::geometry::{Aabb, Point};
-use crate::json::{self, by_type, objects, one_format};
-use crate::robot::{DifferentialDrive, Footprint, Part, Round};
-use crate::scenario::document::{self, World as WorldDocument};
-use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive, Speed};
-use crate::scenario::validate::{Names, check_name, checked_polygon, checked_world, note_name};
-use crate::scenario::{Goal, MAX_VERTICES, Parts, Query, Robot, Scenario, World, find_query};
+use crate::geometry::Aabb;
+use crate::json::{self, objects, one_format};
+use crate::robot::Part;
+use crate::scenario::document::World as WorldDocument;
+use crate::scenario::number::{AngleOrCoordinate, Coordinate, Positive};
+use crate::scenario::validate::{Names, check_name, checked_world, note_name};
+use crate::scenario::{Goal, Parts, Query, Robot, Scenario, World, find_query};
 use crate::world::Derived;
-#[cfg(feature = "schema")]
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::Value;
 use std::sync::Arc;
 
 /// The default distance from a goal at which it is reached, in metres.
 pub(super) const GOAL_TOLERANCE: f64 = 0.3;
-
-/// The default time step, in seconds.
-pub(super) const TIME_STEP: f64 = 0.2;
 
 objects! {
     /// A navigation task: a floor, a robot that senses distances, and queries. Lengths in metres, angles in radians,
@@ -45,7 +41,12 @@ objects! {
         #[cfg_attr(target_arch = "wasm32", tsify(type = "World"))]
         world: WorldDocument,
         /// The robot.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "{ type: \"differential_drive\" } & DifferentialDriveDocument"))]
+        #[cfg_attr(
+            target_arch = "wasm32",
+            tsify(
+                type = "({ type: \"differential_drive\" } & DifferentialDriveDocument) | ({ type: \"cargo\" } & CargoDocument)"
+            )
+        )]
         robot: RobotDocument,
         /// A goal is reached at this distance from it; 0.3 by default.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -55,36 +56,6 @@ objects! {
         queries: Vec<QueryDocument>,
     }
 
-    /// A differential drive with a range sensor. A configuration is [x, y, theta]; a control is a speed and a turn rate, both
-    /// constant during a time step.
-    #[cfg_attr(target_arch = "wasm32", tsify(rename = "DifferentialDriveDocument"))]
-    pub(super) struct DriveDocument {
-        /// The shape about the middle of the axle; x is forward.
-        #[cfg_attr(target_arch = "wasm32", tsify(type = "FootprintDocument"))]
-        shape: Shape,
-        /// The least and the greatest speed in metres per second, the first less than the second.
-        speed: [Speed; 2],
-        /// The least and the greatest turn rate in radians per second, the first less than the second.
-        turn_rate: [Coordinate; 2],
-        /// How long a control is constant, in seconds, 0.001 to 1; 0.2 by default.
-        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-        time_step: Option<Positive>,
-        /// The range sensor.
-        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-        sensor: Option<Sensor>,
-        /// The noise of sensing and of driving.
-        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-        noise: Option<Noise>,
-    }
-
-    /// A disc about the middle of the axle.
-    #[cfg_attr(feature = "schema", schemars(rename = "RoundFootprint"))]
-    #[cfg_attr(target_arch = "wasm32", tsify(rename = "RoundFootprintDocument"))]
-    pub(super) struct Circle {
-        /// The radius in metres.
-        radius: Positive,
-    }
-
     /// One query.
     #[cfg_attr(feature = "schema", schemars(rename = "NavigationQuery"))]
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "NavigationQueryDocument"))]
@@ -92,7 +63,7 @@ objects! {
         /// The name, distinct within the task.
         #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
         name: String,
-        /// The configuration to start from: x, y, theta.
+        /// The configuration to start from: x, y, theta. A carrier of cargo starts at rest, and turns its sensor to the goal.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number, number]"))]
         start: [AngleOrCoordinate; 3],
         /// The position to reach, with any heading.
@@ -102,79 +73,6 @@ objects! {
 }
 
 one_format!(enum Format = "planarium-navigation-1");
-
-/// The robot: a differential drive.
-#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
-pub(super) enum RobotDocument {
-    /// A differential drive.
-    DifferentialDrive(DriveDocument),
-}
-
-by_type!(RobotDocument { "differential_drive" => DifferentialDrive });
-
-/// The shape of the robot in its own frame.
-#[cfg_attr(
-    feature = "schema",
-    derive(JsonSchema),
-    schemars(tag = "type", rename_all = "snake_case", rename = "Footprint")
-)]
-pub(super) enum Shape {
-    /// A disc.
-    Disc(Circle),
-    /// A simple polygon, convex or concave, in either direction, open or closed.
-    Polygon(document::Polygon),
-}
-
-by_type!(Shape { "disc" => Disc, "polygon" => Polygon });
-
-/// Standard deviations of normally distributed noise, drawn anew in every time step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(deny_unknown_fields)]
-pub struct Noise {
-    /// Of each measured distance, in metres.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
-    pub range: f64,
-    /// Of each coordinate of the robot's estimate of its position, in metres.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
-    pub position: f64,
-    /// Of the robot's estimate of its heading, in radians.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
-    pub heading: f64,
-    /// Of the speed that is driven, in metres per second.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
-    pub speed: f64,
-    /// Of the turn rate that is driven, in radians per second.
-    #[cfg_attr(feature = "schema", schemars(range(min = 0, max = 1000)))]
-    pub turn_rate: f64,
-}
-
-impl Default for Noise {
-    fn default() -> Self {
-        Self { range: 0.05, position: 0.08, heading: 0.05, speed: 0.08, turn_rate: 0.15 }
-    }
-}
-
-impl Noise {
-    /// No noise at all.
-    pub fn none() -> Self {
-        Self { range: 0.0, position: 0.0, heading: 0.0, speed: 0.0, turn_rate: 0.0 }
-    }
-}
-
-/// A robot that navigates: a drive, what it senses, and noise.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "type", rename = "differential_drive")]
-pub struct Navigator {
-    /// The drive.
-    #[serde(flatten)]
-    pub drive: DifferentialDrive,
-    /// The range sensor.
-    pub sensor: Sensor,
-    /// The noise.
-    pub noise: Noise,
-}
 
 /// A checked navigation task. Clones share all of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -200,7 +98,7 @@ struct Content {
 pub struct NavigationQuery {
     /// The name, distinct within the task.
     pub name: String,
-    /// The configuration to start from: x, y, theta.
+    /// The configuration to start from: x, y, theta. A carrier of cargo starts at rest, and turns its sensor to the goal.
     pub start: [f64; 3],
     /// The position to reach, with any heading.
     pub goal: [f64; 2],
@@ -232,8 +130,7 @@ impl Navigation {
             json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
-        let RobotDocument::DifferentialDrive(robot) = robot;
-        let robot = checked_robot(robot).map_err(|error| error.under("/robot"))?;
+        let robot = robot.checked().map_err(|error| error.under("/robot"))?;
         let tolerance = goal_tolerance.map_or(GOAL_TOLERANCE, |tolerance| tolerance.0);
         let mut names = Names::new();
         let mut checked = Vec::with_capacity(queries.len());
@@ -295,7 +192,7 @@ impl Navigation {
 
     /// The floor, prepared for the robot.
     pub(super) fn floor(&self) -> Floor {
-        Floor::new(self.bounds(), self.collision(), &self.robot().drive)
+        Floor::new(self.bounds(), self.collision(), self.robot())
     }
 
     /// The name, used in results.
@@ -355,7 +252,7 @@ impl Navigation {
             goal_tolerance: None,
         };
         within("/margin", "a margin", margin, 0.0..=1e6)?;
-        let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().drive.shape().reach() + margin)?);
+        let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().reach() + margin)?);
         let queries = self.queries().iter().map(query).collect();
         Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())
     }
@@ -363,45 +260,19 @@ impl Navigation {
     /// The distance that each ray of the sensor measures at a configuration, from right to left, in metres and without noise.
     /// O(obstacles).
     pub fn sense(&self, q: [f64; 3]) -> Vec<f64> {
-        let sensor = &self.robot().sensor;
+        let sensor = self.robot().sensor();
         let mut distances = vec![0.0; sensor.rays];
         self.floor().sense(q, sensor, &Fan::new(sensor), &mut distances);
         distances
     }
 
-    /// The part of the robot at a configuration.
+    /// The part of the robot at a configuration; of a carrier of cargo without its load.
     pub fn footprint(&self, q: [f64; 3]) -> Part {
-        self.robot().drive.footprint(q)
+        self.robot().footprint(q)
     }
 
     /// The normalised document as text, on one line: it reads back as an equal task.
     pub fn to_json_string(&self) -> String {
         json::to_string(self)
     }
-}
-
-/// A checked robot; pointers are into the robot.
-pub(super) fn checked_robot(robot: DriveDocument) -> Result<Navigator, Error> {
-    let shape = match robot.shape {
-        Shape::Disc(Circle { radius }) => Footprint::Disc(Round { radius: radius.0 }),
-        Shape::Polygon(polygon) => {
-            let mut vertices_left = MAX_VERTICES;
-            let polygon = checked_polygon(&polygon, &mut vertices_left).map_err(|error| error.under("/shape"))?;
-            if !polygon.contains(Point::origin()) {
-                let sentence = "the middle of the axle, the origin, must lie within the shape";
-                return Err(Error::new(Code::OutOfRange, "/shape/vertices", sentence));
-            }
-            Footprint::Polygon(polygon)
-        }
-    };
-    let time_step = robot.time_step.map_or(TIME_STEP, |step| step.0);
-    let drive = DifferentialDrive::new(shape, robot.speed.map(|x| x.0), robot.turn_rate.map(|x| x.0), time_step)?;
-    let (sensor, noise) = (robot.sensor.unwrap_or_default(), robot.noise.unwrap_or_default());
-    sensor.check("/sensor")?;
-    let Noise { range, position, heading, speed, turn_rate } = noise;
-    let deviations = [range, position, heading, speed, turn_rate];
-    for (name, value) in ["range", "position", "heading", "speed", "turn_rate"].into_iter().zip(deviations) {
-        within(format!("/noise/{name}"), "a standard deviation", value, 0.0..=1e3)?;
-    }
-    Ok(Navigator { drive, sensor, noise })
 }

@@ -2,7 +2,7 @@
 
 use super::document::Navigation;
 use super::policy::Policy;
-use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
+use super::rollout::{Controller, Drive, Outcome, Simulation, State, generator};
 use crate::error::{Code, Error};
 use crate::random::{Stream, check_seed};
 
@@ -40,19 +40,22 @@ impl Executor {
             return Err(self.simulation.floor.start_in_collision(from));
         }
         let mut random = generator(seed, Stream::Rollouts, &[trial]);
-        let mut trace = vec![from];
-        let mut pose = from;
+        let robot = self.simulation.task().robot();
+        let mut state = State::at_rest(from);
+        let mut states = vec![state];
+        let mut outcome = Outcome::Reached;
         for &[x, y] in &path[1..] {
-            let distance = ((x - pose[0]) * (x - pose[0]) + (y - pose[1]) * (y - pose[1])).sqrt();
-            let patience = self.simulation.patience(distance);
-            let visit = |pose| trace.push(pose);
-            let progress = self.simulation.drive(&self.controller, pose, [x, y], patience, &mut random, visit);
-            if progress.outcome != Outcome::Reached {
-                return Ok(Drive { outcome: progress.outcome, trace });
+            let (dx, dy) = (x - state.pose[0], y - state.pose[1]);
+            let patience = self.simulation.patience((dx * dx + dy * dy).sqrt());
+            let visit = |state| states.push(state);
+            let progress = self.simulation.drive(&self.controller, state, [x, y], patience, &mut random, visit);
+            outcome = progress.outcome;
+            if outcome != Outcome::Reached {
+                break;
             }
-            pose = progress.pose;
+            state = progress.state;
         }
-        Ok(Drive { outcome: Outcome::Reached, trace })
+        Ok(Drive::new(robot, outcome, &states))
     }
 }
 

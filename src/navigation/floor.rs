@@ -1,11 +1,13 @@
 //! The floor of a task, prepared for driving: which arcs are free, and what rays meet.
 
+use super::navigator::Navigator;
+use super::rollout::Outcome;
 use super::sensor::{Fan, Sensor};
 use crate::collision::{BodyCollision, BodyMotion, CollisionWorld, Obstacles, largest_coordinate};
 use crate::error::{Code, Error};
-use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment};
+use crate::geometry::{Aabb, Disc, Point, Segment, Vector, distance_point_segment, distance_segment_segment};
 use crate::problem::naming_nearest;
-use crate::robot::{DifferentialDrive, Footprint, Round, plane};
+use crate::robot::{Cargo, CargoState, Footprint, Round, plane};
 use crate::scenario::Obstacle;
 use crate::space::{ProductSpace, Space};
 use std::cell::RefCell;
@@ -73,6 +75,13 @@ impl Near {
         edges.chain(discs).fold(f64::INFINITY, f64::min)
     }
 
+    /// The distance from a segment, of which a point is outside all obstacles, to the nearest one; 0 or less if it meets one.
+    fn distance_from(&self, s: &Segment) -> f64 {
+        let edges = self.edges.iter().map(|edge| distance_segment_segment(s, edge));
+        let discs = self.discs.iter().map(|disc| distance_point_segment(disc.center, s) - disc.radius);
+        edges.chain(discs).fold(f64::INFINITY, f64::min)
+    }
+
     /// The distance along a ray, of unit direction, to the first edge or disc that it meets; `range` if it meets none before.
     fn cast(&self, from: Point, direction: Vector, range: f64) -> f64 {
         let mut least = range;
@@ -101,15 +110,17 @@ impl Near {
 }
 
 impl Floor {
-    /// Prepares a drive in a world with these bounds.
-    pub(super) fn new(bounds: &Aabb, world: &CollisionWorld, drive: &DifferentialDrive) -> Self {
+    /// Prepares a robot in a world with these bounds.
+    pub(super) fn new(bounds: &Aabb, world: &CollisionWorld, robot: &Navigator) -> Self {
         let (obstacles, bounds) = (world.obstacles(), *bounds);
-        let shape = drive.shape();
-        let reach = shape.reach();
+        let reach = robot.reach();
         let slack = SLACK * (obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + reach);
-        let shape = match shape {
-            Footprint::Disc(Round { .. }) => Shape::Disc,
-            Footprint::Polygon(polygon) => Shape::Polygon(BodyCollision::new(polygon, world.clone(), TOLERANCE)),
+        let shape = match robot {
+            Navigator::DifferentialDrive(robot) => match robot.drive.shape() {
+                Footprint::Disc(Round { .. }) => Shape::Disc,
+                Footprint::Polygon(polygon) => Shape::Polygon(BodyCollision::new(polygon, world.clone(), TOLERANCE)),
+            },
+            Navigator::Cargo(_) => Shape::Disc,
         };
         Self { obstacles, bounds, reach, slack, shape, near: RefCell::default() }
     }
@@ -198,6 +209,56 @@ impl Floor {
             && self.is_part_free(near, arc, [middle, high], length, left)
     }
 
+    /// Whether the load is free in a state.
+    pub(super) fn is_load_free(&self, cargo: &Cargo, state: &CargoState) -> bool {
+        let [x, y] = load(state);
+        self.distance(Point::new(x, y)) - cargo.limits().load_radius > self.slack
+    }
+
+    /// A carrier and its load after a time step under a commanded acceleration, if both are proven free on the way and the load
+    /// stays within the limit of swing; else what happens first.
+    ///
+    /// Carrier and load are discs that move along curves, which stay within [`Cargo::carrier_bend`] and [`Cargo::bend`] of their
+    /// chords.
+    pub(super) fn carry(
+        &self,
+        cargo: &Cargo,
+        from: &CargoState,
+        acceleration: [f64; 2],
+    ) -> Result<CargoState, Outcome> {
+        let limits = cargo.limits();
+        let (bend, slack) = (cargo.carrier_bend(), self.slack);
+        let mut states = Vec::with_capacity(16);
+        states.push(*from);
+        cargo.drive(from, acceleration, |state| states.push(*state));
+        let after = states[states.len() - 1];
+        let load_bend = states.iter().map(|state| cargo.bend(state)).fold(0.0, f64::max);
+        // What contains carrier and load while the load is within its limit.
+        let reach = limits.radius.max(limits.swing_limit + limits.load_radius + load_bend);
+        let way = segment(from.position, after.position);
+        let near = &mut *self.near.borrow_mut();
+        near.gather(&self.obstacles, &way.aabb().grown(2.0 * reach + bend + 2.0 * slack));
+        let clearance = |s: &Segment| {
+            let depth = self.bounds.depth(s.a).min(self.bounds.depth(s.b));
+            near.distance_from(s).min(depth)
+        };
+        let around = clearance(&way) - bend;
+        if around - limits.radius <= slack {
+            return Err(Outcome::Collision);
+        }
+        let is_within = cargo.is_within_limit(&after);
+        let is_free = is_within && around - reach > slack
+            || states.windows(2).all(|pair| {
+                let chord = segment(load(&pair[0]), load(&pair[1]));
+                clearance(&chord) - load_bend - limits.load_radius > slack
+            });
+        match (is_free, is_within) {
+            (false, _) => Err(Outcome::Collision),
+            (true, false) => Err(Outcome::Swing),
+            (true, true) => Ok(after),
+        }
+    }
+
     /// Writes the distance that each ray of the sensor measures at a configuration, in metres, without noise; the range if it
     /// meets nothing before.
     pub(super) fn sense(&self, q: [f64; 3], sensor: &Sensor, fan: &Fan, distances: &mut [f64]) {
@@ -223,6 +284,15 @@ impl Floor {
         let (x, y) = (along(from.x, direction.x, min.x, max.x), along(from.y, direction.y, min.y, max.y));
         x.min(y).max(0.0)
     }
+}
+
+/// Where the load is.
+fn load(state: &CargoState) -> [f64; 2] {
+    [0, 1].map(|i| state.position[i] + state.swing[i])
+}
+
+fn segment([x, y]: [f64; 2], [u, w]: [f64; 2]) -> Segment {
+    Segment::new(Point::new(x, y), Point::new(u, w))
 }
 
 fn point(q: [f64; 3]) -> Point {

@@ -1,14 +1,15 @@
 //! Navigation tasks generated from a seed: the same options give the same document on every platform.
 
-use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery, Navigator, Noise, TIME_STEP};
+use super::document::{GOAL_TOLERANCE, Navigation, NavigationQuery};
 use super::episode;
+use super::navigator::{ARRIVAL, CargoNavigator, CargoNoise, DriveNavigator, Navigator, Noise, TIME_STEP};
 use super::sensor::Sensor;
 use crate::error::Error;
 use crate::generators::{Generator, SEEDS, generators};
 use crate::geometry::{Aabb, Point, Polygon, distance_point_polygon, distance_polygon_polygon};
 use crate::options::out_of_range;
 use crate::random::{Random, Stream};
-use crate::robot::{DifferentialDrive, Footprint, Round};
+use crate::robot::{Cargo, CargoLimits, DifferentialDrive, Footprint, Round};
 use crate::scenario::{Obstacle, World};
 use std::f64::consts::TAU;
 
@@ -28,13 +29,15 @@ crate::choice! {
         Disc,
         /// A rectangle whose corners lie on the circle of the disc, one and a half times as long as wide.
         Rectangle,
+        /// A disc that carries a load on a rope, in any direction.
+        Cargo,
     }
 }
 
 crate::options! {
-    /// The robot: a differential drive with a range sensor.
+    /// The robot: a differential drive, or a carrier of cargo, with a range sensor.
     pub struct DriveOptions for &[];
-    /// The shape of the robot: a disc, or a rectangle that fits into it.
+    /// The shape of the robot: a disc, a rectangle that fits into it, or a disc with a load on a rope.
     shape: DriveShape = DriveShape::Disc, "Shape";
     /// The radius of the robot.
     radius: f64 = 0.25, in 0.05..=0.5, "Radius", unit "m";
@@ -86,8 +89,8 @@ crate::options! {
 
 generators! {
     Navigation, navigation_generators:
-    RoomsOptions => "rooms", "Rooms", "An office of rooms with doors and furniture, for a differential drive.";
-    FurnishedOptions => "furnished", "Furnished", "A floor with furniture and pieces of walls, for a differential drive.";
+    RoomsOptions => "rooms", "Rooms", "An office of rooms with doors and furniture, for a robot with a range sensor.";
+    FurnishedOptions => "furnished", "Furnished", "A floor with furniture and pieces of walls, for a robot with a range sensor.";
 }
 
 impl DriveOptions {
@@ -99,13 +102,35 @@ impl DriveOptions {
                 let half = 0.999 * self.radius / f64::sqrt(1.5 * 1.5 + 1.0);
                 Footprint::Polygon(rectangle([-1.5 * half, -half], [1.5 * half, half]))
             }
+            DriveShape::Cargo => return self.cargo().map(Navigator::Cargo),
         };
         let Noise { range, position, heading, speed, turn_rate } = Noise::default();
         let [range, position, heading, speed, turn_rate] =
             [range, position, heading, speed, turn_rate].map(|deviation| self.noise * deviation);
         let drive = DifferentialDrive::new(shape, [0.0, 1.0], [-1.5, 1.5], TIME_STEP)?;
         let noise = Noise { range, position, heading, speed, turn_rate };
-        Ok(Navigator { drive, sensor: Sensor::default(), noise })
+        Ok(Navigator::DifferentialDrive(DriveNavigator { drive, sensor: Sensor::default(), noise }))
+    }
+
+    /// A carrier whose load swings beyond its limit if the greatest acceleration begins at once: the displacement overshoots to
+    /// twice that at rest, 2 L a / g.
+    fn cargo(&self) -> Result<CargoNavigator, Error> {
+        let speed = 1.0;
+        let cargo = Cargo::new(CargoLimits {
+            radius: self.radius,
+            load_radius: 0.6 * self.radius,
+            rope: 1.0,
+            swing_limit: 0.3,
+            damping: 0.1,
+            speed,
+            acceleration: 2.0,
+            time_step: TIME_STEP,
+        })?;
+        let CargoNoise { range, position, velocity, swing, acceleration } = CargoNoise::default();
+        let [range, position, velocity, swing, acceleration] =
+            [range, position, velocity, swing, acceleration].map(|deviation| self.noise * deviation);
+        let noise = CargoNoise { range, position, velocity, swing, acceleration };
+        Ok(CargoNavigator { cargo, arrival_speed: ARRIVAL * speed, sensor: Sensor::around(), noise })
     }
 
     /// Refuses doors that the robot does not fit through, or wider than the wall allows.

@@ -27,6 +27,8 @@ pub struct NavigationResult {
     pub reached: Share,
     /// Those that ended in a collision.
     pub collisions: Share,
+    /// Those in which the load swung too far; of a robot without a load none.
+    pub swings: Share,
     /// The lengths of the executions that reached the goal, in metres.
     pub driven_length: Mean,
     /// Their times, in seconds.
@@ -59,7 +61,7 @@ pub fn navigate(
     let (_, query) = task.find_query(options.query.as_deref())?;
     let executor = Executor::new(task, Some(policy))?;
     let trials = if path.is_empty() { 0 } else { trials };
-    let time_step = task.robot().drive.time_step();
+    let time_step = task.robot().time_step();
     let driven = |trial| {
         let drive = executor.drive(query.start, &path, options.seed, trial)?;
         Ok((drive.outcome, drive.length(), (drive.trace.len() - 1) as f64 * time_step))
@@ -75,6 +77,7 @@ pub fn navigate(
         policy: policy.name().to_owned(),
         reached: is(Outcome::Reached),
         collisions: is(Outcome::Collision),
+        swings: is(Outcome::Swing),
         driven_length: mean(&lengths),
         driven_time: mean(&times),
     })

@@ -10,7 +10,7 @@
 use super::document::{Navigation, NavigationQuery};
 use super::execution::check_finite;
 use super::policy::Policy;
-use super::rollout::{Controller, Outcome, Simulation, generator};
+use super::rollout::{Controller, Outcome, Simulation, State, generator};
 use crate::collision::DiscValidity;
 use crate::error::{Code, Error};
 use crate::options::Options as _;
@@ -108,18 +108,22 @@ impl Rollouts {
         Some(reached)
     }
 
-    /// A configuration in which a robot that has reached a position may be: within the goal tolerance and free, with any heading.
-    fn start(&self, [x, y]: [f64; 2], random: &mut Random) -> [f64; 3] {
+    /// A state in which a robot that has reached a position may be: within the goal tolerance and free, with any heading.
+    fn start(&self, [x, y]: [f64; 2], random: &mut Random) -> State {
+        let robot = self.simulation.task().robot();
         let tolerance = self.simulation.task().goal_tolerance();
         let heading = PI * (1.0 - 2.0 * random.uniform());
         for _ in 0..100 {
             let [dx, dy] = [(); 2].map(|()| tolerance * (1.0 - 2.0 * random.uniform()));
             let pose = [x + dx, y + dy, heading];
             if dx * dx + dy * dy <= tolerance * tolerance && self.simulation.floor.is_free(pose) {
-                return pose;
+                let state = State::arriving(pose, robot, random);
+                if self.simulation.is_load_free(&state) {
+                    return state;
+                }
             }
         }
-        [x, y, heading]
+        State::at_rest([x, y, heading])
     }
 
     /// Whether enough rollouts succeed in both directions.
@@ -273,7 +277,7 @@ fn start_between(
     run::check_use(&planner, run::LEARNED)?;
     let rollouts = RolloutOptions { reliability: Some(rollouts.reliability_of(&planner)?), ..*rollouts };
     let space: MotionSpace<SIZE> = MotionSpace::new(plane(task.bounds()));
-    let disc = DiscRobot::new(task.robot().drive.shape().reach())?;
+    let disc = DiscRobot::new(task.robot().reach())?;
     let validity = RolloutValidity {
         turning: DiscValidity::new(&disc, task.collision().clone()),
         rollouts: Rollouts::new(task, policy, rollouts, options.seed)?,

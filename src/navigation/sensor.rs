@@ -30,6 +30,11 @@ pub struct Sensor {
 }
 
 impl Sensor {
+    /// 20 rays, evenly spread over the full circle.
+    pub(super) fn around() -> Self {
+        Self { rays: 20, field_of_view: 5.97, range: 3.0 }
+    }
+
     /// Refuses numbers outside their ranges.
     pub(super) fn check(&self, pointer: &str) -> Result<(), Error> {
         let Self { rays, field_of_view, range } = *self;

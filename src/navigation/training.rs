@@ -4,7 +4,7 @@
 //!
 //! Each generation draws new short tasks, the same for all candidates, on floors of its own generator. The return of a candidate
 //! is the mean over the tasks: near 1 for a goal that is reached, less the longer it takes; else up to 0.5 for the part of the
-//! distance that is covered, and 0.25 less for a collision. Returns become ranks, and the weights follow them by Adam (Kingma and
+//! distance that is covered, and 0.25 less for a collision or a load that swings too far. Returns become ranks, and the weights follow them by Adam (Kingma and
 //! Ba 2015).
 //!
 //! An iteration is one candidate. [`Training::returns_of`] depends on nothing but the generation, so that several threads or
@@ -14,7 +14,7 @@ use super::document::Navigation;
 use super::episode;
 use super::generate::FurnishedOptions;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
-use super::rollout::{Controller, Drive, Outcome, Simulation, generator};
+use super::rollout::{Controller, Drive, Outcome, Simulation, State, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
 use crate::generators::Generator;
@@ -42,6 +42,8 @@ crate::options! {
     floors: usize = 60, in 1.0..=1000.0, "Floors";
     /// The largest distance of a goal.
     distance: f64 = 5.0, in 1.0..=50.0, "Distance", unit "m";
+    /// What a drive that takes all its time returns less than one that takes none: the less, the more careful the policy.
+    haste: f64 = 0.3, in 0.0..=1.0, "Haste";
 }
 
 /// The decay of the means of Adam.
@@ -128,7 +130,7 @@ impl Training {
         let floors = options.floors as u64;
         let first = (seed % FLOORS_PER_SEED) * FLOORS_PER_SEED;
         let simulations: Vec<Simulation> = (0..floors).map(|i| floor(task, first + i)).collect::<Result<_, _>>()?;
-        let sizes = Sizes::new(&task.robot().sensor, options.hidden);
+        let sizes = Sizes::new(task.robot(), options.hidden);
         let weights = sizes.random(&mut Random::new(seed, Stream::Weights));
         let count = weights.len();
         let mut training = Self {
@@ -240,18 +242,20 @@ impl Training {
     }
 
     /// Drives one task: its return, whether it is solved, and how it ended.
-    fn try_task(&self, controller: &Controller, task: &Task, visit: impl FnMut([f64; 3])) -> ([f64; 2], Outcome) {
+    fn try_task(&self, controller: &Controller, task: &Task, mut visit: impl FnMut(State)) -> ([f64; 2], Outcome) {
         let Task { floor, from, goal, number } = *task;
         let simulation = &self.simulations[floor];
         let distance = ((goal[0] - from[0]) * (goal[0] - from[0]) + (goal[1] - from[1]) * (goal[1] - from[1])).sqrt();
         let patience = simulation.patience(distance);
         let mut random = generator(self.seed, Stream::Rollouts, &[self.generation, number]);
+        let from = State::arriving(from, simulation.task().robot(), &mut random);
+        visit(from);
         let progress = simulation.drive(controller, from, goal, patience, &mut random, visit);
         let covered = 0.5 * (1.0 - progress.left / distance).max(-1.0);
         let returned = match progress.outcome {
-            Outcome::Reached => 1.0 - 0.3 * f64::from(progress.steps) / f64::from(patience),
+            Outcome::Reached => 1.0 - self.options.haste * f64::from(progress.steps) / f64::from(patience),
             Outcome::Timeout => covered,
-            Outcome::Collision => covered - 0.25,
+            Outcome::Collision | Outcome::Swing => covered - 0.25,
         };
         let reached = if progress.outcome == Outcome::Reached { 1.0 } else { 0.0 };
         ([returned, reached], progress.outcome)
@@ -302,8 +306,8 @@ impl Training {
     /// The policy so far.
     pub fn policy(&self) -> Policy {
         let name = format!("seed {}, {} generations", self.seed, self.generation);
-        let sensor = self.simulations[0].task().robot().sensor;
-        Policy::new(name, sensor, self.options.hidden, self.seed, self.generation, &self.weights)
+        let robot = self.simulations[0].task().robot();
+        Policy::new(name, robot, self.options.hidden, self.seed, self.generation, &self.weights)
     }
 
     /// The drives of the policy so far on some tasks, the same in every generation, to be drawn: the number of the floor, the
@@ -312,9 +316,9 @@ impl Training {
         let controller = Controller::Policy(Perceptron::new(self.sizes, &self.weights));
         let tasks = self.draw_tasks(count, &[u64::MAX]);
         let shown = tasks.iter().map(|task| {
-            let mut trace = vec![task.from];
-            let (_, outcome) = self.try_task(&controller, task, |pose| trace.push(pose));
-            (task.floor, task.goal, Drive { outcome, trace })
+            let mut states = Vec::new();
+            let (_, outcome) = self.try_task(&controller, task, |state| states.push(state));
+            (task.floor, task.goal, Drive::new(self.simulations[task.floor].task().robot(), outcome, &states))
         });
         shown.collect()
     }
@@ -343,6 +347,7 @@ pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, se
         let (x, y) = (goal[0] - from[0], goal[1] - from[1]);
         let patience = simulation.patience((x * x + y * y).sqrt());
         let mut noise = generator(seed, Stream::Rollouts, &[trial]);
+        let from = State::arriving(from, task.robot(), &mut noise);
         let progress = simulation.drive(&controller, from, goal, patience, &mut noise, |_| {});
         sample.push(f64::from(progress.outcome == Outcome::Reached));
     }

@@ -14,6 +14,7 @@ use super::Part;
 use super::range::{LARGEST, check_positive, check_range};
 use crate::error::{Code, Error, Number, within};
 use crate::geometry::Point;
+use serde::Serialize;
 
 /// Standard gravity, in metres per second squared.
 pub const GRAVITY: f64 = 9.80665;
@@ -29,7 +30,7 @@ const MOST_DAMPING: f64 = 10.0;
 const PART: f64 = 0.05;
 
 /// The numbers that a [`Cargo`] is made from.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CargoLimits {
     /// The radius of the carrier, in metres, greater than 0.
     pub radius: f64,
@@ -72,10 +73,12 @@ impl CargoState {
 /// A carrier with a load on a rope. A control is an acceleration of the carrier (x and y, metres per second squared), constant
 /// during a time step. The load moves as an exact spherical pendulum, integrated in fixed steps by the method of Runge and Kutta
 /// of order 4.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cargo {
+    #[serde(flatten)]
     limits: CargoLimits,
     /// The steps of integration in a time step.
+    #[serde(skip)]
     parts: u32,
 }
 
@@ -153,6 +156,35 @@ impl Cargo {
         state
     }
 
+    /// How far the load is, at most, from the straight line between its positions before and after the step of integration that
+    /// begins with a state, in metres.
+    ///
+    /// A curve of duration t whose acceleration is at most b is within b t^2 / 8 of its chord. The load accelerates with
+    /// -l r - c r', seen from above; the rope does no work in the carrier's frame, so that |r'| grows by at most |f| t.
+    pub fn bend(&self, from: &CargoState) -> f64 {
+        let CargoLimits { rope, damping, acceleration, time_step, .. } = self.limits;
+        let step = time_step / f64::from(self.parts);
+        let [_, rate] = self.pendulum(from);
+        let force = (acceleration * acceleration + GRAVITY * GRAVITY).sqrt();
+        let fastest = dot(rate, rate).sqrt() + force * step;
+        let most = force + fastest * fastest / rope + damping * fastest;
+        most * step * step / 8.0
+    }
+
+    /// How far the carrier is, at most, from the straight line between its positions before and after a time step, in metres.
+    pub fn carrier_bend(&self) -> f64 {
+        let CargoLimits { acceleration, time_step, .. } = self.limits;
+        acceleration * time_step * time_step / 8.0
+    }
+
+    /// The load relative to the carrier, and its rate, in space.
+    fn pendulum(&self, state: &CargoState) -> Pendulum {
+        let ([x, y], [u, w]) = (state.swing, state.swing_rate);
+        // Within the limit of swing the load is well below the carrier.
+        let down = -(self.limits.rope * self.limits.rope - x * x - y * y).sqrt();
+        [[x, y, down], [u, w, -(x * u + y * w) / down]]
+    }
+
     /// The displacement of the load and its rate after one step of integration.
     fn swung(&self, state: &CargoState, acceleration: [f64; 2], step: f64) -> [[f64; 2]; 2] {
         let CargoLimits { rope, damping, .. } = self.limits;
@@ -164,10 +196,7 @@ impl Cargo {
         let add = |from: Pendulum, slope: Pendulum, t: f64| {
             [0, 1].map(|i: usize| [0, 1, 2].map(|k: usize| from[i][k] + t * slope[i][k]))
         };
-        let ([x, y], [u, w]) = (state.swing, state.swing_rate);
-        // Within the limit of swing the load is well below the carrier.
-        let down = -(rope * rope - x * x - y * y).sqrt();
-        let from = [[x, y, down], [u, w, -(x * u + y * w) / down]];
+        let from = self.pendulum(state);
         let first = slope(from);
         let second = slope(add(from, first, 0.5 * step));
         let third = slope(add(from, second, 0.5 * step));

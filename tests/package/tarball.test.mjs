@@ -46,6 +46,7 @@ test("the tarball holds exactly the files of the package", () => {
     "schema/fleet.schema.json",
     "schema/navigation.schema.json",
     "www/prm-rl/policy.json",
+    "www/prm-rl/policy-cargo.json",
   ].sort());
 });
 

@@ -35,3 +35,24 @@ export function makeCharts(session) {
 export function trainingCsv({ training: { history } }) {
   return csvFile(["generation", "mean_return", "best_return", "tasks_solved"], history.map(({ mean, best, reached }, i) => [i + 1, mean, best, reached]));
 }
+
+/** The swing of the load of the drive with the rays, over time, beside its limit. @param {NavigationSession} session @returns {() => void} draws it if it has changed */
+export function makeSwingChart(session) {
+  const chart = new Chart("swing", "Displacement of the load");
+  const host = byId("swing-chart", HTMLElement);
+  host.append(chart.element);
+  /** @type {unknown} */
+  let drawn = null;
+  return () => {
+    const { run: { drives }, selected, document } = session;
+    const drive = drives[selected];
+    host.hidden = !drive || document?.robot.type !== "cargo";
+    if (!drive || document?.robot.type !== "cargo" || drive === drawn) return;
+    drawn = drive;
+    const { time_step: step = 0.2, swing_limit: limit } = document.robot;
+    const points = Array.from({ length: drive.swing.length / 2 }, (_, i) => /** @type {[number, number]} */ ([i * step, Math.hypot(drive.swing[2 * i], drive.swing[2 * i + 1])]));
+    const most = Math.max(...points.map(([, swing]) => swing));
+    chart.draw([{ label: "limit", points: [[0, limit], [drive.time, limit]], className: "best" }, { label: "load", points, className: "mean" }],
+      { title: "s", low: 0, high: Math.max(1, drive.time) }, { title: "m", low: 0, high: 1.15 * limit }, `The load is displaced by at most ${most.toFixed(2)} m; the limit is ${limit.toFixed(2)} m.`);
+  };
+}

@@ -4,7 +4,7 @@ import { drawGround } from "../draw/ground.js";
 import { setStroke } from "../draw/marks.js";
 import { drawGoal } from "../draw/shapes.js";
 import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
-import { poseAt } from "./session.js";
+import { poseAt, swingAt } from "./session.js";
 
 /** @import { Demonstration } from "planarium/full" */
 /** @import { Brush } from "../draw/figure.js" */
@@ -69,14 +69,17 @@ export class Demonstrations {
     const { context, palette } = brush;
     const { training } = this.session;
     training.demonstrations.forEach((drive, i) => this.within(brush, drive, i, (view) => {
-      const { sensor, time_step: step = 0.2 } = training.floors[i].robot;
+      const { robot } = training.floors[i];
+      const { time_step: step = 0.2 } = robot;
       drawGoal(context, ...view.place(drive.goal), palette);
       drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
       const hasEnded = this.time >= drive.time;
       // Failures are marked on top of the robot.
       if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);
       const isSelected = i === training.selected;
-      if (!hasEnded || isSelected) drawRobotAt(context, view, training.tasks[i], isSelected ? sensor ?? null : null, poseAt(drive, Math.min(this.time, drive.time), step), palette);
+      const time = Math.min(this.time, drive.time);
+      const state = { pose: poseAt(drive, time, step), swing: swingAt(drive, time, step), hasRays: isSelected };
+      if (!hasEnded || isSelected) drawRobotAt(context, view, training.tasks[i], robot, state, palette);
       if (hasEnded && drive.outcome !== "reached") drawOutcome(context, view, drive, palette);
     }));
   }

@@ -6,7 +6,7 @@ import { addLine, drawHandle, setStroke } from "../draw/marks.js";
 import { drawGoal, drawLabel, drawStart } from "../draw/shapes.js";
 import { distanceToSegment } from "../draw/trace.js";
 import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
-import { poseAt } from "./session.js";
+import { poseAt, swingAt } from "./session.js";
 
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -35,7 +35,7 @@ export class Floor {
     const [x, y] = view.place(start);
     /** @type {["turn", number, number]} */
     const turn = ["turn", x + AHEAD * Math.cos(start[2]), y - AHEAD * Math.sin(start[2])];
-    return [["start", x, y], ["goal", ...view.place(goal)], ...(this.isDriven ? [] : [turn])];
+    return [["start", x, y], ["goal", ...view.place(goal)], ...(this.isDriven || this.session.hasLoad ? [] : [turn])];
   }
 
   /** The step of the path at a place, or null. @param {number} x @param {number} y @param {number} near */
@@ -106,8 +106,11 @@ export class Floor {
     };
     drawEnds(true);
     const { isDriven } = this;
-    const pose = isDriven && shown ? poseAt(shown, time, timeStep) : /** @type {[number, number, number]} */ ([start[0], start[1], start[2]]);
-    drawRobotAt(context, view, task, document.robot.sensor ?? null, pose, palette);
+    /** @type {Parameters<typeof drawRobotAt>[4]} */
+    const state = isDriven && shown
+      ? { pose: poseAt(shown, time, timeStep), swing: swingAt(shown, time, timeStep), hasRays: true }
+      : { pose: [start[0], start[1], start[2]], swing: [0, 0], hasRays: true };
+    drawRobotAt(context, view, task, document.robot, state, palette);
     drawEnds(false);
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
     if (refusal) {

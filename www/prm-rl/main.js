@@ -19,15 +19,16 @@ import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { num } from "../widgets/format.js";
 import { Transport } from "../widgets/transport.js";
-import { makeCharts, trainingCsv } from "./charts.js";
+import { makeCharts, makeSwingChart, trainingCsv } from "./charts.js";
 import { Demonstrations } from "./demonstrations.js";
 import { filmsOf } from "./films.js";
 import { Floor } from "./floor.js";
 import { watchHandles } from "./handles.js";
 import { Lesson } from "./lesson.js";
 import { showPanel } from "./panel.js";
-import { FIRST, NavigationSession, WAYS, countsOf } from "./session.js";
-import shipped from "./policy.json" with { type: "json" };
+import { FIRST, NavigationSession, WAYS, countsOf, swingAt } from "./session.js";
+import cargo from "./policy-cargo.json" with { type: "json" };
+import wheeled from "./policy.json" with { type: "json" };
 import { openState, stateOf, stateRule } from "./state.js";
 import { comparedCsv, showCompared, showDriven, showEdges } from "./tables.js";
 import { WAY_WORDS, sentenceOf } from "./words.js";
@@ -46,7 +47,7 @@ const app = new App();
 
 await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
-  const session = new NavigationSession(app, worker, /** @type {PolicyDocument} */ (shipped));
+  const session = new NavigationSession(app, worker, { differential_drive: /** @type {PolicyDocument} */ (wheeled), cargo: /** @type {PolicyDocument} */ (cargo) });
   const { training, comparison } = session;
   const floor = new Floor(session);
   const demonstrations = new Demonstrations(session);
@@ -56,6 +57,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   };
   const all = Object.values(figures);
   const drawCharts = makeCharts(session);
+  const drawSwing = makeSwingChart(session);
   const slider = make("input", { type: "range", id: "time", className: "timeline", min: "0", max: "1", step: "any", value: "0", ariaLabel: "Time of the drives" });
   slider.addEventListener("input", () => {
     transport.pause();
@@ -161,6 +163,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   });
   app.onDraw(() => {
     drawCharts();
+    drawSwing();
     const { palette, layers: { ground } } = figures.floor;
     if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan") floor.append({ context: ground.context, palette });
   });
@@ -224,11 +227,12 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     if (!task) return;
     document.body.dataset.part = part;
     for (const element of document.querySelectorAll("main [data-part]")) if (element instanceof HTMLElement) element.hidden = !element.dataset.part?.split(" ").includes(part);
+    for (const element of document.querySelectorAll(".with-load")) if (element instanceof HTMLElement) element.hidden = !session.hasLoad || (element.dataset.part !== undefined && element.hidden);
     figures.demonstrations.element.hidden = part !== "train";
     figures.floor.element.hidden = part === "train";
     for (const [one] of PARTS) press(byId(`part-${one}`, HTMLElement), one === part);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
-    if (change === "part" && part === "train" && training.status === "none") attempt(() => training.begin());
+    if ((change === "part" || change === "floor") && part === "train" && training.status === "none") attempt(() => training.begin());
     if (change === "training") figures.demonstrations.redraw();
     else if (change === "generation") figures.demonstrations.redraw(["top"]);
     else if (change !== "growth") figures.floor.redraw(change === "time" || change === "selected" || change === "drives" ? ["top"] : undefined);
@@ -251,7 +255,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       "policy-about": `${{ shipped: "Shipped with this page", trained: "Trained on this page", file: "From a file" }[origin]}: a perceptron with ${grouped(policy.hidden)} hidden units and ${grouped(policy.weights.length)} weights, for ${policy.sensor.rays} rays.`,
       "fact-generation": `${grouped(training.generation)} of ${grouped(training.generations)}`, "fact-best": last ? num(last.best, 3) : "\u2013", "fact-mean": last ? num(last.mean, 3) : "\u2013",
       "fact-solved": last ? `${num(100 * last.reached, 0)} %` : "\u2013", "fact-workers": grouped(training.pool.workers.length), "fact-trained": training.fingerprint || "\u2013",
-      "fact-time": `${num(time, 1)} s`, "fact-vertices": grouped(run.vertices.length / 2), "fact-edges": grouped(run.edges.length / 2),
+      "fact-time": `${num(time, 1)} s`, "fact-swing": swingText(session), "fact-vertices": grouped(run.vertices.length / 2), "fact-edges": grouped(run.edges.length / 2),
       "fact-checked": way === "prm-rl" ? grouped((run.edges.length + run.refused.length) / 2) : "none", "fact-length": run.result && run.path.length > 0 ? `${num(run.result.length ?? 0, 1)} m` : "\u2013", "fact-planned": run.result?.fingerprint ?? "\u2013",
       "compare-text": comparison.count === 0 ? "" : `${grouped(comparison.executions.length)} of ${grouped(comparison.count)} drives`,
     });
@@ -288,6 +292,14 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     byId("export-generations", HTMLButtonElement).disabled = training.history.length === 0;
   }
 });
+
+/** How far the load of the drive with the rays is displaced, and may be. @param {NavigationSession} session */
+function swingText({ document, run, selected, time }) {
+  if (document?.robot.type !== "cargo") return "\u2013";
+  const drive = run.drives[selected];
+  const [x, y] = drive ? swingAt(drive, time, document.robot.time_step ?? 0.2) : [0, 0];
+  return `${num(Math.hypot(x, y), 2)} of ${num(document.robot.swing_limit, 2)} m`;
+}
 
 /** Seconds of the demonstrations in one. */
 const PLAYED = 4;

@@ -33,7 +33,17 @@ export function showPanel(session, actions) {
   const kind = byId("kind", HTMLSelectElement);
   const generators = navigationGenerators();
   kind.append(...generators.map(({ id, title }) => make("option", { value: id }, title)));
-  kind.addEventListener("change", () => actions.open({ kind: /** @type {NavigationGeneratorId} */ (kind.value), options: {} }));
+  kind.addEventListener("change", () => {
+    const { source } = session;
+    const shape = "kind" in source ? source.options.shape : undefined;
+    actions.open({ kind: /** @type {NavigationGeneratorId} */ (kind.value), options: shape === undefined ? {} : { shape } });
+  });
+  const robot = byId("robot", HTMLSelectElement);
+  robot.append(...(generators[0].options.find(({ name }) => name === "shape")?.choices ?? []).map((shape) => make("option", { value: shape }, shape)));
+  robot.addEventListener("change", () => {
+    const { source } = session;
+    if ("kind" in source) actions.open({ kind: source.kind, options: { ...source.options, shape: robot.value } });
+  });
   const newSeed = byId("new-seed", HTMLButtonElement);
   newSeed.disabled = false;
   newSeed.addEventListener("click", () => {
@@ -92,14 +102,19 @@ export function showPanel(session, actions) {
     const host = byId("floor-settings", HTMLElement);
     const info = generators.find(({ id }) => "kind" in source && id === source.kind);
     kind.value = info?.id ?? "";
+    robot.disabled = !info;
+    robot.value = "kind" in source ? String(source.options.shape ?? "disc") : "";
     byId("floor-fold", HTMLElement).hidden = !info;
     app.write({ "kind-summary": info?.summary ?? "From a file. Choose a generator for another floor." });
     if (!info || !("kind" in source)) return;
-    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor"));
-    const form = new Options(host, table, source.options, () => {
+    // The robot is chosen above.
+    const { shape, ...others } = source.options;
+    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor")).filter(({ name }) => name !== "shape");
+    const form = new Options(host, table, others, () => {
       if (!form.settings) return;
-      shown.floor = JSON.stringify([source.kind, Object.entries(form.given).sort()]);
-      actions.open({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
+      const options = { ...form.given, ...(shape !== undefined && { shape }) };
+      shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
+      actions.open({ kind: source.kind, options }, (pointer, reason) => form.refuse(pointer, reason));
     }, { prefix: "floor" });
   }
 

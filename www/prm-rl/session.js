@@ -19,6 +19,7 @@ import { TrainingRun } from "./training.js";
 /** @typedef {"train" | "plan" | "compare"} Part */
 /** @typedef {"part" | "floor" | "policy" | "ends" | "growth" | "plan" | "drives" | "time" | "selected" | "training" | "generation" | "comparison"} Change */
 /** Where a floor is from: a generator, or a document. @typedef {{ kind: NavigationGeneratorId, options: Settings } | { document: NavigationDocument | string }} Source */
+/** The kinds of robot, each with a policy of its own. @typedef {NavigationDocument["robot"]["type"]} RobotKind */
 /** Where the policy is from. @typedef {"shipped" | "trained" | "file"} Origin */
 
 /**
@@ -52,12 +53,12 @@ export const noSettings = () => ({ straight: {}, "straight-policy": {}, "prm-rl"
 
 /** @extends {Observable<Change>} */
 export class NavigationSession extends Observable {
-  /** @param {App} app @param {Remote<Commands>} worker @param {PolicyDocument} shipped */
-  constructor(app, worker, shipped) {
+  /** @param {App} app @param {Remote<Commands>} worker @param {Record<RobotKind, PolicyDocument>} policies  those that come with the page */
+  constructor(app, worker, policies) {
     super(app);
     this.worker = worker;
-    this.shipped = shipped;
-    this.policy = shipped;
+    this.policies = policies;
+    this.policy = policies.differential_drive;
     /** @type {Origin} */
     this.origin = "shipped";
     /** @type {Part} */
@@ -95,6 +96,12 @@ export class NavigationSession extends Observable {
     this.comparison = new ComparisonRun(this);
   }
 
+  /** The policy that comes with the page for the robot. */
+  get shipped() { return this.policies[this.document?.robot.type ?? "differential_drive"]; }
+
+  /** Whether the robot carries a load. */
+  get hasLoad() { return this.document?.robot.type === "cargo"; }
+
   /** The plan of the way that is shown. */
   get run() { return this.runs[this.way]; }
 
@@ -131,6 +138,11 @@ export class NavigationSession extends Observable {
     const query = document.queries[0] ?? { start: [...middle, 0], goal: middle };
     this.task?.free();
     Object.assign(this, { source, document, task });
+    if ((this.policy.robot ?? "differential_drive") !== document.robot.type) {
+      // It drives another robot.
+      Object.assign(this, { policy: this.shipped, origin: "shipped" });
+      this.training.clear();
+    }
     this.comparison.clear();
     this.setEnds({ start: ends.start ?? query.start, goal: ends.goal ?? query.goal }, "floor");
   }
@@ -249,15 +261,29 @@ export class NavigationSession extends Observable {
 /** How many drives ended in each way. @param {Execution[]} drives */
 export function countsOf(drives) {
   const of = (/** @type {Execution["outcome"]} */ outcome) => drives.filter((drive) => drive.outcome === outcome).length;
-  return { reached: of("reached"), collision: of("collision"), timeout: of("timeout") };
+  return { reached: of("reached"), collision: of("collision"), swing: of("swing"), timeout: of("timeout") };
 }
 
 /** The configuration of a drive at a time. @param {Execution} drive @param {number} time @param {number} timeStep @returns {[x: number, y: number, theta: number]} */
-export function poseAt({ trace }, time, timeStep) {
-  const last = trace.length / 3 - 1;
-  const at = Math.min(last, time / timeStep);
+export function poseAt({ trace, swing }, time, timeStep) {
+  const [x, y, theta] = rowAt(trace, 3, time / timeStep);
+  // The sensor of a carrier jumps to the next goal.
+  return [x, y, swing.length > 0 ? trace[3 * Math.min(trace.length / 3 - 1, Math.ceil(time / timeStep)) + 2] : theta];
+}
+
+/** The displacement of the load of a drive at a time; at rest without one. @param {Execution} drive @param {number} time @param {number} timeStep @returns {[x: number, y: number]} */
+export function swingAt({ swing }, time, timeStep) {
+  const [x = 0, y = 0] = swing.length > 0 ? rowAt(swing, 2, time / timeStep) : [];
+  return [x, y];
+}
+
+/** A row of a table between two others. @param {ArrayLike<number>} table @param {number} width @param {number} at  rows */
+function rowAt(table, width, at) {
+  const last = table.length / width - 1;
   const row = Math.min(Math.floor(at), Math.max(0, last - 1));
-  const part = last > 0 ? at - row : 0;
-  const value = (/** @type {number} */ i) => trace[3 * row + i] + part * ((trace[3 * (row + 1) + i] ?? trace[3 * row + i]) - trace[3 * row + i]);
-  return [value(0), value(1), value(2)];
+  const part = last > 0 ? Math.min(last, at) - row : 0;
+  return Array.from({ length: width }, (_, i) => {
+    const from = table[width * row + i];
+    return from + part * ((table[width * (row + 1) + i] ?? from) - from);
+  });
 }

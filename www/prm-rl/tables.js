@@ -22,11 +22,12 @@ function row(head, cells, dataset) {
 function meanText(values, unit) { return values.length === 0 ? NONE : `${num(values.reduce((sum, value) => sum + value, 0) / values.length, 1)} ${unit}`; }
 
 /** What each way has come to for this start and goal. @param {NavigationSession} session */
-export function showDriven({ runs, way }) {
+export function showDriven({ runs, way, hasLoad }) {
   const rows = WAYS.map((one) => {
     const { status, path, result, rollouts, drives } = runs[one];
-    const { reached, collision, timeout } = countsOf(drives);
-    const counts = drives.length === 0 ? [NONE, NONE, NONE] : [`${reached} of ${drives.length}`, String(collision), String(timeout)];
+    const { reached, collision, swing, timeout } = countsOf(drives);
+    const own = hasLoad ? [collision, swing, timeout] : [collision, timeout];
+    const counts = drives.length === 0 ? [NONE, ...own.map(() => NONE)] : [`${reached} of ${drives.length}`, ...own.map(String)];
     const least = rollouts && rollouts.length > 0 ? `${Math.min(...rollouts.flatMap(({ forward, backward }) => [forward, backward]))} of ${rollouts[0].of}` : NONE;
     const edges = one === "policy" || path.length === 0 ? (status === "exhausted" ? endText(result?.reason) : NONE) : grouped(path.length - 1);
     const times = drives.filter(({ outcome }) => outcome === "reached").map(({ time }) => time);
@@ -49,13 +50,13 @@ export function showEdges(session) {
 }
 
 /** The comparison so far. @param {NavigationSession} session */
-export function showCompared({ comparison: { summary } }) {
+export function showCompared({ comparison: { summary }, hasLoad }) {
   const rows = COMPARED.map((way) => {
     const found = summary.find(({ method }) => method === way);
-    if (!found || found.reached.n === 0) return row(WAY_WORDS[way].title, [NONE, intervalOf(null), NONE, NONE, NONE, NONE], { way, reached: "" });
-    const { reached, collisions, planned, length, time } = found;
+    if (!found || found.reached.n === 0) return row(WAY_WORDS[way].title, [NONE, intervalOf(null), ...(hasLoad ? [NONE] : []), NONE, NONE, NONE, NONE], { way, reached: "" });
+    const { reached, collisions, swings, planned, length, time } = found;
     return row(WAY_WORDS[way].title, [
-      shareText(reached), intervalOf(reached), shareText(collisions), way === "policy" ? "no plan" : `${countOf(planned)} of ${planned.n}`,
+      shareText(reached), intervalOf(reached), shareText(collisions), ...(hasLoad ? [shareText(swings)] : []), way === "policy" ? "no plan" : `${countOf(planned)} of ${planned.n}`,
       meanOf(length, "m"), meanOf(time, "s"),
     ], { way, reached: countOf(reached) });
   });

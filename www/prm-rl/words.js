@@ -9,9 +9,9 @@ import { countsOf } from "./session.js";
 /** The ways to drive. @type {Record<NavigationMethod, { title: string, does: string }>} */
 export const WAY_WORDS = {
   policy: { title: "Policy alone", does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays." },
-  straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. A simple controller follows them and looks at no rays." },
+  straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for a disc around the robot. A simple controller follows them and looks at no rays." },
   "straight-margin": { title: "Straight + margin", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
-  "straight-policy": { title: "Straight + policy", does: "A roadmap of straight edges, proven free for the disc in which the robot turns. The policy drives from one vertex to the next." },
+  "straight-policy": { title: "Straight + policy", does: "A roadmap of straight edges, proven free for a disc around the robot. The policy drives from one vertex to the next." },
   "straight-margin-policy": { title: "Straight + margin + policy", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
   "prm-rl": { title: "PRM-RL", does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next." },
 };
@@ -36,8 +36,8 @@ export function sentenceOf(session) {
 
 /** @param {NavigationSession} session */
 function drivenText({ run: { drives } }) {
-  const { reached, collision, timeout } = countsOf(drives);
-  const others = [collision > 0 ? counted(collision, "collision") : "", timeout > 0 ? `${grouped(timeout)} not there in time` : ""].filter(Boolean).join(", ");
+  const { reached, collision, swing, timeout } = countsOf(drives);
+  const others = [collision > 0 ? counted(collision, "collision") : "", swing > 0 ? `${grouped(swing)} with too much swing` : "", timeout > 0 ? `${grouped(timeout)} not there in time` : ""].filter(Boolean).join(", ");
   return `${grouped(reached)} of ${counted(drives.length, "drive")} reached the goal${others ? `; ${others}` : ""}.`;
 }
 

@@ -6,13 +6,14 @@ import { openLearned } from "./prm-rl.js";
 import { openReach } from "./reach.js";
 import { openTrajectories } from "./trajectories.js";
 
+/** @import { RobotKind } from "../../prm-rl/session.js" */
 /** @import { PolicyDocument } from "planarium/full" */
 /** @import { ScenarioDocument } from "../../domain/types.js" */
 /** @import { LinkedDocument } from "../../experiments/link.js" */
 /** @import { Entry } from "../format.js" */
 /** @import { Pane } from "./sheet.js" */
 
-/** The documents that entries name; scenes are the built-in ones of the planner's page. @typedef {{ world: (name: string) => ScenarioDocument, scene: (name: string) => string, experiment: (name: string) => LinkedDocument, policy: () => PolicyDocument }} Documents */
+/** The documents that entries name; scenes are the built-in ones of the planner's page. @typedef {{ world: (name: string) => ScenarioDocument, scene: (name: string) => string, experiment: (name: string) => LinkedDocument, policies: () => Record<RobotKind, PolicyDocument> }} Documents */
 /** The link of an entry, relative to the gallery, and its picture; `pane`: the size of a pane, pixels, unless it is a usual one. @typedef {{ address: string, panes: Pane[], pane?: { width: number, height: number } }} Opened */
 
 /** @param {Entry} entry @param {Documents} documents @returns {Promise<Opened>} @throws {Error} the page would refuse the state */

@@ -31,6 +31,7 @@ pub const REPORTED: &[(&str, &str)] = &[
     ("prm", "samples=150 k=6 neighbour_metric=naive heuristic=naive"),
     ("prm", "samples=150 k=6 neighbour_metric=naive insertion=one-by-one discard=true"),
     ("prm", "samples=200 k=4 neighbour_index=forest"),
+    ("prm", "samples=150 k=6 neighbour_index=kd-tree-unwrapped neighbour_metric=naive"),
     ("prm", "samples=200 k=4 neighbour_index=forest neighbour_metric=naive radius=2"),
 ];
 
@@ -248,12 +249,47 @@ fn naive_neighbours_are_chosen_without_wrapping_while_edges_wrap() {
         assert_eq!(found, expected, "{settings}");
         assert_eq!(run.status() == Status::Solved, !run.path().is_empty());
     }
+    let settings = format!("direct=false samples=40 k={K} neighbour_metric=naive neighbour_index=");
+    let [exact, tree] = ["exact", "kd-tree-unwrapped"]
+        .map(|index| tried(&*finish(begin_with(&world, "prm", 3, &format!("{settings}{index}")))));
+    assert_eq!(exact, tree, "the naive metric wraps nothing");
     // The short way round: no edge turns a joint by more than half a turn, and lengths are those of edges.
     let run = finish(begin_with(&world, "prm", 3, "samples=300 k=30 neighbour_metric=naive"));
     let path = run.path();
     let length: f64 =
         path.windows(2).map(|pair| (0..2).map(|i| angular_distance(pair[0][i], pair[1][i])).sum::<f64>()).sum();
     assert!((run.length() - length).abs() < 1e-9);
+    assert_valid(&world, &*run);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_tree_without_wrap_around_misses_edges_across_pi_and_those_that_it_finds_are_proven() {
+    const K: usize = 5;
+    let world = arm_of(2, false, 0.0);
+    let settings = format!("direct=false samples=60 k={K} neighbour_index=kd-tree-unwrapped");
+    let run = finish(begin_with(&world, "prm", 3, &settings));
+    let vertices = rows(&*run);
+    let plain = |a: usize, b: usize| -> f64 { vertices[a].iter().zip(&vertices[b]).map(|(a, b)| (a - b).abs()).sum() };
+    let mut expected = Vec::new();
+    for v in 0..vertices.len() {
+        let mut others: Vec<usize> = (0..vertices.len()).filter(|&other| other != v).collect();
+        others.sort_by(|&a, &b| plain(v, a).total_cmp(&plain(v, b)));
+        expected.extend(others[..K].iter().map(|&other| [v.min(other), v.max(other)]));
+    }
+    let mut found = tried(&*run);
+    found.iter_mut().for_each(|pair| pair.sort_unstable());
+    let count = found.len();
+    for pairs in [&mut expected, &mut found] {
+        pairs.sort_unstable();
+        pairs.dedup();
+    }
+    assert_eq!((found.len(), &found), (count, &expected), "the nearest by plain numbers, no motion twice");
+    assert!(found.iter().all(|&[a, b]| plain(a, b) < 3.0), "no edge crosses the seam");
+
+    // Where so many neighbours are asked for that some lie beyond the seam, edges go the short way.
+    let run = finish(begin_with(&world, "prm", 3, "samples=60 k=61 direct=false neighbour_index=kd-tree-unwrapped"));
+    let exact = finish(begin_with(&world, "prm", 3, "samples=60 k=61 direct=false"));
+    assert_eq!((run.path(), run.length()), (exact.path(), exact.length()), "every vertex is a neighbour");
     assert_valid(&world, &*run);
 }
 

@@ -2,7 +2,7 @@
 
 use crate::common::documents::{CAR, DISC, refuses, with};
 use crate::common::{begin_with, finish, golden};
-use planarium::experiment::{Experiment, Measure, Summary, Trials, cell_text};
+use planarium::experiment::{Baseline, Experiment, Measure, Summary, Trials, cell_text};
 use planarium::scenario::{Scenario, generate::generate};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -296,4 +296,32 @@ fn a_summary_counts_what_is_solved_and_compares_settings_on_the_same_worlds_and_
         assert!(comparison.measures["length"].n <= one.solved.count.min(other.solved.count));
         assert!(comparison.solved.words.contains("roadmap (k=2)"), "{}", comparison.solved.words);
     }
+    assert_eq!(document, summary.document_against(experiment.baseline("roadmap (k=2)").expect("a name")));
+    // Three settings in each of four kinds of world.
+    let pairs = |baseline| {
+        let document = summary.document_against(baseline);
+        document.comparisons.iter().map(|one| [one.group, one.with]).collect::<Vec<_>>()
+    };
+    let of_all = |pairs: &[[usize; 2]]| -> Vec<_> {
+        (0..4).flat_map(|world| pairs.iter().map(move |pair| pair.map(|i| 3 * world + i))).collect()
+    };
+    assert_eq!(pairs(experiment.baseline("roadmap (k=6)").expect("a name")), of_all(&[[0, 1], [2, 1]]));
+    assert_eq!(pairs(experiment.baseline("rrt").expect("a name")), of_all(&[[0, 2], [1, 2]]));
+    assert_eq!(pairs(Baseline::AllPairs), of_all(&[[1, 0], [2, 0], [2, 1]]));
+    refuses(experiment.baseline("roadmap"), "out-of-range", "/baseline");
+    // A baseline without rows is compared with nothing.
+    let none = Summary::new(&experiment).document_against(Baseline::AllPairs);
+    assert_eq!((none.groups.len(), none.comparisons.len()), (0, 0));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn of_many_settings_an_unknown_baseline_names_the_first() {
+    let k = json!([{ "algorithm": "prm", "vary": { "k": { "from": 1, "to": 200, "step": 1 } } }]);
+    let error = experiment(&changed("/planners", k)).baseline("prm (k=0)").expect_err("no such setting");
+    let sentence = error.message();
+    assert!(
+        sentence.starts_with("no setting has the name \"prm (k=0)\"; known names are \"prm (k=1)\", "),
+        "{sentence}"
+    );
+    assert!(sentence.ends_with("\"prm (k=30)\", and 170 more"), "{sentence}");
 }

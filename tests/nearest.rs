@@ -27,10 +27,19 @@ fn numbered<T: Copy>(states: &[T]) -> Vec<T> {
 
 /// The definition: the distances of motions between a state and all states, sorted, ties by number.
 fn truth<S: Space>(space: &S, direction: Direction, states: &[S::State], from: &S::State) -> Vec<Neighbour> {
-    let distance = |state: &S::State| match direction {
+    sorted(states, |state| match direction {
         Direction::In => space.distance(state, from),
         Direction::Out => space.distance(from, state),
-    };
+    })
+}
+
+/// The same by the metric of the space on plain numbers, without wrap-around.
+fn unwrapped_truth(space: &Wide, states: &[[f64; 8]], from: &[f64; 8]) -> Vec<Neighbour> {
+    sorted(states, |state| space.norm(|i| gap(state[i], from[i], f64::INFINITY)))
+}
+
+/// All states by a distance, ties by number.
+fn sorted<T>(states: &[T], distance: impl Fn(&T) -> f64) -> Vec<Neighbour> {
     let neighbour = |(i, state)| Neighbour { distance: distance(state), vertex: number(i) };
     let mut all: Vec<Neighbour> = states.iter().enumerate().map(neighbour).collect();
     all.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.vertex.cmp(&b.vertex)));
@@ -254,6 +263,45 @@ fn a_hundred_thousand_states_of_any_kind() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_tree_without_wrap_around_is_a_scan_by_plain_numbers() {
+    let spaces = [1, 2, 5].into_iter().flat_map(arms_of).chain(planes_and_placements().into_iter().step_by(3));
+    for (seed, (name, space)) in (1..).zip(spaces) {
+        let mut random = Random::new(seed, Stream::Samples);
+        for (kind, states) in sets(&space, &mut random, cases(1200)) {
+            let (tree, numbered) = (grown(KdTree::unwrapped(), &space, &states), numbered(&states));
+            let mut asked = samples(&space, seed, 3);
+            asked.push(states[states.len() / 2]);
+            for from in &asked {
+                let plain = unwrapped_truth(&space, &states, from);
+                check(&format!("{name}, {kind}"), &tree, &space, &numbered, from, &plain);
+                if (0..space.dimension()).all(|i| space.period(i) == f64::INFINITY) {
+                    let scan = truth(&space, Direction::In, &states, from);
+                    same(&plain, &scan, &|| format!("{name}, {kind}: nothing wraps"));
+                }
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_tree_without_wrap_around_misses_neighbours_across_the_seam_and_no_others() {
+    let space = Wide::new(&[Coordinate::Circle; 2], Metric::Sum);
+    let states = samples(&space, 1, 2000);
+    let (tree, numbered) = (grown(KdTree::unwrapped(), &space, &states), numbered(&states));
+    let share = |at: [f64; 2]| {
+        let (from, mut found) = (space.state(&at), Vec::new());
+        tree.k_nearest(Query::to(&space, &numbered, &from), 20, &mut found);
+        assert!(found.iter().all(|one| (numbered[one.vertex.index()][0] < 0.0) == (from[0] < 0.0)), "none from beyond");
+        recall(&found, &truth(&space, Direction::In, &states, &from)[..20])
+    };
+    for at in [[PI, 1.0], [-3.1, 1.0], [3.13, -2.0]] {
+        let share = share(at);
+        assert!(share > 0.2 && share < 0.8, "about half of the neighbours of {at:?} are beyond the seam: {share}");
+    }
+    assert_eq!([[1.5, 1.0], [-1.5, 0.0]].map(share), [1.0; 2], "far from the seam");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn an_empty_index_has_no_neighbours() {
     fn empty(index: &impl Nearest<Wide>, space: &Wide) {
         let from = space.state(&[1.0; 8]);
@@ -269,6 +317,7 @@ fn an_empty_index_has_no_neighbours() {
     for (_, space) in arms_of(3).into_iter().chain(planes_and_placements()) {
         empty(&LinearScan::default(), &space);
         empty(&KdTree::default(), &space);
+        empty(&KdTree::unwrapped(), &space);
         empty(&Index::default(), &space);
         empty(&Forest::new(ForestParameters::default(), 1), &space);
     }

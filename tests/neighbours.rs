@@ -88,6 +88,39 @@ fn in_the_naive_metric_two_angles_at_the_seam_are_far_apart() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_kd_tree_without_wrap_around_misses_what_lies_across_pi_in_every_metric_of_circles() {
+    for name in SCENES {
+        let scenario = scene(name);
+        let inspector = Inspector::new(&scenario);
+        let metrics: &[&str] = match scenario.robot().kind() {
+            "arm" => &["metric=sum", "metric=euclidean", "metric=naive"],
+            _ => &[""],
+        };
+        for metric in metrics {
+            let [mut scan, mut tree] = ["linear", "kd-tree-unwrapped"].map(|id| made(&scenario, id, metric));
+            let rows = inspector.samples(1500, 1, false).expect("samples");
+            for index in [&mut scan, &mut tree] {
+                index.add(&rows).expect("rows");
+            }
+            let wraps = *metric != "metric=naive" && inspector.circles().contains(&true);
+            let mut shares = 0.0;
+            for q in inspector.samples(200, 2, false).expect("targets").chunks_exact(inspector.dimension()) {
+                let [exact, found] = [&scan, &tree].map(|index| index.k_nearest(q, 10).expect("neighbours"));
+                assert!(wraps || bits(&exact) == bits(&found), "{name} {metric}: nothing wraps");
+                shares += recall(&found.neighbours, &exact.neighbours) / 200.0;
+            }
+            assert!(if wraps { shares > 0.3 && shares < 0.999 } else { shares > 0.999 }, "{name} {metric}: {shares}");
+        }
+    }
+    let scenario = scene("firs");
+    let mut tree = made(&scenario, "kd-tree-unwrapped", "");
+    tree.add(&[3.1, 0.0, -3.1, 0.0, 0.1, 0.0, -0.1, 0.0]).expect("rows");
+    let answer = tree.k_nearest(&[-3.13, 0.0], 4).expect("neighbours");
+    assert_eq!(answer.neighbours.iter().map(|one| one.vertex.0).collect::<Vec<_>>(), [1, 3, 2, 0], "3.1 is farthest");
+    assert!((answer.neighbours[3].distance - 6.23).abs() < 1e-12, "its plain difference");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn the_same_seed_draws_the_same_forest_and_another_another() {
     let scenario = scene("tentacle");
     let rows = Inspector::new(&scenario).samples(3000, 5, false).expect("samples");
@@ -160,9 +193,9 @@ fn samples_are_those_of_a_planner_of_the_same_seed() {
 fn the_table_lists_what_can_be_set() {
     let table: Json = catalogue()["indexes"].clone();
     let ids: Vec<_> = table.as_array().expect("rows").iter().map(|row| row["id"].as_str().expect("an id")).collect();
-    assert_eq!(ids, ["linear", "kd-tree", "forest"]);
+    assert_eq!(ids, ["linear", "kd-tree", "kd-tree-unwrapped", "forest"]);
     for (row, info) in table.as_array().expect("rows").iter().zip(indexes()) {
-        assert_eq!(row["exact"], json!(info.id != "forest"));
+        assert_eq!(row["exact"], json!(["linear", "kd-tree"].contains(&info.id)));
         for parameter in row["parameters"].as_array().expect("parameters") {
             let name = parameter["name"].as_str().expect("a name");
             assert!(parameter["meaning"].as_str().expect("a meaning").ends_with('.'));

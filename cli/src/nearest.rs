@@ -19,13 +19,15 @@ const REPEATS: usize = 1001;
 
 #[derive(Args)]
 #[command(after_help = "\
-Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; for a
-forest also \"recall\", the fraction of the true nearest that it found. query_seconds is the median of many repetitions.
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; of
+a forest, and of kd-tree-unwrapped, which takes angles as plain numbers, also \"recall\", the fraction of the true nearest that it
+found. query_seconds is the median of many repetitions.
 
 Examples:
   planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10
   planarium nearest arm.json --configurations list.npy --target 3.14,0 --k 5 --index linear --metric naive
-  planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4")]
+  planarium nearest arm.json --samples 20000 --target 0,0 --k 20 --index forest --set trees=4
+  planarium nearest arm.json --samples 2000 --target 3.14,0 --k 10 --index kd-tree-unwrapped")]
 pub struct Arguments {
     /// The scenario, a JSON file; - reads it from standard input
     file: String,
@@ -57,7 +59,7 @@ pub struct Arguments {
     #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
     within: Option<f64>,
 
-    /// The index: linear, kd-tree or forest
+    /// The index: linear, kd-tree, kd-tree-unwrapped or forest
     #[arg(long, value_name = "ID", default_value = "kd-tree")]
     index: String,
 

@@ -46,6 +46,12 @@ fn nearest_prints_indices_and_distances_nearest_first() {
     let naive = indices("nearest.json --target -0.1,0 --k 5 --metric naive");
     assert_eq!(naive, json!([3, 1, 0, 4, 2]), "-0.1 is read as 6.18");
     assert_eq!(indices("nearest.json --target -3,0 --within 0.3"), json!([3, 0, 4]));
+    let line = "nearest firs.json --configurations nearest.json --target -3,0 --k 4 --index kd-tree-unwrapped";
+    let found = planarium(line).json();
+    assert_eq!(found["indices"], json!([3, 1, 2, 0]), "3 is as far as a plain number is");
+    assert_eq!((&found["distances"], &found["recall"]), (&json!([0, 0.5, 3, 6]), &json!(0.75)), "4 is missed");
+    let naive = planarium(&format!("{line} --metric naive")).json();
+    assert_eq!(naive["recall"], 1, "the naive metric wraps nothing");
 }
 
 #[test]

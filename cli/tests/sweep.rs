@@ -92,6 +92,64 @@ fn rows_are_the_same_by_threads_and_in_shards() {
     }
 }
 
+#[test]
+fn settings_are_compared_with_any_baseline_or_each_with_each() {
+    file("compared.json", document().to_string());
+    let first = swept(&format!("compared.json --out {}", fresh("compared.csv")));
+    let rows = text_of("compared.csv");
+    let again = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
+        let command = command.args(["sweep", "compared.json", "--out", "compared.csv"]).args(more);
+        let output = command.current_dir(path("")).output().expect("the program ends");
+        let text = |bytes| String::from_utf8(bytes).expect("text");
+        assert!(text_of("compared.csv") == rows, "the baseline changes no row");
+        Finished {
+            code: output.status.code().expect("no signal"),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    };
+    let pairs = |summary: &Value| -> Vec<[u64; 2]> {
+        let all = summary["comparisons"].as_array().expect("a list").iter();
+        all.map(|one| ["group", "with"].map(|side| one[side].as_u64().expect("a number"))).collect()
+    };
+    // Three problems with three settings each.
+    assert_eq!(pairs(&first), [[1, 0], [2, 0], [4, 3], [5, 3], [7, 6], [8, 6]]);
+    assert_eq!(again(&["--baseline", "rrt (goal_bias=0.05)"]).json(), first, "the default by its name");
+    let mut other = again(&["--baseline", "rrt (goal_bias=0.2)"]).json();
+    assert_eq!(pairs(&other), [[0, 1], [2, 1], [3, 4], [5, 4], [6, 7], [8, 7]]);
+    let words = other["comparisons"][1]["solved"]["words"].as_str().expect("words");
+    assert!(words.contains("The success of prm is smaller than that of rrt (goal_bias=0.2) in "), "{words}");
+    let prm = again(&["--baseline", "prm"]).json();
+    assert_eq!(pairs(&prm), [[0, 2], [1, 2], [3, 5], [4, 5], [6, 8], [7, 8]]);
+    let mut all = again(&["--all-pairs"]).json();
+    assert_eq!(pairs(&all), [[1, 0], [2, 0], [2, 1], [4, 3], [5, 3], [5, 4], [7, 6], [8, 6], [8, 7]]);
+    // The level is divided by the number of all tests: half as many again, each of the success and of every measure.
+    let tests = |summary: &Value| {
+        let each = 1 + summary["comparisons"][0]["measures"].as_object().expect("measures").len();
+        format!(" of {} tests ", summary["comparisons"].as_array().expect("a list").len() * each)
+    };
+    for summary in [&first, &other, &prm, &all] {
+        let words = summary["comparisons"][0]["solved"]["words"].as_str().expect("words");
+        assert!(words.contains(&tests(summary)), "{words}");
+    }
+    assert_ne!(tests(&all), tests(&first));
+    // Everything but the comparisons is the same.
+    for summary in [&mut other, &mut all] {
+        summary["comparisons"] = first["comparisons"].clone();
+        assert_eq!(*summary, first);
+    }
+    let refused = again(&["--baseline", "rrt"]);
+    refused.refuses("out-of-range", "/baseline");
+    let known = "known names are \"rrt (goal_bias=0.05)\", \"rrt (goal_bias=0.2)\", \"prm\"";
+    assert!(refused.stderr.contains(known), "{}", refused.stderr);
+    assert_eq!(again(&["--baseline", "prm", "--all-pairs"]).code, 2);
+    // It is refused before any trial.
+    let name = fresh("unknown.csv");
+    sweep(&format!("compared.json --out {name} --baseline no")).refuses("out-of-range", "/baseline");
+    assert!(!path(name).exists());
+}
+
 /// The example for clusters, with a cluster of Dask on this machine. `npm test` installs Dask if it may, and sets the variable.
 #[test]
 fn dask_joins_the_rows_of_one_run() {

@@ -21,7 +21,7 @@ mod validate;
 pub use document::Measure;
 #[cfg(feature = "schema")]
 pub use document::schema;
-pub use summary::{Comparison, GroupSummary, MeasureSummary, Summary, SummaryDocument};
+pub use summary::{Baseline, Comparison, GroupSummary, MeasureSummary, Summary, SummaryDocument};
 pub use trial::{Trial, TrialRun, Trials, cell_text};
 
 use crate::world::PlanningWorld;

@@ -1,12 +1,57 @@
 //! The statistics of all rows of an experiment.
 
 use super::{Experiment, Measure, Trial};
-use crate::error::{Code, Error};
+use crate::error::{Code, Error, quoted};
 use crate::json::hex;
 use crate::statistics::{Mean, Names, Paired, Quartiles, Share, mean, paired, quartiles, share};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+
+/// The most names of settings in the sentence of an error.
+const MOST_NAMES: u64 = 30;
+
+/// What the settings of an experiment are compared with, on the same worlds and seeds.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Baseline {
+    /// The first setting of the first planner.
+    #[default]
+    First,
+    /// One setting: see [`Experiment::baseline`].
+    Setting {
+        /// The number of the planner in the document.
+        planner: usize,
+        /// The number of its setting.
+        setting: u64,
+    },
+    /// Each other: every pair is compared once.
+    AllPairs,
+}
+
+impl Experiment {
+    /// The setting with the given name, to be compared with. A name is that of the planner, with the parameters that vary in
+    /// parentheses, as comparisons print it: `prm (k=4)`. O(settings).
+    ///
+    /// # Errors
+    /// `out-of-range`, pointer `/baseline`, for another name, naming those that exist.
+    pub fn baseline(&self, name: &str) -> Result<Baseline, Error> {
+        let settings =
+            || self.planners.iter().enumerate().flat_map(|(i, planner)| (0..planner.grid.len()).map(move |n| (i, n)));
+        let label = |&(planner, setting): &(usize, u64)| {
+            let planner = &self.planners[planner];
+            label(&planner.name, &by_name(planner.grid.varied(setting)))
+        };
+        if let Some((planner, setting)) = settings().find(|one| label(one) == name) {
+            return Ok(Baseline::Setting { planner, setting });
+        }
+        let mut known: Vec<String> = settings().take(MOST_NAMES as usize).map(|one| quoted(&label(&one))).collect();
+        if let Some(more) = self.setting_count().checked_sub(MOST_NAMES).filter(|more| *more > 0) {
+            known.push(format!("and {more} more"));
+        }
+        let sentence = format!("no setting has the name {}; known names are {}", quoted(name), known.join(", "));
+        Err(Error::new(Code::OutOfRange, "/baseline", sentence))
+    }
+}
 
 /// Collects what is measured of trials, in any order, and summarises it: 8 bytes for each trial and measure.
 pub struct Summary<'a> {
@@ -39,7 +84,7 @@ pub struct SummaryDocument {
     pub rows: u64,
     /// The trials that differ in seeds alone.
     pub groups: Vec<GroupSummary>,
-    /// Each setting compared with the first setting of the first planner, on the same worlds and seeds.
+    /// The settings compared with their baseline, by default the first setting of the first planner, on the same worlds and seeds.
     pub comparisons: Vec<Comparison>,
 }
 
@@ -74,7 +119,7 @@ pub struct MeasureSummary {
     pub mean: Mean,
 }
 
-/// One setting compared with the first.
+/// One setting compared with another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The index of the group in [`SummaryDocument::groups`].
@@ -149,13 +194,19 @@ impl<'a> Summary<'a> {
 
     /// The summary of the trials that were added.
     pub fn document(&self) -> SummaryDocument {
+        self.document_against(Baseline::First)
+    }
+
+    /// The same with another baseline. P-values are judged by the number of all comparisons of the document, of every measure
+    /// (Bonferroni's correction). In addition to [`Summary::document`], all pairs take O(g^2) comparisons for g settings.
+    pub fn document_against(&self, baseline: Baseline) -> SummaryDocument {
         let groups: Vec<_> = self.groups.iter().map(|(key, group)| self.group(*key, group)).collect();
         SummaryDocument {
             experiment: self.experiment.fingerprint,
             title: self.experiment.title.clone(),
             trials: self.experiment.trial_count(),
             rows: self.rows,
-            comparisons: self.comparisons(&groups),
+            comparisons: self.comparisons(&groups, baseline),
             groups,
         }
     }
@@ -163,17 +214,12 @@ impl<'a> Summary<'a> {
     fn group(&self, [worlds, variant, query, planner, setting]: [u64; 5], group: &Group) -> GroupSummary {
         let experiment = self.experiment;
         let (worlds, planner) = (&experiment.worlds[worlds as usize], &experiment.planners[planner as usize]);
-        let varied = |values: Vec<(&str, &Value)>| {
-            let mut settings = Map::new();
-            values.into_iter().for_each(|(name, value)| drop(settings.insert(name.to_owned(), value.clone())));
-            settings
-        };
         GroupSummary {
             world: worlds.name.clone(),
-            world_settings: varied(worlds.varied(variant)),
+            world_settings: by_name(worlds.varied(variant)),
             query: worlds.queries[query as usize].clone(),
             planner: planner.name.clone(),
-            settings: varied(planner.grid.varied(setting)),
+            settings: by_name(planner.grid.varied(setting)),
             solved: share(&group.solved),
             valid: experiment.verify.then(|| share(&group.valid)),
             measures: self.by_measure(|i| MeasureSummary {
@@ -191,19 +237,38 @@ impl<'a> Summary<'a> {
         values
     }
 
-    fn comparisons(&self, summaries: &[GroupSummary]) -> Vec<Comparison> {
-        let groups: Vec<_> = self.groups.iter().collect();
+    /// The groups that are compared, and those that they are compared with: all of one problem.
+    fn pairs(&self, baseline: Baseline) -> Vec<(usize, usize)> {
+        let keys: Vec<_> = self.groups.keys().collect();
+        let mut pairs = Vec::new();
         // The groups are in order, so the first one of a problem is that of the first planner, if it has run.
-        let first = |key: &[u64; 5]| groups.partition_point(|(other, _)| other[..3] < key[..3]);
-        let pairs: Vec<_> = groups
-            .iter()
-            .enumerate()
-            .map(|(i, (key, _))| (i, first(key)))
-            .filter(|(group, with)| group != with)
-            .collect();
+        let mut first = 0;
+        for problem in keys.chunk_by(|a, b| a[..3] == b[..3]) {
+            let all = first..first + problem.len();
+            let against = match baseline {
+                Baseline::First => first..first + 1,
+                Baseline::Setting { planner, setting } => {
+                    let at = problem.iter().position(|key| key[3..] == [planner as u64, setting]);
+                    at.map_or(0..0, |at| first + at..first + at + 1)
+                }
+                Baseline::AllPairs => all.clone(),
+            };
+            let is_pair = |&(group, with): &(usize, usize)| match baseline {
+                Baseline::AllPairs => group > with,
+                _ => group != with,
+            };
+            pairs.extend(against.flat_map(|with| all.clone().map(move |group| (group, with))).filter(is_pair));
+            first = all.end;
+        }
+        pairs
+    }
+
+    fn comparisons(&self, summaries: &[GroupSummary], baseline: Baseline) -> Vec<Comparison> {
+        let groups: Vec<_> = self.groups.iter().collect();
+        let pairs = self.pairs(baseline);
         let tests = (pairs.len() * (1 + self.experiment.measures.len())) as u64;
         let compared = |&(group, with): &(usize, usize)| {
-            let [a, b] = [group, with].map(|i| label(&summaries[i]));
+            let [a, b] = [group, with].map(|i| label(&summaries[i].planner, &summaries[i].settings));
             let [one, other] = [group, with].map(|i| groups[i].1);
             let compare = |x: &[f64], y: &[f64], measure: &str| paired(x, y, Names { a: &a, b: &b, measure }, tests);
             Comparison {
@@ -219,11 +284,16 @@ impl<'a> Summary<'a> {
     }
 }
 
+/// Values of parameters by name.
+fn by_name(values: Vec<(&str, &Value)>) -> Map<String, Value> {
+    values.into_iter().map(|(name, value)| (name.to_owned(), value.clone())).collect()
+}
+
 /// A planner with its setting.
-fn label(group: &GroupSummary) -> String {
+fn label(planner: &str, settings: &Map<String, Value>) -> String {
     let settings: Vec<String> =
-        group.settings.iter().map(|(name, value)| format!("{name}={}", super::cell_text(value))).collect();
-    if settings.is_empty() { group.planner.clone() } else { format!("{} ({})", group.planner, settings.join(", ")) }
+        settings.iter().map(|(name, value)| format!("{name}={}", super::cell_text(value))).collect();
+    if settings.is_empty() { planner.to_owned() } else { format!("{planner} ({})", settings.join(", ")) }
 }
 
 impl Measure {

@@ -28,7 +28,7 @@ impl LinearScan {
         if self.len > FEW {
             return None;
         }
-        let measure = measure(query);
+        let measure = measure(query, false);
         let mut nearest: Option<Neighbour> = None;
         for at in 0..self.len {
             let vertex = self.packs.vertices(at / LANES)[at % LANES];
@@ -86,7 +86,7 @@ impl<S: Space> Nearest<S> for LinearScan {
             return 0;
         }
         let packed = self.packs.query(query.space, query.from);
-        let measure = measure(query);
+        let measure = measure(query, false);
         self.scan(query.space, &packed, Closest::new(&packed, found, k, guess, k <= SORTED, measure));
         if guess < f64::INFINITY && found.len() < k.min(self.len) {
             self.scan(query.space, &packed, Closest::new(&packed, found, k, f64::INFINITY, k <= SORTED, measure));
@@ -96,7 +96,7 @@ impl<S: Space> Nearest<S> for LinearScan {
 
     fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let packed = self.packs.query(query.space, query.from);
-        let measure = measure(query);
+        let measure = measure(query, false);
         self.scan(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure));
         self.len
     }

@@ -43,6 +43,8 @@ pub(super) struct Packs {
     reach: [f64; MAX_DIMENSION],
     /// The weight of each coordinate in the metric.
     pub weights: [f64; MAX_DIMENSION],
+    /// Whether nothing wraps: circles are intervals of plain numbers.
+    pub is_unwrapped: bool,
     /// `dimension` rows per pack.
     rows: Vec<[f32; LANES]>,
     vertices: Vec<[VertexId; LANES]>,
@@ -133,7 +135,7 @@ impl Packs {
             let single = x.clamp(-MOST, MOST) as f32;
             query.from[i] = single;
             query.signed[i] = f32x4::new([single, single, -single, -single]);
-            let period = space.period(i);
+            let period = period(space, i, self.is_unwrapped);
             query.periods[i] = period as f32;
             let size = self.reach[i] + x.abs() + if period < f64::INFINITY { period } else { 0.0 };
             errors[i] = UNIT * size + 1.0 / MOST;
@@ -146,8 +148,8 @@ impl Packs {
 
     /// The same without any states.
     pub fn emptied(&self) -> Self {
-        let Self { dimension, origin, reach, weights, .. } = *self;
-        Self { dimension, origin, reach, weights, rows: Vec::new(), vertices: Vec::new() }
+        let Self { dimension, origin, reach, weights, is_unwrapped, .. } = *self;
+        Self { dimension, origin, reach, weights, is_unwrapped, rows: Vec::new(), vertices: Vec::new() }
     }
 
     /// The vertex and the coordinates in a lane.
@@ -215,14 +217,20 @@ pub(super) fn weight<S: Space>(space: &S, i: usize) -> f64 {
     space.norm(|j| f64::from(u8::from(i == j)))
 }
 
-/// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a
-/// lower bound on it.
+/// The length of a whole turn of a coordinate; infinite if nothing wraps.
 #[inline(always)]
-pub(super) fn measure<S: Space>(query: Query<'_, S>) -> impl Fn(VertexId) -> f64 + Copy {
+fn period<S: Space>(space: &S, i: usize, is_unwrapped: bool) -> f64 {
+    if is_unwrapped { f64::INFINITY } else { space.period(i) }
+}
+
+/// What measures a vertex: the number that [`Space::norm`] gives for it and a state in double precision, their distance or a
+/// lower bound on it; without wrap-around if nothing wraps.
+#[inline(always)]
+pub(super) fn measure<S: Space>(query: Query<'_, S>, is_unwrapped: bool) -> impl Fn(VertexId) -> f64 + Copy {
     let Query { space, states, from, .. } = query;
     let from = space.coordinates(from);
     move |vertex| {
         let to = space.coordinates(&states[vertex.index()]);
-        space.norm(|i| gap(from[i], to[i], space.period(i)))
+        space.norm(|i| gap(from[i], to[i], period(space, i, is_unwrapped)))
     }
 }

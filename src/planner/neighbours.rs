@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::graph::VertexId;
-use crate::nearest::{Forest, ForestParameters, Index, Nearest, Neighbour, Neighbourhood, Query};
+use crate::nearest::{Forest, ForestParameters, Index, KdTree, Nearest, Neighbour, Neighbourhood, Query};
 use crate::options::out_of_range;
 use crate::random::{Random, Stream};
 use crate::space::{Coordinate, MAX_DIMENSION, Metric, ProductSpace, Space};
@@ -12,6 +12,8 @@ crate::choice! {
     pub enum NeighbourIndex {
         /// By an exact index.
         Exact,
+        /// By a kd-tree that takes angles as plain numbers, which misses those across -pi and pi.
+        KdTreeUnwrapped,
         /// By a forest of random-projection trees, which misses some.
         Forest,
     }
@@ -30,7 +32,7 @@ crate::choice! {
 crate::options! {
     /// How the neighbours of a roadmap are found.
     pub struct Neighbouring for crate::options::ALL;
-    /// Finds all nearest neighbours (exact), or most of them by ten random-projection trees (forest).
+    /// Finds all nearest (exact), all but those across pi (kd-tree-unwrapped, faulty), or most by ten trees (forest).
     neighbour_index: NeighbourIndex = NeighbourIndex::Exact, "Neighbour index";
     /// Distance between neighbours: that of edges, or without wrap-around (naive), which misses some across 0.
     neighbour_metric: NeighbourMetric = NeighbourMetric::Edges, "Neighbour metric";
@@ -49,6 +51,7 @@ pub(super) struct Neighbours {
 #[derive(Debug, Clone)]
 enum Chosen {
     Exact(Box<Index>),
+    Unwrapped(Box<KdTree>),
     Forest(Box<Forest>),
 }
 
@@ -70,16 +73,18 @@ impl Neighbours {
     /// No vertices; `k` is the number of neighbours that are asked for.
     ///
     /// # Errors
-    /// `out-of-range`, pointer `/neighbour_index`, for a forest in a space whose distances are lengths of curves.
+    /// `out-of-range`, pointer `/neighbour_index`, for a forest, or a kd-tree without wrap-around, in a space whose distances are
+    /// lengths of curves.
     pub fn new<S: Space>(options: Neighbouring, space: &S, k: usize, seed: u64) -> Result<Self, Error> {
         let naive = (options.neighbour_metric == NeighbourMetric::Naive).then(|| Naive::new(space));
         let index = match options.neighbour_index {
             NeighbourIndex::Exact => Chosen::Exact(Box::default()),
-            NeighbourIndex::Forest if naive.is_none() && !space.is_norm_exact() => {
-                let sentence =
-                    "a forest cannot measure curves; use neighbour_metric = naive or neighbour_index = exact";
+            _ if naive.is_none() && !space.is_norm_exact() => {
+                let sentence = "only an exact index measures curves; use neighbour_metric = naive or \
+                    neighbour_index = exact";
                 return Err(out_of_range("neighbour_index", sentence));
             }
+            NeighbourIndex::KdTreeUnwrapped => Chosen::Unwrapped(Box::new(KdTree::unwrapped())),
             NeighbourIndex::Forest => {
                 let parameters =
                     ForestParameters { trees: TREES, candidates: TREES.saturating_mul(k), ..Default::default() };
@@ -89,9 +94,9 @@ impl Neighbours {
         Ok(Self { index, naive })
     }
 
-    /// Whether no neighbour is missed.
+    /// Whether no neighbour by the distance of the index, which is symmetric, is missed.
     pub fn is_exact(&self) -> bool {
-        matches!(self.index, Chosen::Exact(_))
+        !matches!(self.index, Chosen::Forest(_))
     }
 
     /// Adds a vertex; numbers must increase.
@@ -134,6 +139,7 @@ impl Chosen {
     fn insert<S: Space>(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         match self {
             Chosen::Exact(index) => index.insert(space, vertex, state),
+            Chosen::Unwrapped(tree) => tree.insert(space, vertex, state),
             Chosen::Forest(forest) => forest.insert(space, vertex, state),
         }
     }
@@ -142,6 +148,7 @@ impl Chosen {
     fn find<S: Space>(&self, query: Query<S>, wanted: Neighbourhood, found: &mut Vec<Neighbour>) -> usize {
         match self {
             Chosen::Exact(index) => index.find(query, wanted, found),
+            Chosen::Unwrapped(tree) => tree.find(query, wanted, found),
             Chosen::Forest(forest) => forest.find(query, wanted, found),
         }
     }

@@ -91,7 +91,7 @@ test("nor do indexes of configurations", () => {
   const scenario = Scenario.parse(arm);
   const rows = scenario.sampleConfigurations(300, { seed: 1 });
   keepsItsSize(500, () => {
-    for (const index of /** @type {const} */ (["linear", "kd-tree", "forest"])) {
+    for (const index of /** @type {const} */ (["linear", "kd-tree", "kd-tree-unwrapped", "forest"])) {
       const held = scenario.neighbours({ index });
       held.add(rows);
       held.nearest([1, 2], 20);

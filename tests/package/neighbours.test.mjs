@@ -26,6 +26,9 @@ test("neighbours come nearest first, ties by number, the short way round", () =>
   const naive = made({ metric: "naive" });
   naive.add([[3, 0], [-3, 0.5], [0, 0], [-3, 0], [3, 0]]);
   assert.deepEqual([...naive.nearest([-0.1, 0], 5).indices], [3, 1, 0, 4, 2]);
+  const unwrapped = made({ index: "kd-tree-unwrapped" });
+  unwrapped.add([[3, 0], [-3, 0.5], [0, 0], [-3, 0], [3, 0]]);
+  assert.deepEqual(unwrapped.nearest([-3, 0], 5), { indices: Uint32Array.of(3, 1, 2, 0, 4), distances: Float64Array.of(0, 0.5, 3, 6, 6), visited: 5 });
 });
 
 test("samples are the same for a seed; those that must be free are", () => {
@@ -48,7 +51,7 @@ test("samples are the same for a seed; those that must be free are", () => {
 });
 
 test("the table tells what each index takes", () => {
-  assert.deepEqual(neighbourIndexes().map(({ id, exact }) => [id, exact]), [["linear", true], ["kd-tree", true], ["forest", false]]);
+  assert.deepEqual(neighbourIndexes().map(({ id, exact }) => [id, exact]), [["linear", true], ["kd-tree", true], ["kd-tree-unwrapped", false], ["forest", false]]);
   for (const { id, title, summary, parameters } of neighbourIndexes()) {
     assert.ok(title && summary.endsWith("."), id);
     assert.deepEqual(parameters.map(({ name }) => name), id === "forest" ? ["metric", "trees", "leaf", "candidates", "seed"] : ["metric"]);

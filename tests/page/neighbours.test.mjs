@@ -108,6 +108,34 @@ test("the naive metric misleads: what it misses and what it finds wrongly is sai
   assert.equal(await pixelsOf(page, "cspace", "top", "rejected"), 0);
 }));
 
+test("a kd-tree without wrap-around misses what lies across pi: said, marked, drawn up to the border, and in a link", () => onNeighbours(async (page) => {
+  await put(page, "q0-number", 3.1);
+  await put(page, "q1-number", 1);
+  await put(page, "k-number", 12);
+  const right = await stateOf(page);
+  assert.equal(right.missed, "0");
+  await select(page, "index", "kd-tree-unwrapped");
+  const state = await stateOf(page);
+  const [plain, meant] = /** @type {const} */ (["kd-tree-unwrapped", "linear"]).map((index) => foundBy(state, { index }).indices);
+  assert.deepEqual([numbers(state.found), numbers(right.found)], [[...plain], [...meant]]);
+  const missed = [...meant].filter((one) => !plain.includes(one)).length;
+  assert.ok(missed > 0, "the target is at the seam");
+  assert.equal(state.missed, String(missed));
+  assert.match(await page.innerText("#story"), new RegExp(`This kd-tree .* cuts each circle at \u03c0\\. Of its 12 neighbours ${missed} `));
+  assert.equal(await page.locator("#neighbours tr[data-right=false]").count(), missed);
+  assert.equal(await page.innerText("#fact-recall"), `${12 - missed} of 12`);
+  for (const pane of ["workspace", "cspace"]) assert.ok(await pixelsOf(page, pane, "top", "rejected") > 10, pane);
+  await onNeighbours(async (other) => assert.deepEqual(await stateOf(other), state), DESK, { path: `neighbours.html${await linkOf(page)}` });
+  await select(page, "option-metric", "naive");
+  assert.match(await page.innerText("#story"), /The naive metric .* cuts each circle at 0/);
+  await select(page, "option-metric", "sum");
+  await put(page, "q0-number", 1.5);
+  assert.match(await page.innerText("#story"), /Here it happens to be right\. Move a joint near \u03c0 to see it fail\./);
+  await choose(page, "point");
+  assert.deepEqual([(await stateOf(page)).index, (await stateOf(page)).missed], ["kd-tree-unwrapped", "0"]);
+  assert.match(await page.innerText("#story"), /^The kd-tree visited .* to find the 8 nearest\.$/);
+}, { ...DESK, permissions: ["clipboard-read", "clipboard-write"] }));
+
 test("scan, tree and forest: how many they visit, and what a forest misses", () => onNeighbours(async (page) => {
   await choose(page, "four");
   await put(page, "count-number", 5000);

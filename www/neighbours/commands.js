@@ -3,9 +3,8 @@ import { Scenario } from "planarium";
 import { Measurement } from "./measurement.js";
 import { readList } from "./read-list.js";
 
-/** @import { Neighbours, NeighboursOptions } from "planarium" */
+/** @import { IndexId, Neighbours, NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument, Settings } from "../domain/types.js" */
-/** @import { IndexId } from "./measurement.js" */
 
 /** @type {Scenario | null} */
 let scenario = null;

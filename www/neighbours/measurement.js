@@ -7,9 +7,10 @@ import { rowsOf } from "../domain/coordinates.js";
 
 /** @import { Neighbours, NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument, Settings } from "../domain/types.js" */
-/** @typedef {typeof KINDS[number]} IndexId */
+/** @typedef {typeof KINDS[number]} Kind */
 /** An index on n configurations. @typedef {ReturnType<Measurement["measure"]>[number]} Measured */
 
+/** The indexes that are timed. */
 export const KINDS = /** @type {const} */ (["linear", "kd-tree", "forest"]);
 /** Targets queried in turn. */
 const TARGETS = 40;

@@ -4,9 +4,8 @@ import { tuple } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
 import { Slider } from "../widgets/slider.js";
 
-/** @import { IndexInfo } from "planarium" */
+/** @import { IndexId, IndexInfo } from "planarium" */
 /** @import { NeighbourSession, Change, Weights } from "./session.js" */
-/** @import { IndexId } from "./measurement.js" */
 
 /** Weights of a metre and a radian in the course reports. @type {Weights[]} */
 const PAIRS = [[0.7, 0.3], [0.7, 0.15]];

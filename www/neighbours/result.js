@@ -25,7 +25,7 @@ export function showNeighbours(session) {
 }
 
 /** @param {NeighbourSession} session */
-export function sentenceOf({ found, index, isNaive, isArm, count, missed, k, isAsking, sampling, file }) {
+export function sentenceOf({ found, index, cut, isArm, count, missed, k, isAsking, sampling, file }) {
   if (count === 0) return "There are no configurations.";
   if (!isAsking) {
     const what = `${grouped(count)} ${sampling.free && file === null ? "collision-free " : ""}${count === 1 ? "configuration" : "configurations"}`;
@@ -33,10 +33,11 @@ export function sentenceOf({ found, index, isNaive, isArm, count, missed, k, isA
   }
   const asked = Math.min(k, count);
   const wrong = missed.length;
-  if (isNaive) {
-    const naive = "The naive metric treats angles as plain numbers from 0 to 2\u03c0, so it cuts each circle at 0.";
-    return wrong === 0 ? `${naive} Here it happens to be right. Move a joint near 0 to see it fail.`
-      : `${naive} Of its ${asked} neighbours ${wrong} ${wrong === 1 ? "is" : "are"} wrong: it misses nearer ones beyond the cut.`;
+  if (cut !== null) {
+    const at = cut === 0 ? "0" : "\u03c0";
+    const plain = `${cut === 0 ? "The naive metric" : "This kd-tree"} treats angles as plain numbers from ${cut === 0 ? "0 to 2\u03c0" : "\u2212\u03c0 to \u03c0"}, so it cuts each circle at ${at}.`;
+    return wrong === 0 ? `${plain} Here it happens to be right. Move ${isArm ? "a joint" : "the angle"} near ${at} to see it fail.`
+      : `${plain} Of its ${asked} neighbours ${wrong} ${wrong === 1 ? "is" : "are"} wrong: it misses nearer ones beyond the cut.`;
   }
   const visited = `visited ${grouped(found.visited)} of ${grouped(count)} configurations`;
   if (index === "forest") {
@@ -44,5 +45,5 @@ export function sentenceOf({ found, index, isNaive, isArm, count, missed, k, isA
       : `The forest ${visited} and missed ${wrong} of the ${asked} nearest (dashed).`;
   }
   if (index === "linear") return `The linear scan visited all ${grouped(count)} configurations to find the ${asked} nearest.`;
-  return `The kd-tree ${visited} to find the ${asked} nearest.${isArm ? " Angles wrap, so a neighbour may lie across the border." : ""}`;
+  return `The kd-tree ${visited} to find the ${asked} nearest.${isArm && index === "kd-tree" ? " Angles wrap, so a neighbour may lie across the border." : ""}`;
 }

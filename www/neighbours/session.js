@@ -10,10 +10,9 @@ import { isPlaced } from "../domain/names.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
-/** @import { NeighboursFound } from "planarium" */
+/** @import { IndexId, NeighboursFound } from "planarium" */
 /** @import { Part, ScenarioDocument, Settings } from "../domain/types.js" */
 /** @import { Commands, List } from "./commands.js" */
-/** @import { IndexId } from "./measurement.js" */
 /** @import { RobotEntry } from "./robots.js" */
 
 /** @typedef {"robot" | "list" | "query" | "result"} Change */
@@ -71,7 +70,11 @@ export class NeighbourSession extends Observable {
   get count() { return this.list.rows.length / this.dimension; }
   get isArm() { return this.document.robot.type === "arm"; }
   get isPlanar() { return this.isArm && this.dimension === 2; }
-  get isNaive() { return this.given.metric === "naive"; }
+  /** The angle at which the query cuts circles open: 0 in the naive metric, pi in a kd-tree that does not wrap; null if angles wrap. @returns {number | null} */
+  get cut() {
+    if (this.given.metric === "naive") return 0;
+    return this.index === "kd-tree-unwrapped" && this.coordinates.some(({ isCircle }) => isCircle) ? Math.PI : null;
+  }
   get isPlaced() { return isPlaced(this.scenario.robot); }
 
   /** The weights of the metric of a body or a car. @returns {Weights} */

@@ -1,8 +1,8 @@
 /**
  * The configuration space of an arm of two joints: the list as dots, and straight motions from the target to its neighbours. The
- * naive metric cuts both circles at 0, and its motions never cross that cut, which is drawn.
+ * naive metric cuts both circles at 0, a kd-tree that does not wrap at pi; their motions never cross that cut, which is drawn.
  */
-import { difference } from "planarium/draw";
+import { difference, wrap } from "planarium/draw";
 import { AngleSquare } from "../draw/angle-square.js";
 import { dotsImage } from "../draw/dots.js";
 import { disc, drawDot, drawLine, drawReference, ring, setStroke } from "../draw/marks.js";
@@ -52,19 +52,20 @@ export class Square extends AngleSquare {
   top({ context, palette }) {
     const { session, view, inner } = this;
     if (!session.isAsking) return;
-    const { found: { indices }, missed, isNaive, q } = session;
+    const { found: { indices }, missed, cut, q } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
-      if (isNaive) {
+      if (cut !== null) {
         setStroke(context, palette.rejected, 1.4, [7, 5]);
-        drawLine(context, view.x(0), inner.y, view.x(0), inner.y + inner.height);
-        drawLine(context, inner.x, view.y(0), inner.x + inner.width, view.y(0));
+        const [across, up] = this.coordinates;
+        if (across.isCircle) drawLine(context, view.x(cut), inner.y, view.x(cut), inner.y + inner.height);
+        if (up.isCircle) drawLine(context, inner.x, view.y(cut), inner.x + inner.width, view.y(cut));
       }
       setStroke(context, palette.rejected, 1.2, [3, 4]);
-      for (const i of missed) this.drawMotion(context, i, false);
+      for (const i of missed) this.drawMotion(context, i, null);
       for (let rank = indices.length - 1; rank >= 0; rank--) {
         setStroke(context, colourOf(indices[rank]), 2 - rank / Math.max(1, indices.length - 1));
-        this.drawMotion(context, indices[rank], isNaive);
+        this.drawMotion(context, indices[rank], cut);
       }
       setStroke(context, palette.rejected, 1.6);
       for (const i of missed) ring(context, ...this.place(session.row(i)), 4.6);
@@ -76,13 +77,13 @@ export class Square extends AngleSquare {
     });
   }
 
-  /** The motion from the target to a configuration. @param {CanvasRenderingContext2D} context @param {number} i @param {boolean} isNaive */
-  drawMotion(context, i, isNaive) {
+  /** The motion from the target to a configuration. @param {CanvasRenderingContext2D} context @param {number} i @param {number | null} cut */
+  drawMotion(context, i, cut) {
     const { session: { q }, session } = this;
     const row = session.row(i);
-    this.strokeMotion(context, q, [0, 1].map((axis) => (isNaive ? positive(row[axis]) - positive(q[axis]) : difference(q[axis], row[axis], true))));
+    this.strokeMotion(context, q, this.coordinates.map(({ isCircle }, axis) => (cut === null || !isCircle ? difference(q[axis], row[axis], isCircle) : plain(row[axis], cut) - plain(q[axis], cut))));
   }
 }
 
-/** An angle from 0 to a whole turn, as the naive metric reads it. @param {number} angle */
-function positive(angle) { return ((angle % TURN) + TURN) % TURN; }
+/** An angle as it is read where the circle is cut at an angle, 0 or pi. @param {number} angle @param {number} cut */
+function plain(angle, cut) { return cut === 0 ? ((angle % TURN) + TURN) % TURN : wrap(angle); }

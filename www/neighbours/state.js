@@ -2,13 +2,15 @@
 import { Scenario } from "planarium";
 import { flag, json, list, name, number, oneOf, record, settings, text, whole, withDefaults } from "../formats/rules.js";
 import { sceneDocument } from "../planner/scenes/document.js";
-import { KINDS } from "./measurement.js";
 import { ROBOTS, entryOf } from "./robots.js";
 
-/** @import { NeighboursOptions } from "planarium" */
+/** @import { IndexId, NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Rule } from "../formats/rules.js" */
 /** @import { NeighbourSession, OwnList, Weights } from "./session.js" */
+
+/** @type {readonly IndexId[]} */
+const INDEXES = ["linear", "kd-tree", "kd-tree-unwrapped", "forest"];
 
 export const stateRule = withDefaults({
   // A scenario, the name of a scene of the planner's page, or a robot of this page; the first of them that there is.
@@ -18,7 +20,7 @@ export const stateRule = withDefaults({
   draw: record({ n: whole(100_000, 1), seed: whole(999), free: flag }),
   // A list from a file, in place of the sampled one.
   list: /** @type {Rule<OwnList>} */ (record({ name: text, rows: list(list(number, 1, 8), 1, 4000) })),
-  q: list(number, 1, 8), k: whole(500, 1), index: oneOf(KINDS), given: settings,
+  q: list(number, 1, 8), k: whole(500, 1), index: oneOf(INDEXES), given: settings,
   // Whether the target and its neighbours are shown.
   ask: flag,
 }, { robot: ROBOTS[0].id, draw: {}, index: "kd-tree", given: {}, ask: true });

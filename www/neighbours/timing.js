@@ -11,14 +11,14 @@ import { KINDS } from "./measurement.js";
 
 /** @import { IndexInfo } from "planarium" */
 /** @import { NeighbourSession } from "./session.js" */
-/** @import { IndexId, Measured } from "./measurement.js" */
+/** @import { Kind, Measured } from "./measurement.js" */
 
 /** Numbers of configurations: those of the course reports, and more. */
 const SIZES = [100, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000];
 /** Milliseconds of all measurements; the last one may take a little longer. */
 const MOST = 1500;
 
-/** The columns of the table, each for some indexes. @type {{ id: "query" | "build" | "visited" | "recall", kinds: readonly IndexId[], text: (one: Measured) => string }[]} */
+/** The columns of the table, each for some indexes. @type {{ id: "query" | "build" | "visited" | "recall", kinds: readonly Kind[], text: (one: Measured) => string }[]} */
 const COLUMNS = [
   { id: "query", kinds: KINDS, text: ({ query }) => duration(query) },
   { id: "build", kinds: KINDS, text: ({ build }) => duration(build) },

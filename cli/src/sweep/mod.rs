@@ -12,7 +12,7 @@ use crate::progress::{REDRAW, next_slice, progress_target};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
-use planarium::experiment::{Experiment, Summary, Trials};
+use planarium::experiment::{Baseline, Experiment, Summary, Trials};
 use planarium::json;
 use planarium::run::Phase;
 use rows::{Format, Row, Rows, Writer};
@@ -35,7 +35,8 @@ Exit codes: 0 all trials have rows, solved or not; 2 the input is wrong, or the 
 Examples:
   planarium sweep experiment.json --out runs.csv
   planarium sweep experiment.json --out part2.csv --shard 2/8 --threads 4
-  planarium sweep experiment.json --out runs.csv --ompl-log runs.log")]
+  planarium sweep experiment.json --out runs.csv --ompl-log runs.log
+  planarium sweep experiment.json --out runs.csv --baseline \"prm (k=4)\"")]
 pub struct Arguments {
     /// The experiment, a JSON file; - reads it from standard input
     file: String,
@@ -60,6 +61,15 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     ompl_log: Option<String>,
 
+    /// The setting that all others are compared with, as comparisons name it, such as "prm (k=4)" [default: the first of the
+    /// first planner]
+    #[arg(long, value_name = "NAME")]
+    baseline: Option<String>,
+
+    /// Compare all settings with each other
+    #[arg(long, conflicts_with = "baseline")]
+    all_pairs: bool,
+
     /// Replace files that contain something else; rows of this experiment are continued all the same
     #[arg(long)]
     force: bool,
@@ -75,6 +85,11 @@ type Finished = Result<(Vec<u8>, [f64; 2]), Error>;
 pub fn sweep(arguments: &Arguments) -> Answer {
     let (document, inputs) = document(&arguments.file)?;
     let experiment = Arc::new(Experiment::read(&document)?);
+    let baseline = match &arguments.baseline {
+        Some(name) => experiment.baseline(name)?,
+        None if arguments.all_pairs => Baseline::AllPairs,
+        None => Baseline::First,
+    };
     let rows = Rows::new(&experiment, &arguments.out, arguments.format, arguments.shard.unwrap_or_default());
     let mut outputs = Outputs::beside(inputs.iter().map(String::as_str), arguments.force);
     for name in rows.names() {
@@ -88,7 +103,7 @@ pub fn sweep(arguments: &Arguments) -> Answer {
     if let Some(log) = log {
         ompl_log::write(&experiment, &rows, seconds, &log)?;
     }
-    files::print(&summary(&experiment, &rows)?)?;
+    files::print(&summary(&experiment, &rows, baseline)?)?;
     let kept = next - rows.trials.start;
     files::say(&format!("{made} trials in {seconds:.3} s, {:.1} a second; {kept} were there", made as f64 / seconds));
     Ok(true)
@@ -195,7 +210,7 @@ fn trial(trials: &mut Trials, rows: &Rows, number: u64) -> Finished {
 }
 
 /// The statistics of all rows, as JSON.
-fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
+fn summary(experiment: &Experiment, rows: &Rows, baseline: Baseline) -> Result<String, Error> {
     let mut summary = Summary::new(experiment);
     let columns: HashMap<&str, usize> = rows.columns.iter().map(String::as_str).zip(0..).collect();
     rows.read(|Row { trial, cells, seconds: [build, search] }| {
@@ -205,7 +220,7 @@ fn summary(experiment: &Experiment, rows: &Rows) -> Result<String, Error> {
             _ => columns.get(name).map_or(String::new(), |&i| cells[i].clone()),
         })
     })?;
-    Ok(json::to_string(&summary.document()))
+    Ok(json::to_string(&summary.document_against(baseline)))
 }
 
 /// A progress bar on standard error, hidden unless that is a terminal.

@@ -91,6 +91,16 @@ pub struct KdTree {
 }
 
 impl KdTree {
+    /// An empty tree that knows nothing of circles: it takes angles as plain numbers from -pi to pi, so it misses neighbours across
+    /// that seam. Faulty, for comparison. Its neighbours, ranks and distances are those of a scan by the same metric without
+    /// wrap-around, bit for bit. Without circles it is the default tree, and costs as much in any space. It ranks by
+    /// [`Space::norm`] alone.
+    pub fn unwrapped() -> Self {
+        let mut tree = Self::default();
+        tree.packs.is_unwrapped = true;
+        tree
+    }
+
     /// The `k` nearest states if the norm of the space is a lower bound on their distances, into `found`: `distance` returns that
     /// of a vertex if it is at most a number, else any greater number. A few candidates are ranked by their bounds first, so that
     /// the search for all others begins with a low bar. Returns how many vertices were visited.
@@ -182,7 +192,7 @@ impl KdTree {
 impl<S: Space> Nearest<S> for KdTree {
     fn insert(&mut self, space: &S, vertex: VertexId, state: &S::State) {
         if self.len == 0 {
-            let mut packs = Packs::default();
+            let mut packs = std::mem::take(&mut self.packs);
             packs.start(space, state);
             self.start(packs);
         }
@@ -201,7 +211,7 @@ impl<S: Space> Nearest<S> for KdTree {
             return 0;
         }
         let packed = self.packs.query(query.space, query.from);
-        let measure = measure(query);
+        let measure = measure(query, self.packs.is_unwrapped);
         let mut visited =
             self.search(query.space, &packed, Closest::new(&packed, found, k, guess, k <= SORTED, measure));
         if guess < f64::INFINITY && found.len() < k.min(self.len) {
@@ -213,7 +223,7 @@ impl<S: Space> Nearest<S> for KdTree {
 
     fn within(&self, query: Query<S>, radius: f64, found: &mut Vec<Neighbour>) -> usize {
         let packed = self.packs.query(query.space, query.from);
-        let measure = measure(query);
+        let measure = measure(query, self.packs.is_unwrapped);
         self.search(query.space, &packed, Closest::new(&packed, found, usize::MAX, radius, false, measure))
     }
 }

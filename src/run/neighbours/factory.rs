@@ -37,6 +37,9 @@ fn index_of<const N: usize>(world: &PlanningWorld, options: &IndexOptions) -> Re
         IndexOptions::KdTree(_) => {
             Box::new(TypedIndex { space, states: Vec::new(), index: KdTree::default(), configurations, most })
         }
+        IndexOptions::KdTreeUnwrapped(_) => {
+            Box::new(TypedIndex { space, states: Vec::new(), index: KdTree::unwrapped(), configurations, most })
+        }
         IndexOptions::Forest(ForestOptions { trees, leaf, candidates, seed, .. }) => {
             let key = Random::new(seed, Stream::Projections).bits();
             let index = Forest::new(ForestParameters { trees, leaf, candidates }, key);

@@ -13,6 +13,9 @@ pub enum IndexOptions {
     Linear(MetricOptions),
     /// A kd-tree, the default.
     KdTree(MetricOptions),
+    /// A kd-tree that takes angles as plain numbers from -pi to pi. Faulty, for comparison: see
+    /// [`KdTree::unwrapped`](crate::nearest::KdTree::unwrapped).
+    KdTreeUnwrapped(MetricOptions),
     /// A forest of random projections.
     Forest(ForestOptions),
 }
@@ -33,9 +36,11 @@ impl IndexOptions {
         Ok(match id.unwrap_or("kd-tree") {
             "linear" => IndexOptions::Linear(Options::read(given)?),
             "kd-tree" => IndexOptions::KdTree(Options::read(given)?),
+            "kd-tree-unwrapped" => IndexOptions::KdTreeUnwrapped(Options::read(given)?),
             "forest" => IndexOptions::Forest(Options::read(given)?),
             id => {
-                let sentence = format!("unknown index {}; known indexes are linear, kd-tree, forest", quoted(id));
+                let known = "linear, kd-tree, kd-tree-unwrapped, forest";
+                let sentence = format!("unknown index {}; known indexes are {known}", quoted(id));
                 return Err(Error::new(Code::OutOfRange, "/index", sentence));
             }
         })
@@ -49,14 +54,16 @@ impl IndexOptions {
     /// Its metric.
     pub fn measuring(&self) -> MetricOptions {
         match *self {
-            IndexOptions::Linear(measuring) | IndexOptions::KdTree(measuring) => measuring,
+            IndexOptions::Linear(measuring)
+            | IndexOptions::KdTree(measuring)
+            | IndexOptions::KdTreeUnwrapped(measuring) => measuring,
             IndexOptions::Forest(ForestOptions { measuring, .. }) => measuring,
         }
     }
 
     /// Whether it always finds the nearest.
     pub fn is_exact(&self) -> bool {
-        !matches!(self, IndexOptions::Forest(_))
+        matches!(self, IndexOptions::Linear(_) | IndexOptions::KdTree(_))
     }
 }
 
@@ -105,6 +112,13 @@ pub fn indexes() -> Vec<IndexInfo> {
             title: "kd-tree",
             summary: "Halves the configurations recursively and skips boxes that are too far; angles wrap. Exact.",
             is_exact: true,
+            parameters: MetricOptions::table(),
+        },
+        IndexInfo {
+            id: "kd-tree-unwrapped",
+            title: "kd-tree without wrap-around",
+            summary: "Takes angles as plain numbers from -pi to pi: misses the nearest across that seam. Faulty, for comparison.",
+            is_exact: false,
             parameters: MetricOptions::table(),
         },
         IndexInfo {

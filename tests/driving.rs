@@ -227,9 +227,9 @@ fn euler_steps_drift_from_the_arc_in_proportion_to_their_length() {
             assert!((to[1] - from[1] - 0.5 * step * libm::sin(from[2])).abs() < 1e-15);
             assert!((angular_distance(to[2], from[2]) - turn_rate * step).abs() < 1e-14);
         }
-        let [arc, spiral] = [exact, euler].map(|rollout| rollout.poses[rollout.poses.len() - 1]);
-        assert!(angular_distance(arc[2], spiral[2]) < 1e-12, "headings are exact");
-        (arc[0] - spiral[0]).hypot(arc[1] - spiral[1])
+        let [arc, steps] = [exact, euler].map(|rollout| rollout.poses[rollout.poses.len() - 1]);
+        assert!(angular_distance(arc[2], steps[2]) < 1e-12, "headings are exact");
+        (arc[0] - steps[0]).hypot(arc[1] - steps[1])
     };
     let [coarse, fine, finest] = [0.1, 0.01, 0.001].map(rolled);
     assert!(coarse > 5.0 * fine && fine > 5.0 * finest && finest > 1e-6, "{coarse} {fine} {finest}");
@@ -241,6 +241,37 @@ fn euler_steps_drift_from_the_arc_in_proportion_to_their_length() {
         assert_eq!(hold(0.1, 0.0, 0.0, Integration::Euler, Some(step)).expect_err("bad input").pointer(), "/dt");
     }
     refuses(hold(0.1, 0.0, 2.0, Integration::Euler, Some(1e-6)), "out-of-range", "/duration");
+}
+
+/// Where `n` steps of `dt` end that begin at the origin: a sum of a geometric series of rotations, v dt times
+/// sin(n a / 2) / sin(a / 2) in direction (n - 1) a / 2, with a = turn rate x dt.
+fn euler_sum(speed: f64, turn_rate: f64, dt: f64, n: u32) -> [f64; 2] {
+    let (n, half) = (f64::from(n), 0.5 * turn_rate * dt);
+    let length = speed * dt * libm::sin(n * half) / libm::sin(half);
+    [length * libm::cos((n - 1.0) * half), length * libm::sin((n - 1.0) * half)]
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn euler_steps_end_where_their_sum_does_and_the_gap_to_the_arc_is_linear_in_the_step() {
+    let (speed, steering, duration) = (0.4, 0.5, 1.5);
+    let turn_rate = speed * libm::tan(steering) / 0.2;
+    let start = [0.5, 0.5, 0.0];
+    let arc = arc_pose(start, speed, turn_rate, duration);
+    let chord = libm::hypot(arc[0] - start[0], arc[1] - start[1]);
+    for n in [6, 15, 150, 1500] {
+        let dt = duration / f64::from(n);
+        let motion = Motion { control: Control { speed, steering }, duration };
+        let options = RolloutOptions { integration: Integration::Euler, step: Some(dt) };
+        let rolled = rollout(road(), &start, motion, options).expect("a rollout");
+        assert_eq!((rolled.seconds, rolled.blocked), (duration, None));
+        let [x, y, theta] = rolled.poses[rolled.poses.len() - 1];
+        let [dx, dy] = euler_sum(speed, turn_rate, dt, n);
+        assert!(libm::hypot(x - start[0] - dx, y - start[1] - dy) < 1e-13, "{n} steps");
+        assert!(angular_distance(theta, arc[2]) < 1e-12);
+        // A step turns the chord by half its own angle, and lengthens it by a term of second order.
+        let gap = libm::hypot(x - arc[0], y - arc[1]) / (chord * 0.5 * turn_rate * dt);
+        assert!((gap - 1.0).abs() < 0.05 * turn_rate * dt, "{n} steps: {gap} times the first order");
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -19,8 +19,9 @@ pub enum Integration {
     /// Exact: constant controls give arcs of circles. Steps are proven free.
     #[default]
     Exact,
-    /// By Euler's explicit method, a step of integration at a time, as in the course reports: circles become spirals. The
-    /// motion between two steps is not tested, so nothing is proven.
+    /// By Euler's explicit method, a step of integration at a time, as in the course reports. Headings are exact; the
+    /// places of a constant control lie on another circle, larger by the factor (a / 2) / sin(a / 2) and turned back by a / 2
+    /// about the start, where a is the turn of a step. The motion between two steps is not tested, so nothing is proven.
     Euler,
 }
 

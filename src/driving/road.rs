@@ -92,7 +92,8 @@ impl Road {
 pub struct RolloutOptions {
     /// Along the exact arc, or by Euler's steps.
     pub integration: Integration,
-    /// The length of a step, in seconds; by default the car's own.
+    /// The length of a step, in seconds, from 1e-6 to 1e6; by default `integration_step` of the scenario's car, 0.01 where it
+    /// names none.
     pub step: Option<f64>,
 }
 

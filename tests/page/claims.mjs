@@ -15,7 +15,10 @@ const COUNTERS = ["iterations", "vertices", "edges", "motions", "length", "waypo
 const COLUMNS = { iterations: "Iterations", vertices: "Vertices", edges: "Edges", motions: "Motions", length: "Path length", waypoints: "Path vertices", visited: "Vertices visited" };
 /** What a page says in words: a selector, and a pattern whose group is the number. @type {Record<string, Partial<Record<keyof Shows, [string, RegExp]>>>} */
 const WORDS = {
-  planner: { pieces: ["#story", /has ([\d,]+) connected components/], turn: ["#turns", /joint 1 ([+\u2212-]?[\d.]+) rad/] },
+  planner: {
+    pieces: ["#story", /has ([\d,]+) connected components/], turn: ["#turns", /joint 1 ([+\u2212-]?[\d.]+) rad/],
+    apart: ["#drive .roll .hint", /ends ([\d.]+) m/],
+  },
   reach: {
     length: ["#story", /, ([\d.]+) rad in total/], turn: ["#story", /theta turns ([\d.]+) rad/], end: ["#story", /joint 1 ends at ([\u2212-]?[\d.]+) rad/i],
     solutions: ["#fact-solutions", /^(\d+) /],

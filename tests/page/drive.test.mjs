@@ -132,6 +132,51 @@ describe("time", () => {
   });
 });
 
+describe("Euler's steps beside the arc", () => {
+  /** @param {Driving} driving @returns {NonNullable<Driving["beside"]>} */
+  const besideOf = ({ beside }) => beside ?? assert.fail("they are drawn");
+
+  test("they are those of the control shown, else of the control held since it was changed", () => {
+    const driving = begun(true);
+    driving.setEuler(0.25);
+    assert.ok(!driving.beside, "nothing moves");
+    for (const key of /** @type {const} */ (["faster", "left", "keep"])) driving.press(key, from);
+    // Held for half a second.
+    const held = [...driving.trace.slice(-3 * 51)];
+    const { poses, apart } = besideOf(driving);
+    assert.deepEqual(poses.slice(0, 3), Float64Array.from(held.slice(0, 3)));
+    // A step goes straight on along the heading of its start, for a quarter of a second at 0.1 m/s.
+    assert.equal(poses.length, 9);
+    const theta = poses[2];
+    const [dx, dy] = [poses[3] - poses[0], poses[4] - poses[1]];
+    assert.ok(Math.hypot(dx - 0.025 * Math.cos(theta), dy - 0.025 * Math.sin(theta)) < 1e-12);
+    const [[x, y], [toX, toY]] = [held, [...poses]].map((rows) => rows.slice(-3));
+    assert.ok(apart === Math.hypot(toX - x, toY - y) && apart > 1e-4, `${apart}`);
+    driving.roll(0.4, 0.5, 1);
+    const shown = scenario.rollout(driving.state?.pose ?? [], 0.4, 0.5, 1, { integration: "euler", dt: 0.25 });
+    assert.deepEqual(besideOf(driving).poses, shown.poses);
+    driving.setEuler(0);
+    assert.ok(!driving.beside);
+    assert.equal(driving.announcement, "Free for all 1.00 s.");
+  });
+
+  test("the gap falls with the step, and is unknown where they touch something", () => {
+    const driving = begun();
+    driving.roll(0.4, 0.5, 1.5);
+    const gaps = [0.5, 0.25, 0.1, 0.01].map((dt) => {
+      driving.setEuler(dt);
+      return Number(besideOf(driving).apart) / dt;
+    });
+    assert.ok(gaps.every((gap) => Math.abs(gap / gaps[3] - 1) < 0.05), `${gaps}`);
+    // The arc turns away from the wall; a step of half a second goes straight into it.
+    driving.start(false, from, [1.1, 0.5, 0]);
+    driving.setEuler(0.5);
+    driving.roll(0.5, 0.7, 1);
+    assert.ok(driving.rollout?.blocked === null && besideOf(driving).apart === null, `${driving.announcement}`);
+    assert.match(driving.announcement, /touches something before that/);
+  });
+});
+
 /** What the bar says. @param {Page} page */
 const dash = (page) => page.locator("#drive").evaluate((bar) => {
   const { v, phi, x, y, theta, steps, keys, blocked, paused, replaying, arrived } = /** @type {HTMLElement} */ (bar).dataset;
@@ -253,6 +298,33 @@ test("a form shows where one control leads, and refuses what the car cannot do",
   await page.click("#drive .roll button");
   await textMatches(page, "#drive .roll .hint", /within \[-0\.5, 0\.5\]/);
   assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
+}));
+
+test("a switch draws Euler's steps beside the arc, and says how far apart they end", () => onPausedPage(async (page) => {
+  await drive(page);
+  await page.click("#drive .more summary");
+  const gap = page.locator("#drive dl div", { hasText: "gap to Euler" });
+  assert.equal(await gap.isVisible(), false);
+  for (const [id, value] of [["v", "0.4"], ["phi", "0.5"], ["duration", "1.5"]]) await page.fill(`#roll-${id}`, value);
+  await page.click("#drive .roll button");
+  await textMatches(page, "#drive .roll .hint", /^Free for all 1\.50 s\.$/);
+  assert.equal(await pixelsOf(page, "workspace", "top", "unproven"), 0);
+  await page.check("#drive-euler");
+  const [x, y] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5).poses.slice(-3);
+  for (const dt of [0.01, 0.25]) {
+    await page.selectOption("#drive-dt", String(dt));
+    const [toX, toY] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5, { integration: "euler", dt }).poses.slice(-3);
+    const apart = Math.hypot(toX - x, toY - y).toFixed(3);
+    await textMatches(page, "#drive .roll .hint", new RegExp(`path ends ${apart} m from the end of the arc`));
+    await textMatches(page, "#drive dl", new RegExp(`gap to Euler\\s*${apart} m`));
+  }
+  assert.ok(await pixelsOf(page, "workspace", "top", "unproven") > 40, "it has a label");
+  await assertFaultless(page, "Euler");
+  await page.focus("#stage");
+  await press(page, "w", "a", "c");
+  await textMatches(page, "#drive dl", /gap to Euler\s*0\.00\d m/);
+  await page.uncheck("#drive-euler");
+  await gap.waitFor({ state: "hidden" });
 }));
 
 test("buttons are as large as fingers, and do what the keys do", () => onPausedPage(async (page) => {

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { KEY_TEXT, keyText, keysOf } from "../../www/domain/key-text.js";
-import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
+import { EULER_STEPS, decodeLink, encodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { root } from "./browser.mjs";
 import { mutated, seeded } from "./seeded.mjs";
@@ -65,6 +65,7 @@ function randomExperiment(random) {
     experiment.drive = { keys: keyText(randomRecord(random)), steps: random.below(1e6) };
     if (random.chance(0.5)) experiment.drive.start = [random.next(), -random.next(), 7];
     if (random.chance(0.5)) experiment.roll = [random.next() - 0.5, random.next() - 0.5, 10 * random.next()];
+    if (random.chance(0.5)) experiment.euler = random.pick(EULER_STEPS);
   }
   return experiment;
 }
@@ -167,6 +168,7 @@ test("a fault says which entry is wrong", async () => {
     [`{"scene":"stones",${lanes},"drive":{"start":[0,0]}}`, /drive\.start is wrong/],
     [`{"scene":"stones",${lanes},"roll":[0.3,0.4]}`, /experiment\.roll is wrong/],
     [`{"scene":"stones",${lanes},"roll":[0.3,0.4,null]}`, /experiment\.roll\.2 is wrong/],
+    [`{"scene":"stones",${lanes},"euler":0.2}`, /experiment\.euler is wrong/],
     [`{"document":{"x":[0,{"y":-1e999}]},${lanes}}`, /document\.x\.1\.y is wrong/],
     [`{"document":{"x":${"[".repeat(40)}${"]".repeat(40)}},${lanes}}`, /document\.x\.0\.0.* is wrong/],
     [`{"document":{"x":[{"__proto__":{"free":true}}]},${lanes}}`, /__proto__ is wrong/],

@@ -180,7 +180,8 @@ test("a drive comes back: it is replayed at once to the same place", () => onPau
 
 test("the motion of one control comes back, from the start and from the end of a drive", async () => {
   for (const hand of /** @type {Partial<Experiment>[]} */ ([
-    { roll: [0.3, 0.4, 1.5] }, { drive: { start: [1.2, 0.62, 0.2], keys: "0w25c", steps: 50 }, roll: [-0.2, -0.3, 1] },
+    { roll: [0.3, 0.4, 1.5] },
+    { drive: { start: [1.2, 0.62, 0.2], keys: "0w25c", steps: 50 }, roll: [-0.2, -0.3, 1], euler: 0.25 },
   ])) {
     await afresh(await drivenOn(hand), async (fresh) => {
       await fresh.waitForSelector("#drive:not([hidden])");
@@ -189,6 +190,9 @@ test("the motion of one control comes back, from the start and from the end of a
       assert.equal(await fresh.isVisible("#notice"), false);
       const { experiment } = await decodeLink(await linkOf(fresh));
       assert.deepEqual([{ keys: "", steps: 0, ...hand.drive }, experiment?.roll], [experiment?.drive, hand.roll]);
+      assert.equal(experiment?.euler, hand.euler);
+      assert.equal(await fresh.isChecked("#drive-euler"), hand.euler !== undefined);
+      if (hand.euler) assert.equal(await fresh.inputValue("#drive-dt"), String(hand.euler));
       assert.match(await fresh.innerText("#link-told"), /the drive with its control/);
     });
   }

@@ -19,7 +19,7 @@ export const rule = (holds) => (value, at) => must(holds(value), `${at} is wrong
 /** A whole number in a range. @param {number} most @param {number} [least] @returns {Rule<number>} */
 export const whole = (most, least = 0) => rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
 
-/** @template {string} T @param {readonly T[]} choices @returns {Rule<T>} */
+/** @template {string | number} T @param {readonly T[]} choices @returns {Rule<T>} */
 export const oneOf = (choices) => rule((value) => choices.some((choice) => choice === value));
 
 /** A name that no object inherits. @type {Rule<string>} */

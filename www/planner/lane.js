@@ -41,8 +41,16 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {Float64Array} trace           its trajectory, rows of x, y, theta
  * @property {import("planarium").Obstructed | null} blocked   the obstruction that stopped it
  * @property {import("planarium").Rollout | null} rollout      the preview of a control
+ * @property {Beside | null} beside         Euler's steps of that control, or of the one held
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawUnder
  * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawOver
+ */
+
+/**
+ * @typedef {object} Beside   Euler's steps beside an exact arc
+ * @property {Float64Array} poses           rows of x, y, theta
+ * @property {number} dt                    the step, in seconds
+ * @property {number | null} apart          metres between both ends; null if Euler's path touches something before its end
  */
 
 /**

@@ -126,15 +126,21 @@ function drawWorkspace(brush, run, most, poses) {
 }
 
 /** What a car has been driven, and the motion of one control from there. @param {Brush} brush @param {Run} run @param {PlannerEntry["state"]} state */
-function drawDriven({ context, palette, width, height }, { scenario, query, placed }, { drive, roll }) {
+function drawDriven({ context, palette, width, height }, { scenario, query, placed }, { drive, roll, euler }) {
   if (!placed || (!drive && !roll)) return;
   const view = new View(scenario.extent(), width, height);
   const driven = scenario.drive(drive?.start ?? query.start);
   driven.replay(keysOf(drive?.keys ?? ""), drive?.steps ?? 0);
   const from = driven.state.pose;
-  const lines = [{ poses: driven.traceSince(0), colour: palette.path }, ...(roll ? [{ poses: scenario.rollout(from, ...roll).poses, colour: palette.goal }] : [])];
-  for (const { poses, colour } of lines) {
-    setStroke(context, colour, 3);
+  /** @type {{ poses: Float64Array, colour: string, dash?: number[] }[]} */
+  const lines = [{ poses: driven.traceSince(0), colour: palette.path }];
+  if (roll) lines.push({ poses: scenario.rollout(from, ...roll).poses, colour: palette.goal });
+  if (roll && euler) {
+    const { poses } = scenario.rollout(from, ...roll, { integration: "euler", dt: euler });
+    lines.push({ poses, colour: palette.unproven, dash: [6, 5] });
+  }
+  for (const { poses, colour, dash } of lines) {
+    setStroke(context, colour, 3, dash);
     context.lineJoin = "round";
     context.beginPath();
     for (const pose of rowsOf(poses, 3)) context.lineTo(...view.place(pose));

@@ -1,6 +1,7 @@
 /** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
 import { json, save } from "../../app/files.js";
 import { keysOf } from "../../domain/key-text.js";
+import { EULER_STEPS } from "../link/codec.js";
 import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
@@ -51,14 +52,25 @@ export class DriveControls {
     this.replay = this.button("replay", "Replay", "", () => this.act((driving) => driving.replay(moment())));
     const leave = this.button("leave", "Exit", "Escape", this.actions.Escape);
     this.cells = Object.fromEntries(NUMBERS.map(([name]) => [name, make("dd", {})]));
-    const numbers = make("dl", { className: "counters" }, ...NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name])));
+    this.apart = make("dd", {});
+    this.gap = make("div", { hidden: true }, make("dt", {}, "gap to Euler"), this.apart);
+    const cells = NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name]));
+    const numbers = make("dl", { className: "counters" }, ...cells, this.gap);
     this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
     this.byKeys.onchange = () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment()));
+    this.euler = make("input", { type: "checkbox", role: "switch", id: "drive-euler" });
+    const steps = EULER_STEPS.map((dt) => make("option", { value: String(dt) }, `${dt} s`));
+    this.dt = make("select", { id: "drive-dt" }, ...steps);
+    this.dt.value = "0.1";
+    const setEuler = () => this.act((driving) => driving.setEuler(this.euler.checked ? Number(this.dt.value) : 0));
+    this.euler.onchange = this.dt.onchange = setEuler;
     this.rolled = make("p", { className: "hint", role: "status" });
     /** The fields of one control: v, phi and the duration. @type {HTMLInputElement[]} */
     this.fields = [];
     this.more = make("details", { className: "more" }, make("summary", {}, "More"),
       make("label", { className: "row" }, make("span", { className: "name" }, "Advance time only when a key is pressed"), this.byKeys),
+      make("label", { className: "row" }, make("span", { className: "name" }, "Euler steps beside the arc"), this.euler),
+      make("label", { className: "row" }, make("span", { className: "name" }, "Euler\u2019s step"), this.dt),
       this.makeRollout(), this.makeRecord());
     this.bar = make("div", { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" }, pad,
       make("div", { className: "dash" }, numbers, make("div", { className: "buttons" }, keep, this.pause, restart, this.replay, leave)),
@@ -140,13 +152,17 @@ export class DriveControls {
 
   /**
    * Drives as a link tells: a recording is replayed; with a control, the motion of that control from the recording's end is shown.
-   * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll @throws {Error} with `code` and `pointer`
+   * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll
+   * @param {Experiment["euler"]} euler @throws {Error} with `code` and `pointer`
    */
-  restore({ start, keys = "", steps = 0 }, roll) {
+  restore({ start, keys = "", steps = 0 }, roll, euler) {
     const { driving } = this;
     const recording = { record: keysOf(keys), steps };
     this.start(start);
+    this.euler.checked = euler !== undefined;
+    if (euler) this.dt.value = String(euler);
     this.page.run(() => {
+      driving.setEuler(euler ?? 0);
       if (roll) {
         driving.begin(recording.record, steps, moment());
         driving.paused = true;
@@ -191,7 +207,7 @@ export class DriveControls {
   }
 
   /** @param {Driving} driving */
-  show({ on, state, paused, byKeys, tape, announcement, arrived, rollout }) {
+  show({ on, state, paused, byKeys, tape, announcement, arrived, rollout, dt, beside }) {
     const isNew = on !== this.on;
     if (isNew) {
       this.on = on;
@@ -207,6 +223,8 @@ export class DriveControls {
     const degrees = (/** @type {number} */ angle, /** @type {number} */ digits) => `${num((angle * 180) / Math.PI, digits)}\u00b0`;
     const words = { v: `${num(v)} m/s`, phi: degrees(phi, 0), x: `${num(x, 3)} m`, y: `${num(y, 3)} m`, theta: degrees(theta, 1), time: `${num(seconds)} s` };
     for (const [name, word] of Object.entries(words)) write(this.cells[name], word);
+    this.gap.hidden = dt === 0;
+    write(this.apart, beside ? beside.apart === null ? "blocked" : `${num(beside.apart, 3)} m` : "\u2013");
     write(this.pause, paused ? "Resume" : "Pause");
     this.pause.disabled = byKeys;
     this.replay.disabled = keyCount === 0 && !replaying;

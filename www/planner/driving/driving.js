@@ -6,7 +6,7 @@ import { counted } from "../../app/dom.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
-/** @import { Driven } from "../lane.js" */
+/** @import { Beside, Driven } from "../lane.js" */
 /** @import { Session } from "../session.js" */
 
 /** The format of recordings. */
@@ -37,6 +37,10 @@ export class Driving {
     this.rollout = null;
     /** That control: v, phi and the seconds asked for. @type {[number, number, number]} */
     this.rolled = [0, 0, 0];
+    /** The step of Euler's method whose path is drawn beside the arc, in seconds; 0: none is. */
+    this.dt = 0;
+    /** @type {Beside | null} */
+    this.beside = null;
     this.announcement = "";
   }
 
@@ -204,7 +208,7 @@ export class Driving {
         this.wind(drive, rest, step);
         const { pose, phi, blocked } = drive.state;
         /** @type {Driven} */
-        const driven = { steering: phi, trace: drive.traceSince(0), blocked, rollout: null, drawUnder: drawTrace, drawOver: drawDrive };
+        const driven = { steering: phi, trace: drive.traceSince(0), blocked, rollout: null, beside: null, drawUnder: drawTrace, drawOver: drawDrive };
         return { pose: Float64Array.from(pose), driven };
       },
       free: () => drive.free(),
@@ -219,10 +223,43 @@ export class Driving {
     this.show();
     this.rollout = shown.scenario.rollout(state.pose, v, phi, duration);
     this.rolled = [v, phi, duration];
-    const { seconds, blocked } = this.rollout;
-    const time = `${seconds.toFixed(2)} s`;
-    this.announcement = blocked === null ? `Free for all ${time}.` : `Free for ${time}; then ${reasonOf(blocked)}.`;
     this.show();
+    this.tell(this.rollout);
+  }
+
+  /** Describes the preview. @param {Rollout} rollout */
+  tell({ seconds, blocked }) {
+    const time = `${seconds.toFixed(2)} s`;
+    const free = blocked === null ? `Free for all ${time}.` : `Free for ${time}; then ${reasonOf(blocked)}.`;
+    const { beside } = this;
+    this.announcement = beside ? `${free} Euler\u2019s path ${endOf(beside)}.` : free;
+  }
+
+  /** Draws Euler's path beside the arc, or no longer. @param {number} dt  its step in seconds; 0: not drawn */
+  setEuler(dt) {
+    this.dt = dt;
+    this.show();
+    if (this.rollout) this.tell(this.rollout);
+  }
+
+  /**
+   * Euler's steps beside the exact arc of one control: of the preview if there is one, else of the control held since the
+   * last key that changed it. Both last equally long.
+   * @returns {Beside | null}  null if it is not to be drawn, or nothing moves
+   */
+  compare() {
+    const { drive, dt, rollout, rolled, trace, session: { shown } } = this;
+    if (dt === 0 || !drive || !shown) return null;
+    const { steps, v, phi } = drive.state;
+    const held = v === 0 ? 0 : steps - (drive.record().findLast(({ key }) => key !== "keep")?.step ?? 0);
+    const exact = rollout ? rollout.poses : trace.subarray(-3 * (held + 1));
+    const seconds = rollout ? rollout.seconds : held * drive.stepSeconds;
+    if (seconds === 0) return null;
+    const [speed, steering] = rollout ? rolled : [v, phi];
+    const from = [...exact.subarray(0, 3)];
+    const { poses, blocked } = shown.scenario.rollout(from, speed, steering, seconds, { integration: "euler", dt });
+    const [[x, y], [toX, toY]] = [exact, poses].map((rows) => rows.subarray(-3));
+    return { poses, dt, apart: blocked === null ? Math.hypot(toX - x, toY - y) : null };
   }
 
   /** Describes an event since an earlier state. @param {DriveState} before */
@@ -244,16 +281,17 @@ export class Driving {
     const { session, state, trace, rollout } = this;
     const { shown } = session;
     if (!state || !shown) return;
+    const beside = this.beside = this.compare();
     shown.hand = Float64Array.from(state.pose);
     shown.check = { free: true, touching: [] };
-    shown.driven = { steering: state.phi, trace, blocked: state.blocked, rollout, drawUnder: drawTrace, drawOver: drawDrive };
+    shown.driven = { steering: state.phi, trace, blocked: state.blocked, rollout, beside, drawUnder: drawTrace, drawOver: drawDrive };
     session.wake();
   }
 
   stop() {
     const { shown } = this.session;
     this.drive?.free();
-    this.drive = this.tape = this.rollout = null;
+    this.drive = this.tape = this.rollout = this.beside = null;
     if (shown?.driven) shown.driven = shown.hand = shown.check = null;
   }
 
@@ -265,6 +303,11 @@ export class Driving {
     if (state.blocked !== null) return `Stopped: ${reasonOf(state.blocked)}. Reverse, or steer another way.`;
     return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
   }
+}
+
+/** How Euler's path ends, in words. @param {Beside} beside */
+function endOf({ apart }) {
+  return apart === null ? "touches something before that" : `ends ${apart.toFixed(3)} m from the end of the arc`;
 }
 
 /** The obstruction, in words. @param {Obstructed} blocked */

@@ -15,6 +15,8 @@ import { KEY_TEXT } from "../../domain/key-text.js";
 /** @typedef {Experiment["view"]} View   absent options are off, and the lens is the workspace */
 
 const LIMITS = { characters: 65535, bytes: 1 << 20 };
+/** The steps of Euler's method that can be drawn beside an arc, in seconds; the course report has the first. */
+export const EULER_STEPS = [0.01, 0.1, 0.25, 0.5];
 /** Steps of a drive, and characters of its keys, at most. */
 const DRIVE = { steps: 1_000_000, keys: 65_535 };
 
@@ -34,10 +36,12 @@ const experimentRule = withDefaults({
   // Of the scene.
   options: settings,
   // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys as `keyText` writes
-  // them, and the steps made; then one control, v, phi and seconds, whose motion is shown.
+  // them, and the steps made; then one control, v, phi and seconds, whose motion is shown. Beside
+  // the exact arc Euler's path, with a step in seconds.
   pose: list(number, 1, 64),
   drive: record({ start: list(number, 3, 3), keys: formed(KEY_TEXT, DRIVE.keys), steps: whole(DRIVE.steps) }),
   roll: /** @type {Rule<[number, number, number]>} */ (list(number, 3, 3)),
+  euler: oneOf(EULER_STEPS),
 }, { version: /** @type {const} */ (1), iteration: 0, view: {} });
 
 /** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */

@@ -50,13 +50,13 @@ export function experimentOf({ entry, source, facts, state, current, panel, race
   return { ...experiment, ...inHand(session) };
 }
 
-/** The configuration in hand, or the drive by keys with the control that is shown. @param {Session} session @returns {Pick<Experiment, "pose" | "drive" | "roll">} */
+/** The configuration in hand, or the drive by keys with the control that is shown. @param {Session} session @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">} */
 function inHand({ shown, driving }) {
   const recording = driving?.record();
   if (!shown?.hand) return {};
   if (!driving || !recording) return { pose: [...shown.hand] };
   const { start, record, steps } = recording;
-  const { tape, rollout, rolled } = driving;
+  const { tape, rollout, rolled, dt } = driving;
   return {
     drive: {
       start: String(start) === String(shown.start) ? undefined : start,
@@ -64,6 +64,7 @@ function inHand({ shown, driving }) {
       keys: keyText([...record, ...(tape?.record ?? [])]), steps: tape?.steps ?? steps,
     },
     roll: rollout ? rolled : undefined,
+    euler: dt || undefined,
   };
 }
 

@@ -79,18 +79,18 @@ export class Link {
   }
 
   /** The configuration in hand, or the drive by keys. @param {Experiment} experiment */
-  async restoreHand({ pose, drive, roll }) {
+  async restoreHand({ pose, drive, roll, euler }) {
     const { page, faults } = this;
     const { session, facts } = page;
     const { plannings } = session;
-    if (drive || roll) {
+    if (drive || roll || euler) {
       if (facts?.robot !== "car") return void faults.push("This robot cannot be driven.");
       const controls = await page.loadDrive();
       // Whoever drives does not plan.
       await page.arrived();
       if (session.plannings !== plannings) return;
       try {
-        controls.restore(drive ?? {}, roll);
+        controls.restore(drive ?? {}, roll, euler);
       } catch (error) {
         if (errorInfo(error).code === "internal") throw error;
         faults.push(errorInfo(error).message.replace(/\.?$/, "."));

@@ -1,4 +1,4 @@
-/** The drawing of driving: the trace of the car, what stopped it, the rollout of a control. */
+/** The drawing of driving: the trace of the car, what stopped it, the rollout of a control, Euler's steps beside it. */
 import { obstacleName } from "../../domain/names.js";
 import { tracePen } from "../../draw/pen.js";
 import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "../../draw/shapes.js";
@@ -17,14 +17,15 @@ const GHOSTS = 9;
 export function drawTrace(pane, context, { shown: { driven, scenario } }) {
   if (!driven) return;
   const palette = /** @type {Palette} */ (pane.palette);
-  const { trace, rollout } = driven;
+  const { trace, rollout, beside } = driven;
   context.save();
+  pane.clip(context);
   context.lineJoin = context.lineCap = "round";
   line(pane, context, trace, palette.stage, 5, []);
   line(pane, context, trace, palette.robot, 2, []);
   if (rollout) {
     line(pane, context, rollout.poses, palette.stage, 5, []);
-    line(pane, context, rollout.poses, palette.newest, 2, [6, 5]);
+    line(pane, context, rollout.poses, palette.newest, 2, beside ? [] : [6, 5]);
     const rows = rollout.poses.length / 3;
     const view = /** @type {View} */ (pane.view);
     const style = { colour: palette.newest, fill: 0.06, stroke: 0.7, dash: [], width: 1.2 };
@@ -33,6 +34,13 @@ export function drawTrace(pane, context, { shown: { driven, scenario } }) {
       drawGhost(context, view, scenario.footprint(rollout.poses.subarray(3 * row, 3 * row + 3)), style);
     }
   }
+  if (beside) {
+    line(pane, context, beside.poses, palette.stage, 5, []);
+    line(pane, context, beside.poses, palette.unproven, 2, [6, 5]);
+    const end = beside.poses.subarray(-3);
+    const style = { colour: palette.unproven, fill: 0.06, stroke: 0.9, dash: [6, 5], width: 1.2 };
+    if (pane instanceof Workspace) drawGhost(context, /** @type {View} */ (pane.view), scenario.footprint(end), style);
+  }
   context.restore();
 }
 
@@ -40,7 +48,14 @@ export function drawTrace(pane, context, { shown: { driven, scenario } }) {
 export function drawDrive(pane, context, { shown: { driven, document, scenario } }) {
   if (!driven) return;
   const palette = /** @type {Palette} */ (pane.palette);
-  const { blocked, rollout, trace } = driven;
+  const { blocked, rollout, trace, beside } = driven;
+  if (beside) {
+    // Away from the arc's end.
+    const [[x, y], [fromX, fromY]] = [beside.poses, rollout?.poses ?? trace].map((rows) => pane.pixels(rows.slice(-3)));
+    const far = Math.hypot(x - fromX, y - fromY);
+    const [across, up] = far > 1 ? [(x - fromX) / far, (y - fromY) / far] : [0, -1];
+    drawLabel(context, `Euler, ${beside.dt} s`, x + 68 * across, y + 26 * up, palette.unproven, palette);
+  }
   for (const [what, rows] of /** @type {[typeof blocked, Float64Array][]} */ ([[blocked, trace], [rollout?.blocked ?? null, rollout?.poses ?? trace]])) {
     if (what === null) continue;
     const pose = rows.slice(rows.length - 3);

@@ -19,9 +19,9 @@ const REPEATS: usize = 1001;
 
 #[derive(Args)]
 #[command(after_help = "\
-Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by index; of
-a forest, and of kd-tree-unwrapped, which takes angles as plain numbers, also \"recall\", the fraction of the true nearest that it
-found. query_seconds is the median of many repetitions.
+Prints {\"indices\", \"distances\", \"visited\", \"build_seconds\", \"query_seconds\", ...}, nearest first, ties by
+index; of a forest, and of kd-tree-unwrapped, which takes angles as plain numbers, also \"recall\", the fraction of the
+true nearest that it found. query_seconds is the median of many repetitions.
 
 Examples:
   planarium nearest arm.json --samples 100000 --target 3.14,0 --k 10

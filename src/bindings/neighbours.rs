@@ -8,9 +8,10 @@ use crate::run::neighbours;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
-/// An index of configurations, which finds the nearest of many; `scenario.neighbours` makes it. Configurations are numbered from
-/// 0 in the order in which they are added; neighbours come nearest first, ties by number. A linear scan and a kd-tree give equal
-/// results, bit for bit, in every metric; a forest may miss some of the nearest, and a kd-tree without wrap-around those across pi.
+/// An index of configurations, which finds the nearest of many; `scenario.neighbours` makes it. Configurations are
+/// numbered from 0 in the order in which they are added; neighbours come nearest first, ties by number. A linear scan
+/// and a kd-tree give equal results, bit for bit, in every metric; a forest may miss some of the nearest, and a kd-tree
+/// without wrap-around misses those across pi.
 #[wasm_bindgen]
 pub struct Neighbours(pub(super) Box<dyn neighbours::Neighbours>);
 

@@ -29,8 +29,8 @@ pub enum Baseline {
 }
 
 impl Experiment {
-    /// The setting with the given name, to be compared with. A name is that of the planner, with the parameters that vary in
-    /// parentheses, as comparisons print it: `prm (k=4)`. O(settings).
+    /// The setting with the given name, to be compared with. A name is that of the planner, with the parameters that
+    /// vary in parentheses, as comparisons print it: `prm (k=4)`. O(settings).
     ///
     /// # Errors
     /// `out-of-range`, pointer `/baseline`, for another name, naming those that exist.
@@ -84,7 +84,8 @@ pub struct SummaryDocument {
     pub rows: u64,
     /// The trials that differ in seeds alone.
     pub groups: Vec<GroupSummary>,
-    /// The settings compared with their baseline, by default the first setting of the first planner, on the same worlds and seeds.
+    /// The settings compared with their baseline, by default the first setting of the first planner, on the same worlds
+    /// and seeds.
     pub comparisons: Vec<Comparison>,
 }
 
@@ -197,8 +198,8 @@ impl<'a> Summary<'a> {
         self.document_against(Baseline::First)
     }
 
-    /// The same with another baseline. P-values are judged by the number of all comparisons of the document, of every measure
-    /// (Bonferroni's correction). In addition to [`Summary::document`], all pairs take O(g^2) comparisons for g settings.
+    /// The same with another baseline. P-values are judged by the number of all tests of the document, of success and
+    /// of every measure (Bonferroni's correction). All pairs of g settings are O(g^2) comparisons in every world.
     pub fn document_against(&self, baseline: Baseline) -> SummaryDocument {
         let groups: Vec<_> = self.groups.iter().map(|(key, group)| self.group(*key, group)).collect();
         SummaryDocument {

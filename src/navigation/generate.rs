@@ -115,12 +115,12 @@ impl DriveOptions {
     /// A carrier whose load swings beyond its limit if the greatest acceleration begins at once: the displacement overshoots to
     /// twice that at rest, 2 L a / g.
     fn cargo(&self) -> Result<CargoNavigator, Error> {
-        let speed = 1.0;
+        let (speed, swing_limit) = (1.0, 0.3);
         let cargo = Cargo::new(CargoLimits {
             radius: self.radius,
             load_radius: 0.6 * self.radius,
             rope: 1.0,
-            swing_limit: 0.3,
+            swing_limit,
             damping: 0.1,
             speed,
             acceleration: 2.0,
@@ -130,7 +130,8 @@ impl DriveOptions {
         let [range, position, velocity, swing, acceleration] =
             [range, position, velocity, swing, acceleration].map(|deviation| self.noise * deviation);
         let noise = CargoNoise { range, position, velocity, swing, acceleration };
-        Ok(CargoNavigator { cargo, arrival_speed: ARRIVAL * speed, sensor: Sensor::around(), noise })
+        let [arrival_speed, arrival_swing] = [speed, swing_limit].map(|most| ARRIVAL * most);
+        Ok(CargoNavigator { cargo, arrival_speed, arrival_swing, sensor: Sensor::around(), noise })
     }
 
     /// Refuses doors that the robot does not fit through, or wider than the wall allows.

@@ -4,7 +4,7 @@ use super::sensor::Sensor;
 use crate::error::{Code, Error, within};
 use crate::geometry::Point;
 use crate::json::{by_type, objects};
-use crate::robot::{Cargo, CargoLimits, DifferentialDrive, Footprint, Part, Round};
+use crate::robot::{Cargo, CargoLimits, CargoState, DifferentialDrive, Footprint, Part, Round};
 use crate::scenario::MAX_VERTICES;
 use crate::scenario::document;
 use crate::scenario::number::{Coordinate, NonNegative, Positive, Speed};
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 /// The default time step, in seconds.
 pub(super) const TIME_STEP: f64 = 0.2;
 
-/// The default arrival speed of a carrier of cargo, as a part of its greatest speed.
+/// The default arrival speed of a carrier of cargo, as a part of its greatest speed, and of its arrival swing.
 pub(super) const ARRIVAL: f64 = 0.5;
 
 objects! {
@@ -67,6 +67,9 @@ objects! {
         /// A goal is reached at no more than this speed, in metres per second; half of the greatest by default.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         arrival_speed: Option<Positive>,
+        /// A goal is reached while the load swings with no more than this amplitude, in metres; half of the limit by default.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        arrival_swing: Option<Positive>,
         /// The range sensor; by default 20 rays, evenly spread over the full circle.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         sensor: Option<Sensor>,
@@ -242,10 +245,20 @@ pub struct CargoNavigator {
     pub cargo: Cargo,
     /// A goal is reached at no more than this speed, in metres per second.
     pub arrival_speed: f64,
+    /// A goal is reached while the load swings with no more than this amplitude, in metres.
+    pub arrival_swing: f64,
     /// The range sensor.
     pub sensor: Sensor,
     /// The noise.
     pub noise: CargoNoise,
+}
+
+impl CargoNavigator {
+    /// Whether carrier and load are slow enough to have reached a goal.
+    pub(super) fn has_arrived(&self, state: &CargoState) -> bool {
+        let [u, w] = state.velocity;
+        u * u + w * w <= self.arrival_speed * self.arrival_speed && self.cargo.amplitude(state) <= self.arrival_swing
+    }
 }
 
 impl Navigator {
@@ -342,9 +355,10 @@ impl CargoDocument {
             time_step: self.time_step.map_or(TIME_STEP, |step| step.0),
         })?;
         let arrival_speed = self.arrival_speed.map_or(ARRIVAL * speed, |speed| speed.0);
+        let arrival_swing = self.arrival_swing.map_or(ARRIVAL * self.swing_limit.0, |swing| swing.0);
         let (sensor, noise) = (self.sensor.unwrap_or(Sensor::around()), self.noise.unwrap_or_default());
         sensor.check("/sensor")?;
         noise.check()?;
-        Ok(CargoNavigator { cargo, arrival_speed, sensor, noise })
+        Ok(CargoNavigator { cargo, arrival_speed, arrival_swing, sensor, noise })
     }
 }

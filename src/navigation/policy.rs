@@ -227,7 +227,7 @@ struct Document {
     /// The name, used in results.
     name: String,
     /// The kind of robot that it drives; a differential drive by default.
-    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "PolicyRobot"))]
     #[serde(default)]
     robot: Kind,
     /// What the robot senses.

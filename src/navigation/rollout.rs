@@ -57,14 +57,18 @@ impl State {
     }
 
     /// A state in which the robot may be at a configuration that it has reached: a carrier of cargo with any velocity up to the
-    /// arrival speed, and its load where a constant acceleration up to the greatest would hold it.
+    /// arrival speed, and its load in any swing up to the arrival swing.
     pub(super) fn arriving(pose: [f64; 3], robot: &Navigator, random: &mut Random) -> Self {
-        let Navigator::Cargo(CargoNavigator { cargo, arrival_speed, .. }) = robot else { return Self::at_rest(pose) };
+        let Navigator::Cargo(CargoNavigator { cargo, arrival_speed, arrival_swing, .. }) = robot else {
+            return Self::at_rest(pose);
+        };
         let limits = cargo.limits();
-        let fastest = arrival_speed.min(limits.speed);
-        let held = limits.acceleration * limits.rope / hypotenuse([limits.acceleration, GRAVITY]);
-        let [velocity, swing] = [fastest, held.min(limits.swing_limit)].map(|most| in_disc(random).map(|x| most * x));
-        Self { pose, velocity, swing, swing_rate: [0.0; 2] }
+        let widest = arrival_swing.min(limits.swing_limit);
+        // The phase of the swing.
+        let (sin, cos) = libm::sincos(TAU * random.uniform());
+        let most = [arrival_speed.min(limits.speed), cos * widest, sin * widest * (GRAVITY / limits.rope).sqrt()];
+        let [velocity, swing, swing_rate] = most.map(|most| in_disc(random).map(|x| most * x));
+        Self { pose, velocity, swing, swing_rate }
     }
 
     fn cargo(&self) -> CargoState {
@@ -235,8 +239,13 @@ impl Simulation {
         let robot = self.task.robot();
         let tolerance = self.task.goal_tolerance();
         let mut state = State { pose: bounded(from.pose), ..from };
-        let arrival_speed = if let Navigator::Cargo(robot) = robot { robot.arrival_speed } else { 0.0 };
-        let is_reached = |state: &State| state.left(goal) <= tolerance && hypotenuse(state.velocity) <= arrival_speed;
+        let is_reached = |state: &State| {
+            let has_arrived = match robot {
+                Navigator::DifferentialDrive(_) => true,
+                Navigator::Cargo(robot) => robot.has_arrived(&state.cargo()),
+            };
+            has_arrived && state.left(goal) <= tolerance
+        };
         let end = |outcome, steps, state: State| Progress { outcome, steps, left: state.left(goal), state };
         for step in 0..steps {
             if is_reached(&state) {

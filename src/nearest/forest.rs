@@ -40,8 +40,8 @@ impl Default for ForestParameters {
     }
 }
 
-/// The share of the exact neighbours that was found, whatever distance was found for them; 1 if there are none. O(k^2) for k of
-/// each.
+/// The share of the exact neighbours that was found, whatever distance was found for them; 1 if there are none. O(k^2)
+/// for k of each.
 pub fn recall(found: &[Neighbour], exact: &[Neighbour]) -> f64 {
     let hits = exact.iter().filter(|one| found.iter().any(|other| other.vertex == one.vertex)).count();
     if exact.is_empty() { 1.0 } else { hits as f64 / exact.len() as f64 }

@@ -1,9 +1,9 @@
 //! Nearest neighbours among states.
 //!
 //! Ties go to the lower vertex number, so every exact index returns the same neighbours, bit for bit. Planners use [`Index`],
-//! which is a [`LinearScan`] for few states and a [`KdTree`] for many; [`Forest`] is approximate, for high dimensions, and
-//! [`KdTree::unwrapped`] faulty, for comparison. Scan, tree and forest need a space whose norm is its distance; [`Index`] serves
-//! all, and distances in either [`Direction`].
+//! which is a [`LinearScan`] for few states and a [`KdTree`] for many; [`Forest`] is approximate, for high dimensions,
+//! and [`KdTree::unwrapped`] is faulty, for comparison. Scan, tree and forest need a space whose norm is its distance;
+//! [`Index`] serves all, and distances in either [`Direction`].
 
 mod closest;
 mod forest;

@@ -73,8 +73,8 @@ impl Neighbours {
     /// No vertices; `k` is the number of neighbours that are asked for.
     ///
     /// # Errors
-    /// `out-of-range`, pointer `/neighbour_index`, for a forest, or a kd-tree without wrap-around, in a space whose distances are
-    /// lengths of curves.
+    /// `out-of-range`, pointer `/neighbour_index`, for a forest, or a kd-tree without wrap-around, in a space whose
+    /// distances are lengths of curves.
     pub fn new<S: Space>(options: Neighbouring, space: &S, k: usize, seed: u64) -> Result<Self, Error> {
         let naive = (options.neighbour_metric == NeighbourMetric::Naive).then(|| Naive::new(space));
         let index = match options.neighbour_index {

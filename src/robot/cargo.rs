@@ -156,6 +156,12 @@ impl Cargo {
         state
     }
 
+    /// The amplitude with which the load swings, in metres: of small swings, without damping, while the carrier does not accelerate.
+    pub fn amplitude(&self, state: &CargoState) -> f64 {
+        let ([x, y], [u, w]) = (state.swing, state.swing_rate);
+        (x * x + y * y + (u * u + w * w) * self.limits.rope / GRAVITY).sqrt()
+    }
+
     /// How far the load is, at most, from the straight line between its positions before and after the step of integration that
     /// begins with a state, in metres.
     ///

@@ -61,8 +61,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     ompl_log: Option<String>,
 
-    /// The setting that all others are compared with, as comparisons name it, such as "prm (k=4)" [default: the first of the
-    /// first planner]
+    /// The setting that all others are compared with, as comparisons name it, such as "prm (k=4)" [default: the first
+    /// of the first planner]
     #[arg(long, value_name = "NAME")]
     baseline: Option<String>,
 

@@ -91,10 +91,10 @@ pub struct KdTree {
 }
 
 impl KdTree {
-    /// An empty tree that knows nothing of circles: it takes angles as plain numbers from -pi to pi, so it misses neighbours across
-    /// that seam. Faulty, for comparison. Its neighbours, ranks and distances are those of a scan by the same metric without
-    /// wrap-around, bit for bit. Without circles it is the default tree, and costs as much in any space. It ranks by
-    /// [`Space::norm`] alone.
+    /// An empty tree that knows nothing of circles: it takes angles as plain numbers from -pi to pi, so it misses
+    /// neighbours across that seam. Faulty, for comparison. Its neighbours and their distances are those of a scan by
+    /// the same metric without wrap-around, bit for bit: those of the default tree in a space without circles. It costs
+    /// as much as that tree, and ranks by [`Space::norm`] alone.
     pub fn unwrapped() -> Self {
         let mut tree = Self::default();
         tree.packs.is_unwrapped = true;

@@ -5,8 +5,7 @@ use crate::common::given;
 use crate::navigation::options;
 use planarium::geometry::{Point, Segment};
 use planarium::navigation::{
-    Comparison, ComparisonOptions, Drive, Executor, Method, Navigation, Navigator, Outcome, Policy, Training,
-    TrainingOptions, assess, generate, read_options,
+    Drive, Executor, Navigation, Navigator, Outcome, Policy, Training, TrainingOptions, assess, generate, read_options,
 };
 use planarium::options::Options as _;
 use planarium::problem::{Status, Stepped};
@@ -39,7 +38,8 @@ fn a_task_is_read_and_written_again() {
     let task = yard();
     assert_eq!(Navigation::parse(&task.to_json_string()).expect("its own text"), task);
     let Navigator::Cargo(robot) = task.robot() else { panic!("no cargo") };
-    assert_eq!((robot.arrival_speed, robot.sensor.rays, robot.cargo.limits().time_step), (0.5, 20, 0.2));
+    assert_eq!((robot.arrival_speed, robot.arrival_swing, robot.sensor.rays), (0.5, 0.15, 20));
+    assert_eq!(robot.cargo.limits().time_step, 0.2);
     assert_eq!((task.robot().reach(), task.robot().top_speed()), (0.25, 1.0));
     let policy = shipped_cargo();
     assert_eq!(Policy::parse(&policy.to_json_string()).expect("its own text"), policy);
@@ -51,6 +51,7 @@ fn wrong_robots_and_policies_of_others_are_refused() {
         ("rope", json!(0.05), "/robot/rope"),
         ("swing_limit", json!(0.99), "/robot/swing_limit"),
         ("arrival_speed", json!(0), "/robot/arrival_speed"),
+        ("arrival_swing", json!(-1), "/robot/arrival_swing"),
         ("damping", json!(11), "/robot/damping"),
         (
             "noise",
@@ -114,10 +115,17 @@ fn replayed(task: &Navigation, drive: &Drive, mut look: impl FnMut([f64; 2], [f6
 fn no_drive_touches_anything_or_swings_too_far() {
     let mut counts = [0; 4];
     let policy = shipped_cargo();
-    for (seed, noise, controller) in [(1, 2, None), (2, 5, None), (2, 2, Some(&policy))] {
-        let task =
-            generate("rooms", &json!({ "seed": seed, "shape": "cargo", "columns": 2, "rows": 2, "noise": noise }))
-                .expect("rooms");
+    let rooms = |seed: u64| {
+        generate("rooms", &json!({ "seed": seed, "shape": "cargo", "columns": 2, "rows": 2, "noise": 2 }))
+            .expect("rooms")
+    };
+    let mut slack = document();
+    slack["robot"]["swing_limit"] = json!(0.12);
+    slack["robot"]["noise"] = json!({ "range": 0, "position": 0, "velocity": 0, "swing": 0, "acceleration": 1 });
+    let slack = Navigation::read(&slack).expect("a task");
+    for (seed, task, controller) in [(1, rooms(1), None), (2, rooms(2), Some(&policy)), (3, slack, None)] {
+        let Navigator::Cargo(robot) = task.robot() else { panic!("no cargo") };
+        let limit = robot.cargo.limits().swing_limit + 1e-4;
         let executor = Executor::new(&task, controller).expect("an executor");
         let query = &task.queries()[0];
         let ([x, y, _], goal) = (query.start, query.goal);
@@ -126,7 +134,7 @@ fn no_drive_touches_anything_or_swings_too_far() {
             counts[drive.outcome as usize] += 1;
             assert_eq!(drive.swing.len(), drive.trace.len());
             replayed(&task, &drive, |[x, y], [dx, dy]| {
-                assert!(dx * dx + dy * dy <= 0.3001 * 0.3001, "the load is at {dx}, {dy}");
+                assert!(dx * dx + dy * dy <= limit * limit, "the load is at {dx}, {dy}");
                 for (at, radius) in [(Point::new(x, y), 0.25), (Point::new(x + dx, y + dy), 0.15)] {
                     let distance = |obstacle: &Obstacle| obstacle.distance_to_segment(&Segment::new(at, at));
                     let nearest = task.world().obstacles.iter().map(distance).fold(f64::INFINITY, f64::min);
@@ -174,7 +182,7 @@ fn training_is_the_same_by_shares_of_candidates() {
 fn the_shipped_policy_delivers_to_near_goals_on_fresh_floors() {
     let floor = generate("furnished", &json!({ "shape": "cargo" })).expect("a floor");
     let reached = assess(&floor, &shipped_cargo(), 5.0, 500, 1).expect("a share");
-    assert!(reached.n == 500 && reached.share >= Some(0.95), "{reached:?}");
+    assert!(reached.n == 500 && reached.share >= Some(0.9), "{reached:?}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -189,6 +197,7 @@ fn a_roadmap_of_learned_edges_is_planned_and_driven() {
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn prm_rl_delivers_where_the_policy_alone_and_straight_edges_do_not() {
+    use planarium::navigation::{Comparison, ComparisonOptions, Method};
     let options = ComparisonOptions::read(&given("queries=4 trials=3 samples=800")).expect("options");
     let mut all = [0.0; Method::ALL.len()];
     for seed in [1, 2, 3] {
@@ -199,5 +208,5 @@ fn prm_rl_delivers_where_the_policy_alone_and_straight_edges_do_not() {
         all.iter_mut().zip(&summary).for_each(|(all, one)| *all += one.reached.share.expect("trials") / 3.0);
     }
     let [policy, straight, .., prm_rl] = all;
-    assert!(prm_rl >= 0.9 && policy < 0.6 && straight < prm_rl, "{all:?}");
+    assert!(prm_rl >= 0.8 && policy < 0.4 && straight < 0.5, "{all:?}");
 }

@@ -8,9 +8,10 @@
 use super::document::{Navigation, NavigationQuery};
 use super::episode;
 use super::execution::Executor;
+use super::outcome::Outcome;
 use super::policy::Policy;
 use super::roadmap::{self, RolloutOptions};
-use super::rollout::{Drive, Outcome};
+use super::rollout::Drive;
 use crate::error::{Code, Error};
 use crate::geometry::Point;
 use crate::options::Options as _;

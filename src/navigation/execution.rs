@@ -1,8 +1,9 @@
 //! A path of positions executed: the robot drives to one after the other, with noise.
 
 use super::document::Navigation;
+use super::outcome::Outcome;
 use super::policy::Policy;
-use super::rollout::{Controller, Drive, Outcome, Simulation, State, generator};
+use super::rollout::{Controller, Drive, Simulation, State, generator};
 use crate::error::{Code, Error};
 use crate::random::{Stream, check_seed};
 

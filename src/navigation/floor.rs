@@ -1,7 +1,7 @@
 //! The floor of a task, prepared for driving: which arcs are free, and what rays meet.
 
 use super::navigator::Navigator;
-use super::rollout::Outcome;
+use super::outcome::Outcome;
 use super::sensor::{Fan, Sensor};
 use crate::collision::{BodyCollision, BodyMotion, CollisionWorld, Obstacles, largest_coordinate};
 use crate::error::{Code, Error};

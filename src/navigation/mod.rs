@@ -35,6 +35,7 @@ mod execution;
 mod floor;
 mod generate;
 mod navigator;
+mod outcome;
 mod policy;
 mod result;
 mod roadmap;
@@ -52,10 +53,11 @@ pub use generate::{
     DriveOptions, DriveShape, FurnishedOptions, RoomsOptions, generate, generate_with, navigation_generators,
 };
 pub use navigator::{CargoNavigator, CargoNoise, DriveNavigator, Navigator, Noise};
+pub use outcome::Outcome;
 pub use policy::{MAX_HIDDEN, POLICY_FORMAT, Policy};
 pub use result::{NavigationResult, navigate};
 pub use roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, read_options, start};
-pub use rollout::{Drive, Outcome};
+pub use rollout::Drive;
 pub use sensor::{MAX_RAYS, Sensor};
 #[cfg(feature = "parallel")]
 pub use training::train;

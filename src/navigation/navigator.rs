@@ -42,8 +42,8 @@ objects! {
         noise: Option<Noise>,
     }
 
-    /// A carrier with a load on a rope, seen from above. It accelerates in any direction and does not turn; its range sensor turns
-    /// to the goal. A load that is displaced beyond the limit of swing ends a drive.
+    /// A carrier with a load on a rope, seen from above. It accelerates in any direction and does not turn; its range
+    /// sensor turns to the goal. A load that is displaced beyond the limit of swing ends a drive.
     #[cfg_attr(target_arch = "wasm32", tsify(rename = "CargoDocument"))]
     pub(super) struct CargoDocument {
         /// The radius of the carrier in metres.

@@ -9,7 +9,6 @@
 //! carrier, the displacement of the load, and its rate; the outputs are accelerations along and across.
 
 use super::navigator::{CargoNavigator, DriveNavigator, Navigator};
-use super::rollout::Carried;
 use super::sensor::Sensor;
 use crate::error::{Code, Error, within};
 use crate::json;
@@ -27,8 +26,8 @@ pub const POLICY_FORMAT: &str = "planarium-policy-1";
 /// Inputs beside the rays: the cosine and the sine of the direction of the goal, and its nearness.
 const GOAL_INPUTS: usize = 3;
 
-/// Inputs of a carrier of cargo beside the rays: the nearness of the goal, and two coordinates of its velocity, of the displacement
-/// of the load, and of its rate.
+/// Inputs of a carrier of cargo beside the rays: the nearness of the goal, and two coordinates of its velocity, of the
+/// displacement of the load, and of its rate.
 const CARGO_INPUTS: usize = 7;
 
 /// The outputs: speed and turn rate, or two coordinates of an acceleration.
@@ -100,6 +99,14 @@ impl Sizes {
         };
         (0..self.weights()).map(|i| deviation(i) * random.normal()).collect()
     }
+}
+
+/// What a carrier of cargo knows, in the frame whose first axis points to the goal.
+pub(super) struct Carried {
+    /// The distance of the goal, in metres.
+    pub distance: f64,
+    /// The velocity of the carrier, the displacement of the load, and its rate.
+    pub motion: [[f64; 2]; 3],
 }
 
 /// A perceptron of two layers.

@@ -2,9 +2,9 @@
 
 use super::document::Navigation;
 use super::execution::Executor;
+use super::outcome::Outcome;
 use super::policy::Policy;
 use super::roadmap::{EdgeRollouts, RolloutOptions, edge_rollouts, start};
-use super::rollout::Outcome;
 use crate::error::Error;
 use crate::json;
 use crate::path::ResultDocument;

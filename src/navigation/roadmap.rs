@@ -9,8 +9,9 @@
 
 use super::document::{Navigation, NavigationQuery};
 use super::execution::check_finite;
+use super::outcome::Outcome;
 use super::policy::Policy;
-use super::rollout::{Controller, Outcome, Simulation, State, generator};
+use super::rollout::{Controller, Simulation, State, generator};
 use crate::collision::DiscValidity;
 use crate::error::{Code, Error};
 use crate::options::Options as _;

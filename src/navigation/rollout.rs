@@ -3,13 +3,13 @@
 use super::document::Navigation;
 use super::floor::Floor;
 use super::navigator::{CargoNavigator, DriveNavigator, Navigator};
-use super::policy::{Perceptron, Policy};
+use super::outcome::Outcome;
+use super::policy::{Carried, Perceptron, Policy};
 use super::sensor::Fan;
 use crate::error::Error;
 use crate::geometry::wrap;
 use crate::random::{Random, Stream};
 use crate::robot::{CargoState, GRAVITY};
-use serde::Serialize;
 use std::cell::RefCell;
 use std::f64::consts::TAU;
 
@@ -21,21 +21,6 @@ const EXTRA: f64 = 5.0;
 
 /// A heading beyond this is wrapped, in radians.
 const MOST_TURNED: f64 = 1000.0;
-
-/// How a rollout ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Outcome {
-    /// The goal is reached.
-    Reached,
-    /// The next arc is not proven free: the robot would touch something.
-    Collision,
-    /// The load would be displaced beyond the limit of swing.
-    Swing,
-    /// The time limit was reached.
-    Timeout,
-}
 
 /// Where a robot is, and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,14 +80,6 @@ fn hypotenuse([x, y]: [f64; 2]) -> f64 {
 /// A vector in a frame that is turned by an angle, given by its sine and cosine.
 fn into_frame([sin, cos]: [f64; 2], [x, y]: [f64; 2]) -> [f64; 2] {
     [cos * x + sin * y, cos * y - sin * x]
-}
-
-/// What a carrier of cargo knows, in the frame whose first axis points to the goal.
-pub(super) struct Carried {
-    /// The distance of the goal, in metres.
-    pub distance: f64,
-    /// The velocity of the carrier, the displacement of the load, and its rate.
-    pub motion: [[f64; 2]; 3],
 }
 
 /// What drives the robot, given a noisy pose and the distances that its rays measure.

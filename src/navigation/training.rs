@@ -13,8 +13,9 @@
 use super::document::Navigation;
 use super::episode;
 use super::generate::FurnishedOptions;
+use super::outcome::Outcome;
 use super::policy::{MAX_HIDDEN, Perceptron, Policy, Sizes};
-use super::rollout::{Controller, Drive, Outcome, Simulation, State, generator};
+use super::rollout::{Controller, Drive, Simulation, State, generator};
 use crate::error::{Code, Error, within};
 use crate::fingerprint::Fingerprint;
 use crate::generators::Generator;

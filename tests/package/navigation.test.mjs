@@ -4,10 +4,16 @@ import { test } from "node:test";
 import { Navigation, NavigationComparison, Training, comparisonOptions, navigationGenerators, rolloutOptions, trainingOptions } from "planarium/full";
 import { fails } from "./scenes.mjs";
 
+/** @type {Extract<import("planarium/full").NavigationDocument["robot"], { type: "differential_drive" }>} */
+const wheeled = {
+  type: "differential_drive", shape: { type: "disc", radius: 0.2 }, speed: [-0.1, 1], turn_rate: [-1.5, 1.5],
+  sensor: { rays: 4, field_of_view: 2, range: 2 },
+};
+
 /** @type {import("planarium/full").NavigationDocument} */
 const corridor = {
   format: "planarium-navigation-1", name: "corridor", world: { bounds: { min: [0, 0], max: [8, 3] }, obstacles: [{ type: "disc", center: [4, 1.5], radius: 0.3 }] },
-  robot: { type: "differential_drive", shape: { type: "disc", radius: 0.2 }, speed: [-0.1, 1], turn_rate: [-1.5, 1.5], sensor: { rays: 4, field_of_view: 2, range: 2 } },
+  robot: wheeled,
   queries: [{ name: "along", start: [1, 1, 0], goal: [7, 1] }],
 };
 const task = Navigation.parse(corridor);
@@ -101,7 +107,7 @@ test("without a policy a controller follows straight edges that are proven free"
   assert.equal(planner.step(1e9), "solved");
   assert.equal(planner.result().edge_check, undefined);
   assert.equal(task.execute(planner.path()).outcome, "reached");
-  const still = Navigation.parse({ ...corridor, robot: { ...corridor.robot, noise: { range: 0, position: 0, heading: 0, speed: 0, turn_rate: 0 } } });
+  const still = Navigation.parse({ ...corridor, robot: { ...wheeled, noise: { range: 0, position: 0, heading: 0, speed: 0, turn_rate: 0 } } });
   assert.deepEqual(still.execute(planner.path(), { trial: 1 }), still.execute(planner.path(), { trial: 2 }), "without noise all trials are one");
   assert.equal(task.execute([1, 1, 7, 2.2], { trial: 0 }).outcome, "collision", "it drives into what is in its way");
   fails(() => task.straightPlanner({ margin: -1 }), "out-of-range", "/margin");
@@ -145,4 +151,22 @@ test("generators and options are listed, and what is freed is said to be", () =>
   assert.throws(() => training.generation, { code: "freed" });
   assert.throws(() => comparison.summary(), { code: "freed" });
   assert.throws(() => new /** @type {any} */ (Navigation)(), { code: "illegal-constructor" });
+});
+
+test("a carrier of cargo is trained, planned for and driven; its swing comes with the trace", async () => {
+  const { default: shipped } = await import("planarium/policy-cargo.json", { with: { type: "json" } });
+  const policy = /** @type {import("planarium/full").PolicyDocument} */ (shipped);
+  const yard = Navigation.generate("rooms", { columns: 2, rows: 1, seed: 1, shape: "cargo" });
+  assert.equal(yard.toJSON().robot.type, "cargo");
+  const planner = yard.planner(policy, { samples: 120, k: 8, rollouts: 5, seed: 1 });
+  assert.equal(planner.step(1e9), "solved");
+  const { outcome, trace, swing } = yard.execute(planner.path(), { policy, seed: 1 });
+  assert.ok(["reached", "collision", "swing", "timeout"].includes(outcome));
+  assert.equal(swing.length / 2, trace.length / 3);
+  for (let i = 0; i < swing.length; i += 2) assert.ok(Math.hypot(swing[i], swing[i + 1]) <= 0.3, "within the limit");
+  assert.deepEqual(task.execute([1, 1, 7, 1]).swing, [], "a drive has no load");
+  const training = yard.training(SMALL);
+  training.step(1e9);
+  assert.equal(training.policy().robot, "cargo");
+  fails(() => task.planner(policy), "unsupported", "/policy/robot");
 });

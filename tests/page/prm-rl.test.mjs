@@ -20,6 +20,8 @@ const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
 const ROADMAP = { samples: 400, k: 15 };
 /** @type {import("planarium/full").PolicyDocument} */
 const policy = JSON.parse(readFileSync(join(root, "www", "prm-rl", "policy.json"), "utf8"));
+/** @type {import("planarium/full").PolicyDocument} */
+const cargo = JSON.parse(readFileSync(join(root, "www", "prm-rl", "policy-cargo.json"), "utf8"));
 const first = Navigation.generate(FIRST.kind, FIRST.options);
 /** A training of a few seconds. */
 const SHORT = { pairs: 3, tasks: 6, floors: 4, generations: 3, hidden: 4 };
@@ -382,3 +384,37 @@ test("every part is for everyone: axe finds nothing, nothing hangs over, and fin
     await rest(page);
   },
 })));
+
+test("a carrier of cargo has a policy of its own; its load is drawn, its swing shown, and it is trained", () => onLearned(async (page) => {
+  const counts = (/** @type {string} */ way) => page.locator(`#driven tr[data-way=${way}] td`).allInnerTexts();
+  const columns = (await counts("prm-rl")).length;
+  await page.selectOption("#robot", "cargo");
+  await rest(page, "[data-status=none][data-policy=shipped]");
+  await textMatches(page, "#policy-about", /for 20 rays/);
+  await page.click("#drive");
+  await rest(page, "[data-drives='20']");
+  const yard = Navigation.generate(FIRST.kind, { ...FIRST.options, shape: "cargo" });
+  const planner = yard.planner(cargo, ROADMAP);
+  planner.step(1e9);
+  const { fingerprint, path } = planner.result();
+  assert.equal((await told(page)).fingerprint, fingerprint);
+  const drives = Array.from({ length: 20 }, (_, trial) => yard.execute(path.flat(), { trial, policy: cargo }));
+  const { reached, collision, swing, timeout } = countsOf(drives);
+  assert.deepEqual((await counts("prm-rl")).slice(2, 6), [`${reached} of 20`, String(collision), String(swing), String(timeout)]);
+  assert.ok(await page.isVisible("#swing-chart svg"));
+  const most = Math.max(...Array.from({ length: drives[0].swing.length / 2 }, (_, i) => Math.hypot(...drives[0].swing.slice(2 * i, 2 * i + 2))));
+  assert.match(await page.getAttribute("#swing-chart svg", "aria-label") ?? "", new RegExp(`at most ${most.toFixed(2)} m; the limit is 0\\.30 m`));
+  assert.ok(await pixelsOf(page, "floor", "top", "unproven") > 30, "load, ring and the way of the load");
+  await prepareTraining(page);
+  await page.click("#train");
+  await rest(page, "[data-training=over]");
+  assert.equal((await told(page)).trained, trained(yard, SHORT).fingerprint);
+  await page.click("#use-trained");
+  await page.click("#part-plan");
+  await rest(page, "[data-policy=trained]");
+  // A policy of another robot is put away.
+  await page.selectOption("#robot", "disc");
+  await rest(page, "[data-policy=shipped]");
+  assert.equal((await counts("prm-rl")).length, columns);
+  assert.equal(await page.isVisible("#swing-chart svg"), false);
+}));

@@ -195,3 +195,20 @@ fn a_drive_has_the_same_bits_on_every_platform() {
     assert!(cargo.is_within_limit(&state), "{state:?}");
     assert_eq!(format!("{:016x}", fingerprint.value()), "af3175ced76b069e");
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn heavy_damping_and_a_fast_carrier_take_shorter_steps() {
+    // Overdamped on a rope of 1000 km: the displacement falls behind at a rate that tends to a / c.
+    let cargo = cargo(CargoLimits {
+        rope: 1e6,
+        damping: 10.0,
+        speed: 100.0,
+        acceleration: 1.0,
+        swing_limit: 1e5,
+        time_step: 1.0,
+        ..LIMITS
+    });
+    let after = (0..5).fold(CargoState::at_rest([0.0; 2]), |state, _| cargo.drive(&state, [1.0, 0.0], |_| {}));
+    near(after.swing_rate, [-0.1, 0.0], 1e-3);
+    near(after.swing, [-0.49, 0.0], 1e-2);
+}

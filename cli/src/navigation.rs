@@ -273,8 +273,11 @@ fn say_compared(Compared { comparisons, methods }: &Compared, floors: usize, gro
         let one = &comparisons[0].methods[i];
         let (reached, low, high, more) = match groups {
             1 => {
-                let collisions = format!(", {:.1} % in collision", percent(one.collisions.share));
-                (one.reached.share, one.reached.low, one.reached.high, collisions)
+                let mut failures = format!(", {:.1} % in collision", percent(one.collisions.share));
+                if comparisons[0].methods.iter().any(|one| one.swings.count > 0) {
+                    failures += &format!(", {:.1} % with too much swing", percent(one.swings.share));
+                }
+                (one.reached.share, one.reached.low, one.reached.high, failures)
             }
             _ => {
                 let what = if floors > 1 { "floors" } else { "runs" };

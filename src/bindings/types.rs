@@ -154,7 +154,9 @@ export type Configuration = readonly number[] | Float64Array;
 /** The format of a stored roadmap: JSON or bytes, which `scenario.resume` reads, or GraphML for other programs. */
 export type RoadmapFormat = "json" | "binary" | "graphml";
 
-/** How a drive ends: at its goal, before an arc that is not proven free, or when the time is over. */
+/**
+ * How a drive ends: at its goal, before an arc that is not proven free, before a load swings too far, or when the time is over.
+ */
 export type DriveOutcome = "reached" | "collision" | "swing" | "timeout";
 
 /** A way to drive far: the policy alone, straight edges tracked by a simple controller, or PRM-RL. */

@@ -170,7 +170,8 @@ impl Comparison {
     /// # Errors
     /// `not-finite` or `out-of-range`, with the pointer of the option;
     /// `out-of-range` at `/least_distance` if the floor has no two positions so far apart, with room for the margin; at
-    /// `/robot/shape` if it has no room for the robot; `unsupported` for a policy that senses in another way.
+    /// `/robot/shape` if it has no room for the robot; `unsupported` for a policy of another robot, or that senses in another
+    /// way.
     pub fn new(task: &Navigation, policy: &Policy, options: &ComparisonOptions, seed: u64) -> Result<Self, Error> {
         options.check()?;
         check_seed(seed)?;

@@ -14,17 +14,17 @@ pub struct Executor {
 }
 
 impl Executor {
-    /// The executor of a task's robot: under the policy or, without one, under a controller that turns towards the next position
-    /// and drives there.
+    /// The executor of a task's robot: under the policy or, without one, under a controller that drives straight towards the next
+    /// position, and turns to it if it has to.
     ///
     /// # Errors
-    /// `unsupported` (pointer `/policy/sensor`) if the policy senses in another way.
+    /// `unsupported` if the policy is of another robot (pointer `/policy/robot`) or senses in another way (`/policy/sensor`).
     pub fn new(task: &Navigation, policy: Option<&Policy>) -> Result<Self, Error> {
         Ok(Self { simulation: Simulation::new(task), controller: Controller::new(policy, task.robot())? })
     }
 
     /// Drives from a configuration to each position of a path in turn; its first position is the start's and is not driven to.
-    /// Positions but the last are passed at the goal tolerance. A trial number stands for one draw of all noise.
+    /// Each position is reached as a goal is. A trial number stands for one draw of all noise.
     ///
     /// # Errors
     /// `out-of-range` for a seed beyond 2^53 - 1 or an empty path (pointer `/path`); `not-finite`; `start-in-collision`.

@@ -216,10 +216,11 @@ impl Floor {
     }
 
     /// A carrier and its load after a time step under a commanded acceleration, if both are proven free on the way and the load
-    /// stays within the limit of swing; else what happens first.
+    /// stays within the limit of swing; else how that fails, by a collision if by both.
     ///
     /// Carrier and load are discs that move along curves, which stay within [`Cargo::carrier_bend`] and [`Cargo::bend`] of their
-    /// chords.
+    /// chords. The load is where it is integrated to, and its displacement is compared with the limit after each step of
+    /// integration.
     pub(super) fn carry(
         &self,
         cargo: &Cargo,
@@ -232,12 +233,13 @@ impl Floor {
         states.push(*from);
         cargo.drive(from, acceleration, |state| states.push(*state));
         let after = states[states.len() - 1];
-        let load_bend = states.iter().map(|state| cargo.bend(state)).fold(0.0, f64::max);
+        let load_bend = states[..states.len() - 1].iter().map(|state| cargo.bend(state)).fold(0.0, f64::max);
+        let widest = states.iter().flat_map(|state| state.swing).fold(0.0, |widest: f64, x| widest.max(x.abs()));
         // What contains carrier and load while the load is within its limit.
         let reach = limits.radius.max(limits.swing_limit + limits.load_radius + load_bend);
         let way = segment(from.position, after.position);
         let near = &mut *self.near.borrow_mut();
-        near.gather(&self.obstacles, &way.aabb().grown(2.0 * reach + bend + 2.0 * slack));
+        near.gather(&self.obstacles, &way.aabb().grown(2.0 * reach + 2.0 * widest + bend + 2.0 * slack));
         let clearance = |s: &Segment| {
             let depth = self.bounds.depth(s.a).min(self.bounds.depth(s.b));
             near.distance_from(s).min(depth)

@@ -111,17 +111,17 @@ impl Rollouts {
 
     /// A state in which a robot that has reached a position may be: within the goal tolerance and free, with any heading.
     fn start(&self, [x, y]: [f64; 2], random: &mut Random) -> State {
-        let robot = self.simulation.task().robot();
         let tolerance = self.simulation.task().goal_tolerance();
         let heading = PI * (1.0 - 2.0 * random.uniform());
         for _ in 0..100 {
             let [dx, dy] = [(); 2].map(|()| tolerance * (1.0 - 2.0 * random.uniform()));
             let pose = [x + dx, y + dy, heading];
-            if dx * dx + dy * dy <= tolerance * tolerance && self.simulation.floor.is_free(pose) {
-                let state = State::arriving(pose, robot, random);
-                if self.simulation.is_load_free(&state) {
-                    return state;
-                }
+            let is_near = dx * dx + dy * dy <= tolerance * tolerance;
+            if is_near
+                && self.simulation.floor.is_free(pose)
+                && let Some(state) = self.simulation.draw_state(pose, random)
+            {
+                return state;
             }
         }
         State::at_rest([x, y, heading])
@@ -228,8 +228,9 @@ fn default_planner() -> PlannerOptions {
 ///
 /// # Errors
 /// `unknown-query`, and the errors of parameter values; `unsupported` for planners by controls, for options about other edges,
-/// for a reliability of a planner that is not lazy (pointer `/reliability`), and for a policy that senses in another way
-/// (pointer `/policy/sensor`); `start-in-collision` if the robot cannot turn on the spot at the start.
+/// for a reliability of a planner that is not lazy (pointer `/reliability`), for a policy of another robot (`/policy/robot`),
+/// and for one that senses in another way (`/policy/sensor`); `start-in-collision` if the robot cannot turn on the spot at the
+/// start.
 pub fn start(
     task: &Navigation,
     policy: &Policy,

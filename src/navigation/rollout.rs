@@ -19,6 +19,9 @@ const PATIENCE: f64 = 3.0;
 /// Seconds beyond.
 const EXTRA: f64 = 5.0;
 
+/// The most draws of a state whose load is free.
+const DRAWS: u32 = 100;
+
 /// A heading beyond this is wrapped, in radians.
 const MOST_TURNED: f64 = 1000.0;
 
@@ -43,7 +46,7 @@ impl State {
 
     /// A state in which the robot may be at a configuration that it has reached: a carrier of cargo with any velocity up to the
     /// arrival speed, and its load in any swing up to the arrival swing.
-    pub(super) fn arriving(pose: [f64; 3], robot: &Navigator, random: &mut Random) -> Self {
+    fn arriving(pose: [f64; 3], robot: &Navigator, random: &mut Random) -> Self {
         let Navigator::Cargo(CargoNavigator { cargo, arrival_speed, arrival_swing, .. }) = robot else {
             return Self::at_rest(pose);
         };
@@ -192,15 +195,28 @@ impl Simulation {
     /// The time steps after which a goal at this distance is given up.
     pub(super) fn patience(&self, distance: f64) -> u32 {
         let robot = self.task.robot();
-        (libm::ceil((PATIENCE * distance / robot.top_speed() + EXTRA) / robot.time_step()) as u32).min(100_000)
+        let straight = PATIENCE * distance / robot.top_speed();
+        let seconds = match robot {
+            Navigator::DifferentialDrive(_) => straight,
+            // From rest to rest it takes at least twice the root.
+            Navigator::Cargo(robot) => straight.max(PATIENCE * (distance / robot.cargo.limits().acceleration).sqrt()),
+        };
+        (libm::ceil((seconds + EXTRA) / robot.time_step()) as u32).min(100_000)
     }
 
-    /// Whether the load of a carrier is free in a state; always for a robot without a load.
-    pub(super) fn is_load_free(&self, state: &State) -> bool {
-        match self.task.robot() {
-            Navigator::DifferentialDrive(_) => true,
-            Navigator::Cargo(robot) => self.floor.is_load_free(&robot.cargo, &state.cargo()),
+    /// Draws a state in which the robot may be at a configuration that it has reached; `None` if its load touches something.
+    pub(super) fn draw_state(&self, pose: [f64; 3], random: &mut Random) -> Option<State> {
+        let robot = self.task.robot();
+        let state = State::arriving(pose, robot, random);
+        match robot {
+            Navigator::DifferentialDrive(_) => Some(state),
+            Navigator::Cargo(robot) => self.floor.is_load_free(&robot.cargo, &state.cargo()).then_some(state),
         }
+    }
+
+    /// The first such state of some draws; at rest if there is none.
+    pub(super) fn arriving(&self, pose: [f64; 3], random: &mut Random) -> State {
+        (0..DRAWS).find_map(|_| self.draw_state(pose, random)).unwrap_or_else(|| State::at_rest(pose))
     }
 
     /// Drives from a state to within the tolerance of a position; `visit` sees every state after the first.

@@ -4,8 +4,8 @@
 //!
 //! Each generation draws new short tasks, the same for all candidates, on floors of its own generator. The return of a candidate
 //! is the mean over the tasks: near 1 for a goal that is reached, less the longer it takes; else up to 0.5 for the part of the
-//! distance that is covered, and 0.25 less for a collision or a load that swings too far. Returns become ranks, and the weights follow them by Adam (Kingma and
-//! Ba 2015).
+//! distance that is covered, and 0.25 less for a collision or a load that swings too far. Returns become ranks, and the weights
+//! follow them by Adam (Kingma and Ba 2015).
 //!
 //! An iteration is one candidate. [`Training::returns_of`] depends on nothing but the generation, so that several threads or
 //! workers can share the candidates of a generation, and give their returns to [`Training::advance`].
@@ -249,7 +249,7 @@ impl Training {
         let distance = ((goal[0] - from[0]) * (goal[0] - from[0]) + (goal[1] - from[1]) * (goal[1] - from[1])).sqrt();
         let patience = simulation.patience(distance);
         let mut random = generator(self.seed, Stream::Rollouts, &[self.generation, number]);
-        let from = State::arriving(from, simulation.task().robot(), &mut random);
+        let from = simulation.arriving(from, &mut random);
         visit(from);
         let progress = simulation.drive(controller, from, goal, patience, &mut random, visit);
         let covered = 0.5 * (1.0 - progress.left / distance).max(-1.0);
@@ -334,8 +334,8 @@ impl Training {
 /// trained on but which no training has: `trials` tasks on [`FRESH_FLOORS`] floors, drawn from a seed.
 ///
 /// # Errors
-/// `unsupported` (pointer `/policy/sensor`) if the task's robot senses in another way; `out-of-range` for a seed beyond 2^53 - 1,
-/// and at `/robot/shape` if the floors have no room for the robot.
+/// `unsupported` for a policy of another robot (pointer `/policy/robot`), or that senses in another way (`/policy/sensor`);
+/// `out-of-range` for a seed beyond 2^53 - 1, and at `/robot/shape` if the floors have no room for the robot.
 pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, seed: u64) -> Result<Share, Error> {
     check_seed(seed)?;
     let floors = (0..FRESH_FLOORS).map(|i| floor(task, FLOOR_SEEDS + i)).collect::<Result<Vec<_>, _>>()?;
@@ -348,7 +348,7 @@ pub fn assess(task: &Navigation, policy: &Policy, distance: f64, trials: u64, se
         let (x, y) = (goal[0] - from[0], goal[1] - from[1]);
         let patience = simulation.patience((x * x + y * y).sqrt());
         let mut noise = generator(seed, Stream::Rollouts, &[trial]);
-        let from = State::arriving(from, task.robot(), &mut noise);
+        let from = simulation.arriving(from, &mut noise);
         let progress = simulation.drive(&controller, from, goal, patience, &mut noise, |_| {});
         sample.push(f64::from(progress.outcome == Outcome::Reached));
     }

@@ -25,9 +25,15 @@ const SHORTEST_ROPE: f64 = 0.1;
 /// The greatest damping, per second.
 const MOST_DAMPING: f64 = 10.0;
 
-/// The longest step of integration, as a part of sqrt(L / g): some 125 steps in a period. A step of the method of Runge and Kutta
-/// then loses less than 1e-9 of the energy.
+/// The longest step of integration, as a part of sqrt(L / |f|): some 125 steps in a period. A step of the method of Runge and
+/// Kutta then loses less than 1e-9 of the energy.
 const PART: f64 = 0.05;
+
+/// The longest step of integration, as a part of the time in which damping takes a rate to 1 / e of it.
+const DAMPED_PART: f64 = 0.1;
+
+/// The least limit of swing in metres, and the least speed in metres per second.
+const LEAST: f64 = 1e-6;
 
 /// The numbers that a [`Cargo`] is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -38,11 +44,11 @@ pub struct CargoLimits {
     pub load_radius: f64,
     /// The length of the rope, from the carrier to the middle of the load, in metres, 0.1 to 1e6.
     pub rope: f64,
-    /// The greatest horizontal displacement of the load from the carrier, in metres, greater than 0.
+    /// The greatest horizontal displacement of the load from the carrier, in metres, at least 1e-6.
     pub swing_limit: f64,
     /// The damping of the swing, per second, 0 to 10: small swings decay with exp(-damping t / 2).
     pub damping: f64,
-    /// The greatest speed of the carrier, in metres per second, greater than 0.
+    /// The greatest speed of the carrier, in metres per second, at least 1e-6.
     pub speed: f64,
     /// The greatest acceleration of the carrier, in metres per second squared, greater than 0.
     pub acceleration: f64,
@@ -93,9 +99,9 @@ impl Cargo {
         check_positive("/radius", "the radius of the carrier", radius, LARGEST)?;
         check_range("/load_radius", "the radius of the load", load_radius, 0.0)?;
         check_range("/rope", "the length of the rope", rope, SHORTEST_ROPE)?;
-        check_positive("/swing_limit", "the limit of swing", swing_limit, LARGEST)?;
+        check_range("/swing_limit", "the limit of swing", swing_limit, LEAST)?;
         within("/damping", "the damping", damping, 0.0..=MOST_DAMPING)?;
-        check_positive("/speed", "the greatest speed", speed, LARGEST)?;
+        check_range("/speed", "the greatest speed", speed, LEAST)?;
         check_positive("/acceleration", "the greatest acceleration", acceleration, LARGEST)?;
         within("/time_step", "the time step", time_step, super::differential_drive::STEPS)?;
         // Where the rope can become slack: A d = g sqrt(L^2 - d^2).
@@ -106,7 +112,9 @@ impl Cargo {
                 format!("the limit of swing must be less than {slack}, where the rope can become slack, not {limit}");
             return Err(Error::new(Code::OutOfRange, "/swing_limit", sentence));
         }
-        let parts = (time_step / (PART * (rope / GRAVITY).sqrt())).ceil() as u32;
+        let force = (acceleration * acceleration + GRAVITY * GRAVITY).sqrt();
+        let longest = (PART * (rope / force).sqrt()).min(DAMPED_PART / damping);
+        let parts = (time_step / longest).ceil() as u32;
         Ok(Self { limits, parts })
     }
 
@@ -156,7 +164,8 @@ impl Cargo {
         state
     }
 
-    /// The amplitude with which the load swings, in metres: of small swings, without damping, while the carrier does not accelerate.
+    /// The amplitude with which the load swings, in metres: of small swings, without damping, while the carrier does not
+    /// accelerate.
     pub fn amplitude(&self, state: &CargoState) -> f64 {
         let ([x, y], [u, w]) = (state.swing, state.swing_rate);
         (x * x + y * y + (u * u + w * w) * self.limits.rope / GRAVITY).sqrt()
@@ -210,6 +219,11 @@ impl Cargo {
         let mean =
             [0, 1].map(|i| [0, 1, 2].map(|k| (first[i][k] + 2.0 * (second[i][k] + third[i][k]) + fourth[i][k]) / 6.0));
         let [r, v] = add(from, mean, step);
+        if r[2] >= 0.0 {
+            // Beyond the horizontal, and so beyond any limit of swing.
+            let [x, y] = [r[0], r[1]];
+            return [shortened([x / LEAST, y / LEAST], rope), [v[0], v[1]]];
+        }
         // Back to the length of the rope, and no rate along it.
         let scale = rope / dot(r, r).sqrt();
         let along = dot(r, v) / dot(r, r);

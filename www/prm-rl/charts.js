@@ -38,7 +38,7 @@ export function trainingCsv({ training: { history } }) {
 
 /** The swing of the load of the drive with the rays, over time, beside its limit. @param {NavigationSession} session @returns {() => void} draws it if it has changed */
 export function makeSwingChart(session) {
-  const chart = new Chart("swing", "Displacement of the load");
+  const chart = new Chart("swing", "Displacement of the load after each time step");
   const host = byId("swing-chart", HTMLElement);
   host.append(chart.element);
   /** @type {unknown} */
@@ -53,6 +53,6 @@ export function makeSwingChart(session) {
     const points = Array.from({ length: drive.swing.length / 2 }, (_, i) => /** @type {[number, number]} */ ([i * step, Math.hypot(drive.swing[2 * i], drive.swing[2 * i + 1])]));
     const most = Math.max(...points.map(([, swing]) => swing));
     chart.draw([{ label: "limit", points: [[0, limit], [drive.time, limit]], className: "mean" }, { label: "load", points, className: "best" }],
-      { title: "s", low: 0, high: Math.max(1, drive.time) }, { title: "m", low: 0, high: 1.15 * limit }, `The load is displaced by at most ${most.toFixed(2)} m; the limit is ${limit.toFixed(2)} m.`);
+      { title: "s", low: 0, high: Math.max(1, drive.time) }, { title: "m", low: 0, high: 1.15 * limit }, `At the ends of time steps the load is displaced by at most ${most.toFixed(2)} m; the limit is ${limit.toFixed(2)} m.`);
   };
 }

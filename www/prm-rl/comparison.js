@@ -15,6 +15,8 @@ export class ComparisonRun {
     this.id = 0;
     this.count = 0;
     this.iterations = 0;
+    /** Comparisons begun or forgotten. */
+    this.begun = 0;
     /** @type {NavigationQueryDocument[]} */
     this.queries = [];
     /** @type {ComparedExecution[]} */
@@ -25,6 +27,7 @@ export class ComparisonRun {
 
   /** Forgets the comparison: its floor, its policy or its options are others now. */
   clear() {
+    this.begun++;
     Object.assign(this, { status: "none", id: 0, count: 0, iterations: 0, queries: [], executions: [], summary: [] });
   }
 
@@ -32,7 +35,10 @@ export class ComparisonRun {
   async run(until = Infinity) {
     const { session, given } = this;
     if (this.status === "none") {
+      const turn = ++this.begun;
       const begun = await session.worker.beginComparison(session.robotDocument, session.policy, given);
+      // Its floor, robot or policy may be others by now.
+      if (turn !== this.begun) return;
       this.clear();
       Object.assign(this, begun, { status: "paused" });
     }

@@ -109,7 +109,7 @@ export class Floor {
     /** @type {Parameters<typeof drawRobotAt>[4]} */
     const state = isDriven && shown
       ? { pose: poseAt(shown, time, timeStep), swing: swingAt(shown, time, timeStep), hasRays: true }
-      : { pose: [start[0], start[1], start[2]], swing: [0, 0], hasRays: true };
+      : { pose: [start[0], start[1], session.hasLoad ? Math.atan2(goal[1] - start[1], goal[0] - start[0]) : start[2]], swing: [0, 0], hasRays: true };
     drawRobotAt(context, view, task, document.robot, state, palette);
     drawEnds(false);
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);

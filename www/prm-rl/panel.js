@@ -82,6 +82,8 @@ export function showPanel(session, actions) {
     const { min, max } = document.world.bounds ?? { min: [0, 0], max: [1, 1] };
     for (const { slider, key, i } of coordinates) {
       if (i < 2 && change === "floor") slider.setLimits(min[i], max[i]);
+      // The sensor of a carrier turns to the goal.
+      if (i === 2) slider.element.hidden = session.hasLoad;
       const value = (key === "start" ? start : goal)[i];
       slider.show(i < 2 ? value : Math.atan2(Math.sin(value), Math.cos(value)));
     }

@@ -245,10 +245,11 @@ export class Driving {
   /**
    * Euler's steps beside the exact arc of one control: of the preview if there is one, else of the control held since the
    * last key that changed it. Both last equally long.
+   * @param {Float64Array} trace  of the drive
    * @returns {Beside | null}  null if it is not to be drawn, or nothing moves
    */
-  compare() {
-    const { drive, dt, rollout, rolled, trace, session: { shown } } = this;
+  compare(trace) {
+    const { drive, dt, rollout, rolled, session: { shown } } = this;
     if (dt === 0 || !drive || !shown) return null;
     const { steps, v, phi } = drive.state;
     const held = v === 0 ? 0 : steps - (drive.record().findLast(({ key }) => key !== "keep")?.step ?? 0);
@@ -281,7 +282,7 @@ export class Driving {
     const { session, state, trace, rollout } = this;
     const { shown } = session;
     if (!state || !shown) return;
-    const beside = this.beside = this.compare();
+    const beside = this.beside = this.compare(trace);
     shown.hand = Float64Array.from(state.pose);
     shown.check = { free: true, touching: [] };
     shown.driven = { steering: state.phi, trace, blocked: state.blocked, rollout, beside, drawUnder: drawTrace, drawOver: drawDrive };

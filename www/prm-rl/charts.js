@@ -52,7 +52,7 @@ export function makeSwingChart(session) {
     const { time_step: step = 0.2, swing_limit: limit } = document.robot;
     const points = Array.from({ length: drive.swing.length / 2 }, (_, i) => /** @type {[number, number]} */ ([i * step, Math.hypot(drive.swing[2 * i], drive.swing[2 * i + 1])]));
     const most = Math.max(...points.map(([, swing]) => swing));
-    chart.draw([{ label: "limit", points: [[0, limit], [drive.time, limit]], className: "mean" }, { label: "load", points, className: "best" }],
+    chart.draw([{ label: "load", points, className: "best" }, { label: "limit", points: [[0, limit], [drive.time, limit]], className: "mean" }],
       { title: "s", low: 0, high: Math.max(1, drive.time) }, { title: "m", low: 0, high: 1.15 * limit }, `At the ends of time steps the load is displaced by at most ${most.toFixed(2)} m; the limit is ${limit.toFixed(2)} m.`);
   };
 }

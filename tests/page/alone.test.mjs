@@ -180,7 +180,8 @@ test("embedded it shows the stage only, takes no focus and obeys orders", () => 
   assert.equal((await ask()).refusal.code, "unsupported");
   const settled = (await order({ planarium: "load", scene: "rings", settings: { seed: 9 }, iteration: 5 })).value;
   assert.deepEqual([settled.lanes[0].algorithm, settled.iteration, settled.refusal], ["prm", 5, null], "settings alone are those of the scene's planner");
-  const [first, second] = await Promise.all([order({ planarium: "load", scene: "firs" }), order({ planarium: "load", scene: "rings", iteration: 3 })]);
+  // Both are sent at once: the second arrives before the first can have been answered.
+  const [first, second] = await page.evaluate(() => Promise.all([{ scene: "firs" }, { scene: "rings", iteration: 3 }].map((message) => /** @type {any} */ (window).order({ planarium: "load", ...message }))));
   assert.deepEqual([first.fault?.code, second.value?.iteration], ["superseded", 3]);
   await frame.focus("#stage");
   await page.keyboard.press("Escape");

@@ -1,7 +1,7 @@
 /** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
 import { json, save } from "../../app/files.js";
+import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { keysOf } from "../../domain/key-text.js";
-import { EULER_STEPS } from "../link/codec.js";
 import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";

@@ -6,6 +6,7 @@
  */
 import { decodeFragment, encodeFragment } from "../../formats/fragment.js";
 import { flag, formed, json, list, must, name, number, oneOf, record, rule, settings, text, whole, withDefaults } from "../../formats/rules.js";
+import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { KEY_TEXT } from "../../domain/key-text.js";
 
 /** @import { Allowed, Rule } from "../../formats/rules.js" */
@@ -15,8 +16,6 @@ import { KEY_TEXT } from "../../domain/key-text.js";
 /** @typedef {Experiment["view"]} View   absent options are off, and the lens is the workspace */
 
 const LIMITS = { characters: 65535, bytes: 1 << 20 };
-/** The steps of Euler's method that can be drawn beside an arc, in seconds; the course report has the first. */
-export const EULER_STEPS = [0.01, 0.1, 0.25, 0.5];
 /** Steps of a drive, and characters of its keys, at most. */
 const DRIVE = { steps: 1_000_000, keys: 65_535 };
 

@@ -1,6 +1,6 @@
 /**
- * `npm run bench`: roadmaps and queries of arms, bodies and cars, natively and in Node, beside OMPL and OxMPL, then new processes,
- * memory and threads; in one run, which ends with the aims that are reached and missed.
+ * `npm run bench`: roadmaps and queries of arms, bodies and cars, natively and in Node, beside OMPL and OxMPL, then new
+ * processes, memory and threads; in one run, which ends with the aims that are reached and missed.
  *
  *   --quick           three worlds per row and few runs, as a smoke test
  *   --worlds N        worlds per row (50)
@@ -11,8 +11,8 @@
  *   --json FILE       writes all figures
  *   --write           updates the tables in docs/benchmarks.md
  *
- * All sides run in turn in every world, each in its own process pinned to the same core, so that disturbances affect all of them
- * alike. Ratios are taken per world. Every run has a new planner, whose set-up is measured separately.
+ * All sides run in turn in every world, each in its own process pinned to the same core, so that disturbances affect
+ * all of them alike. Ratios are taken per world. Every run has a new planner, whose set-up is measured separately.
  */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -35,14 +35,21 @@ import { rows, writeWorlds } from "./peers/worlds.mjs";
 await script(async () => {
   const { values: options } = parseArgs({
     options: {
-      quick: { type: "boolean", default: false }, worlds: { type: "string" }, first: { type: "string", default: "0" }, sides: { type: "string" },
-      rows: { type: "string", multiple: true, default: [""] }, "no-build": { type: "boolean", default: false }, json: { type: "string" },
+      quick: { type: "boolean", default: false },
+      worlds: { type: "string" },
+      first: { type: "string", default: "0" },
+      sides: { type: "string" },
+      rows: { type: "string", multiple: true, default: [""] },
+      "no-build": { type: "boolean", default: false },
+      json: { type: "string" },
       write: { type: "boolean", default: false },
     },
   });
   const count = integer("worlds", options.worlds ?? (options.quick ? "3" : "50"), 1);
   const first = integer("first", options.first, 0);
-  const runs = options.quick ? { prm: 1, "rrt-connect": 3, "rrt-control": 3, sst: 3, cold: 2, warm: 2 } : { prm: 3, "rrt-connect": 10, "rrt-control": 5, sst: 5, cold: 10, warm: 10 };
+  const runs = options.quick
+    ? { prm: 1, "rrt-connect": 3, "rrt-control": 3, sst: 3, cold: 2, warm: 2 }
+    : { prm: 3, "rrt-connect": 10, "rrt-control": 5, sst: 5, cold: 10, warm: 10 };
   const names = /** @type {SideName[]} */ (options.sides?.split(",") ?? sideNames);
   const unknown = names.find((name) => !sideNames.includes(name));
   if (unknown !== undefined) throw new Problem(`There is no side \`${unknown}\`. Sides: ${sideNames.join(", ")}.`);
@@ -50,7 +57,9 @@ await script(async () => {
   const chosen = rows.filter(isChosen);
   const others = extras.filter(isChosen).filter(({ side }) => names.includes(side));
   if (chosen.length + others.length === 0) {
-    throw new Problem(`No row contains \`${options.rows.join("`, `")}\`. Rows: ${[...rows, ...extras].map(({ name }) => name).join("; ")}.`);
+    throw new Problem(
+      `No row contains \`${options.rows.join("`, `")}\`. Rows: ${[...rows, ...extras].map(({ name }) => name).join("; ")}.`,
+    );
   }
 
   /** @type {Map<SideName, Side | undefined>} */
@@ -86,7 +95,10 @@ await script(async () => {
     console.log(`${summary}\n${figureTable(measured)}\n${armTable(measured)}\n${aimTable(all)}`);
     if (options.json !== undefined) {
       const titles = [...sides.values()].flatMap((side) => side?.title ?? []);
-      writeFileSync(options.json, `${JSON.stringify({ sides: titles, worlds: count, runs, rows: all, aims: judge(all) }, null, 1)}\n`);
+      writeFileSync(
+        options.json,
+        `${JSON.stringify({ sides: titles, worlds: count, runs, rows: all, aims: judge(all) }, null, 1)}\n`,
+      );
     }
     if (options.write) {
       update("bench", summary);
@@ -107,8 +119,12 @@ await script(async () => {
  * @param {number} warm
  */
 async function takeTurns(sides, present, worlds, runs, warm) {
-  const ask = (/** @type {typeof present[number]} */ { side, job }, /** @type {typeof worlds[number]} */ world, /** @type {number} */ seed, /** @type {number} */ times) =>
-    /** @type {Side} */ (sides.get(side)).ask(job(world, seed, times));
+  const ask = (
+    /** @type {typeof present[number]} */ { side, job },
+    /** @type {typeof worlds[number]} */ world,
+    /** @type {number} */ seed,
+    /** @type {number} */ times,
+  ) => /** @type {Side} */ (sides.get(side)).ask(job(world, seed, times));
   // The first runs warm up caches and, in Node, the compiler. They are not counted.
   for (const arm of present) await ask(arm, worlds[0], 1_000_000, warm);
   /** @type {Map<string, Run[][]>} */

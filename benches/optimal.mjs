@@ -1,14 +1,15 @@
 /**
- * `npm run bench:optimal`: what the best path of each optimal planner costs after a number of checks, for a disc among convex polygons,
- * beside OMPL's planners, in percent above the true shortest path.
+ * `npm run bench:optimal`: what the best path of each optimal planner costs after a number of checks, for a disc among
+ * convex polygons, beside OMPL's planners, in percent above the true shortest path.
  *
  *   --worlds N     worlds (10); those without a path are left out
  *   --first N      the seed of the first world (1000)
  *   --seeds N      runs of each planner in each world (100)
  *   --write        updates the table in docs/benchmarks.md
  *
- * A check is on OMPL's side a state whose validity was asked for. On ours it is a configuration or a motion that was tested, and every evaluation
- * of the distance to an obstacle besides, so that no work is free. OMPL looks at an edge in steps of a hundredth of the space, its default.
+ * A check is on OMPL's side a state whose validity was asked for. On ours it is a configuration or a motion that was
+ * tested, and every evaluation of the distance to an obstacle besides, so that no work is free. OMPL looks at an edge
+ * in steps of a hundredth of the space, its default.
  */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -21,7 +22,10 @@ import { quantile } from "./peers/report.mjs";
 import { startSide } from "./peers/sides.mjs";
 import { flat } from "./peers/worlds.mjs";
 
-/** @typedef {{ better: [checks: number, cost: number][], isValid: boolean }} Run  checks and cost whenever the best path became cheaper */
+/**
+ * @typedef {{ better: [checks: number, cost: number][], isValid: boolean }} Run  checks and cost whenever the best path
+ *   became cheaper
+ */
 
 /** The numbers of checks after which costs are compared. */
 const MOST = [1000, 3000, 10_000, 30_000];
@@ -39,16 +43,24 @@ const theirs = ["rrt-star", "bit-star", "fmt-star"];
 await script(async () => {
   const { values: options } = parseArgs({
     options: {
-      worlds: { type: "string", default: "10" }, first: { type: "string", default: "1000" }, seeds: { type: "string", default: "100" },
+      worlds: { type: "string", default: "10" },
+      first: { type: "string", default: "1000" },
+      seeds: { type: "string", default: "100" },
       write: { type: "boolean", default: false },
     },
   });
-  const [count, first, seeds] = [integer("worlds", options.worlds, 1), integer("first", options.first, 0), integer("seeds", options.seeds, 1)];
+  const [count, first, seeds] = [
+    integer("worlds", options.worlds, 1),
+    integer("first", options.first, 0),
+    integer("seeds", options.seeds, 1),
+  ];
   const ompl = await startSide("ompl", true);
   const folder = mkdtempSync(join(tmpdir(), "planarium-bench-"));
   try {
     /** @type {Map<string, Run[][]>} */
-    const results = new Map([...ours, ...(ompl === undefined ? [] : theirs.map((id) => `OMPL ${id}`))].map((name) => [name, []]));
+    const results = new Map(
+      [...ours, ...(ompl === undefined ? [] : theirs.map((id) => `OMPL ${id}`))].map((name) => [name, []]),
+    );
     let worlds = 0;
     for (let seed = first; worlds < count; seed += 1) {
       const scenario = Scenario.generate("clutter", { robot: "disc", seed });
@@ -59,8 +71,16 @@ await script(async () => {
       const file = join(folder, `${seed}.txt`);
       writeFileSync(file, flat(scenario.document()));
       for (const [name, all] of results) {
-        const runs = name.startsWith("OMPL") && ompl !== undefined ? await peerRuns(ompl, scenario, file, name.slice(5), seeds) : ownRuns(scenario, name, seeds);
-        all.push(runs.map(({ better, isValid }) => ({ better: better.map(([checks, cost]) => [checks, cost / length - 1]), isValid })));
+        const runs =
+          name.startsWith("OMPL") && ompl !== undefined
+            ? await peerRuns(ompl, scenario, file, name.slice(5), seeds)
+            : ownRuns(scenario, name, seeds);
+        all.push(
+          runs.map(({ better, isValid }) => ({
+            better: better.map(([checks, cost]) => [checks, cost / length - 1]),
+            isValid,
+          })),
+        );
       }
       scenario.free();
     }
@@ -82,7 +102,9 @@ function isBatch(planner) {
 /** @param {Scenario} scenario @param {string} algorithm @param {number} seeds @returns {Run[]} */
 function ownRuns(scenario, algorithm, seeds) {
   return Array.from({ length: seeds }, (_, seed) => {
-    const runs = isBatch(algorithm) ? SAMPLES.map((samples) => ownRun(scenario, { algorithm, samples, seed })) : [ownRun(scenario, { algorithm, improveIterations: 1e9, maxIterations: 1e9, seed })];
+    const runs = isBatch(algorithm)
+      ? SAMPLES.map((samples) => ownRun(scenario, { algorithm, samples, seed }))
+      : [ownRun(scenario, { algorithm, improveIterations: 1e9, maxIterations: 1e9, seed })];
     return merged(runs);
   });
 }
@@ -112,14 +134,26 @@ function ownRun(scenario, options) {
   }
 }
 
-/** @param {import("./peers/sides.mjs").Side} ompl @param {Scenario} scenario @param {string} file @param {string} planner @param {number} seeds @returns {Promise<Run[]>} */
+/**
+ * @param {import("./peers/sides.mjs").Side} ompl
+ * @param {Scenario} scenario
+ * @param {string} file
+ * @param {string} planner
+ * @param {number} seeds
+ * @returns {Promise<Run[]>}
+ */
 async function peerRuns(ompl, scenario, file, planner, seeds) {
   const judge = scenario.planner({ algorithm: "rrt" });
   /** @type {Run[][]} */
   const all = [];
   for (const samples of isBatch(planner) ? SAMPLES : [0]) {
     const runs = await ompl.ask(`${file} disc 0 ${seeds} ${planner} ${LAST} ${samples}`);
-    all.push(runs.map((/** @type {any} */ { better, path }) => ({ better, isValid: judge.firstHits(edges(path)).every((hit) => hit === 1) })));
+    all.push(
+      runs.map((/** @type {any} */ { better, path }) => ({
+        better,
+        isValid: judge.firstHits(edges(path)).every((hit) => hit === 1),
+      })),
+    );
   }
   judge.free();
   return Array.from({ length: seeds }, (_, seed) => merged(all.map((runs) => runs[seed])));
@@ -130,7 +164,11 @@ function edges(path) {
   return new Float64Array(path.slice(1).flatMap((to, i) => [...path[i], ...to]));
 }
 
-/** Runs with several numbers of samples as one, each of which is available after its own checks. @param {Run[]} runs @returns {Run} */
+/**
+ * Runs with several numbers of samples as one, each of which is available after its own checks.
+ * @param {Run[]} runs
+ * @returns {Run}
+ */
 function merged(runs) {
   return { better: runs.flatMap(({ better }) => better), isValid: runs.every(({ isValid }) => isValid) };
 }
@@ -163,23 +201,53 @@ function whole(checks) {
 
 /** @param {Map<string, Run[][]>} results */
 function table(results) {
-  const head = ["planner", ...MOST.map((most) => `% above, ${most} checks`), `checks up to ${100 * GOOD} %`, "valid runs, %"];
+  const head = [
+    "planner",
+    ...MOST.map((most) => `% above, ${most} checks`),
+    `checks up to ${100 * GOOD} %`,
+    "valid runs, %",
+  ];
   const rows = [...results].map(([name, worlds]) => {
     const runs = worlds.flat();
     const valid = runs.filter(({ isValid }) => isValid).length / runs.length;
-    return [name, ...MOST.map((most) => quartiles(runs.map((run) => cost(run, most)), percent)), quartiles(runs.map(goodAfter), whole), percent(valid)];
+    return [
+      name,
+      ...MOST.map((most) =>
+        quartiles(
+          runs.map((run) => cost(run, most)),
+          percent,
+        ),
+      ),
+      quartiles(runs.map(goodAfter), whole),
+      percent(valid),
+    ];
   });
   return markdown([head, ...rows]);
 }
 
-/** In how many worlds the median of one of our planners is below that of OMPL's of the same name. @param {Map<string, Run[][]>} results */
+/**
+ * In how many worlds the median of one of our planners is below that of OMPL's of the same name.
+ * @param {Map<string, Run[][]>} results
+ */
 function duels(results) {
   const head = ["worlds in which our median is lower", ...MOST.map((most) => `${most} checks`)];
-  const rows = theirs.filter((id) => results.has(`OMPL ${id}`)).map((id) => {
-    const [own, peer] = [results.get(id) ?? [], results.get(`OMPL ${id}`) ?? []];
-    const median = (/** @type {Run[]} */ runs, /** @type {number} */ most) => quantile(runs.map((run) => cost(run, most)), 0.5);
-    return [id, ...MOST.map((most) => `${own.filter((runs, world) => median(runs, most) < median(peer[world], most)).length} of ${own.length}`)];
-  });
+  const rows = theirs
+    .filter((id) => results.has(`OMPL ${id}`))
+    .map((id) => {
+      const [own, peer] = [results.get(id) ?? [], results.get(`OMPL ${id}`) ?? []];
+      const median = (/** @type {Run[]} */ runs, /** @type {number} */ most) =>
+        quantile(
+          runs.map((run) => cost(run, most)),
+          0.5,
+        );
+      return [
+        id,
+        ...MOST.map(
+          (most) =>
+            `${own.filter((runs, world) => median(runs, most) < median(peer[world], most)).length} of ${own.length}`,
+        ),
+      ];
+    });
   return markdown([head, ...rows]);
 }
 

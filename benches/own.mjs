@@ -1,14 +1,16 @@
 /**
- * Custom robots: the arms of generated forests, given to `Problem` as functions in JavaScript, beside the same arms as scenarios.
+ * Custom robots: the arms of generated forests, given to `Problem` as functions in JavaScript, beside the same arms as
+ * scenarios.
  *
  *   node benches/own.mjs [SEEDS] [FILE...]   scenarios of arms in place of the generated ones
  *
- * For each arm: milliseconds to the first path by RRT-Connect; the same of a run whose function only copies the results recorded before,
- * which is planner and crossing alone; and of the function alone, called from a loop with the batches recorded before. Each run is measured
- * several times, in turn with the others, and each number is the median over the seeds of the median of a seed, as is the ratio of the first time to the
- * last. Then how many configurations the function got, in how many calls. The last row of a planar arm is OxMPL's package for JavaScript
- * with the same function, which it calls for one configuration at a time. Then the arm of six joints in `examples/own`, by its clearance and by
- * the sign of that.
+ * For each arm: milliseconds to the first path by RRT-Connect; the same of a run whose function only copies the results
+ * recorded before, which is planner and crossing alone; and of the function alone, called from a loop with the batches
+ * recorded before. Each run is measured several times, in turn with the others, and each number is the median over the
+ * seeds of the median of a seed, as is the ratio of the first time to the last. Then how many configurations the
+ * function got, in how many calls. The last row of a planar arm is OxMPL's package for JavaScript with the same
+ * function, which it calls for one configuration at a time. Then the arm of six joints in `examples/own`, by its
+ * clearance and by the sign of that.
  */
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
@@ -19,15 +21,31 @@ import { oxmplInJavaScript } from "./peers/sides.mjs";
 
 /** @typedef {import("planarium").ScenarioDocument} Document */
 /** What a function got and wrote. @typedef {{ rows: Float64Array, results: Float64Array }} Batch */
-/** A run of a seed, without its construction; it returns how to free it. @typedef {(seed: number) => () => (() => void) | void} Plan */
-/** A way to say what is free; without `record` a document says it. @typedef {{ plan: Plan, record?: (seed: number) => Batch[], replay?: (batches: Batch[]) => Plan, alone?: (batches: Batch[]) => void }} Way */
+/**
+ * A run of a seed, without its construction; it returns how to free it.
+ * @typedef {(seed: number) => () => (() => void) | void} Plan
+ */
+/**
+ * A way to say what is free; without `record` a document says it.
+ * @typedef {{ plan: Plan, record?: (seed: number) => Batch[], replay?: (batches: Batch[]) => Plan, alone?: (batches:
+ *   Batch[]) => void }} Way
+ */
 
 /** The distance of two neighbouring samples, radians in the sum metric: as the peers sample. */
 const RESOLUTION = 0.05;
 
-/** The squared distance of a point and a segment. @param {number} px @param {number} py @param {number} ax @param {number} ay @param {number} bx @param {number} by */
+/**
+ * The squared distance of a point and a segment.
+ * @param {number} px
+ * @param {number} py
+ * @param {number} ax
+ * @param {number} ay
+ * @param {number} bx
+ * @param {number} by
+ */
 function toSegment(px, py, ax, ay, bx, by) {
-  const dx = bx - ax, dy = by - ay;
+  const dx = bx - ax,
+    dy = by - ay;
   const along = Math.max(0, Math.min(1, ((px - ax) * dx + (py - ay) * dy) / (dx * dx + dy * dy)));
   return (px - ax - along * dx) ** 2 + (py - ay - along * dy) ** 2;
 }
@@ -41,14 +59,24 @@ function distanceOf({ world: { obstacles }, robot }) {
     if (one.type === "disc") return { x: one.center[0], y: one.center[1], r: one.radius, edges: new Float64Array(0) };
     const [x, y] = [0, 1].map((j) => one.vertices.reduce((sum, vertex) => sum + vertex[j], 0) / one.vertices.length);
     const r = Math.max(...one.vertices.map((vertex) => Math.hypot(vertex[0] - x, vertex[1] - y)));
-    return { x, y, r, edges: Float64Array.from(one.vertices.flatMap((from, i) => [...from, ...one.vertices[(i + 1) % one.vertices.length]])) };
+    return {
+      x,
+      y,
+      r,
+      edges: Float64Array.from(
+        one.vertices.flatMap((from, i) => [...from, ...one.vertices[(i + 1) % one.vertices.length]]),
+      ),
+    };
   });
   /** @param {Float64Array} rows @param {number} at @param {number} least  what is farther does not matter */
   return (rows, at, least = Infinity) => {
-    let ax = base[0], ay = base[1], angle = 0;
+    let ax = base[0],
+      ay = base[1],
+      angle = 0;
     for (let i = 0; i < links.length; i += 1) {
       angle += rows[at + i];
-      const bx = ax + links[i] * Math.cos(angle), by = ay + links[i] * Math.sin(angle);
+      const bx = ax + links[i] * Math.cos(angle),
+        by = ay + links[i] * Math.sin(angle);
       for (let o = 0; o < around.length; o += 1) {
         const { x, y, r, edges } = around[o];
         const room = least + r + radius;
@@ -56,11 +84,21 @@ function distanceOf({ world: { obstacles }, robot }) {
         if (squared >= room * room) continue;
         if (edges.length === 0) least = Math.sqrt(squared) - r - radius;
         for (let k = 0; k < edges.length; k += 4) {
-          const cx = edges[k], cy = edges[k + 1], dx = edges[k + 2], dy = edges[k + 3];
-          const c = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax), d = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax);
-          const a = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx), b = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx);
+          const cx = edges[k],
+            cy = edges[k + 1],
+            dx = edges[k + 2],
+            dy = edges[k + 3];
+          const c = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax),
+            d = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax);
+          const a = (dx - cx) * (ay - cy) - (dy - cy) * (ax - cx),
+            b = (dx - cx) * (by - cy) - (dy - cy) * (bx - cx);
           if (c * d <= 0 && a * b <= 0) return 0;
-          const near = Math.min(toSegment(ax, ay, cx, cy, dx, dy), toSegment(bx, by, cx, cy, dx, dy), toSegment(cx, cy, ax, ay, bx, by), toSegment(dx, dy, ax, ay, bx, by));
+          const near = Math.min(
+            toSegment(ax, ay, cx, cy, dx, dy),
+            toSegment(bx, by, cx, cy, dx, dy),
+            toSegment(cx, cy, ax, ay, bx, by),
+            toSegment(dx, dy, ax, ay, bx, by),
+          );
           least = Math.min(least, Math.sqrt(near) - radius);
         }
       }
@@ -84,11 +122,18 @@ function ours(problem) {
 }
 
 /** Evaluates rows of configurations. @typedef {(rows: Float64Array, results: Float64Array) => void} Evaluate */
-/** A problem, and its two functions. @typedef {{ base: { space: import("planarium").SpaceDescription, start: number[], goal: number[] }, reach: number[], clearance: Evaluate, isFree: Evaluate }} Twins */
+/**
+ * A problem, and its two functions.
+ * @typedef {{ base: { space: import("planarium").SpaceDescription, start: number[], goal: number[] }, reach: number[],
+ *   clearance: Evaluate, isFree: Evaluate }} Twins
+ */
 
 /** The arm of a document. @param {Document} document @returns {Twins} */
 function twinsOf(document) {
-  const { robot, queries: [{ start, goal }] } = document;
+  const {
+    robot,
+    queries: [{ start, goal }],
+  } = document;
   if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are supported here");
   const { links } = robot;
   const n = links.length;
@@ -96,8 +141,12 @@ function twinsOf(document) {
   return {
     base: { space: { coordinates: links.map(() => ({ kind: "circle" })), metric: "sum" }, start, goal },
     reach: links.map((_, i) => links.slice(i).reduce((sum, length) => sum + length, 0)),
-    clearance(rows, results) { for (let i = 0; i < results.length; i += 1) results[i] = distance(rows, n * i); },
-    isFree(rows, results) { for (let i = 0; i < results.length; i += 1) results[i] = Number(distance(rows, n * i, 1e-9) > 0); },
+    clearance(rows, results) {
+      for (let i = 0; i < results.length; i += 1) results[i] = distance(rows, n * i);
+    },
+    isFree(rows, results) {
+      for (let i = 0; i < results.length; i += 1) results[i] = Number(distance(rows, n * i, 1e-9) > 0);
+    },
   };
 }
 
@@ -114,7 +163,8 @@ function twinsInSpace() {
 /** An arm as a problem. @param {Twins} twins @param {boolean} isProven @returns {Way} */
 function told({ base, reach, clearance, isFree }, isProven) {
   const evaluate = isProven ? clearance : isFree;
-  const problem = (/** @type {Evaluate} */ by) => new Problem({ ...base, ...(isProven ? { clearance: by, reach } : { isFree: by, resolution: RESOLUTION }) });
+  const problem = (/** @type {Evaluate} */ by) =>
+    new Problem({ ...base, ...(isProven ? { clearance: by, reach } : { isFree: by, resolution: RESOLUTION }) });
   /** @type {Batch[]} */
   let noted = [];
   const noting = problem((rows, results) => {
@@ -154,21 +204,25 @@ function told({ base, reach, clearance, isFree }, isProven) {
 }
 
 /**
- * OxMPL's RRT-Connect on the same arm. Its space of circles has the Euclidean metric, where a motion is shorter than in the sum metric: so at
- * the same resolution it evaluates fewer samples. The range is OMPL's default. What it makes is freed by hand: what is left to the garbage
- * collector slows it, after some hundred runs to a hundredth.
+ * OxMPL's RRT-Connect on the same arm. Its space of circles has the Euclidean metric, where a motion is shorter than in
+ * the sum metric: so at the same resolution it evaluates fewer samples. The range is OMPL's default. What it makes is
+ * freed by hand: what is left to the garbage collector slows it, after some hundred runs to a hundredth.
  * @param {any} oxmpl
  * @param {Document} document
  * @returns {Way}
  */
 function theirs(oxmpl, document) {
-  const { robot, queries: [{ start, goal }] } = document;
+  const {
+    robot,
+    queries: [{ start, goal }],
+  } = document;
   if (robot.type !== "arm" || goal === undefined) throw new Error("only arms with a goal are supported here");
   const n = robot.links.length;
   const distance = distanceOf(document);
   const circle = new oxmpl.SO2StateSpace();
-  // A motion is tested at every tenth of this length, which is a fraction of pi for a circle, and of the diagonal for a product.
-  circle.setLongestValidLineSegmentFraction(10 * RESOLUTION / (Math.PI * Math.sqrt(n)));
+  // A motion is tested at every tenth of this length, which is a fraction of pi for a circle, and of the diagonal for a
+  // product.
+  circle.setLongestValidLineSegmentFraction((10 * RESOLUTION) / (Math.PI * Math.sqrt(n)));
   const builder = new oxmpl.CompoundStateSpaceBuilder();
   for (let i = 0; i < n; i += 1) builder.addSO2StateSpace(circle, 1);
   const space = builder.build();
@@ -238,44 +292,95 @@ const oxmpl = await oxmplInJavaScript();
 const planar = (name, scenario) => {
   const document = scenario.document();
   const twins = twinsOf(document);
-  return { name, ways: [["isFree", told(twins, false)], ["clearance", told(twins, true)], ["as a scenario", { plan: ours(scenario) }], ["OxMPL, isFree", theirs(oxmpl, document)]] };
+  return {
+    name,
+    ways: [
+      ["isFree", told(twins, false)],
+      ["clearance", told(twins, true)],
+      ["as a scenario", { plan: ours(scenario) }],
+      ["OxMPL, isFree", theirs(oxmpl, document)],
+    ],
+  };
 };
 const inSpace = twinsInSpace();
 /** @type {{ name: string, ways: [string, Way][] }[]} */
-const arms = files.length > 0
-  ? files.map((file) => planar(basename(file, ".json"), Scenario.parse(readFileSync(file, "utf8"))))
-  : [
-    ...[2, 3, 4].map((links) => planar(`forest of ${links} joints`, Scenario.generate("forest", { links, seed: 7 }))),
-    { name: "six joints in space", ways: [["isFree", told(inSpace, false)], ["clearance", told(inSpace, true)]] },
-  ];
+const arms =
+  files.length > 0
+    ? files.map((file) => planar(basename(file, ".json"), Scenario.parse(readFileSync(file, "utf8"))))
+    : [
+        ...[2, 3, 4].map((links) =>
+          planar(`forest of ${links} joints`, Scenario.generate("forest", { links, seed: 7 })),
+        ),
+        {
+          name: "six joints in space",
+          ways: [
+            ["isFree", told(inSpace, false)],
+            ["clearance", told(inSpace, true)],
+          ],
+        },
+      ];
 /** How often each seed is measured; the first few warm up. */
-const ROUNDS = 15, WARM = 5;
+const ROUNDS = 15,
+  WARM = 5;
 
 const median = (/** @type {number[]} */ values) => quantile(values, 0.5);
 /** @type {string[][]} */
 const rows = [];
 for (const { name, ways } of arms) {
-  const all = Array.from({ length: Number(seeds) }, (_, seed) => ways.map(([, { plan, record, replay, alone }]) => {
-    const batches = record?.(seed) ?? [];
-    /** @type {[string, () => number][]} */
-    const measures = [["whole", () => timed(plan(seed))]];
-    if (replay) measures.push(["planner", () => timed(replay(batches)(seed))]);
-    if (alone) measures.push(["alone", () => timed(() => alone(batches))]);
-    return { batches, measures: measures.map(([what, measure]) => ({ what, measure, times: /** @type {number[]} */ ([]) })) };
-  }));
+  const all = Array.from({ length: Number(seeds) }, (_, seed) =>
+    ways.map(([, { plan, record, replay, alone }]) => {
+      const batches = record?.(seed) ?? [];
+      /** @type {[string, () => number][]} */
+      const measures = [["whole", () => timed(plan(seed))]];
+      if (replay) measures.push(["planner", () => timed(replay(batches)(seed))]);
+      if (alone) measures.push(["alone", () => timed(() => alone(batches))]);
+      return {
+        batches,
+        measures: measures.map(([what, measure]) => ({ what, measure, times: /** @type {number[]} */ ([]) })),
+      };
+    }),
+  );
   for (let round = 0; round < ROUNDS; round += 1) {
     for (const { measures } of all.flat()) for (const { measure, times } of measures) times.push(measure());
   }
   for (const [i, [how]] of ways.entries()) {
     const runs = all.map((of) => of[i]);
-    const of = (/** @type {string} */ wanted) => runs.flatMap(({ measures }) => measures.filter(({ what }) => what === wanted).map(({ times }) => median(times.slice(WARM))));
+    const of = (/** @type {string} */ wanted) =>
+      runs.flatMap(({ measures }) =>
+        measures.filter(({ what }) => what === wanted).map(({ times }) => median(times.slice(WARM))),
+      );
     const [whole, planner, alone] = ["whole", "planner", "alone"].map(of);
-    const mean = (/** @type {(batches: Batch[]) => number} */ count) => digits(runs.reduce((sum, { batches }) => sum + count(batches), 0) / runs.length);
+    const mean = (/** @type {(batches: Batch[]) => number} */ count) =>
+      digits(runs.reduce((sum, { batches }) => sum + count(batches), 0) / runs.length);
     rows.push([
-      name, how, digits(median(whole)), planner.length ? digits(median(planner)) : "-",
-      ...(alone.length ? [digits(median(alone)), digits(median(whole.map((time, seed) => time / alone[seed])))] : ["-", "-"]),
-      ...(alone.length ? [mean((batches) => batches.reduce((sum, { results }) => sum + results.length, 0)), mean((batches) => batches.length)] : ["-", "-"]),
+      name,
+      how,
+      digits(median(whole)),
+      planner.length ? digits(median(planner)) : "-",
+      ...(alone.length
+        ? [digits(median(alone)), digits(median(whole.map((time, seed) => time / alone[seed])))]
+        : ["-", "-"]),
+      ...(alone.length
+        ? [
+            mean((batches) => batches.reduce((sum, { results }) => sum + results.length, 0)),
+            mean((batches) => batches.length),
+          ]
+        : ["-", "-"]),
     ]);
   }
 }
-console.log(table(["arm", "what is free", "ms", "planner, crossing: ms", "function alone: ms", "whole / function", "configurations", "calls"], rows));
+console.log(
+  table(
+    [
+      "arm",
+      "what is free",
+      "ms",
+      "planner, crossing: ms",
+      "function alone: ms",
+      "whole / function",
+      "configurations",
+      "calls",
+    ],
+    rows,
+  ),
+);

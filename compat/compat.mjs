@@ -1,7 +1,7 @@
 /**
- * `npm run compat`: drives the packed package in an empty project of every toolchain, each installed from npm, and prints a table.
- * `npm run compat -- Vite Rollup` drives those whose names contain one of the words; `--full` has them import `planarium/full`;
- * `--write` writes docs/toolchains.md; `--keep` keeps the projects.
+ * `npm run compat`: drives the packed package in an empty project of every toolchain, each installed from npm, and
+ * prints a table. `npm run compat -- Vite Rollup` drives those whose names contain one of the words; `--full` has them
+ * import `planarium/full`; `--write` writes docs/toolchains.md; `--keep` keeps the projects.
  */
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -20,7 +20,8 @@ import { CASE, PROGRAM, VERSIONS, toolchains, withFull } from "./toolchains.mjs"
 /** @import { Toolchain } from "./toolchains.mjs" */
 
 /**
- * What the two entries of the package gave: the golden fingerprint, or what went wrong; null where there is nothing to drive.
+ * What the two entries of the package gave: the golden fingerprint, or what went wrong; null where there is nothing to
+ * drive.
  * @typedef {{ core: string, worker: string | null }} Found
  */
 /** @typedef {{ toolchain: Toolchain, found: Found, log: string }} Outcome */
@@ -46,7 +47,8 @@ function goldenOf(wanted) {
 /**
  * Makes the project of a toolchain, builds and drives it.
  * @param {Toolchain} toolchain @param {string} tarball
- * @param {{ isLinked?: boolean, isKept?: boolean }} [options]  `isLinked`: the toolchain is that of this project's own development tools, nothing is fetched
+ * @param {{ isLinked?: boolean, isKept?: boolean }} [options]  `isLinked`: the toolchain is that of this project's own
+ *   development tools, nothing is fetched
  * @returns {Promise<Outcome>}
  */
 export async function drive(toolchain, tarball, { isLinked = false, isKept = false } = {}) {
@@ -57,12 +59,16 @@ export async function drive(toolchain, tarball, { isLinked = false, isKept = fal
     addFiles(folder, { "package.json": JSON.stringify({ private: true, type: "module" }), ...files });
     const fetched = isLinked ? ["--offline"] : packages.map((key) => `${nameOf(key)}@${versions[key]}`);
     await project.run(["npm install --no-audit --no-fund", tarball, ...fetched].join(" "));
-    if (isLinked) for (const name of packages) symlinkSync(join(root, "node_modules", name), join(folder, "node_modules", name));
+    if (isLinked)
+      for (const name of packages) symlinkSync(join(root, "node_modules", name), join(folder, "node_modules", name));
     for (const command of build) await project.run(command);
     return foundBy(toolchain, project);
   })();
   try {
-    const failure = (/** @type {unknown} */ error) => ({ core: error instanceof Error ? error.message : String(error), worker: null });
+    const failure = (/** @type {unknown} */ error) => ({
+      core: error instanceof Error ? error.message : String(error),
+      worker: null,
+    });
     return { toolchain, found: await found.catch(failure), log: project.log };
   } finally {
     await project.stop();
@@ -78,28 +84,50 @@ class Project {
   /** @type {import("node:child_process").ChildProcess[]} */
   #servers = [];
 
-  /** @param {string} folder @param {string[]} modules   further folders of installed packages, whose programs it may run */
+  /**
+   * @param {string} folder
+   * @param {string[]} modules   further folders of installed packages, whose programs it may run
+   */
   constructor(folder, modules) {
     this.folder = folder;
     // The settings of npm that runs this script are not those of the project.
     const own = Object.entries(process.env).filter(([name]) => !name.startsWith("npm_"));
     const programs = [join(folder, "node_modules"), ...modules].map((place) => join(place, ".bin"));
     /** @type {NodeJS.ProcessEnv} */
-    this.env = { ...Object.fromEntries(own), PATH: [...programs, process.env.PATH].join(delimiter), NO_COLOR: "1", CI: "1" };
+    this.env = {
+      ...Object.fromEntries(own),
+      PATH: [...programs, process.env.PATH].join(delimiter),
+      NO_COLOR: "1",
+      CI: "1",
+    };
   }
 
   /** @param {string} command @param {Record<string, string>} [more] */
   #start(command, more) {
-    const child = spawn("sh", ["-c", command], { cwd: this.folder, env: { ...this.env, ...more }, stdio: ["ignore", "pipe", "pipe"], detached: true });
-    for (const stream of [child.stdout, child.stderr]) stream.setEncoding("utf8").on("data", (text) => { this.log += text; });
+    const child = spawn("sh", ["-c", command], {
+      cwd: this.folder,
+      env: { ...this.env, ...more },
+      stdio: ["ignore", "pipe", "pipe"],
+      detached: true,
+    });
+    for (const stream of [child.stdout, child.stderr])
+      stream.setEncoding("utf8").on("data", (text) => {
+        this.log += text;
+      });
     return child;
   }
 
-  /** Runs a command to its end. @param {string} command @returns {Promise<string>} what it printed on standard output */
+  /**
+   * Runs a command to its end.
+   * @param {string} command
+   * @returns {Promise<string>} what it printed on standard output
+   */
   async run(command) {
     const child = this.#start(command);
     let output = "";
-    child.stdout.on("data", (text) => { output += text; });
+    child.stdout.on("data", (text) => {
+      output += text;
+    });
     const timer = setTimeout(() => endGroup(child), LIMIT);
     const [code] = await once(child, "close");
     clearTimeout(timer);
@@ -117,8 +145,15 @@ class Project {
     this.#servers.push(child);
     const url = `http://127.0.0.1:${port}/`;
     for (const until = Date.now() + LIMIT; ;) {
-      if (await fetch(url).then(() => true, () => false)) return url;
-      if (child.exitCode !== null || Date.now() > until) throw new Problem(`\`${command.split(" ")[0]}\` does not serve: ${lastLine(this.log)}`);
+      if (
+        await fetch(url).then(
+          () => true,
+          () => false,
+        )
+      )
+        return url;
+      if (child.exitCode !== null || Date.now() > until)
+        throw new Problem(`\`${command.split(" ")[0]}\` does not serve: ${lastLine(this.log)}`);
       await new Promise((resolve) => setTimeout(resolve, 100));
     }
   }
@@ -138,7 +173,15 @@ function endGroup({ pid, exitCode }) {
 }
 
 /** @param {string} text */
-const lastLine = (text) => text.trim().split("\n").filter((line) => /error|cannot|fail/i.test(line)).at(-1)?.trim() ?? text.trim().split("\n").at(-1) ?? "";
+const lastLine = (text) =>
+  text
+    .trim()
+    .split("\n")
+    .filter((line) => /error|cannot|fail/i.test(line))
+    .at(-1)
+    ?.trim() ??
+  text.trim().split("\n").at(-1) ??
+  "";
 
 /** Drives what was built. @param {Toolchain} toolchain @param {Project} project @returns {Promise<Found>} */
 async function foundBy({ drive: how }, project) {
@@ -158,11 +201,19 @@ async function onPage(url, project) {
   const browser = await chromium.launch({ executablePath: (await ensureBrowser()).chromium, args: ["--no-sandbox"] });
   try {
     const page = await browser.newPage();
-    page.on("console", (message) => { project.log += `console: ${message.text()}\n`; });
-    page.on("pageerror", (error) => { project.log += `page error: ${error.message}\n`; });
-    page.on("requestfailed", (request) => { project.log += `request failed: ${request.url()}\n`; });
+    page.on("console", (message) => {
+      project.log += `console: ${message.text()}\n`;
+    });
+    page.on("pageerror", (error) => {
+      project.log += `page error: ${error.message}\n`;
+    });
+    page.on("requestfailed", (request) => {
+      project.log += `request failed: ${request.url()}\n`;
+    });
     await page.goto(url);
-    const found = await page.waitForFunction(() => /** @type {any} */ (globalThis).found, null, { timeout: 60_000 }).catch(() => null);
+    const found = await page
+      .waitForFunction(() => /** @type {any} */ (globalThis).found, null, { timeout: 60_000 })
+      .catch(() => null);
     if (found === null) throw new Problem(`the page does not end: ${lastLine(project.log)}`);
     return await found.jsonValue();
   } finally {
@@ -171,7 +222,7 @@ async function onPage(url, project) {
 }
 
 /** @param {string | null} found */
-const cell = (found) => found === null ? "–" : found === GOLDEN ? "works" : `fails: ${found}`;
+const cell = (found) => (found === null ? "–" : found === GOLDEN ? "works" : `fails: ${found}`);
 
 /** Whether a toolchain did all that it should. @param {Outcome} outcome */
 export const isGreen = ({ found: { core, worker } }) => core === GOLDEN && (worker === null || worker === GOLDEN);
@@ -179,11 +230,15 @@ export const isGreen = ({ found: { core, worker } }) => core === GOLDEN && (work
 /** What the docs show of each toolchain: what was built with, and nothing else. */
 export function recipes() {
   const kinds = /** @type {Record<string, string>} */ ({ js: "javascript", json: "jsonc", capnp: "text" });
-  const block = (/** @type {string} */ kind, /** @type {string} */ text) => `\`\`\`${kinds[kind] ?? kind}\n${text.trim()}\n\`\`\`\n`;
+  const block = (/** @type {string} */ kind, /** @type {string} */ text) =>
+    `\`\`\`${kinds[kind] ?? kind}\n${text.trim()}\n\`\`\`\n`;
   const sections = toolchains.map(({ name, files, shown = [], build = [], drive: how }) => {
     const command = "command" in how ? how.command : "server" in how ? how.server : "";
     const commands = [...build, command].filter((line) => line !== "").join("\n");
-    const parts = [...shown.map((file) => `\`${file}\`:\n\n${block(file.split(".").at(-1) ?? "", files[file])}`), ...commands === "" ? [] : [block("text", commands)]];
+    const parts = [
+      ...shown.map((file) => `\`${file}\`:\n\n${block(file.split(".").at(-1) ?? "", files[file])}`),
+      ...(commands === "" ? [] : [block("text", commands)]),
+    ];
     return parts.length === 0 ? "" : `### ${name}\n\n${parts.join("\n")}`;
   });
   return `## The program\n\n\`plan.js\`:\n\n${block("js", PROGRAM)}\n## What each needs\n\n${sections.filter((text) => text !== "").join("\n")}`;
@@ -195,7 +250,11 @@ export const versionsOf = ({ packages }) => packages.map((key) => `${nameOf(key)
 /** The page of the docs. @param {Outcome[]} outcomes @param {string} browser */
 function documentOf(outcomes, browser) {
   const rows = outcomes.map(({ toolchain, found: { core, worker } }) =>
-    `| ${toolchain.name} | ${versionsOf(toolchain)} | ${toolchain.driven} | ${cell(core)} | ${toolchain.note ?? cell(worker)} |`.replaceAll("\n", " "));
+    `| ${toolchain.name} | ${versionsOf(toolchain)} | ${toolchain.driven} | ${cell(core)} | ${toolchain.note ?? cell(worker)} |`.replaceAll(
+      "\n",
+      " ",
+    ),
+  );
   return `# Toolchains
 
 \`npm run compat\` packs the package, installs it with each toolchain from npm into an empty project, builds, and runs the program below: in a process,
@@ -233,10 +292,16 @@ async function main(args) {
     const began = performance.now();
     const outcome = await drive(isFull ? withFull(toolchain) : toolchain, tarball, { isKept });
     outcomes.push(outcome);
-    console.log(`${toolchain.name.padEnd(36)} ${((performance.now() - began) / 1000).toFixed(1).padStart(6)} s  ${cell(outcome.found.core)} | ${cell(outcome.found.worker)}`);
+    console.log(
+      `${toolchain.name.padEnd(36)} ${((performance.now() - began) / 1000).toFixed(1).padStart(6)} s  ${cell(outcome.found.core)} | ${cell(outcome.found.worker)}`,
+    );
     if (!isGreen(outcome)) console.log(outcome.log.replace(/^/gm, "    "));
   }
-  if (isWritten) writeFileSync(join(root, "docs", "toolchains.md"), documentOf(outcomes, ask((await ensureBrowser()).chromium, ["--version"])?.match(/\w+ [\d.]+/)?.[0] ?? ""));
+  if (isWritten)
+    writeFileSync(
+      join(root, "docs", "toolchains.md"),
+      documentOf(outcomes, ask((await ensureBrowser()).chromium, ["--version"])?.match(/\w+ [\d.]+/)?.[0] ?? ""),
+    );
   if (!outcomes.every(isGreen)) process.exitCode = 1;
 }
 

@@ -11,7 +11,10 @@ export class Thrown {
   }
 }
 
-/** Calls under way at most, each from a function that the one before it has called: in every engine a few hundred fill the stack. */
+/**
+ * Calls under way at most, each from a function that the one before it has called: in every engine a few hundred fill
+ * the stack.
+ */
 const DEEPEST = 32;
 
 /** Objects whose methods are under way, the innermost last. @type {unknown[]} */
@@ -37,7 +40,10 @@ export function isWithinCall() {
 /** Refuses a call within too many others. */
 export function refuseDepth() {
   if (entered.length < DEEPEST) return;
-  throw new PlanariumError("too-deep", `A function of a problem may call Planarium, whose call may call a function again, and so on ${DEEPEST} deep; this call is deeper.`);
+  throw new PlanariumError(
+    "too-deep",
+    `A function of a problem may call Planarium, whose call may call a function again, and so on ${DEEPEST} deep; this call is deeper.`,
+  );
 }
 
 /** Refuses an object in the middle of a call. @param {unknown} self @param {string} name */
@@ -47,8 +53,8 @@ export function refuseWaiting(self, name) {
 }
 
 /**
- * The functions of a problem, to be called by the core. Reading them may run the caller's own code; what it throws is left to the copy of the
- * description.
+ * The functions of a problem, to be called by the core. Reading them may run the caller's own code; what it throws is
+ * left to the copy of the description.
  * @param {unknown} description
  * @returns {Record<string, Batches>}
  */
@@ -66,8 +72,14 @@ export function functionsOf(description) {
   return functions;
 }
 
-/** How a batch has ended: evaluated; the function has returned something, or moved the arrays away; it has thrown; a result is NaN, or was not written. */
-const DONE = 0, UNSOUND = 1, THROWN = 2, NO_NUMBER = 3;
+/**
+ * How a batch has ended: evaluated; the function has returned something, or moved the arrays away; it has thrown; a
+ * result is NaN, or was not written.
+ */
+const DONE = 0,
+  UNSOUND = 1,
+  THROWN = 2,
+  NO_NUMBER = 3;
 
 /** A function of the caller's, and the arrays that it gets. */
 class Batches {
@@ -78,7 +90,10 @@ class Batches {
   /** The memory of the core, and all of it as numbers: empty after it has grown. @type {WebAssembly.Memory} */
   #memory = glue.initSync({ module: new ArrayBuffer(0) }).memory;
   #numbers = new Float64Array(0);
-  /** Rows and results for each number of configurations that has occurred; none while they are in use. @type {([Float64Array, Float64Array] | undefined)[]} */
+  /**
+   * Rows and results for each number of configurations that has occurred; none while they are in use.
+   * @type {([Float64Array, Float64Array] | undefined)[]}
+   */
   #arrays = [];
 
   /** @param {Function} given @param {unknown} owner */
@@ -88,8 +103,8 @@ class Batches {
   }
 
   /**
-   * Evaluates configurations: the core calls it with the places of rows and results in its memory. Copies, since that may grow meanwhile.
-   * Throws nothing while the core is sound: the glue is faster for a function that does not.
+   * Evaluates configurations: the core calls it with the places of rows and results in its memory. Copies, since that
+   * may grow meanwhile. Throws nothing while the core is sound: the glue is faster for a function that does not.
    * @param {number} rowsAt  bytes
    * @param {number} resultsAt  bytes
    * @param {number} count
@@ -103,16 +118,24 @@ class Batches {
       // The caller may have given the memory of an array away: then it is empty.
       const known = this.#arrays[count];
       /** @type {[Float64Array, Float64Array]} */
-      const pair = known !== undefined && known[0].length === count * dimension && known[1].length === count
-        ? known : [new Float64Array(count * dimension), new Float64Array(count)];
-      const rows = pair[0], results = pair[1];
+      const pair =
+        known !== undefined && known[0].length === count * dimension && known[1].length === count
+          ? known
+          : [new Float64Array(count * dimension), new Float64Array(count)];
+      const rows = pair[0],
+        results = pair[1];
       this.#arrays[count] = undefined;
       const from = this.#view();
       for (let i = 0, at = rowsAt / 8; i < rows.length; i += 1) rows[i] = from[at + i];
       for (let i = 0; i < count; i += 1) results[i] = NaN;
       const returned = this.#given.call(this.#owner, rows, results);
       requireCore();
-      if ((typeof returned === "object" && returned !== null) || typeof returned === "function" || results.length !== count) return UNSOUND;
+      if (
+        (typeof returned === "object" && returned !== null) ||
+        typeof returned === "function" ||
+        results.length !== count
+      )
+        return UNSOUND;
       const to = this.#view();
       let end = DONE;
       for (let i = 0, at = resultsAt / 8; i < count; i += 1) {

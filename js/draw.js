@@ -1,13 +1,18 @@
 /**
- * Drawing on a 2D canvas: `import { View, drawWorld, drawEdges } from "planarium/draw"`. Importing it does not load the core.
+ * Drawing on a 2D canvas: `import { View, drawWorld, drawEdges } from "planarium/draw"`. Importing it does not load the
+ * core.
  *
- * Positions in a scenario are metres with y up, those on a canvas are units of its context (CSS pixels, unless it is transformed) with y
- * down; a `View` converts between them. Every function that draws takes colours as its last argument; those left out have their default.
+ * Positions in a scenario are metres with y up, those on a canvas are units of its context (CSS pixels, unless it is
+ * transformed) with y down; a `View` converts between them. Every function that draws takes colours as its last
+ * argument; those left out have their default.
  */
 
 /** @import { Box, Obstacle, Part, Planner, ResultDocument, Scenario, ScenarioDocument } from "./core.js" */
 
-/** What is drawn on: a canvas element's context, or that of an offscreen canvas. @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
+/**
+ * What is drawn on: a canvas element's context, or that of an offscreen canvas.
+ * @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context
+ */
 
 /**
  * Colours, each a CSS colour: `stage` is the background, `growth` the edges of a planner.
@@ -18,17 +23,31 @@
  * Curves in the plane.
  * @typedef {object} Curves
  * @property {Float64Array} points  x and y in turn, metres
- * @property {Uint32Array} firsts  curve i has the points from `firsts[i]` up to `firsts[i + 1]`; one more than there are curves
+ * @property {Uint32Array} firsts  curve i has the points from `firsts[i]` up to `firsts[i + 1]`; one more than there
+ *   are curves
  */
 
 /** The default colours, for a light background. @type {Readonly<Colours>} */
 export const defaultColours = {
-  stage: "#fffefb", obstacle: "#dcdad2", obstacleEdge: "#7f8188", robot: "#28324a", robotEdge: "#fffefb", growth: "#4a5874", path: "#c25e00",
+  stage: "#fffefb",
+  obstacle: "#dcdad2",
+  obstacleEdge: "#7f8188",
+  robot: "#28324a",
+  robotEdge: "#fffefb",
+  growth: "#4a5874",
+  path: "#c25e00",
 };
 
-/** All colours; those left out, or undefined, have their default. @param {Partial<Colours>} [colours] @returns {Colours} */
+/**
+ * All colours; those left out, or undefined, have their default.
+ * @param {Partial<Colours>} [colours]
+ * @returns {Colours}
+ */
 function coloursOf(colours) {
-  return { ...defaultColours, ...Object.fromEntries(Object.entries(colours ?? {}).filter(([, colour]) => colour !== undefined)) };
+  return {
+    ...defaultColours,
+    ...Object.fromEntries(Object.entries(colours ?? {}).filter(([, colour]) => colour !== undefined)),
+  };
 }
 
 /** A part thinner than this on the canvas is drawn as a line. */
@@ -46,8 +65,10 @@ export class View {
    * @param {Box} box  what is visible, for example `scenario.extent()`
    * @param {number} width   of the canvas, more than 0
    * @param {number} height
-   * @param {{ left: number, right: number, top: number, bottom: number }} [margin]  around the box, 0 or more; 14 by default
-   * @param {boolean} [stretched]  true: the box fills the canvas, each axis has its own scale; false (default): one scale, centred
+   * @param {{ left: number, right: number, top: number, bottom: number }} [margin]  around the box, 0 or more; 14 by
+   *   default
+   * @param {boolean} [stretched]  true: the box fills the canvas, each axis has its own scale; false (default): one
+   *   scale, centred
    */
   constructor(box, width, height, margin = { left: 14, right: 14, top: 14, bottom: 14 }, stretched = false) {
     const innerWidth = Math.max(1, width - margin.left - margin.right);
@@ -72,30 +93,61 @@ export class View {
   }
 
   /** The canvas coordinate, to the right, of a coordinate of the plane. @param {number} x  metres @returns {number} */
-  x(x) { return this.originX + this.scaleX * x; }
+  x(x) {
+    return this.originX + this.scaleX * x;
+  }
 
   /** The canvas coordinate, down, of a coordinate of the plane. @param {number} y  metres @returns {number} */
-  y(y) { return this.originY - this.scaleY * y; }
+  y(y) {
+    return this.originY - this.scaleY * y;
+  }
 
-  /** A point of the plane on the canvas. @param {ArrayLike<number>} point  x, y in metres @returns {[number, number]} */
-  place(point) { return [this.x(point[0]), this.y(point[1])]; }
+  /**
+   * A point of the plane on the canvas.
+   * @param {ArrayLike<number>} point  x, y in metres
+   * @returns {[number, number]}
+   */
+  place(point) {
+    return [this.x(point[0]), this.y(point[1])];
+  }
 
   /** A point of the canvas in the plane, metres. @param {number} px @param {number} py @returns {[number, number]} */
-  toPlane(px, py) { return [(px - this.originX) / this.scaleX, (this.originY - py) / this.scaleY]; }
+  toPlane(px, py) {
+    return [(px - this.originX) / this.scaleX, (this.originY - py) / this.scaleY];
+  }
 }
 
-/** Draws the bounds, if any, and the obstacles. Styles of the context change. @param {Context} context @param {View} view @param {Pick<ScenarioDocument, "world">} document  `scenario.document()` @param {Partial<Colours>} [colours] @returns {void} */
+/**
+ * Draws the bounds, if any, and the obstacles. Styles of the context change.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Pick<ScenarioDocument, "world">} document  `scenario.document()`
+ * @param {Partial<Colours>} [colours]
+ * @returns {void}
+ */
 export function drawWorld(context, view, { world: { bounds, obstacles } }, colours) {
   if (bounds) {
     const { min, max } = bounds;
     context.strokeStyle = coloursOf(colours).obstacleEdge;
     context.lineWidth = 1.5;
-    context.strokeRect(view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
+    context.strokeRect(
+      view.x(min[0]),
+      view.y(max[1]),
+      (max[0] - min[0]) * view.scaleX,
+      (max[1] - min[1]) * view.scaleY,
+    );
   }
   drawObstacles(context, view, obstacles, colours);
 }
 
-/** Draws obstacles, filled and outlined. Styles of the context change. @param {Context} context @param {View} view @param {readonly Obstacle[]} obstacles @param {Partial<Colours>} [colours] @returns {void} */
+/**
+ * Draws obstacles, filled and outlined. Styles of the context change.
+ * @param {Context} context
+ * @param {View} view
+ * @param {readonly Obstacle[]} obstacles
+ * @param {Partial<Colours>} [colours]
+ * @returns {void}
+ */
 export function drawObstacles(context, view, obstacles, colours) {
   const { obstacle: fill, obstacleEdge } = coloursOf(colours);
   context.fillStyle = fill;
@@ -109,7 +161,13 @@ export function drawObstacles(context, view, obstacles, colours) {
   }
 }
 
-/** Makes the outline of an obstacle the current path. @param {Context} context @param {View} view @param {Obstacle} obstacle @returns {void} */
+/**
+ * Makes the outline of an obstacle the current path.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Obstacle} obstacle
+ * @returns {void}
+ */
 export function obstaclePath(context, view, obstacle) {
   context.beginPath();
   if (obstacle.type === "disc") {
@@ -120,10 +178,23 @@ export function obstaclePath(context, view, obstacle) {
   }
 }
 
-/** Whether a part is so thin on the canvas that it is drawn as a line. @param {View} view @param {Part} part @returns {boolean} */
-export function isThin(view, part) { return part.type !== "polygon" && part.radius * view.scaleX < THIN; }
+/**
+ * Whether a part is so thin on the canvas that it is drawn as a line.
+ * @param {View} view
+ * @param {Part} part
+ * @returns {boolean}
+ */
+export function isThin(view, part) {
+  return part.type !== "polygon" && part.radius * view.scaleX < THIN;
+}
 
-/** Makes the outline of a part the current path; of a thin one its middle line. @param {Context} context @param {View} view @param {Part} part @returns {void} */
+/**
+ * Makes the outline of a part the current path; of a thin one its middle line.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Part} part
+ * @returns {void}
+ */
 export function partPath(context, view, part) {
   if (part.type === "polygon") {
     obstaclePath(context, view, part);
@@ -147,13 +218,27 @@ export function partPath(context, view, part) {
   context.closePath();
 }
 
-/** Draws the robot at a configuration. @param {Context} context @param {View} view @param {readonly Part[]} parts  `scenario.footprint(q)` @param {Partial<Colours>} [colours] @returns {void} */
+/**
+ * Draws the robot at a configuration.
+ * @param {Context} context
+ * @param {View} view
+ * @param {readonly Part[]} parts  `scenario.footprint(q)`
+ * @param {Partial<Colours>} [colours]
+ * @returns {void}
+ */
 export function drawRobot(context, view, parts, colours) {
   const { stage, robot, robotEdge } = coloursOf(colours);
   const isLine = parts[0]?.type === "capsule" && isThin(view, parts[0]);
   context.save();
   context.lineCap = context.lineJoin = "round";
-  for (const [width, colour] of /** @type {[number, string][]} */ (isLine ? [[7, stage], [3.4, robot]] : [[1.2, robotEdge]])) {
+  for (const [width, colour] of /** @type {[number, string][]} */ (
+    isLine
+      ? [
+          [7, stage],
+          [3.4, robot],
+        ]
+      : [[1.2, robotEdge]]
+  )) {
     context.lineWidth = width;
     context.strokeStyle = colour;
     context.fillStyle = robot;
@@ -177,9 +262,10 @@ export function drawRobot(context, view, parts, colours) {
 }
 
 /**
- * Draws the edges of a planner from edge `first` on, as curves of the end effector. To draw only what is new, pass the result as `first`
- * in the next frame. From edge 0 on, an edge of a tree whose end got another parent is left out, as the planner's events tell; so draw a tree that is rewired (RRT*) from 0 in
- * each frame. Edges of vertices that were removed (an event of `planner.eventsSince`) are drawn, too.
+ * Draws the edges of a planner from edge `first` on, as curves of the end effector. To draw only what is new, pass the
+ * result as `first` in the next frame. From edge 0 on, an edge of a tree whose end got another parent is left out, as
+ * the planner's events tell; so draw a tree that is rewired (RRT*) from 0 in each frame. Edges of vertices that were
+ * removed (an event of `planner.eventsSince`) are drawn, too.
  * @param {Context} context @param {View} view @param {Scenario} scenario @param {Planner} planner
  * @param {number} [first]  0 (default) to `planner.edgeCount`
  * @param {Partial<Colours>} [colours]
@@ -194,7 +280,8 @@ export function drawEdges(context, view, scenario, planner, first = 0, colours) 
   const curved = new Set();
   for (let at = 0; at < traces.length; at += n + 1) {
     curved.add(traces[at]);
-    if (traces[at + n + 1] === traces[at] && !replaced.has(traces[at])) ends.push(...traces.subarray(at + 1, at + 1 + n), ...traces.subarray(at + n + 2, at + 2 * n + 2));
+    if (traces[at + n + 1] === traces[at] && !replaced.has(traces[at]))
+      ends.push(...traces.subarray(at + 1, at + 1 + n), ...traces.subarray(at + n + 2, at + 2 * n + 2));
   }
   for (let i = 0; i < edges.length; i += 2) {
     if (curved.has(first + i / 2) || replaced.has(i / 2)) continue;
@@ -204,7 +291,12 @@ export function drawEdges(context, view, scenario, planner, first = 0, colours) 
   return first + edges.length / 2;
 }
 
-/** The edges of a tree to vertices that a later edge leads to. @param {Planner} planner @param {Uint32Array} edges  all @returns {Set<number>} */
+/**
+ * The edges of a tree to vertices that a later edge leads to.
+ * @param {Planner} planner
+ * @param {Uint32Array} edges  all
+ * @returns {Set<number>}
+ */
 function replacedEdges(planner, edges) {
   const replaced = new Set();
   const events = planner.eventsSince(0);
@@ -220,7 +312,8 @@ function replacedEdges(planner, edges) {
 }
 
 /**
- * A path with its corners rounded: in place of a waypoint that has a blend, 17 configurations along that; the other waypoints as they are.
+ * A path with its corners rounded: in place of a waypoint that has a blend, 17 configurations along that; the other
+ * waypoints as they are.
  * @param {Scenario} scenario
  * @param {Pick<ResultDocument, "path" | "blends">} result  `planner.result()`
  * @returns {number[][]} configurations, angles in (-pi, pi] on circles
@@ -230,15 +323,25 @@ export function blendedPath(scenario, { path, blends }) {
   return path.flatMap((q, i) => {
     const [before, after] = blends?.[i - 1] ?? [0, 0];
     if (before + after === 0) return [q];
-    return Array.from({ length: BLEND + 1 }, (_, k) => q.map((at, j) => {
-      const [from, to] = [path[i - 1], path[i + 1]].map((end) => difference(at, end[j], circles[j]));
-      const bent = at + before * (1 - k / BLEND) ** 2 * from + after * (k / BLEND) ** 2 * to;
-      return circles[j] ? wrap(bent) : bent;
-    }));
+    return Array.from({ length: BLEND + 1 }, (_, k) =>
+      q.map((at, j) => {
+        const [from, to] = [path[i - 1], path[i + 1]].map((end) => difference(at, end[j], circles[j]));
+        const bent = at + before * (1 - k / BLEND) ** 2 * from + after * (k / BLEND) ** 2 * to;
+        return circles[j] ? wrap(bent) : bent;
+      }),
+    );
   });
 }
 
-/** Draws a path, its corners rounded as its blends say, as the curve of the end effector; nothing if it is empty. @param {Context} context @param {View} view @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "motions" | "blends">} result  `planner.result()` @param {Partial<Colours>} [colours] @returns {void} */
+/**
+ * Draws a path, its corners rounded as its blends say, as the curve of the end effector; nothing if it is empty.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Scenario} scenario
+ * @param {Pick<ResultDocument, "path" | "motions" | "blends">} result  `planner.result()`
+ * @param {Partial<Colours>} [colours]
+ * @returns {void}
+ */
 export function drawPath(context, view, scenario, { path, motions, blends }, colours) {
   const rows = blendedPath(scenario, { path, blends }).flatMap((q, i) => {
     const motion = motions?.[i];
@@ -246,10 +349,25 @@ export function drawPath(context, view, scenario, { path, motions, blends }, col
     const { poses } = scenario.rollout(q, ...motion.control, motion.duration);
     return Array.from({ length: poses.length / 3 }, (_, k) => [...poses.subarray(3 * k, 3 * k + 3)]);
   });
-  strokeMotions(context, view, scenario, rows.slice(1).flatMap((q, i) => [...rows[i], ...q]), coloursOf(colours).path, 3.4);
+  strokeMotions(
+    context,
+    view,
+    scenario,
+    rows.slice(1).flatMap((q, i) => [...rows[i], ...q]),
+    coloursOf(colours).path,
+    3.4,
+  );
 }
 
-/** Strokes motions as curves. @param {Context} context @param {View} view @param {Scenario} scenario @param {number[]} ends @param {string} colour @param {number} width */
+/**
+ * Strokes motions as curves.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Scenario} scenario
+ * @param {number[]} ends
+ * @param {string} colour
+ * @param {number} width
+ */
 function strokeMotions(context, view, scenario, ends, colour, width) {
   const { points, firsts } = motionCurves(scenario, Float64Array.from(ends));
   context.save();
@@ -259,15 +377,16 @@ function strokeMotions(context, view, scenario, ends, colour, width) {
   context.beginPath();
   for (let m = 0; m + 1 < firsts.length; m++) {
     context.moveTo(view.x(points[2 * firsts[m]]), view.y(points[2 * firsts[m] + 1]));
-    for (let i = firsts[m] + 1; i < firsts[m + 1]; i++) context.lineTo(view.x(points[2 * i]), view.y(points[2 * i + 1]));
+    for (let i = firsts[m] + 1; i < firsts[m + 1]; i++)
+      context.lineTo(view.x(points[2 * i]), view.y(points[2 * i + 1]));
   }
   context.stroke();
   context.restore();
 }
 
 /**
- * The curves of the end effector along straight motions between configurations. Those of an arm have a point at least every 0.14 rad of
- * each joint, at most 49 points; those of other robots are straight lines.
+ * The curves of the end effector along straight motions between configurations. Those of an arm have a point at least
+ * every 0.14 rad of each joint, at most 49 points; those of other robots are straight lines.
  * @param {Scenario} scenario
  * @param {Float64Array} ends  rows of 2 * dimension numbers: from, to
  * @param {readonly boolean[]} [circles]  coordinates that turn the short way round; by default `scenario.circles()`
@@ -292,16 +411,30 @@ export function motionCurves(scenario, ends, circles = scenario.circles()) {
   return { points: scenario.endEffectors(rows), firsts };
 }
 
-/** The number of straight pieces of a curve. @param {Float64Array} ends @param {number} from @param {readonly boolean[]} circles */
+/**
+ * The number of straight pieces of a curve.
+ * @param {Float64Array} ends
+ * @param {number} from
+ * @param {readonly boolean[]} circles
+ */
 function pieces(ends, from, circles) {
   const n = circles.length;
   let most = 0;
-  for (let j = 0; j < n; j++) most = Math.max(most, Math.abs(difference(ends[from + j], ends[from + n + j], circles[j])));
+  for (let j = 0; j < n; j++)
+    most = Math.max(most, Math.abs(difference(ends[from + j], ends[from + n + j], circles[j])));
   return Math.max(1, Math.min(48, Math.ceil(most / PIECE)));
 }
 
-/** The signed difference of two coordinates; of angles on a circle the short way round, radians. @param {number} from @param {number} to @param {boolean} isCircle @returns {number} */
-export function difference(from, to, isCircle) { return isCircle ? wrap(to - from) : to - from; }
+/**
+ * The signed difference of two coordinates; of angles on a circle the short way round, radians.
+ * @param {number} from
+ * @param {number} to
+ * @param {boolean} isCircle
+ * @returns {number}
+ */
+export function difference(from, to, isCircle) {
+  return isCircle ? wrap(to - from) : to - from;
+}
 
 /** Wraps an angle to the interval from -pi (exclusive) to pi. @param {number} angle  radians @returns {number} */
 export function wrap(angle) {

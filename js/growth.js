@@ -14,15 +14,23 @@ export function growth(options) {
   return slices(this, budgetOf(budget));
 }
 
-/** The cursors advance by what was yielded: the body of a loop may step the planner, too. @param {Planner} planner @param {number} budget @returns {AsyncGenerator<Growth, void, undefined>} */
+/**
+ * The cursors advance by what was yielded: the body of a loop may step the planner, too.
+ * @param {Planner} planner
+ * @param {number} budget
+ * @returns {AsyncGenerator<Growth, void, undefined>}
+ */
 async function* slices(planner, budget) {
   let [vertices, edges, events] = [0, 0, 0];
   const pause = new Pause();
   try {
     for (let { status } = planner; ; status = planner.stepFor(budget)) {
       const grown = {
-        status, iterations: planner.iterations,
-        vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges), events: planner.eventsSince(events),
+        status,
+        iterations: planner.iterations,
+        vertices: planner.verticesSince(vertices),
+        edges: planner.edgesSince(edges),
+        events: planner.eventsSince(events),
       };
       vertices += grown.vertices.length / planner.dimension;
       edges += grown.edges.length / 2;
@@ -36,7 +44,10 @@ async function* slices(planner, budget) {
   }
 }
 
-/** Lets other tasks and frames run, without the delays of timers: by a message, in Node (where messages go first) by an immediate. */
+/**
+ * Lets other tasks and frames run, without the delays of timers: by a message, in Node (where messages go first) by an
+ * immediate.
+ */
 class Pause {
   #channel = typeof setImmediate === "function" ? null : new MessageChannel();
 

@@ -1,6 +1,6 @@
 /**
- * The classes and functions of the core, each wrapped once: arguments are copied before the core is entered, and whatever is thrown is a
- * `PlanariumError`.
+ * The classes and functions of the core, each wrapped once: arguments are copied before the core is entered, and
+ * whatever is thrown is a `PlanariumError`.
  */
 import { renamed } from "./catalogue.js";
 import { Thrown, during, functionsOf, refuseDepth, refuseWaiting } from "./callback.js";
@@ -30,15 +30,22 @@ const SOURCES = {
 };
 
 /**
- * The exports of the glue, guarded. Its classes are changed in place, so that objects that the core makes are guarded too.
+ * The exports of the glue, guarded. Its classes are changed in place, so that objects that the core makes are guarded
+ * too.
  * @template {object} G
  * @param {G} glue
  * @returns {G}
  */
 export function guarded(glue) {
   const wrapped = Object.entries(glue)
-    .filter(([name, value]) => typeof value === "function" && !name.startsWith("__") && name !== "initSync" && name !== "default")
-    .map(([name, value]) => [name, SOURCES[name] || value.prototype?.free ? guardedClass(value, name) : guardedFunction(value, { key: name })]);
+    .filter(
+      ([name, value]) =>
+        typeof value === "function" && !name.startsWith("__") && name !== "initSync" && name !== "default",
+    )
+    .map(([name, value]) => [
+      name,
+      SOURCES[name] || value.prototype?.free ? guardedClass(value, name) : guardedFunction(value, { key: name }),
+    ]);
   return Object.fromEntries(wrapped);
 }
 
@@ -51,13 +58,21 @@ function guardedClass(Class, name) {
   const spell = name === "Experiment" ? asItIs : inCamelCase;
   for (const [key, { value, get }] of Object.entries(Object.getOwnPropertyDescriptors(prototype))) {
     if (key === "constructor" || key === "free" || key.startsWith("__")) continue;
-    const guard = get ? { get() { return enter(get, this, [], { key, name }); } } : { value: guardedFunction(value, { key, name, spell }), writable: true };
+    const guard = get
+      ? {
+          get() {
+            return enter(get, this, [], { key, name });
+          },
+        }
+      : { value: guardedFunction(value, { key, name, spell }), writable: true };
     Object.defineProperty(prototype, key, { ...guard, configurable: true });
   }
-  for (const key of ["parse", "generate"]) if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), { key, spell }));
+  for (const key of ["parse", "generate"])
+    if (key in Class) Reflect.set(Class, key, guardedFunction(Reflect.get(Class, key), { key, spell }));
   // What the core makes passes here, but for the constructors below.
   const wrap = Reflect.get(Class, "__wrap");
-  if (typeof wrap === "function") Reflect.set(Class, "__wrap", (/** @type {number} */ pointer) => branded(wrap.call(Class, pointer), name, core));
+  if (typeof wrap === "function")
+    Reflect.set(Class, "__wrap", (/** @type {number} */ pointer) => branded(wrap.call(Class, pointer), name, core));
   const { free } = prototype;
   const release = /** @this {unknown} */ function () {
     requireHandle(this, name, "free", core);
@@ -81,14 +96,18 @@ function guardedClass(Class, name) {
   const guard = new Proxy(Class, {
     construct(target, given, made) {
       const source = SOURCES[name];
-      if (source !== undefined) throw new PlanariumError("illegal-constructor", `A ${name} is made by ${source}, not by \`new\`.`);
+      if (source !== undefined)
+        throw new PlanariumError("illegal-constructor", `A ${name} is made by ${source}, not by \`new\`.`);
       const functions = name === "Problem" ? functionsOf(given[0]) : undefined;
       const make = (/** @type {unknown[]} */ ...copies) => {
         // Not enumerable, so that it is no field of the description.
-        if (functions !== undefined && typeof copies[0] === "object" && copies[0] !== null) Object.defineProperty(copies[0], "functions", { value: functions });
+        if (functions !== undefined && typeof copies[0] === "object" && copies[0] !== null)
+          Object.defineProperty(copies[0], "functions", { value: functions });
         return branded(Reflect.construct(target, copies, made), name, core);
       };
-      return /** @type {object} */ (guardedFunction(make, { key: "constructor", functions: Object.keys(functions ?? {}) })(...given));
+      return /** @type {object} */ (
+        guardedFunction(make, { key: "constructor", functions: Object.keys(functions ?? {}) })(...given)
+      );
     },
   });
   prototype.constructor = guard;
@@ -137,7 +156,12 @@ function enter(operation, self, given, { key, name, spell = inCamelCase, functio
   }
 }
 
-/** Refuses a core that is not there, and an object that is of another class or gone. @param {unknown} self @param {string} key @param {string | undefined} name */
+/**
+ * Refuses a core that is not there, and an object that is of another class or gone.
+ * @param {unknown} self
+ * @param {string} key
+ * @param {string | undefined} name
+ */
 function refuse(self, key, name) {
   requireCore();
   if (name === undefined) return;
@@ -162,9 +186,14 @@ function inCamelCase(error, given) {
   const cause = given.find((copy) => copy instanceof Error)?.cause;
   if (!`${error.message}${error.pointer}`.includes("_") && cause === undefined) return error;
   const own = given.filter((copy) => typeof copy === "object" && copy !== null).flatMap(Object.keys);
-  const names = new Map([...renamed, ...own].map((name) => [name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`), name]));
+  const names = new Map(
+    [...renamed, ...own].map((name) => [name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`), name]),
+  );
   const spelled = (/** @type {string} */ text) => text.replace(/[a-z]\w*_\w+/g, (word) => names.get(word) ?? word);
-  return new PlanariumError(error.code, spelled(error.message), spelled(error.pointer), { cause: cause ?? error.cause, nearest: error.nearest });
+  return new PlanariumError(error.code, spelled(error.message), spelled(error.pointer), {
+    cause: cause ?? error.cause,
+    nearest: error.nearest,
+  });
 }
 
 /**
@@ -176,7 +205,9 @@ function inCamelCase(error, given) {
  */
 function inspected(_depth, options, inspect) {
   const prototype = Object.getPrototypeOf(this);
-  const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(([, { get }]) => get !== undefined);
+  const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
+    ([, { get }]) => get !== undefined,
+  );
   const { name } = prototype.constructor;
   try {
     return `${name} ${inspect(Object.fromEntries(getters.map(([key, { get }]) => [key, get?.call(this)])), options)}`;

@@ -1,6 +1,6 @@
 /**
- * Copies of what callers hand over. Reading an argument may run the caller's own code (getters, proxies, `toJSON`), so it is read once,
- * before the core is entered. The core checks the copies.
+ * Copies of what callers hand over. Reading an argument may run the caller's own code (getters, proxies, `toJSON`), so
+ * it is read once, before the core is entered. The core checks the copies.
  */
 import { PlanariumError, reasonOf } from "./error.js";
 import { classOf } from "./handle.js";
@@ -9,10 +9,11 @@ import { classOf } from "./handle.js";
 const LONGEST = 10_000_000;
 
 /**
- * A copy of an argument that is an object: a `Float64Array` for numbers, plain values for objects. As in JSON, a field that is undefined is
- * absent, and an object with a `toJSON` counts as what that returns; a function, a symbol, and an object that keeps its content to itself (a `Map`,
- * a `Promise`) are refused. If the argument cannot be copied, an `Error` that says why, which the core reports by the name of the argument;
- * its `pointer` says where, unless the caller's own code has thrown.
+ * A copy of an argument that is an object: a `Float64Array` for numbers, plain values for objects. As in JSON, a field
+ * that is undefined is absent, and an object with a `toJSON` counts as what that returns; a function, a symbol, and an
+ * object that keeps its content to itself (a `Map`, a `Promise`) are refused. If the argument cannot be copied, an
+ * `Error` that says why, which the core reports by the name of the argument; its `pointer` says where, unless the
+ * caller's own code has thrown.
  * @param {object} value
  * @param {readonly string[]} [functions]  fields of the argument that may be functions, and are left out
  * @returns {unknown}
@@ -28,30 +29,59 @@ export function plain(value, functions = []) {
 
 /**
  * The fields of an object of options that is read in JavaScript alone; none if it is undefined or null.
- * @param {unknown} options @param {string} name  of the argument @param {string} known  the options, with commas between
+ * @param {unknown} options
+ * @param {string} name  of the argument
+ * @param {string} known  the options, with commas between
  * @returns {Record<string, unknown>}
  * @throws {PlanariumError} `wrong-type`, `unknown-field`
  */
 export function fieldsOf(options, name, known) {
   const wanted = `${name} must be an object with the fields ${known}`;
-  if (options instanceof Error) throw new PlanariumError("wrong-type", `${wanted}: ${options.message}`, String(Reflect.get(options, "pointer") ?? ""), { cause: options.cause });
+  if (options instanceof Error)
+    throw new PlanariumError(
+      "wrong-type",
+      `${wanted}: ${options.message}`,
+      String(Reflect.get(options, "pointer") ?? ""),
+      { cause: options.cause },
+    );
   const given = options ?? {};
-  if (typeof given !== "object" || (Object.keys(given).length === 0 && !isEmpty(given))) throw new PlanariumError("wrong-type", `${wanted}, not ${kindOf(given)}`);
+  if (typeof given !== "object" || (Object.keys(given).length === 0 && !isEmpty(given)))
+    throw new PlanariumError("wrong-type", `${wanted}, not ${kindOf(given)}`);
   const unknown = Object.keys(given).find((field) => !known.split(", ").includes(field));
-  if (unknown !== undefined) throw new PlanariumError("unknown-field", `unknown option ${JSON.stringify(unknown)}; known options are ${known}`, `/${unknown}`);
+  if (unknown !== undefined)
+    throw new PlanariumError(
+      "unknown-field",
+      `unknown option ${JSON.stringify(unknown)}; known options are ${known}`,
+      `/${unknown}`,
+    );
   return /** @type {Record<string, unknown>} */ (given);
 }
 
 /** A time of slices in milliseconds. @param {unknown} budget @returns {number} @throws {PlanariumError} */
 export function budgetOf(budget) {
-  const [code, wanted] = typeof budget !== "number" ? ["wrong-type", "a number"] : !Number.isFinite(budget) ? ["not-finite", "finite"] : ["out-of-range", "at least 0"];
+  const [code, wanted] =
+    typeof budget !== "number"
+      ? ["wrong-type", "a number"]
+      : !Number.isFinite(budget)
+        ? ["not-finite", "finite"]
+        : ["out-of-range", "at least 0"];
   if (typeof budget === "number" && budget >= 0 && budget < Infinity) return budget;
-  throw new PlanariumError(code, `budget must be ${wanted}, not ${typeof budget === "number" ? budget : kindOf(budget)}`, "/budget");
+  throw new PlanariumError(
+    code,
+    `budget must be ${wanted}, not ${typeof budget === "number" ? budget : kindOf(budget)}`,
+    "/budget",
+  );
 }
 
-/** Why a value is refused, where it stands, and its kind if it has no JSON form. @typedef {Error & { pointer: string, kind?: string }} Refusal */
+/**
+ * Why a value is refused, where it stands, and its kind if it has no JSON form.
+ * @typedef {Error & { pointer: string, kind?: string }} Refusal
+ */
 
-/** Errors of this module: callers may throw any value, also a proxy that throws when it is inspected. @type {WeakSet<Refusal>} */
+/**
+ * Errors of this module: callers may throw any value, also a proxy that throws when it is inspected.
+ * @type {WeakSet<Refusal>}
+ */
 const own = new WeakSet();
 
 /** @param {Error} error @param {string} [kind] @returns {Refusal} */
@@ -80,15 +110,28 @@ function kindOf(value) {
 /** Whether an object without fields has no content: `{}`, from whatever realm. @param {object} value */
 function isEmpty(value) {
   const prototype = Object.getPrototypeOf(value);
-  return Object.prototype.toString.call(value) === "[object Object]" && (prototype === null || Object.getPrototypeOf(prototype) === null);
+  return (
+    Object.prototype.toString.call(value) === "[object Object]" &&
+    (prototype === null || Object.getPrototypeOf(prototype) === null)
+  );
 }
 
-/** @param {unknown} value @param {number} depth  0 for an argument, 1 for an item of a list, more within objects @param {readonly string[]} [functions] @returns {unknown} */
+/**
+ * @param {unknown} value
+ * @param {number} depth  0 for an argument, 1 for an item of a list, more within objects
+ * @param {readonly string[]} [functions]
+ * @returns {unknown}
+ */
 function copy(value, depth, functions) {
   switch (typeof value) {
-    case "bigint": case "function": case "symbol": throw noValue(value);
-    case "object": break;
-    default: return value;
+    case "bigint":
+    case "function":
+    case "symbol":
+      throw noValue(value);
+    case "object":
+      break;
+    default:
+      return value;
   }
   if (value === null) return null;
   if (ArrayBuffer.isView(value) && !(value instanceof DataView)) {
@@ -131,13 +174,19 @@ function copyOfList(list, depth) {
   return isOfNumbers ? new Float64Array(items) : items;
 }
 
-/** A copy of a field or an item; a refusal gets its place. @param {string | number} key @param {unknown} value @param {number} depth */
+/**
+ * A copy of a field or an item; a refusal gets its place.
+ * @param {string | number} key
+ * @param {unknown} value
+ * @param {number} depth
+ */
 function copyOfPart(key, value, depth) {
   try {
     return copy(value, depth);
   } catch (error) {
     const refused = /** @type {Refusal} */ (error);
-    if (own.has(refused)) refused.pointer = `/${String(key).replaceAll("~", "~0").replaceAll("/", "~1")}${refused.pointer}`;
+    if (own.has(refused))
+      refused.pointer = `/${String(key).replaceAll("~", "~0").replaceAll("/", "~1")}${refused.pointer}`;
     throw error;
   }
 }

@@ -14,11 +14,14 @@ export { version } from "./version.js";
 /** @import { InitInput, InitOptions, InitSyncInput, InitSyncOptions } from "./core.js" */
 
 /**
- * Loads Planarium. Call it once before anything else; concurrent and later calls share the first load. In Node the package is ready on
- * import, and this resolves at once. After an error with the code `internal` the core is lost; `init` makes a fresh one.
- * @param {InitInput | Promise<InitInput> | InitOptions} [input]  `planarium_bg.wasm`; by default the file beside this one
+ * Loads Planarium. Call it once before anything else; concurrent and later calls share the first load. In Node the
+ * package is ready on import, and this resolves at once. After an error with the code `internal` the core is lost;
+ * `init` makes a fresh one.
+ * @param {InitInput | Promise<InitInput> | InitOptions} [input]  `planarium_bg.wasm`; by default the file beside this
+ *   one
  * @returns {Promise<void>}
- * @throws {PlanariumError} rejects with the code `no-simd` or `init-failed`; the next call tries again; `in-use` in a function that a lost core has called
+ * @throws {PlanariumError} rejects with the code `no-simd` or `init-failed`; the next call tries again; `in-use` in a
+ *   function that a lost core has called
  */
 export default async function init(input) {
   refuseWithin();
@@ -39,5 +42,8 @@ export function initSync(module) {
 /** Refuses to replace a lost core while calls of it are under way. */
 function refuseWithin() {
   if (!isWithinCall() || isSound()) return;
-  throw new PlanariumError("in-use", "The core was lost in a call that is still under way: call init() once that has ended.");
+  throw new PlanariumError(
+    "in-use",
+    "The core was lost in a call that is still under way: call init() once that has ended.",
+  );
 }

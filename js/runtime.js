@@ -1,18 +1,50 @@
 /**
- * The one WebAssembly instance behind the package: loaded once, and renewed after a trap. A trap leaves the core's memory in an unknown
- * state, so each later call fails with the code `internal` until `init` or `initSync` makes a fresh instance; objects of the lost one are
- * gone, and are never freed into it.
+ * The one WebAssembly instance behind the package: loaded once, and renewed after a trap. A trap leaves the core's
+ * memory in an unknown state, so each later call fails with the code `internal` until `init` or `initSync` makes a
+ * fresh instance; objects of the lost one are gone, and are never freed into it.
  */
 import * as glue from "./planarium_glue.js";
 import { PlanariumError, isFromCore, isOwn, reasonOf } from "./error.js";
 
 /** A module of one function that returns a vector: valid where the engine has vector instructions. */
-const VECTORS = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11);
+const VECTORS = Uint8Array.of(
+  0,
+  97,
+  115,
+  109,
+  1,
+  0,
+  0,
+  0,
+  1,
+  5,
+  1,
+  96,
+  0,
+  1,
+  123,
+  3,
+  2,
+  1,
+  0,
+  10,
+  8,
+  1,
+  6,
+  0,
+  65,
+  0,
+  253,
+  15,
+  11,
+);
 
 /** Marks the objects of this core: the package has two, `planarium` and `planarium/full`. */
 export const core = Symbol("core");
 
-/** Number of the instance in use, from 0 as the glue counts them; -1 before the first. Objects of the core hold theirs. */
+/**
+ * Number of the instance in use, from 0 as the glue counts them; -1 before the first. Objects of the core hold theirs.
+ */
 let instance = -1;
 /** What made the instance trap, or undefined while it is sound. @type {unknown} */
 let fault;
@@ -32,24 +64,37 @@ export function isSound() {
 /** Refuses to call a core that is not there. */
 export function requireCore() {
   if (instance < 0) {
-    throw new PlanariumError("not-initialised", "Planarium is not initialised: call `await init()` (or `initSync(module)`) first.");
+    throw new PlanariumError(
+      "not-initialised",
+      "Planarium is not initialised: call `await init()` (or `initSync(module)`) first.",
+    );
   }
   if (fault !== undefined) throw lost();
 }
 
-/** What a call of the core has thrown, as an error of the package; after a trap the core is lost. @param {unknown} error @returns {PlanariumError} */
+/**
+ * What a call of the core has thrown, as an error of the package; after a trap the core is lost.
+ * @param {unknown} error
+ * @returns {PlanariumError}
+ */
 export function asOwn(error) {
   if (isOwn(error)) return error;
-  if (isFromCore(error)) return new PlanariumError(error.code, error.message, error.pointer, { nearest: error.nearest });
+  if (isFromCore(error))
+    return new PlanariumError(error.code, error.message, error.pointer, { nearest: error.nearest });
   if (isTrap(error)) {
     fault = error;
     glue.__planarium_lose();
     return lost();
   }
-  return new PlanariumError("internal", `Planarium could not finish this call: ${reasonOf(error)}`, "", { cause: error });
+  return new PlanariumError("internal", `Planarium could not finish this call: ${reasonOf(error)}`, "", {
+    cause: error,
+  });
 }
 
-/** Whether an error stopped the core in the middle of its work: a trap, or the end of the stack. @param {unknown} error */
+/**
+ * Whether an error stopped the core in the middle of its work: a trap, or the end of the stack.
+ * @param {unknown} error
+ */
 function isTrap(error) {
   if (error instanceof WebAssembly.RuntimeError) return true;
   if (!(error instanceof Error)) return false;
@@ -62,7 +107,9 @@ let endOfStack;
 
 /** @returns {Error} */
 function errorAtEndOfStack() {
-  const deeper = () => { deeper(); };
+  const deeper = () => {
+    deeper();
+  };
   try {
     deeper();
   } catch (error) {
@@ -83,7 +130,8 @@ function lost() {
 }
 
 /**
- * Loads the core once. Concurrent callers share the load; after a trap the next call makes a fresh instance from the compiled module.
+ * Loads the core once. Concurrent callers share the load; after a trap the next call makes a fresh instance from the
+ * compiled module.
  * @param {unknown} source  see `InitInput` in the types
  * @returns {Promise<void>}
  * @throws {PlanariumError} `no-simd`, `init-failed`; a later call tries again
@@ -91,11 +139,19 @@ function lost() {
 export async function load(source) {
   if (instance >= 0) return renew();
   requireVectors();
-  loading ??= compile(source).then(start).finally(() => { loading = undefined; });
+  loading ??= compile(source)
+    .then(start)
+    .finally(() => {
+      loading = undefined;
+    });
   return loading;
 }
 
-/** Loads the core from bytes or a compiled module. @param {unknown} source @throws {PlanariumError} `no-simd`, `init-failed` */
+/**
+ * Loads the core from bytes or a compiled module.
+ * @param {unknown} source
+ * @throws {PlanariumError} `no-simd`, `init-failed`
+ */
 export function loadSync(source) {
   if (instance >= 0) return renew();
   requireVectors();
@@ -116,7 +172,10 @@ export function loadSync(source) {
 function requireVectors() {
   if (WebAssembly.validate(VECTORS)) return;
   const have = "Browsers have them since March 2023, Node since version 16.4.";
-  throw new PlanariumError("no-simd", `Planarium needs the vector instructions of WebAssembly (simd128), which this engine lacks. ${have}`);
+  throw new PlanariumError(
+    "no-simd",
+    `Planarium needs the vector instructions of WebAssembly (simd128), which this engine lacks. ${have}`,
+  );
 }
 
 /** After a trap: a fresh instance. Otherwise nothing. */
@@ -137,7 +196,11 @@ function start(module) {
   if (instance >= 0) return;
   const exported = new Set(WebAssembly.Module.exports(module).map(({ name }) => name));
   // The module of the other entry lacks what this one needs, or has more than it can name.
-  if (!exported.has("__wbindgen_start") || !exported.has("scenario_parse") || exported.has("fleet_parse") !== "Fleet" in glue) {
+  if (
+    !exported.has("__wbindgen_start") ||
+    !exported.has("scenario_parse") ||
+    exported.has("fleet_parse") !== "Fleet" in glue
+  ) {
     throw new PlanariumError("init-failed", "This WebAssembly module is not planarium_bg.wasm.");
   }
   try {
@@ -164,7 +227,9 @@ async function compile(source) {
       default:
         if (isBytes(given)) return await WebAssembly.compile(given);
     }
-    throw new TypeError(`init takes a URL, a Request, a Response, bytes or a WebAssembly.Module, not ${describe(given)}`);
+    throw new TypeError(
+      `init takes a URL, a Request, a Response, bytes or a WebAssembly.Module, not ${describe(given)}`,
+    );
   } catch (error) {
     throw failed("the WebAssembly module could not be loaded", error);
   }
@@ -176,7 +241,9 @@ async function compileResponse(response) {
   // Streaming wants the right MIME type; a server that sends another still serves the right bytes.
   const type = response.headers.get("content-type") ?? "";
   if (type.startsWith("text/html")) {
-    throw new Error(`${response.url} is an HTML page. A bundler may have moved the script away from the file (Vite before version 8 needs optimizeDeps: { exclude: ["planarium"] })`);
+    throw new Error(
+      `${response.url} is an HTML page. A bundler may have moved the script away from the file (Vite before version 8 needs optimizeDeps: { exclude: ["planarium"] })`,
+    );
   }
   if (type.startsWith("application/wasm") && typeof WebAssembly.compileStreaming === "function") {
     return WebAssembly.compileStreaming(response);
@@ -184,7 +251,10 @@ async function compileResponse(response) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** What is in `{ module_or_path }` or `{ module }`, the arguments of loaders of wasm-bindgen. @param {unknown} source */
+/**
+ * What is in `{ module_or_path }` or `{ module }`, the arguments of loaders of wasm-bindgen.
+ * @param {unknown} source
+ */
 function unwrap(source) {
   if (tagOf(source) !== "Object") return source;
   const object = /** @type {{ module_or_path?: unknown, module?: unknown }} */ (source);

@@ -1,8 +1,8 @@
 /** Types of the JavaScript part. */
 
 /**
- * What an iteration did: the phase it began in; `vertex` and `edge` if it added some; the kinds of its events (`eventKinds`); and
- * `done` if the run ended with it.
+ * What an iteration did: the phase it began in; `vertex` and `edge` if it added some; the kinds of its events
+ * (`eventKinds`); and `done` if the run ended with it.
  */
 export type PseudocodeMark = Phase | EventKind | "vertex" | "edge";
 
@@ -27,8 +27,8 @@ export interface WasmResponse {
 export type InitInput = string | Fetchable | WasmResponse | InitSyncInput;
 
 /**
- * What `initSync` loads: the bytes, or a compiled `WebAssembly.Module`, which is written as `object` here so that these types serve
- * programs without the DOM library, too.
+ * What `initSync` loads: the bytes, or a compiled `WebAssembly.Module`, which is written as `object` here so that these
+ * types serve programs without the DOM library, too.
  */
 export type InitSyncInput = ArrayBuffer | ArrayBufferView | object;
 

@@ -1,7 +1,8 @@
 /**
- * The script of a worker of `PlannerPool`. The first message has the address or the contents of the core, if it is not beside this file. A
- * message `{ run, given }` begins a run, `{ run }` asks for a slice, which is answered by `{ run, growth }`, `{ run, fault }` or, with what a function of
- * the caller's has thrown, `{ run, thrown: [value] }`; `{ run, isOver: true }` drops the run. Other messages are ignored.
+ * The script of a worker of `PlannerPool`. The first message has the address or the contents of the core, if it is not
+ * beside this file. A message `{ run, given }` begins a run, `{ run }` asks for a slice, which is answered by `{ run,
+ * growth }`, `{ run, fault }` or, with what a function of the caller's has thrown, `{ run, thrown: [value] }`; `{ run,
+ * isOver: true }` drops the run. Other messages are ignored.
  */
 import init, { Problem, Scenario } from "./planarium.js";
 import { PlanariumError, isOwn, reasonOf } from "./error.js";
@@ -19,7 +20,9 @@ import { PlanariumError, isOwn, reasonOf } from "./error.js";
 
 /** Node, where it has no web workers. */
 const node = typeof postMessage === "function" ? null : globalThis.process.getBuiltinModule;
-const port = /** @type {MessagePort} */ (/** @type {unknown} */ (node === null ? globalThis : node("node:worker_threads").parentPort));
+const port = /** @type {MessagePort} */ (
+  /** @type {unknown} */ (node === null ? globalThis : node("node:worker_threads").parentPort)
+);
 
 /** The runs by their numbers. @type {Map<number, AsyncGenerator<WorkerGrowth, void, undefined>>} */
 const runs = new Map();
@@ -33,7 +36,8 @@ async function* grow({ document, problem, options, budget }) {
   try {
     const planner = planned.planner(options);
     try {
-      for await (const growth of planner.growth({ budget })) yield { ...growth, result: growth.status === "running" ? null : planner.result() };
+      for await (const growth of planner.growth({ budget }))
+        yield { ...growth, result: growth.status === "running" ? null : planner.result() };
     } finally {
       planner.free();
     }
@@ -50,11 +54,19 @@ async function problemOf({ module, export: name, arguments: given }) {
     // Bundlers leave it to the browser.
     exports = await import(/* webpackIgnore: true */ /* turbopackIgnore: true */ /* @vite-ignore */ String(module));
   } catch (error) {
-    throw new PlanariumError("module-failed", `The module ${module} could not be loaded: ${reasonOf(error)}`, "/module");
+    throw new PlanariumError(
+      "module-failed",
+      `The module ${module} could not be loaded: ${reasonOf(error)}`,
+      "/module",
+    );
   }
   const found = exports[name];
   if (found === undefined) {
-    throw new PlanariumError("module-failed", `The module ${module} has no export ${JSON.stringify(name)}; it has ${Object.keys(exports).join(", ") || "none"}.`, "/export");
+    throw new PlanariumError(
+      "module-failed",
+      `The module ${module} has no export ${JSON.stringify(name)}; it has ${Object.keys(exports).join(", ") || "none"}.`,
+      "/export",
+    );
   }
   return new Problem(/** @type {ProblemDescription} */ (typeof found === "function" ? await found(...given) : found));
 }
@@ -63,7 +75,8 @@ async function problemOf({ module, export: name, arguments: given }) {
 async function answer(run) {
   try {
     const { value: growth } = /** @type {IteratorResult<WorkerGrowth, undefined>} */ (await runs.get(run)?.next());
-    if (growth !== undefined) port.postMessage({ run, growth }, [growth.vertices.buffer, growth.edges.buffer, growth.events.buffer]);
+    if (growth !== undefined)
+      port.postMessage({ run, growth }, [growth.vertices.buffer, growth.edges.buffer, growth.events.buffer]);
   } catch (error) {
     if (isOwn(error)) {
       const { code, message, pointer, nearest } = error;
@@ -74,7 +87,14 @@ async function answer(run) {
       port.postMessage({ run, thrown: [error] });
     } catch {
       // It cannot be sent.
-      port.postMessage({ run, fault: { code: "callback-failed", message: `A function of the problem has thrown: ${reasonOf(error)}`, pointer: "" } });
+      port.postMessage({
+        run,
+        fault: {
+          code: "callback-failed",
+          message: `A function of the problem has thrown: ${reasonOf(error)}`,
+          pointer: "",
+        },
+      });
     }
   }
 }
@@ -90,7 +110,10 @@ port.onmessage = ({ data }) => {
   } else if (!runs.has(data.run)) {
     return;
   } else if ("isOver" in data) {
-    void runs.get(data.run)?.return().catch(() => {});
+    void runs
+      .get(data.run)
+      ?.return()
+      .catch(() => {});
     runs.delete(data.run);
   } else {
     void answer(data.run);

@@ -1,4 +1,7 @@
-/** Planning in workers: in browsers, Deno and Bun in web workers, in Node in its threads. Importing it loads neither a core nor a worker. */
+/**
+ * Planning in workers: in browsers, Deno and Bun in web workers, in Node in its threads. Importing it loads neither a
+ * core nor a worker.
+ */
 import { PlanariumError, reasonOf } from "./error.js";
 import { classOf } from "./handle.js";
 import { budgetOf, fieldsOf, plain } from "./plain.js";
@@ -33,15 +36,18 @@ import { budgetOf, fieldsOf, plain } from "./plain.js";
 /**
  * What `plan` takes besides.
  * @typedef {object} ProgressOptions
- * @property {(growth: WorkerGrowth) => unknown} [onProgress]  called with what each slice has added; if it returns a promise, that is awaited before
- *   the next slice is handed over; what it throws, or is rejected with, ends the run
+ * @property {(growth: WorkerGrowth) => unknown} [onProgress]  called with what each slice has added; if it returns a
+ *   promise, that is awaited before the next slice is handed over; what it throws, or is rejected with, ends the run
  */
 
 /**
- * A problem of a robot of your own, whose functions are in a module: a worker imports it, since functions cannot be sent.
+ * A problem of a robot of your own, whose functions are in a module: a worker imports it, since functions cannot be
+ * sent.
  * @typedef {object} ProblemModule
- * @property {string | { readonly href: string }} module  its absolute address, such as `new URL("./robot.js", import.meta.url)`
- * @property {string} [export]  the name of the export, `default` by default: a `ProblemDescription`, or a function that returns one, or a promise of it
+ * @property {string | { readonly href: string }} module  its absolute address, such as `new URL("./robot.js",
+ *   import.meta.url)`
+ * @property {string} [export]  the name of the export, `default` by default: a `ProblemDescription`, or a function that
+ *   returns one, or a promise of it
  * @property {readonly unknown[]} [arguments]  of that function; they are cloned
  */
 
@@ -49,8 +55,10 @@ import { budgetOf, fieldsOf, plain } from "./plain.js";
  * How a pool is made. Most programs need none of it.
  * @typedef {object} PoolOptions
  * @property {number} [workers]  workers at most, at least 1; by default one fewer than there are processors
- * @property {() => object} [worker]  starts a worker that runs `planarium/worker-entry`, where a bundler does not find it by itself
- * @property {string | InitSyncInput} [core]  the address (text or `URL`), the bytes or the compiled module of `planarium_bg.wasm`, where it does not lie beside that script
+ * @property {() => object} [worker]  starts a worker that runs `planarium/worker-entry`, where a bundler does not find
+ *   it by itself
+ * @property {string | InitSyncInput} [core]  the address (text or `URL`), the bytes or the compiled module of
+ *   `planarium_bg.wasm`, where it does not lie beside that script
  */
 
 /** A module of Node, where there are no web workers. @template {"worker_threads" | "os"} N @param {N} name */
@@ -59,7 +67,8 @@ const node = (name) => globalThis.process.getBuiltinModule(`node:${name}`);
 /** Starts a worker of the platform. */
 function start() {
   // Bundlers find the script of the worker by this very form.
-  if (typeof Worker === "function") return new Worker(new URL("./worker-entry.js", import.meta.url), { type: "module" });
+  if (typeof Worker === "function")
+    return new Worker(new URL("./worker-entry.js", import.meta.url), { type: "module" });
   const { Worker: Thread } = node("worker_threads");
   return new Thread(new URL("./worker-entry.js", import.meta.url));
 }
@@ -70,8 +79,8 @@ function mostWorkers() {
 }
 
 /**
- * Workers that plan. They are started when they are needed, and shared by runs if there are more runs than workers. Runs have the bits of the
- * same planner in `planarium`, stepped by hand.
+ * Workers that plan. They are started when they are needed, and shared by runs if there are more runs than workers.
+ * Runs have the bits of the same planner in `planarium`, stepped by hand.
  */
 export class PlannerPool {
   /** @type {Required<Omit<PoolOptions, "core">> & Pick<PoolOptions, "core">} */
@@ -85,8 +94,17 @@ export class PlannerPool {
    * @throws {PlanariumError} `wrong-type`, `unknown-field`, `out-of-range`
    */
   constructor(options) {
-    const { workers = mostWorkers(), worker = start, core } = /** @type {PoolOptions} */ (fieldsOf(options, "options", "workers, worker, core"));
-    if (!Number.isInteger(workers) || workers < 1) throw new PlanariumError("out-of-range", `workers must be a whole number from 1, not ${String(workers)}`, "/workers");
+    const {
+      workers = mostWorkers(),
+      worker = start,
+      core,
+    } = /** @type {PoolOptions} */ (fieldsOf(options, "options", "workers, worker, core"));
+    if (!Number.isInteger(workers) || workers < 1)
+      throw new PlanariumError(
+        "out-of-range",
+        `workers must be a whole number from 1, not ${String(workers)}`,
+        "/workers",
+      );
     this.#options = { workers, worker, core: core instanceof URL ? core.href : core };
   }
 
@@ -100,36 +118,49 @@ export class PlannerPool {
    */
   async plan(scenario, options, settings) {
     PlannerPool.#require(this, "plan");
-    const { onProgress, signal, budget } = /** @type {RunOptions & ProgressOptions} */ (fieldsOf(settings, "settings", "signal, budget, onProgress"));
-    if (onProgress !== undefined && typeof onProgress !== "function") throw new PlanariumError("wrong-type", "onProgress must be a function", "/onProgress");
+    const { onProgress, signal, budget } = /** @type {RunOptions & ProgressOptions} */ (
+      fieldsOf(settings, "settings", "signal, budget, onProgress")
+    );
+    if (onProgress !== undefined && typeof onProgress !== "function")
+      throw new PlanariumError("wrong-type", "onProgress must be a function", "/onProgress");
     let result = null;
     for await (const growth of this.#slices(scenario, options, { signal, budget }, onProgress)) ({ result } = growth);
     return /** @type {ResultDocument} */ (result);
   }
 
   /**
-   * Plans to the end, and yields what each slice has added; the arrays are transferred. The run starts with the first `next`, and `break` ends
-   * it. While a slice is handled the next one is planned, and none after it: a slow loop makes the planner wait. The last slice has the result.
+   * Plans to the end, and yields what each slice has added; the arrays are transferred. The run starts with the first
+   * `next`, and `break` ends it. While a slice is handled the next one is planned, and none after it: a slow loop makes
+   * the planner wait. The last slice has the result.
    * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
    * @param {PlannerOptions} [options]  those of `scenario.planner`, or of `problem.planner`
-   * @param {RunOptions} [settings]  when the signal is aborted, the loop throws its reason at once, and the worker drops the run after the slice in hand
+   * @param {RunOptions} [settings]  when the signal is aborted, the loop throws its reason at once, and the worker
+   *   drops the run after the slice in hand
    * @returns {AsyncGenerator<WorkerGrowth, void, undefined>}
-   * @throws {PlanariumError} those of `Scenario.parse`, `scenario.planner` and `planner.growth`; `unsupported` for a problem whose functions are not in
-   *   a module, `module-failed` if its module cannot be loaded or has no such export, and a copy of what its functions throw; `init-failed` if the worker or the core cannot be
-   *   loaded; `internal` if either is lost (the next run has a new one); `freed` once the pool is terminated
+   * @throws {PlanariumError} those of `Scenario.parse`, `scenario.planner` and `planner.growth`; `unsupported` for a
+   *   problem whose functions are not in a module, `module-failed` if its module cannot be loaded or has no such
+   *   export, and a copy of what its functions throw; `init-failed` if the worker or the core cannot be loaded;
+   *   `internal` if either is lost (the next run has a new one); `freed` once the pool is terminated
    */
   async *growth(scenario, options, settings) {
     PlannerPool.#require(this, "growth");
-    yield* this.#slices(scenario, options, /** @type {RunOptions} */ (fieldsOf(settings, "settings", "signal, budget")));
+    yield* this.#slices(
+      scenario,
+      options,
+      /** @type {RunOptions} */ (fieldsOf(settings, "settings", "signal, budget")),
+    );
   }
 
   /**
-   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario @param {PlannerOptions | undefined} options @param {RunOptions} settings
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
+   * @param {PlannerOptions | undefined} options
+   * @param {RunOptions} settings
    * @param {(growth: WorkerGrowth) => unknown} [onProgress]
    * @returns {AsyncGenerator<WorkerGrowth, void, undefined>}
    */
   async *#slices(scenario, options, { signal, budget = 16 }, onProgress) {
-    if (signal !== undefined && typeof signal?.addEventListener !== "function") throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
+    if (signal !== undefined && typeof signal?.addEventListener !== "function")
+      throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
     const given = { ...planned(scenario), options: copyOf(options, "options"), budget: budgetOf(budget) };
     if (signal?.aborted) throw signal.reason;
     const worker = this.#leastBusy();
@@ -152,7 +183,10 @@ export class PlannerPool {
     }
   }
 
-  /** Ends all workers at once, in the middle of a slice too. Runs are rejected with the code `freed`, and so are later ones. */
+  /**
+   * Ends all workers at once, in the middle of a slice too. Runs are rejected with the code `freed`, and so are later
+   * ones.
+   */
   terminate() {
     PlannerPool.#require(this, "terminate");
     this.#isTerminated = true;
@@ -167,7 +201,11 @@ export class PlannerPool {
 
   /** Refuses a receiver that is no pool. @param {unknown} self @param {string} name  of the method */
   static #require(self, name) {
-    if (!(#isTerminated in Object(self))) throw new PlanariumError("illegal-invocation", `${name} belongs to a PlannerPool, and was called on something else.`);
+    if (!(#isTerminated in Object(self)))
+      throw new PlanariumError(
+        "illegal-invocation",
+        `${name} belongs to a PlannerPool, and was called on something else.`,
+      );
   }
 
   /** The worker with the fewest runs; a new one if all have some, as far as there may be more. */
@@ -189,7 +227,9 @@ class Run {
   /** Ends the run with a reason. @type {(reason: unknown) => void} */
   fail = () => {};
   /** Rejected once the run has failed. @type {Promise<never>} */
-  failure = new Promise((_, reject) => { this.fail = reject; });
+  failure = new Promise((_, reject) => {
+    this.fail = reject;
+  });
 
   /** @param {number} number */
   constructor(number) {
@@ -219,7 +259,9 @@ class PlanningWorker {
       made.postMessage({ core });
     } catch (error) {
       if (typeof made?.terminate === "function") void made.terminate();
-      throw new PlanariumError("init-failed", `A worker could not be started: ${reasonOf(error)}`, "", { cause: error });
+      throw new PlanariumError("init-failed", `A worker could not be started: ${reasonOf(error)}`, "", {
+        cause: error,
+      });
     }
     this.#keepAlive(false);
   }
@@ -241,7 +283,9 @@ class PlanningWorker {
   /** The next slice. @param {Run} run @returns {Promise<WorkerGrowth>} */
   next(run) {
     /** @type {Promise<WorkerGrowth>} */
-    const slice = new Promise((resolve) => { run.answer = resolve; });
+    const slice = new Promise((resolve) => {
+      run.answer = resolve;
+    });
     if (this.fault !== undefined) run.fail(this.fault);
     else this.#worker.postMessage({ run: run.number });
     const next = Promise.race([slice, run.failure]);
@@ -286,9 +330,19 @@ class PlanningWorker {
     if ("ref" in this.#worker) this.#worker[isNeeded ? "ref" : "unref"]();
   }
 
-  /** Takes an answer of `worker-entry.js`. Other messages are not for the pool: a worker may run further code. @param {unknown} message */
+  /**
+   * Takes an answer of `worker-entry.js`. Other messages are not for the pool: a worker may run further code.
+   * @param {unknown} message
+   */
   #hear(message) {
-    const { run: number, growth, fault, thrown } = /** @type {{ run?: number, growth?: WorkerGrowth, fault?: PlanariumError, thrown?: [unknown] }} */ (Object(message));
+    const {
+      run: number,
+      growth,
+      fault,
+      thrown,
+    } = /** @type {{ run?: number, growth?: WorkerGrowth, fault?: PlanariumError, thrown?: [unknown] }} */ (
+      Object(message)
+    );
     const isFault = typeof fault?.code === "string" && typeof fault.message === "string";
     const isGrowth = typeof growth?.status === "string" && ArrayBuffer.isView(growth.vertices);
     if (typeof number !== "number" || !(isFault || isGrowth || Array.isArray(thrown))) return;
@@ -304,16 +358,22 @@ class PlanningWorker {
 
   /** The worker has stopped, or was never there. @param {string} reason */
   #break(reason) {
-    this.lose(this.#hasAnswered
-      ? new PlanariumError("internal", `A worker has stopped: ${reason}`)
-      : new PlanariumError("init-failed", `The script of a worker could not be loaded: ${reason}`));
+    this.lose(
+      this.#hasAnswered
+        ? new PlanariumError("internal", `A worker has stopped: ${reason}`)
+        : new PlanariumError("init-failed", `The script of a worker could not be loaded: ${reason}`),
+    );
   }
 }
 
 /** Why a worker whose message cannot be read is given up: it may have been a slice. */
 const UNREADABLE = "a message of it cannot be read";
 
-/** What a worker plans, as it is sent. @param {unknown} scenario @returns {{ document: unknown } | { problem: Required<ProblemModule> }} */
+/**
+ * What a worker plans, as it is sent.
+ * @param {unknown} scenario
+ * @returns {{ document: unknown } | { problem: Required<ProblemModule> }}
+ */
 function planned(scenario) {
   /** @type {Record<string, unknown>} */
   let fields = {};
@@ -326,35 +386,63 @@ function planned(scenario) {
   const { document, module, space, clearance, isFree } = fields;
   if (typeof document === "function") return { document: copyOf(document.call(scenario), "scenario") };
   if (module !== undefined) return { problem: moduleOf(scenario) };
-  if (classOf(scenario) === "Problem" || (space !== undefined && (typeof clearance === "function" || typeof isFree === "function"))) {
-    throw new PlanariumError("unsupported", "A problem has functions, which cannot be sent to a worker: put its description into a module, and give { module: new URL(\"./robot.js\", import.meta.url) }.");
+  if (
+    classOf(scenario) === "Problem" ||
+    (space !== undefined && (typeof clearance === "function" || typeof isFree === "function"))
+  ) {
+    throw new PlanariumError(
+      "unsupported",
+      'A problem has functions, which cannot be sent to a worker: put its description into a module, and give { module: new URL("./robot.js", import.meta.url) }.',
+    );
   }
   return { document: copyOf(scenario, "scenario") };
 }
 
 /** @param {unknown} given @returns {Required<ProblemModule>} */
 function moduleOf(given) {
-  const { module, export: name = "default", arguments: list = [] } = fieldsOf(given, "problem", "module, export, arguments");
+  const {
+    module,
+    export: name = "default",
+    arguments: list = [],
+  } = fieldsOf(given, "problem", "module, export, arguments");
   let address = "";
   try {
     ({ href: address } = new URL(String(Object(module).href ?? module)));
   } catch (error) {
-    throw new PlanariumError("wrong-type", `module must be an absolute address, such as new URL("./robot.js", import.meta.url): ${reasonOf(error)}`, "/module", { cause: error });
+    throw new PlanariumError(
+      "wrong-type",
+      `module must be an absolute address, such as new URL("./robot.js", import.meta.url): ${reasonOf(error)}`,
+      "/module",
+      { cause: error },
+    );
   }
-  if (typeof name !== "string") throw new PlanariumError("wrong-type", "export must be the name of an export", "/export");
+  if (typeof name !== "string")
+    throw new PlanariumError("wrong-type", "export must be the name of an export", "/export");
   if (!Array.isArray(list)) throw new PlanariumError("wrong-type", "arguments must be a list", "/arguments");
   try {
     return { module: address, export: name, arguments: structuredClone(list) };
   } catch (error) {
-    throw new PlanariumError("wrong-type", `the arguments cannot be sent to a worker: ${reasonOf(error)}`, "/arguments", { cause: error });
+    throw new PlanariumError(
+      "wrong-type",
+      `the arguments cannot be sent to a worker: ${reasonOf(error)}`,
+      "/arguments",
+      { cause: error },
+    );
   }
 }
 
 /** A copy that can be sent. @param {unknown} value @param {string} name */
 function copyOf(value, name) {
   const copy = typeof value === "object" && value !== null ? plain(value) : value;
-  if (copy instanceof Error) throw new PlanariumError("wrong-type", `the ${name} cannot be read: ${copy.message}`, String(Reflect.get(copy, "pointer") ?? ""), { cause: copy.cause });
-  if (typeof copy === "function" || typeof copy === "symbol") throw new PlanariumError("wrong-type", `the ${name} is a ${typeof copy}`);
+  if (copy instanceof Error)
+    throw new PlanariumError(
+      "wrong-type",
+      `the ${name} cannot be read: ${copy.message}`,
+      String(Reflect.get(copy, "pointer") ?? ""),
+      { cause: copy.cause },
+    );
+  if (typeof copy === "function" || typeof copy === "symbol")
+    throw new PlanariumError("wrong-type", `the ${name} is a ${typeof copy}`);
   return copy;
 }
 

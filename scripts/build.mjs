@@ -10,7 +10,17 @@
  * `node scripts/build.mjs` builds everything, `node scripts/build.mjs package` only the package.
  */
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { basename, dirname, join, relative } from "node:path";
@@ -36,17 +46,33 @@ const LIGHT = { name: "planarium", profile: "light", build: ["--no-default-featu
 const FULL = { name: "full", profile: "wasm", build: [], folder: "full" };
 
 /** The modules that hold a core: `planarium/full` has its own copies of them. All others are shared. */
-const HOLDERS = ["callback", "catalogue", "core", "functions", "guard", "node", "planarium", "planarium_glue", "runtime"];
+const HOLDERS = [
+  "callback",
+  "catalogue",
+  "core",
+  "functions",
+  "guard",
+  "node",
+  "planarium",
+  "planarium_glue",
+  "runtime",
+];
 /** The modules that only `planarium/full` has. */
 const ADDED = ["choices", "full", "full-node"];
 
 const dist = join(root, "dist");
 const types = join(dist, "types", "planarium");
 
-/** The best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz. The features are those that rustc wrote into the module. */
+/**
+ * The best trade-off of size and speed among -O2, -O3, -O4, -Os and -Oz. The features are those that rustc wrote into
+ * the module.
+ */
 const OPTIMIZE = ["-O3"];
 
-/** Hot functions are marked `#[inline]`; with this threshold level 2 is as small as level "s", and plans a seventh faster. */
+/**
+ * Hot functions are marked `#[inline]`; with this threshold level 2 is as small as level "s", and plans a seventh
+ * faster.
+ */
 const INLINE_LESS = "-Cllvm-args=-inline-threshold=10";
 
 /** Compiles the crate and assembles the package. */
@@ -77,18 +103,35 @@ function requireOneBindgen() {
 }
 
 /** Where the glue of a core lies. @param {Core} core */
-function glueOf({ name }) { return join(dist, "glue", name); }
+function glueOf({ name }) {
+  return join(dist, "glue", name);
+}
 
 /** @param {Core} core @returns {Promise<string>} path of the compiled module */
 async function compileCrate({ profile, build }) {
   // The module must not contain paths of this machine: those of the toolchain and of crates are shortened.
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry", "src");
   const toolchain = ask("rustc", ["--print", "sysroot"]) ?? "";
-  const cut = [[crates, "crates"], [toolchain, "rust"], [root, "planarium"]];
+  const cut = [
+    [crates, "crates"],
+    [toolchain, "rust"],
+    [root, "planarium"],
+  ];
   const flags = cut.map(([from, to]) => `--remap-path-prefix=${from}=/${to}`);
   // Joined to those of .cargo/config.toml, which the variable RUSTFLAGS would replace.
   const joined = `target.wasm32-unknown-unknown.rustflags=${JSON.stringify([...flags, INLINE_LESS])}`;
-  await run("cargo", ["build", "--config", joined, "--profile", profile, ...build, "--target", "wasm32-unknown-unknown", "--lib", "--locked"]);
+  await run("cargo", [
+    "build",
+    "--config",
+    joined,
+    "--profile",
+    profile,
+    ...build,
+    "--target",
+    "wasm32-unknown-unknown",
+    "--lib",
+    "--locked",
+  ]);
   const wasm = join(targetFolder(), "wasm32-unknown-unknown", profile, "planarium.wasm");
   // Its list of features has the length of each name before it.
   if (!readFileSync(wasm).includes("+\x07simd128")) {
@@ -97,14 +140,24 @@ async function compileCrate({ profile, build }) {
   return wasm;
 }
 
-/** Writes the glue and the optimized module, unless they exist for the same input. @param {Core} core @param {string} wasm */
+/**
+ * Writes the glue and the optimized module, unless they exist for the same input.
+ * @param {Core} core
+ * @param {string} wasm
+ */
 async function makeGlue(core, wasm) {
   const [glue, { name }] = [glueOf(core), core];
   const tool = readFileSync(join(root, "tools", "bindgen", "src", "main.rs"));
   const binaryen = readFileSync(join(root, "node_modules", "binaryen", "package.json"));
   const here = readFileSync(fileURLToPath(import.meta.url));
-  const stamp = createHash("sha256").update(readFileSync(wasm)).update(tool).update(here).update(binaryen).update(OPTIMIZE.join(" "))
-    .update(lockedVersion("wasm-bindgen")).digest("hex");
+  const stamp = createHash("sha256")
+    .update(readFileSync(wasm))
+    .update(tool)
+    .update(here)
+    .update(binaryen)
+    .update(OPTIMIZE.join(" "))
+    .update(lockedVersion("wasm-bindgen"))
+    .digest("hex");
   const stampFile = join(glue, "stamp");
   if (existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) return;
 
@@ -116,21 +169,31 @@ async function makeGlue(core, wasm) {
   writeFileSync(join(glue, "planarium_glue.js"), withLoss(script));
   rmSync(join(glue, `${name}.js`));
   renameSync(join(glue, `${name}.d.ts`), join(glue, "declarations.txt"));
-  writeFileSync(join(glue, "planarium_glue.d.ts"), `export * from "./core.js";
+  writeFileSync(
+    join(glue, "planarium_glue.d.ts"),
+    `export * from "./core.js";
 export declare function initSync(options: { module: BufferSource | WebAssembly.Module }): { memory: WebAssembly.Memory };
 export declare function __wbg_reset_state(): void;
 export declare function __planarium_lose(): void;
-`);
+`,
+  );
 
   const module = join(glue, `${name}_bg.wasm`);
   const optimized = join(glue, "optimized.wasm");
-  await run(process.execPath, [join(root, "node_modules", "binaryen", "bin", "wasm-opt"), ...OPTIMIZE, module, "-o", optimized]);
+  await run(process.execPath, [
+    join(root, "node_modules", "binaryen", "bin", "wasm-opt"),
+    ...OPTIMIZE,
+    module,
+    "-o",
+    optimized,
+  ]);
   renameSync(optimized, module);
   writeFileSync(stampFile, stamp);
 }
 
 /**
- * The glue with a function that declares its instance lost: from then on no finalizer frees a handle into it. Only a fresh instance ends that.
+ * The glue with a function that declares its instance lost: from then on no finalizer frees a handle into it. Only a
+ * fresh instance ends that.
  * @param {string} script
  */
 function withLoss(script) {
@@ -139,38 +202,62 @@ function withLoss(script) {
   if (classes === 0 || script.match(finalizer)?.length !== classes || script.split(`    ${reset}`).length !== 2) {
     throw new Problem("The glue of wasm-bindgen has another form than withLoss in scripts/build.mjs expects.");
   }
-  return script
-    .replaceAll(finalizer, "if (instance === __wbg_instance_id && !__planarium_is_lost) wasm.")
-    .replace(`    ${reset}`, `    ${reset}    __planarium_is_lost = false;\n`)
-    + "\nlet __planarium_is_lost = false;\nexport function __planarium_lose() { __planarium_is_lost = true; }\n";
+  return (
+    script
+      .replaceAll(finalizer, "if (instance === __wbg_instance_id && !__planarium_is_lost) wasm.")
+      .replace(`    ${reset}`, `    ${reset}    __planarium_is_lost = false;\n`) +
+    "\nlet __planarium_is_lost = false;\nexport function __planarium_lose() { __planarium_is_lost = true; }\n"
+  );
 }
 
-/** The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its declarations. @param {Core} core */
+/**
+ * The catalogue as a module beside the glue: each call gives a fresh copy. And the core, guarded, with its
+ * declarations.
+ * @param {Core} core
+ */
 function makeCatalogue(core) {
   const glue = glueOf(core);
   const whole = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
   const catalogue = core === FULL ? whole : ofScenarios(whole);
-  const renamed = [...new Set(rowsOf(catalogue).filter(({ name, option }) => name !== option).map(({ option }) => option))];
+  const renamed = [
+    ...new Set(
+      rowsOf(catalogue)
+        .filter(({ name, option }) => name !== option)
+        .map(({ option }) => option),
+    ),
+  ];
   // The function has a name, since webpack keeps anonymous defaults that nobody uses.
-  writeFileSync(join(glue, "catalogue.js"), `const text = ${JSON.stringify(JSON.stringify(catalogue))};
+  writeFileSync(
+    join(glue, "catalogue.js"),
+    `const text = ${JSON.stringify(JSON.stringify(catalogue))};
 export default function catalogue() { return JSON.parse(text); }
 export const renamed = ${JSON.stringify(renamed)};
-`);
-  writeFileSync(join(glue, "catalogue.d.ts"), `import type { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, NavigationGeneratorInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";
+`,
+  );
+  writeFileSync(
+    join(glue, "catalogue.d.ts"),
+    `import type { FleetGeneratorInfo, FleetPlannerInfo, GeneratorInfo, IndexInfo, NavigationGeneratorInfo, ParameterInfo, PlannerInfo, ReachMethodInfo } from "./core.js";
 declare function catalogue(): { planners: PlannerInfo[], generators: GeneratorInfo[], reach_methods: ReachMethodInfo[], indexes: IndexInfo[], fleet_planners: FleetPlannerInfo[], fleet_generators: FleetGeneratorInfo[], navigation_generators: NavigationGeneratorInfo[], rollouts: ParameterInfo[], training: ParameterInfo[], comparison: ParameterInfo[], trajectories: ParameterInfo[] };
 export default catalogue;
 export declare const renamed: readonly string[];
-`);
+`,
+  );
   const declarations = coreDeclarations(readFileSync(join(glue, "declarations.txt"), "utf8"));
-  writeFileSync(join(glue, "core.d.ts"), `/// <reference lib="esnext.disposable" preserve="true" />
+  writeFileSync(
+    join(glue, "core.d.ts"),
+    `/// <reference lib="esnext.disposable" preserve="true" />
 ${readFileSync(join(root, "js", "types.d.ts"), "utf8")}
 ${optionTypes(whole)}
-${declarations}`);
+${declarations}`,
+  );
   const names = Array.from(declarations.matchAll(/^export (?:class|function) (\w+)/gm), ([, name]) => name);
-  writeFileSync(join(glue, "core.js"), `import * as glue from "./planarium_glue.js";
+  writeFileSync(
+    join(glue, "core.js"),
+    `import * as glue from "./planarium_glue.js";
 import { guarded } from "./guard.js";
 export const { ${names.join(", ")} } = guarded(glue);
-`);
+`,
+  );
 }
 
 /** Checks the JavaScript layer against the generated glue and writes its declarations. */
@@ -178,8 +265,11 @@ async function makeTypes() {
   rmSync(types, { recursive: true, force: true });
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", "js"]);
   // Those of the core are the same module by two names.
-  for (const { name } of [LIGHT, FULL]) cpSync(join(dist, "glue", name, "core.d.ts"), join(types, name === FULL.name ? "full.core.d.ts" : "core.d.ts"));
-  const own = [...declarationsOf(["planarium", ...SHARED_ENTRIES])].filter((name) => name !== "core.d.ts").map((name) => readFileSync(join(types, name), "utf8"));
+  for (const { name } of [LIGHT, FULL])
+    cpSync(join(dist, "glue", name, "core.d.ts"), join(types, name === FULL.name ? "full.core.d.ts" : "core.d.ts"));
+  const own = [...declarationsOf(["planarium", ...SHARED_ENTRIES])]
+    .filter((name) => name !== "core.d.ts")
+    .map((name) => readFileSync(join(types, name), "utf8"));
   own.push(readFileSync(join(root, "js", "types.d.ts"), "utf8"));
   writeFileSync(join(types, "core.d.ts"), reachable(readFileSync(join(types, "core.d.ts"), "utf8"), own));
 }
@@ -189,11 +279,19 @@ async function assemblePackage() {
   mkdirSync(join(out, FULL.folder));
   for (const core of [LIGHT, FULL]) {
     cpSync(join(glueOf(core), `${core.name}_bg.wasm`), join(out, core.folder, `${core.name}_bg.wasm`));
-    for (const name of ["catalogue", "core"]) writeFileSync(join(out, core.folder, `${name}.js`), placed(readFileSync(join(glueOf(core), `${name}.js`), "utf8"), core));
+    for (const name of ["catalogue", "core"])
+      writeFileSync(
+        join(out, core.folder, `${name}.js`),
+        placed(readFileSync(join(glueOf(core), `${name}.js`), "utf8"), core),
+      );
     // Nobody reads the generated glue; ours stays as it was written.
     /** @type {typeof import("esbuild")} */
     const { transformSync } = createRequire(import.meta.url)("esbuild");
-    const { code } = transformSync(readFileSync(join(glueOf(core), "planarium_glue.js"), "utf8"), { minify: true, format: "esm", target: "es2022" });
+    const { code } = transformSync(readFileSync(join(glueOf(core), "planarium_glue.js"), "utf8"), {
+      minify: true,
+      format: "esm",
+      target: "es2022",
+    });
     writeFileSync(join(out, core.folder, "planarium_glue.js"), code);
   }
   for (const file of readdirSync(join(root, "js"))) {
@@ -215,20 +313,35 @@ async function assemblePackage() {
 }
 
 /** Whether a core has a copy of a module of its own. @param {string} name */
-function isHeld(name) { return HOLDERS.includes(name) || ADDED.includes(name); }
+function isHeld(name) {
+  return HOLDERS.includes(name) || ADDED.includes(name);
+}
 
-/** A module as it stands in the folder of a core: shared modules are above it, and its WebAssembly has another name. @param {string} text @param {Core} core */
+/**
+ * A module as it stands in the folder of a core: shared modules are above it, and its WebAssembly has another name.
+ * @param {string} text
+ * @param {Core} core
+ */
 function placed(text, { name, folder }) {
   if (folder === "") return text;
   return text
-    .replace(/((?:from |import\()")\.\/([\w-]+)\.js"/g, (whole, before, module) => (isHeld(module) ? whole : `${before}../${module}.js"`))
+    .replace(/((?:from |import\()")\.\/([\w-]+)\.js"/g, (whole, before, module) =>
+      isHeld(module) ? whole : `${before}../${module}.js"`,
+    )
     .replaceAll("planarium_bg.wasm", `${name}_bg.wasm`);
 }
 
-/** Moves a new folder's files into one that may be in use: equal files stay, others go. @param {string} fresh @param {string} place */
+/**
+ * Moves a new folder's files into one that may be in use: equal files stay, others go.
+ * @param {string} fresh
+ * @param {string} place
+ */
 function takeOver(fresh, place) {
   mkdirSync(place, { recursive: true });
-  const filesIn = (/** @type {string} */ folder) => readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile()).map((entry) => relative(folder, join(entry.parentPath, entry.name)));
+  const filesIn = (/** @type {string} */ folder) =>
+    readdirSync(folder, { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) => relative(folder, join(entry.parentPath, entry.name)));
   const names = new Set(filesIn(fresh));
   for (const name of names) {
     const [from, to] = [fresh, place].map((folder) => join(folder, name));

@@ -22,7 +22,9 @@ export function countsOfHarness(output) {
  * @returns {Counts | undefined} undefined if the totals are missing
  */
 export function countsOfTap(tap) {
-  const [passed, failed, cancelled] = ["pass", "fail", "cancelled"].map((word) => tap.match(new RegExp(`^# ${word} (\\d+)$`, "m"))?.[1]);
+  const [passed, failed, cancelled] = ["pass", "fail", "cancelled"].map(
+    (word) => tap.match(new RegExp(`^# ${word} (\\d+)$`, "m"))?.[1],
+  );
   if (passed === undefined || failed === undefined || cancelled === undefined) return undefined;
   return { passed: Number(passed), failed: Number(failed) + Number(cancelled) };
 }

@@ -1,7 +1,7 @@
 /**
- * `npm run dev`: serves the pages on PORT (8081) and makes them again whenever a file of theirs changes, which open pages show at once.
- * Enter rebuilds the package first, for changes of Rust. Files are neither compressed nor kept for use without a network; pictures of
- * the gallery are made once.
+ * `npm run dev`: serves the pages on PORT (8081) and makes them again whenever a file of theirs changes, which open
+ * pages show at once. Enter rebuilds the package first, for changes of Rust. Files are neither compressed nor kept for
+ * use without a network; pictures of the gallery are made once.
  */
 import { existsSync, rmSync, watch } from "node:fs";
 import { join } from "node:path";
@@ -23,11 +23,16 @@ await script(async () => {
   console.log("Making the pages, and once the gallery's pictures ...");
   await assemblePage({ out, isDraft: true });
   const { url, reload } = await serve({ root: out, port, reloads: true });
-  console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). A change of www is shown at once; press Enter after a change of Rust.`);
+  console.log(
+    `\nPlanarium is at ${url} (Ctrl+C stops it). A change of www is shown at once; press Enter after a change of Rust.`,
+  );
 
   let isBuilding = false;
   const due = { pages: false, package: false };
-  /** Makes the pages, after the package if that is wanted; what is wanted meanwhile is made afterwards. @param {boolean} withPackage */
+  /**
+   * Makes the pages, after the package if that is wanted; what is wanted meanwhile is made afterwards.
+   * @param {boolean} withPackage
+   */
   const make = async (withPackage) => {
     due.pages = true;
     due.package ||= withPackage;

@@ -1,4 +1,6 @@
-/** Writes the pictures, links and lists of the gallery, and returns its HTML. It needs the package in `dist/package`. */
+/**
+ * Writes the pictures, links and lists of the gallery, and returns its HTML. It needs the package in `dist/package`.
+ */
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "./run.mjs";
@@ -17,7 +19,9 @@ export const documents = {
     const folder = join(www, "experiments", "documents");
     const document = JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8"));
     // A file names its scenarios relative to itself; a link holds them.
-    for (const world of document.worlds) if (typeof world.scenario === "string") world.scenario = JSON.parse(readFileSync(join(folder, world.scenario), "utf8"));
+    for (const world of document.worlds)
+      if (typeof world.scenario === "string")
+        world.scenario = JSON.parse(readFileSync(join(folder, world.scenario), "utf8"));
     return document;
   },
 };
@@ -26,7 +30,11 @@ export const documents = {
 export async function assembleGallery(out) {
   // The package may have been built a moment ago, so it is loaded only now.
   const [{ REPORTS }, { openEntry }, { sheetOf }, { galleryHtml }, { csvFile }] = await Promise.all([
-    import("../www/gallery/reports.js"), import("../www/gallery/build/open.js"), import("../www/gallery/build/sheet.js"), import("../www/gallery/build/page.js"), import("../www/formats/csv.js"),
+    import("../www/gallery/reports.js"),
+    import("../www/gallery/build/open.js"),
+    import("../www/gallery/build/sheet.js"),
+    import("../www/gallery/build/page.js"),
+    import("../www/formats/csv.js"),
   ]);
   mkdirSync(out, { recursive: true });
   cpSync(join(www, "gallery", "worlds"), join(out, "worlds"), { recursive: true });
@@ -42,8 +50,24 @@ export async function assembleGallery(out) {
   }
   const addresses = Object.fromEntries([...shown].map(([id, { address }]) => [id, address]));
   writeFileSync(join(out, "reports.json"), JSON.stringify({ reports: REPORTS, addresses }));
-  const rows = REPORTS.flatMap(({ number, rows: own }) => own.map(({ row, kind, name, shows, verdict, where, entries, holds, why = "" }) => [row, number, kind, name, shows, verdict, where, entries.join(" "), holds, why]));
-  writeFileSync(join(out, "rows.csv"), await csvFile(["row", "report", "kind", "name", "shows", "here", "where", "entries", "holds", "why"], rows).text());
+  const rows = REPORTS.flatMap(({ number, rows: own }) =>
+    own.map(({ row, kind, name, shows, verdict, where, entries, holds, why = "" }) => [
+      row,
+      number,
+      kind,
+      name,
+      shows,
+      verdict,
+      where,
+      entries.join(" "),
+      holds,
+      why,
+    ]),
+  );
+  writeFileSync(
+    join(out, "rows.csv"),
+    await csvFile(["row", "report", "kind", "name", "shows", "here", "where", "entries", "holds", "why"], rows).text(),
+  );
   return galleryHtml(REPORTS, shown);
 }
 

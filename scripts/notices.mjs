@@ -1,9 +1,15 @@
-/** The licences of the crates that are compiled into the WebAssembly module, and of the npm packages that are part of the pages. */
+/**
+ * The licences of the crates that are compiled into the WebAssembly module, and of the npm packages that are part of
+ * the pages.
+ */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Problem, ask, root } from "./run.mjs";
 
-/** @typedef {{ name: string, version: string, license: string | null, authors: string[], repository: string | null, manifest_path: string }} Package */
+/**
+ * @typedef {{ name: string, version: string, license: string | null, authors: string[], repository: string | null,
+ *   manifest_path: string }} Package
+ */
 
 /**
  * Writes one file with the licence text of every crate that is linked into the module.
@@ -11,12 +17,20 @@ import { Problem, ask, root } from "./run.mjs";
  */
 export function writeNotices(path) {
   const opening = "planarium_bg.wasm contains the Rust standard library (MIT OR Apache-2.0) and the crates below.\n";
-  writeFileSync(path, joined(opening, linkedCrates().map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) }))));
+  writeFileSync(
+    path,
+    joined(
+      opening,
+      linkedCrates().map((crate) => ({ crate, text: licenceText(crate, dirname(crate.manifest_path)) })),
+    ),
+  );
 }
 
 /**
  * Adds the licence text of every npm package that is part of the pages, with the address of its source.
- * @param {string} path  of the notices of the module @param {string} out @param {string[]} inputs  files that were bundled, from the root on
+ * @param {string} path  of the notices of the module
+ * @param {string} out
+ * @param {string[]} inputs  files that were bundled, from the root on
  */
 export function addPageNotices(path, out, inputs) {
   writeFileSync(out, `${readFileSync(path, "utf8")}\n${"-".repeat(80)}\n\n${packageNotices(inputs)}`);
@@ -24,24 +38,44 @@ export function addPageNotices(path, out, inputs) {
 
 /** The licence texts of the npm packages among bundled files. @param {string[]} inputs  from the root on */
 export function packageNotices(inputs) {
-  return joined("The pages contain the npm packages below.\n", bundledPackages(inputs).map((crate) => ({ crate, text: licenceText(crate, join(root, crate.folder)) })));
+  return joined(
+    "The pages contain the npm packages below.\n",
+    bundledPackages(inputs).map((crate) => ({ crate, text: licenceText(crate, join(root, crate.folder)) })),
+  );
 }
 
 /** The npm packages among bundled files, by name. @param {string[]} inputs  from the root on */
 function bundledPackages(inputs) {
   const folders = new Set(inputs.flatMap((file) => /^node_modules\/(@[^/]+\/)?[^/]+/.exec(file)?.[0] ?? []));
   return [...folders].sort().map((folder) => {
-    const { name, version, license, author, repository } = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
+    const { name, version, license, author, repository } = JSON.parse(
+      readFileSync(join(root, folder, "package.json"), "utf8"),
+    );
     const source = String(repository?.url ?? repository ?? "").replace(/^git\+|\.git$/g, "");
-    return { name: String(name), version: String(version), license: String(license), authors: [author?.name ?? author ?? ""].filter(Boolean), repository: source, address: source, folder };
+    return {
+      name: String(name),
+      version: String(version),
+      license: String(license),
+      authors: [author?.name ?? author ?? ""].filter(Boolean),
+      repository: source,
+      address: source,
+      folder,
+    };
   });
 }
 
-/** The texts under the names of those that have them, so that equal texts appear once. @param {string} opening @param {{ crate: Pick<Package, "name" | "version" | "license"> & { address?: string }, text: string }[]} all */
+/**
+ * The texts under the names of those that have them, so that equal texts appear once.
+ * @param {string} opening
+ * @param {{ crate: Pick<Package, "name" | "version" | "license"> & { address?: string }, text: string }[]} all
+ */
 function joined(opening, all) {
   /** @type {Map<string, string[]>} */
   const byText = new Map();
-  for (const { crate: { name, version, license, address }, text } of all) {
+  for (const {
+    crate: { name, version, license, address },
+    text,
+  } of all) {
     byText.set(text, [...(byText.get(text) ?? []), `${name} ${version} (${license})${address ? `, ${address}` : ""}`]);
   }
   const sections = [...byText].map(([text, names]) => `${names.join("\n")}\n\n${text}\n`);
@@ -52,13 +86,28 @@ function joined(opening, all) {
 function linkedCrates() {
   // `cargo metadata` resolves the whole workspace at once, and would add what the command line needs.
   const target = "wasm32-unknown-unknown";
-  const tree = ask("cargo", ["tree", "--locked", "-p", "planarium", "--target", target, "--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
+  const tree = ask("cargo", [
+    "tree",
+    "--locked",
+    "-p",
+    "planarium",
+    "--target",
+    target,
+    "--edges",
+    "normal,no-proc-macro",
+    "--prefix",
+    "none",
+    "--format",
+    "{p}",
+  ]);
   const metadata = ask("cargo", ["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
   if (tree === undefined || metadata === undefined) throw new Problem("`cargo tree` or `cargo metadata` failed.");
   const linked = new Set(tree.split("\n").map((line) => line.split(" ", 2).join(" ")));
   /** @type {{ packages: Package[] }} */
   const { packages } = JSON.parse(metadata);
-  return packages.filter(({ name, version }) => name !== "planarium" && linked.has(`${name} v${version}`)).sort((a, b) => (a.name < b.name ? -1 : 1));
+  return packages
+    .filter(({ name, version }) => name !== "planarium" && linked.has(`${name} v${version}`))
+    .sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
 /**
@@ -66,7 +115,9 @@ function linkedCrates() {
  * @param {Pick<Package, "license" | "authors" | "repository">} crate  or npm package @param {string} folder
  */
 function licenceText(crate, folder) {
-  const files = readdirSync(folder).filter((name) => /^(licen[sc]e|copying|notice|unlicense)/i.test(name)).sort();
+  const files = readdirSync(folder)
+    .filter((name) => /^(licen[sc]e|copying|notice|unlicense)/i.test(name))
+    .sort();
   const mit = files.filter((name) => /mit/i.test(name));
   const chosen = mit.length > 0 ? mit : files.filter((name) => files.length === 1 || !/apache/i.test(name));
   const texts = chosen.map((name) => readFileSync(join(folder, name), "utf8").replaceAll("\r\n", "\n").trim());

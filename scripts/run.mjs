@@ -20,7 +20,12 @@ export async function run(command, args, env) {
   if (code !== 0) throw new Problem(`\`${[command, ...args].join(" ")}\` failed (exit code ${code}).`);
 }
 
-/** Runs a program to its end, and prints and returns its output. @param {string} command @param {string[]} args @param {Env} [env] */
+/**
+ * Runs a program to its end, and prints and returns its output.
+ * @param {string} command
+ * @param {string[]} args
+ * @param {Env} [env]
+ */
 export async function watch(command, args, env) {
   let output = "";
   const code = await exitCode(command, args, env, ["ignore", "pipe", "pipe"], (text) => {
@@ -30,14 +35,21 @@ export async function watch(command, args, env) {
   return { code, output };
 }
 
-/** The standard output of a short command, or undefined if it cannot be run or fails. @param {string} command @param {string[]} args */
+/**
+ * The standard output of a short command, or undefined if it cannot be run or fails.
+ * @param {string} command
+ * @param {string[]} args
+ */
 export function ask(command, args) {
   const { status, stdout } = spawnSync(command, args, { cwd: root, encoding: "utf8", maxBuffer: 256 * 1024 * 1024 });
   return status === 0 ? stdout.trim() : undefined;
 }
 
 /**
- * @param {string} command @param {string[]} args @param {Env | undefined} env @param {import("node:child_process").StdioOptions} stdio
+ * @param {string} command
+ * @param {string[]} args
+ * @param {Env | undefined} env
+ * @param {import("node:child_process").StdioOptions} stdio
  * @param {(text: string) => void} [listen]
  * @returns {Promise<number>}
  */
@@ -53,7 +65,8 @@ function exitCode(command, args, env, stdio, listen) {
 }
 
 /**
- * Runs the main function of a script. A `Problem` is printed as its message, any other error with its stack trace; both exit with 1.
+ * Runs the main function of a script. A `Problem` is printed as its message, any other error with its stack trace; both
+ * exit with 1.
  * @param {() => Promise<void>} main
  */
 export async function script(main) {

@@ -17,8 +17,12 @@ const WASM_TARGET = "wasm32-unknown-unknown";
 
 /** Settings for tools that run for seconds: only the crates that read and write modules are worth optimizing. */
 const optimized = ["walrus", "wasmparser", "wasm-encoder", "gimli", "leb128", "wasm-bindgen-cli-support"];
-export const QUICK_TOOL = ["debug=0", "opt-level=0", "package.\"*\".opt-level=0", ...optimized.map((crate) => `package.${crate}.opt-level=1`)]
-  .flatMap((setting) => ["--config", `profile.dev.${setting}`]);
+export const QUICK_TOOL = [
+  "debug=0",
+  "opt-level=0",
+  'package."*".opt-level=0',
+  ...optimized.map((crate) => `package.${crate}.opt-level=1`),
+].flatMap((setting) => ["--config", `profile.dev.${setting}`]);
 
 /** The folder into which `cargo install` installs programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin");
@@ -36,7 +40,8 @@ export function requireCompilers() {
 /** Installs the npm development tools from the lock file, unless they exist and are no older than it. */
 export async function ensureNodeModules() {
   const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19)) throw new Problem(`Node 20.19 or newer is required; this is ${process.versions.node}.`);
+  if (major < 20 || (major === 20 && minor < 19))
+    throw new Problem(`Node 20.19 or newer is required; this is ${process.versions.node}.`);
   const installed = join(root, "node_modules", ".package-lock.json");
   const lock = join(root, "package-lock.json");
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
@@ -55,7 +60,10 @@ export async function ensureWasmTarget() {
 
 /** Adds rustfmt and clippy. */
 export async function ensureRustComponents() {
-  for (const [component, command] of [["rustfmt", "rustfmt"], ["clippy", "clippy-driver"]]) {
+  for (const [component, command] of [
+    ["rustfmt", "rustfmt"],
+    ["clippy", "clippy-driver"],
+  ]) {
     if (ask(command, ["--version"]) !== undefined) continue;
     say(`adding ${component}`);
     await run("rustup", ["component", "add", component]);
@@ -80,10 +88,14 @@ export async function ensureWasmPack() {
   if (ask(join(cargoBin, "wasm-pack"), ["--version"])?.endsWith(` ${WASM_PACK}`)) return;
   say(`installing wasm-pack ${WASM_PACK} (once, takes some minutes)`);
   // It only calls other programs. A build without optimization takes a third of the time.
-  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], { CARGO_PROFILE_DEV_DEBUG: "0" });
+  await run("cargo", ["install", "wasm-pack", "--version", WASM_PACK, "--force", "--locked", "--debug"], {
+    CARGO_PROFILE_DEV_DEBUG: "0",
+  });
 }
 
-/** A Python with Dask: the one that PLANARIUM_PYTHON names, or one in the target folder. Without one a test is skipped. */
+/**
+ * A Python with Dask: the one that PLANARIUM_PYTHON names, or one in the target folder. Without one a test is skipped.
+ */
 export async function ensureDask() {
   if (process.env.PLANARIUM_PYTHON) return process.env.PLANARIUM_PYTHON;
   const folder = join(targetFolder(), "dask");
@@ -95,20 +107,27 @@ export async function ensureDask() {
     await run(python, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", DASK]);
     return python;
   } catch (error) {
-    console.log(`Dask cannot be installed, and its test is skipped: ${error instanceof Error ? error.message : String(error)}`);
+    console.log(
+      `Dask cannot be installed, and its test is skipped: ${error instanceof Error ? error.message : String(error)}`,
+    );
     return undefined;
   }
 }
 
-/** Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is the fastest browser. */
+/**
+ * Finds Chromium and its driver, or installs them with apt-get if that is permitted. The headless shell is the fastest
+ * browser.
+ */
 export async function ensureBrowser() {
   const found = findBrowser();
   if (found !== undefined) return found;
   const install = ["apt-get", "install", "-y", "--no-install-recommends", "chromium-headless-shell", "chromium-driver"];
   const byHand = `  sudo ${install.join(" ")}\nor set CHROMIUM and CHROMEDRIVER to the two programs.`;
   const prefix = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
-  const mayInstall = find("apt-get") !== undefined && (prefix.length === 0 || ask("sudo", ["-n", "true"]) !== undefined);
-  if (!mayInstall) throw new Problem(`Chromium and chromedriver are missing, and installing them requires root. Run:\n${byHand}`);
+  const mayInstall =
+    find("apt-get") !== undefined && (prefix.length === 0 || ask("sudo", ["-n", "true"]) !== undefined);
+  if (!mayInstall)
+    throw new Problem(`Chromium and chromedriver are missing, and installing them requires root. Run:\n${byHand}`);
   say("installing Chromium and chromedriver");
   for (const line of [["apt-get", "update"], install]) {
     const [command, ...args] = [...prefix, ...line];
@@ -121,7 +140,14 @@ export async function ensureBrowser() {
 
 /** Chromium and its driver, from the variables CHROMIUM and CHROMEDRIVER or from the PATH. */
 function findBrowser() {
-  const browsers = ["chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
+  const browsers = [
+    "chromium-headless-shell",
+    "chrome-headless-shell",
+    "chromium",
+    "chromium-browser",
+    "google-chrome-stable",
+    "google-chrome",
+  ];
   const chromium = process.env.CHROMIUM ?? find(...browsers);
   const chromedriver = process.env.CHROMEDRIVER ?? find("chromedriver");
   return chromium !== undefined && chromedriver !== undefined ? { chromium, chromedriver } : undefined;
@@ -130,9 +156,13 @@ function findBrowser() {
 /** The version of a crate in the lock file. @param {string} crate */
 export function lockedVersion(crate) {
   const lock = readFileSync(join(root, "Cargo.lock"), "utf8");
-  const versions = [...lock.matchAll(new RegExp(`^name = "${crate}"\nversion = "(.+)"$`, "gm"))].map((match) => match[1]);
+  const versions = [...lock.matchAll(new RegExp(`^name = "${crate}"\nversion = "(.+)"$`, "gm"))].map(
+    (match) => match[1],
+  );
   if (versions.length !== 1) {
-    throw new Problem(`Cargo.lock must contain one version of ${crate}, not ${versions.length}: ${versions.join(", ")}`);
+    throw new Problem(
+      `Cargo.lock must contain one version of ${crate}, not ${versions.length}: ${versions.join(", ")}`,
+    );
   }
   return versions[0];
 }

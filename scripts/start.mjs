@@ -12,7 +12,12 @@ await script(async () => {
   await requireFreePort(port);
   await buildPackage();
   await assemblePage();
-  const { url } = await serve({ root: join(root, "dist", "page"), port, policy: pagePolicy(), docs: join(root, "dist", "site") });
+  const { url } = await serve({
+    root: join(root, "dist", "page"),
+    port,
+    policy: pagePolicy(),
+    docs: join(root, "dist", "site"),
+  });
   console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute.`);
   await buildSite();
   console.log(`\nThe documentation is at ${url}docs/`);

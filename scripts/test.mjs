@@ -1,8 +1,10 @@
 /**
  * `npm test`: installs tools, runs every suite in order, and prints the number of passed tests and the seconds of each.
- * `node scripts/test.mjs rust page` runs only those groups: check, rust, wasm, package, page; or quick, format and native tests.
+ * `node scripts/test.mjs rust page` runs only those groups: check, rust, wasm, package, page; or quick, format and
+ * native tests.
  *
- * A suite that runs no test, or whose count cannot be parsed, has failed. The last lines of failed suites are repeated above the table.
+ * A suite that runs no test, or whose count cannot be parsed, has failed. The last lines of failed suites are repeated
+ * above the table.
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
@@ -10,7 +12,15 @@ import { assembleOneFile, assemblePage, buildPackage } from "./build.mjs";
 import { countsOfHarness, countsOfTap } from "./counts.mjs";
 import { Problem, root, script, watch } from "./run.mjs";
 import {
-  cargoBin, ensureBrowser, ensureDask, ensureNodeModules, ensureRustComponents, ensureTestRunner, ensureWasmPack, ensureWasmTarget, requireCompilers,
+  cargoBin,
+  ensureBrowser,
+  ensureDask,
+  ensureNodeModules,
+  ensureRustComponents,
+  ensureTestRunner,
+  ensureWasmPack,
+  ensureWasmTarget,
+  requireCompilers,
 } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 
@@ -40,27 +50,91 @@ let printed = "";
 /** @type {Suite[]} */
 const suites = [
   { groups: ["check", "quick"], name: "Rust format", run: () => command("cargo", ["fmt", "--all", "--check"]) },
-  { groups: ["check"], name: "clippy, native", run: () => command("cargo", ["clippy", "--locked", "--workspace", "--features", "parallel,schema", "--all-targets", ...NO_WARNINGS]) },
-  { groups: ["check"], name: "clippy, wasm32", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]) },
-  { groups: ["check"], name: "clippy, wasm32 without full", run: () => command("cargo", ["clippy", "--locked", ...WASM, "--no-default-features", "--lib", ...NO_WARNINGS]) },
-  { groups: ["check"], name: "Rust documentation", run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }) },
-  ...["js", "scripts", "www"].map((project) => ({ groups: ["check"], name: `JavaScript types, ${project}`, run: () => types(project) })),
-  { groups: ["check"], name: "spelling", run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]) },
-  { groups: ["rust", "quick"], name: "Rust, native", run: () => harness("cargo", ["test", "--locked", ...CRATES, "--all-features"]) },
+  {
+    groups: ["check"],
+    name: "clippy, native",
+    run: () =>
+      command("cargo", [
+        "clippy",
+        "--locked",
+        "--workspace",
+        "--features",
+        "parallel,schema",
+        "--all-targets",
+        ...NO_WARNINGS,
+      ]),
+  },
+  {
+    groups: ["check"],
+    name: "clippy, wasm32",
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, "--lib", "--tests", ...NO_WARNINGS]),
+  },
+  {
+    groups: ["check"],
+    name: "clippy, wasm32 without full",
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, "--no-default-features", "--lib", ...NO_WARNINGS]),
+  },
+  {
+    groups: ["check"],
+    name: "Rust documentation",
+    run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }),
+  },
+  ...["js", "scripts", "www"].map((project) => ({
+    groups: ["check"],
+    name: `JavaScript types, ${project}`,
+    run: () => types(project),
+  })),
+  {
+    groups: ["check"],
+    name: "spelling",
+    run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]),
+  },
+  {
+    groups: ["rust", "quick"],
+    name: "Rust, native",
+    run: () => harness("cargo", ["test", "--locked", ...CRATES, "--all-features"]),
+  },
   { groups: ["wasm"], name: "Rust, in Node", run: () => wasm() },
-  { groups: ["wasm"], name: "Rust, in Chrome", run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }) },
-  { groups: ["wasm"], name: "wasm-pack test --node", run: () => harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()) },
+  {
+    groups: ["wasm"],
+    name: "Rust, in Chrome",
+    run: () => wasm({ WASM_BINDGEN_USE_BROWSER: "1", WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverFile() }),
+  },
+  {
+    groups: ["wasm"],
+    name: "wasm-pack test --node",
+    run: () =>
+      harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()),
+  },
   { groups: ["package"], name: "npm package", run: () => nodeTests("package", 2) },
   { groups: ["page"], name: "page, in Chromium", run: () => nodeTests("page", 2) },
 ];
 
-/** The set-up of each group; each step does nothing if it is already done. @type {Record<string, (() => Promise<unknown>)[]>} */
+/**
+ * The set-up of each group; each step does nothing if it is already done.
+ * @type {Record<string, (() => Promise<unknown>)[]>}
+ */
 const needs = {
   check: [ensureRustComponents, ensureWasmTarget, buildPackage],
   rust: [async () => requireCompilers(), useDask],
-  wasm: [ensureWasmTarget, async () => { bindgenFolder = await ensureTestRunner(); }, ensureWasmPack, useBrowser],
+  wasm: [
+    ensureWasmTarget,
+    async () => {
+      bindgenFolder = await ensureTestRunner();
+    },
+    ensureWasmPack,
+    useBrowser,
+  ],
   package: [buildPackage, useBrowser],
-  page: [buildPackage, async () => { await assemblePage(); assembleOneFile(); await buildSite(); }, useBrowser],
+  page: [
+    buildPackage,
+    async () => {
+      await assemblePage();
+      assembleOneFile();
+      await buildSite();
+    },
+    useBrowser,
+  ],
 };
 
 /** The groups that run by default; `quick` is a part of them. */
@@ -80,13 +154,21 @@ async function command(program, args, env) {
   return code === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
-/** Runs Rust's test harness, natively or in WebAssembly. @param {string} program @param {string[]} args @param {Env} [env] */
+/**
+ * Runs Rust's test harness, natively or in WebAssembly.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {Env} [env]
+ */
 async function harness(program, args, env) {
   const { code, output } = await observe(program, args, env);
   return withExitCode(countsOfHarness(output), code);
 }
 
-/** Runs the tests that are compiled to WebAssembly, in Node or, if the environment says so, in a browser. @param {Env} [env] */
+/**
+ * Runs the tests that are compiled to WebAssembly, in Node or, if the environment says so, in a browser.
+ * @param {Env} [env]
+ */
 function wasm(env) {
   return harness("cargo", ["test", "--locked", ...WASM, "--test", "all"], { ...wasmEnvironment(), ...env });
 }
@@ -116,30 +198,43 @@ function types(project) {
   return command(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "--noEmit", "-p", project]);
 }
 
-/** Runs the tests in a folder with Node's test runner. @param {string} folder @param {number} concurrency  files at a time */
+/**
+ * Runs the tests in a folder with Node's test runner.
+ * @param {string} folder
+ * @param {number} concurrency  files at a time
+ */
 async function nodeTests(folder, concurrency) {
   const place = join(root, "tests", folder);
-  const files = readdirSync(place).filter((name) => name.endsWith(".test.mjs")).sort();
+  const files = readdirSync(place)
+    .filter((name) => name.endsWith(".test.mjs"))
+    .sort();
   if (files.length === 0) return undefined;
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
   const { code } = await observe(process.execPath, [
-    "--test", `--test-concurrency=${concurrency}`,
-    "--test-reporter=spec", "--test-reporter-destination=stdout",
-    "--test-reporter=tap", `--test-reporter-destination=${report}`,
+    "--test",
+    `--test-concurrency=${concurrency}`,
+    "--test-reporter=spec",
+    "--test-reporter-destination=stdout",
+    "--test-reporter=tap",
+    `--test-reporter-destination=${report}`,
     ...files.map((name) => join(place, name)),
   ]);
   return withExitCode(countsOfTap(readFileSync(report, "utf8")), code);
 }
 
-/** A program that was aborted may report no failed test: its exit code is one. @param {Counts | undefined} counts @param {number} code */
+/**
+ * A program that was aborted may report no failed test: its exit code is one.
+ * @param {Counts | undefined} counts
+ * @param {number} code
+ */
 function withExitCode(counts, code) {
   return counts !== undefined && code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
 }
 
 /** Finds or installs Dask and passes its Python to the tests of the command line. */
 async function useDask() {
-  process.env.PLANARIUM_PYTHON = await ensureDask() ?? "";
+  process.env.PLANARIUM_PYTHON = (await ensureDask()) ?? "";
 }
 
 /** Finds or installs the browser and passes its path to the suites. */
@@ -160,7 +255,9 @@ async function runSuite({ name, run }) {
   console.log(`\n=== ${name} ===`);
   const began = performance.now();
   printed = "";
-  const { counts, note } = await run().then(judge, (error) => failure(error instanceof Error ? error.message : String(error)));
+  const { counts, note } = await run().then(judge, (error) =>
+    failure(error instanceof Error ? error.message : String(error)),
+  );
   return { name, seconds: (performance.now() - began) / 1000, counts, note, output: printed };
 }
 
@@ -177,7 +274,9 @@ function failure(note) {
 
 /** Fails if Chrome runs another number of tests than Node. @param {Result[]} results */
 function compareEngines(results) {
-  const [inNode, inChrome] = ["Rust, in Node", "Rust, in Chrome"].map((wanted) => results.find(({ name }) => name === wanted));
+  const [inNode, inChrome] = ["Rust, in Node", "Rust, in Chrome"].map((wanted) =>
+    results.find(({ name }) => name === wanted),
+  );
   if (inNode === undefined || inChrome === undefined || inNode.counts.passed === inChrome.counts.passed) return;
   inChrome.counts.failed += 1;
   inChrome.note ||= `${inChrome.counts.passed} passed here but ${inNode.counts.passed} in Node`;
@@ -186,7 +285,9 @@ function compareEngines(results) {
 /** Prints the last lines of every suite that failed. @param {Result[]} results */
 function repeatFailures(results) {
   for (const { name, output } of results.filter(({ counts }) => counts.failed > 0)) {
-    console.log(`\n=== ${name} failed; its last lines ===\n${output.trimEnd().split("\n").slice(-REPEATED_LINES).join("\n")}`);
+    console.log(
+      `\n=== ${name} failed; its last lines ===\n${output.trimEnd().split("\n").slice(-REPEATED_LINES).join("\n")}`,
+    );
   }
 }
 
@@ -201,13 +302,18 @@ function printTable(results, setUp) {
     const failed = counts.failed > 0 ? `  ${counts.failed} failed${note === "" ? "" : `: ${note}`}` : "";
     row(name, seconds, `${String(counts.passed).padStart(5)} passed${failed}`);
   }
-  row("total", results.reduce((sum, { seconds }) => sum + seconds, setUp), "");
+  row(
+    "total",
+    results.reduce((sum, { seconds }) => sum + seconds, setUp),
+    "",
+  );
 }
 
 await script(async () => {
   const groups = process.argv.length > 2 ? process.argv.slice(2) : ALL;
   const unknown = groups.find((group) => !(group in needs));
-  if (unknown !== undefined) throw new Problem(`There is no group \`${unknown}\` of tests. Groups: ${Object.keys(needs).join(", ")}.`);
+  if (unknown !== undefined)
+    throw new Problem(`There is no group \`${unknown}\` of tests. Groups: ${Object.keys(needs).join(", ")}.`);
   if (!process.env.PLANARIUM_SCENARIOS) {
     console.log("PLANARIUM_SCENARIOS is not set: tests that need that folder of scenarios are skipped.");
   }
@@ -216,7 +322,8 @@ await script(async () => {
   const setUp = (performance.now() - began) / 1000;
 
   const results = [];
-  for (const suite of suites.filter((one) => one.groups.some((group) => groups.includes(group)))) results.push(await runSuite(suite));
+  for (const suite of suites.filter((one) => one.groups.some((group) => groups.includes(group))))
+    results.push(await runSuite(suite));
   compareEngines(results);
   repeatFailures(results);
   printTable(results, setUp);

@@ -20,8 +20,20 @@ const BODIES = /^RRT-Connect, body/;
 
 /** @type {Aim[]} */
 export const aims = [
-  { name: "k-PRM, equal motions, native", rows: ROADMAPS, figure: "OMPL, plain / native, equal motions", least: 7, stretch: 11 },
-  { name: "k-PRM, equal motions, Node", rows: ROADMAPS, figure: "OMPL, plain / Node, equal motions", least: 5, stretch: 8 },
+  {
+    name: "k-PRM, equal motions, native",
+    rows: ROADMAPS,
+    figure: "OMPL, plain / native, equal motions",
+    least: 7,
+    stretch: 11,
+  },
+  {
+    name: "k-PRM, equal motions, Node",
+    rows: ROADMAPS,
+    figure: "OMPL, plain / Node, equal motions",
+    least: 5,
+    stretch: 8,
+  },
   { name: "k-PRM, batch, native", rows: ROADMAPS, figure: "OMPL, plain / native, batch", least: 12, stretch: 20 },
   { name: "k-PRM, batch, Node", rows: ROADMAPS, figure: "OMPL, plain / Node, batch", least: 9, stretch: 14 },
   { name: "RRT-Connect, arms, native", rows: ARM_TREES, figure: "OMPL, plain / native", least: 6, stretch: 9 },
@@ -33,23 +45,39 @@ export const aims = [
   { name: "SST, native", rows: /^SST/, figure: "OMPL, plain / native", least: 20 },
   { name: "SST, Node", rows: /^SST/, figure: "OMPL, plain / Node", least: 10 },
   { name: "Node over native, k-PRM, batch", rows: ROADMAPS, figure: "Node, batch / native, batch", most: 1.5 },
-  { name: "20 samples on an edge over a proof, native", rows: ROADMAPS, figure: "native, batch, sampled / native, batch", least: 5 },
-  { name: "20 samples on an edge over a proof, Node", rows: ROADMAPS, figure: "Node, batch, sampled / Node, batch", least: 4 },
+  {
+    name: "20 samples on an edge over a proof, native",
+    rows: ROADMAPS,
+    figure: "native, batch, sampled / native, batch",
+    least: 5,
+  },
+  {
+    name: "20 samples on an edge over a proof, Node",
+    rows: ROADMAPS,
+    figure: "Node, batch, sampled / Node, batch",
+    least: 4,
+  },
   { name: "one thread over two, k-PRM, batch", rows: /^Two threads/, figure: "one thread / two threads", least: 1.7 },
   { name: "first roadmap of a new process, ms", rows: /^First roadmap/, figure: "Node, ms after loading", most: 50 },
   { name: "graph and index, bytes per vertex", rows: /^Graph and index/, figure: "native, bytes per vertex", most: 64 },
 ];
 
 /**
- * Each aim with the rows that have its figure; a figure without a value, since no world was solved by both sides, is left out.
+ * Each aim with the rows that have its figure; a figure without a value, since no world was solved by both sides, is
+ * left out.
  * @param {RowFigures[]} rows
  */
 export function judge(rows) {
   return aims.map((aim) => ({
-    aim: aim.name, bound: boundOf(aim),
-    results: rows.filter(({ row }) => aim.rows.test(row)).flatMap(({ row, figures }) => figures
-      .filter(({ name, value }) => name === aim.figure && value.count > 0)
-      .map(({ value }) => ({ row, value: value.median, verdict: verdictOf(aim, value.median) }))),
+    aim: aim.name,
+    bound: boundOf(aim),
+    results: rows
+      .filter(({ row }) => aim.rows.test(row))
+      .flatMap(({ row, figures }) =>
+        figures
+          .filter(({ name, value }) => name === aim.figure && value.count > 0)
+          .map(({ value }) => ({ row, value: value.median, verdict: verdictOf(aim, value.median) })),
+      ),
   }));
 }
 
@@ -68,12 +96,19 @@ function boundOf({ least, most, stretch }) {
 export function aimTable(rows) {
   const judged = judge(rows);
   const body = judged.map(({ aim, bound, results }) => [
-    aim, bound, results.map(({ row, value }) => (results.length > 1 ? `${placeOf(row)}: ${digits(value)}` : digits(value))).join("; "), overall(results),
+    aim,
+    bound,
+    results
+      .map(({ row, value }) => (results.length > 1 ? `${placeOf(row)}: ${digits(value)}` : digits(value)))
+      .join("; "),
+    overall(results),
   ]);
   const all = judged.flatMap(({ results }) => results);
   const count = (/** @type {Verdict} */ verdict) => all.filter((result) => result.verdict === verdict).length;
-  return `${table(["aim", "bound (stretch)", "reached", "verdict"], body)}\n` +
-    `Of ${all.length} figures with an aim, ${count("MISSED")} miss it and ${count("stretch")} reach the stretch aim.\n`;
+  return (
+    `${table(["aim", "bound (stretch)", "reached", "verdict"], body)}\n` +
+    `Of ${all.length} figures with an aim, ${count("MISSED")} miss it and ${count("stretch")} reach the stretch aim.\n`
+  );
 }
 
 /** The verdict on all rows of an aim. @param {ReturnType<typeof judge>[number]["results"]} results */

@@ -6,7 +6,8 @@ import { Problem, root } from "../../scripts/run.mjs";
 /** The integer value of an option. @param {string} name @param {string} text @param {number} least */
 export function integer(name, text, least) {
   const value = Number(text);
-  if (!Number.isInteger(value) || value < least) throw new Problem(`--${name} must be an integer of at least ${least}, not ${text}.`);
+  if (!Number.isInteger(value) || value < least)
+    throw new Problem(`--${name} must be an integer of at least ${least}, not ${text}.`);
   return value;
 }
 

@@ -18,7 +18,9 @@ const BODY = { resolution: 0.01, range: 0.3 };
 /** Seconds after which a body or a car is given up. */
 const PLACED_LIMIT = 5;
 
-/** Durations of a control in steps of 0.01 s: constant as in the reports, and random up to Planarium's default or less. */
+/**
+ * Durations of a control in steps of 0.01 s: constant as in the reports, and random up to Planarium's default or less.
+ */
 const HELD = { fixed: [250, 250], drawn: [1, 250], short: [1, 50] };
 
 /** The neighbours of the reports' roadmaps. */
@@ -43,12 +45,16 @@ export function arms(row) {
 function roadmaps({ links }) {
   const n = samples(links);
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} prm ${seed} ${runs} 60 samples=${n} k=${K}${more}`,
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.json} prm ${seed} ${runs} 60 samples=${n} k=${K}${more}`,
   });
   const peer = (/** @type {SideName} */ side, /** @type {string} */ name, space = "flat") => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} prm ${seed} ${runs} ${n} ${K} ${space}`,
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.text} prm ${seed} ${runs} ${n} ${K} ${space}`,
   });
   return [
     ours("native", "native, equal motions", " insertion=one-by-one"),
@@ -72,12 +78,22 @@ function roadmaps({ links }) {
 function trees({ links }) {
   const extent = Math.PI * links;
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name) => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}`,
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.json} rrt-connect ${seed} ${runs} ${LIMIT}`,
   });
-  const peer = (/** @type {SideName} */ side, /** @type {string} */ name, range = 0.2 * extent, resolution = RESOLUTION, space = "flat") => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT} ${space}`,
+  const peer = (
+    /** @type {SideName} */ side,
+    /** @type {string} */ name,
+    range = 0.2 * extent,
+    resolution = RESOLUTION,
+    space = "flat",
+  ) => ({
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.text} rrt-connect ${seed} ${runs} ${range} ${resolution} ${LIMIT} ${space}`,
   });
   return [
     ours("native", "native"),
@@ -95,11 +111,14 @@ function trees({ links }) {
 /** All with a fifth of the extent, their default, and with steps of 0.3. @returns {Arm[]} */
 function bodies() {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} rrt-connect ${seed} ${runs} ${PLACED_LIMIT}${more}`,
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.json} rrt-connect ${seed} ${runs} ${PLACED_LIMIT}${more}`,
   });
   const peer = (/** @type {string} */ name, range = 0, checker = "boxes") => ({
-    name, side: /** @type {const} */ ("ompl"),
+    name,
+    side: /** @type {const} */ ("ompl"),
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
       `${world.text} body ${seed} ${runs} ${range} ${BODY.resolution} ${PLACED_LIMIT} ${checker}`,
   });
@@ -115,22 +134,32 @@ function bodies() {
 }
 
 /**
- * Planarium with default options, and with the controls of the reports: held for 2.5 s, one per extension, the goal tested at their ends.
+ * Planarium with default options, and with the controls of the reports: held for 2.5 s, one per extension, the goal
+ * tested at their ends.
  * @param {"rrt-control" | "sst"} planner
  * @returns {Arm[]}
  */
 function cars(planner) {
   const ours = (/** @type {SideName} */ side, /** @type {string} */ name, more = "") => ({
-    name, side,
-    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) => `${world.json} ${planner} ${seed} ${runs} ${PLACED_LIMIT}${more}`,
+    name,
+    side,
+    job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
+      `${world.json} ${planner} ${seed} ${runs} ${PLACED_LIMIT}${more}`,
   });
   const peer = (/** @type {string} */ name, /** @type {number[]} */ [least, most], checker = "boxes") => ({
-    name, side: /** @type {const} */ ("ompl"),
+    name,
+    side: /** @type {const} */ ("ompl"),
     job: (/** @type {World} */ world, /** @type {number} */ seed, /** @type {number} */ runs) =>
       `${world.text} ${planner === "sst" ? "sst" : "control"} ${seed} ${runs} ${least} ${most} ${PLACED_LIMIT} ${checker}`,
   });
   const both = [ours("native", "native"), ours("node", "Node")];
-  if (planner === "sst") return [...both, peer("OMPL", HELD.drawn), peer("OMPL, plain", HELD.drawn, "plain"), peer("OMPL, short controls", HELD.short)];
+  if (planner === "sst")
+    return [
+      ...both,
+      peer("OMPL", HELD.drawn),
+      peer("OMPL, plain", HELD.drawn, "plain"),
+      peer("OMPL, short controls", HELD.short),
+    ];
   const preset = " duration_steps=250 shortest_steps=250 blossom=1 goal_test=ends";
   return [
     ...both,
@@ -155,7 +184,10 @@ export function lines({ planner, links }) {
   return links > 0 ? [line()] : [line(), line(", steps of 0.3", ", short steps", ", short steps")];
 }
 
-/** The ratios besides those of the lines: the times of one arm over those of another. @type {Record<Row["planner"], [string, string][]>} */
+/**
+ * The ratios besides those of the lines: the times of one arm over those of another.
+ * @type {Record<Row["planner"], [string, string][]>}
+ */
 const further = {
   prm: [
     ["OMPL, compound", "native, equal motions"],
@@ -171,7 +203,10 @@ const further = {
     ["OxMPL", "native"],
     ["Node", "native"],
   ],
-  "rrt-control": [["OMPL, drawn", "native"], ["Node", "native"]],
+  "rrt-control": [
+    ["OMPL, drawn", "native"],
+    ["Node", "native"],
+  ],
   sst: [["Node", "native"]],
 };
 
@@ -181,7 +216,10 @@ const further = {
  * @returns {[over: string, under: string][]}
  */
 export function comparisons(row) {
-  const ofLines = lines(row).flatMap(({ ours, peer }) => (peer === "" ? ["OMPL, plain", "OMPL"] : [`OMPL${peer}`])
-    .flatMap((over) => ["native", "Node"].map((side) => /** @type {[string, string]} */ ([over, `${side}${ours}`]))));
+  const ofLines = lines(row).flatMap(({ ours, peer }) =>
+    (peer === "" ? ["OMPL, plain", "OMPL"] : [`OMPL${peer}`]).flatMap((over) =>
+      ["native", "Node"].map((side) => /** @type {[string, string]} */ ([over, `${side}${ours}`])),
+    ),
+  );
   return [...ofLines, ...further[row.planner]];
 }

@@ -1,6 +1,6 @@
 /**
- * The first roadmap of a new process, as a stand-in for a page: it loads the package, reads a scenario and builds a k-PRM of
- * 1000 samples. `node benches/peers/cold.mjs FILE` prints milliseconds as JSON.
+ * The first roadmap of a new process, as a stand-in for a page: it loads the package, reads a scenario and builds a
+ * k-PRM of 1000 samples. `node benches/peers/cold.mjs FILE` prints milliseconds as JSON.
  */
 import { readFileSync } from "node:fs";
 

@@ -4,7 +4,9 @@ import { Problem, ask, root } from "../../scripts/run.mjs";
 import { spread } from "./report.mjs";
 
 /** @typedef {import("./report.mjs").Figure} Figure */
-/** @typedef {{ forests: string[], isQuick: boolean }} Setting  scenarios of arms of four links, one for each new process */
+/**
+ * @typedef {{ forests: string[], isQuick: boolean }} Setting  scenarios of arms of four links, one for each new process
+ */
 /** @typedef {{ name: string, side: import("./sides.mjs").SideName, measure: (setting: Setting) => Figure[] }} Extra */
 
 /** @type {Extra[]} */
@@ -21,14 +23,21 @@ const figure = (name, ...values) => ({ name, value: spread(values) });
 /** Loads the package and builds a roadmap, each time in a new process. @param {Setting} setting */
 function coldStarts({ forests }) {
   const starts = forests.map((file) => inNode("cold.mjs", [file]));
-  return [figure("Node, ms of loading", ...starts.map(({ load }) => load)), figure("Node, ms after loading", ...starts.map(({ roadmap }) => roadmap))];
+  return [
+    figure("Node, ms of loading", ...starts.map(({ load }) => load)),
+    figure("Node, ms after loading", ...starts.map(({ roadmap }) => roadmap)),
+  ];
 }
 
 /** The instance never shrinks: its memory is its peak. @param {Setting} setting */
 function instance({ forests, isQuick }) {
   const { before, peak, vertices, edges, events } = inNode("memory.mjs", [forests[0], isQuick ? "2000" : "200000"]);
   return [
-    figure("vertices", vertices), figure("edges", edges), figure("events", events), figure("MB before", before / 1e6), figure("MB at peak", peak / 1e6),
+    figure("vertices", vertices),
+    figure("edges", edges),
+    figure("events", events),
+    figure("MB before", before / 1e6),
+    figure("MB at peak", peak / 1e6),
     figure("Node, bytes per vertex, with its edges and events", (peak - before) / vertices),
   ];
 }
@@ -44,14 +53,19 @@ function graphAndIndex({ isQuick }) {
 /** The bench prints a line such as `{"threads": 2, "ratio": 1.8}`: the time of one thread over that of several. */
 function threads() {
   const printed = inCargo(["--bench", "planning", "--features", "parallel", "--", "threads"]);
-  const lines = printed.split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
+  const lines = printed
+    .split("\n")
+    .filter((line) => line.startsWith("{"))
+    .map((line) => JSON.parse(line));
   const ratio = lines.find((line) => line.threads === 2)?.ratio;
-  if (typeof ratio !== "number") throw new Problem("`cargo bench --bench planning --features parallel -- threads` prints no ratio for two threads.");
+  if (typeof ratio !== "number")
+    throw new Problem("`cargo bench --bench planning --features parallel -- threads` prints no ratio for two threads.");
   return [figure("one thread / two threads", ratio)];
 }
 
 /**
- * Runs a script in a new Node process on all cores, as engines compile beside the page, and returns what it prints as JSON.
+ * Runs a script in a new Node process on all cores, as engines compile beside the page, and returns what it prints as
+ * JSON.
  * @param {string} script
  * @param {string[]} args
  */

@@ -15,7 +15,12 @@ const memory = initSync().memory;
 
 const [file, samples] = process.argv.slice(2);
 const before = memory.buffer.byteLength;
-const planner = Scenario.parse(readFileSync(file, "utf8")).planner({ algorithm: "prm", samples: Number(samples), k: 10, maxIterations: 4e9 });
+const planner = Scenario.parse(readFileSync(file, "utf8")).planner({
+  algorithm: "prm",
+  samples: Number(samples),
+  k: 10,
+  maxIterations: 4e9,
+});
 while (planner.step(10_000) === "running");
 const { vertices, edges } = planner.stats();
 console.log(JSON.stringify({ before, peak: memory.buffer.byteLength, vertices, edges, events: planner.eventCount }));

@@ -16,12 +16,20 @@ const SLICE = 32;
 /** @param {string} job */
 function answer(job) {
   const [file, algorithm, first, runs, limit, ...pairs] = job.split(" ");
-  const parameters = Object.fromEntries(pairs.map((pair) => {
-    const [name, value] = pair.split("=");
-    return [camelCase(name), Number.isNaN(Number(value)) ? value : Number(value)];
-  }));
+  const parameters = Object.fromEntries(
+    pairs.map((pair) => {
+      const [name, value] = pair.split("=");
+      return [camelCase(name), Number.isNaN(Number(value)) ? value : Number(value)];
+    }),
+  );
   const scenario = Scenario.parse(readFileSync(file, "utf8"));
-  const done = Array.from({ length: Number(runs) }, (_, i) => outcome(scenario, /** @type {import("planarium").PlannerOptions} */ ({ algorithm, seed: Number(first) + i, ...parameters }), Number(limit)));
+  const done = Array.from({ length: Number(runs) }, (_, i) =>
+    outcome(
+      scenario,
+      /** @type {import("planarium").PlannerOptions} */ ({ algorithm, seed: Number(first) + i, ...parameters }),
+      Number(limit),
+    ),
+  );
   scenario.free();
   return { runs: done };
 }
@@ -48,8 +56,14 @@ function outcome(scenario, options, limit) {
   planner.free();
   const build = built ?? whole;
   return {
-    setup: (began - asked) / 1e3, build: build / 1e3, search: (whole - build) / 1e3, solved: status === "solved", length,
-    motions: stats.motion_checks, vertices: stats.vertices, edges: stats.edges,
+    setup: (began - asked) / 1e3,
+    build: build / 1e3,
+    search: (whole - build) / 1e3,
+    solved: status === "solved",
+    length,
+    motions: stats.motion_checks,
+    vertices: stats.vertices,
+    edges: stats.edges,
   };
 }
 

@@ -30,10 +30,12 @@ const makers = { native, node, ompl, oxmpl };
 export const sideNames = /** @type {SideName[]} */ (Object.keys(makers));
 
 /** The common core, pinned by `taskset` if available: the last one, which the system uses least. */
-export const pinned = ask("taskset", ["--version"]) === undefined ? [] : ["taskset", "-c", String(availableParallelism() - 1)];
+export const pinned =
+  ask("taskset", ["--version"]) === undefined ? [] : ["taskset", "-c", String(availableParallelism() - 1)];
 
 /**
- * Builds a side and starts it. A peer that cannot be built or started is skipped with a message; a side of our own must work.
+ * Builds a side and starts it. A peer that cannot be built or started is skipped with a message; a side of our own must
+ * work.
  * @param {SideName} name
  * @param {boolean} build  whether to build, or to use the existing build
  * @returns {Promise<Side | undefined>}
@@ -68,7 +70,9 @@ export class Side {
     this.title = "";
     const [program, ...args] = [...pinned, ...command];
     this.#process = spawn(program, args, { cwd: root, stdio: ["pipe", "pipe", "inherit"] });
-    this.greeted = this.#reply().then((reply) => { this.title = reply.name; });
+    this.greeted = this.#reply().then((reply) => {
+      this.title = reply.name;
+    });
     createInterface({ input: this.#process.stdout }).on("line", (line) => this.#waiting.shift()?.(line));
     // Requests that are pending when the process ends are answered.
     const end = () => {
@@ -95,7 +99,11 @@ export class Side {
 
   /** @returns {Promise<any>} */
   async #reply() {
-    const line = this.#hasEnded ? stopped : await new Promise((resolve) => { this.#waiting.push(resolve); });
+    const line = this.#hasEnded
+      ? stopped
+      : await new Promise((resolve) => {
+          this.#waiting.push(resolve);
+        });
     const reply = JSON.parse(line);
     if (reply.error !== undefined) throw new Problem(`${this.name}: ${reply.error}`);
     return reply;
@@ -107,7 +115,10 @@ async function native(build) {
   if (build) await run("cargo", ["bench", "--locked", "--bench", "peers", "--no-run"]);
   // The name of the program contains a hash that only Cargo knows.
   const messages = ask("cargo", ["bench", "--locked", "--bench", "peers", "--no-run", "--message-format=json"]) ?? "";
-  const artifacts = messages.split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
+  const artifacts = messages
+    .split("\n")
+    .filter((line) => line.startsWith("{"))
+    .map((line) => JSON.parse(line));
   const program = artifacts.find(({ target, executable }) => target?.name === "peers" && executable)?.executable;
   if (program === undefined) throw new Problem("The native side of the benchmark could not be built.");
   return [program, "--serve"];
@@ -126,12 +137,26 @@ async function node(build) {
 async function ompl(build) {
   const program = join(built, "ompl");
   if (!build && existsSync(program)) return [program];
-  const include = ["/usr/include/ompl-1.5", "/usr/include/ompl"].find((folder) => existsSync(join(folder, "ompl", "config.h")));
-  if (include === undefined) throw new Problem("OMPL's headers are missing. On Debian: sudo apt-get install libompl-dev libeigen3-dev g++");
+  const include = ["/usr/include/ompl-1.5", "/usr/include/ompl"].find((folder) =>
+    existsSync(join(folder, "ompl", "config.h")),
+  );
+  if (include === undefined)
+    throw new Problem("OMPL's headers are missing. On Debian: sudo apt-get install libompl-dev libeigen3-dev g++");
   if (ask("g++", ["--version"]) === undefined) throw new Problem("g++ is missing. On Debian: sudo apt-get install g++");
   mkdirSync(built, { recursive: true });
   // Like the crate: optimised for the architecture, not for this machine.
-  await run("g++", ["-O3", "-DNDEBUG", "-std=c++17", `-I${include}`, "-isystem", "/usr/include/eigen3", join(peers, "ompl", "main.cpp"), "-o", program, "-lompl"]);
+  await run("g++", [
+    "-O3",
+    "-DNDEBUG",
+    "-std=c++17",
+    `-I${include}`,
+    "-isystem",
+    "/usr/include/eigen3",
+    join(peers, "ompl", "main.cpp"),
+    "-o",
+    program,
+    "-lompl",
+  ]);
   return [program];
 }
 
@@ -140,19 +165,42 @@ async function oxmpl(build) {
   const folder = join(built, "oxmpl");
   const program = join(folder, "release", "planarium-bench-oxmpl");
   if (build || !existsSync(program)) {
-    await run("cargo", ["build", "--release", "--locked", "--manifest-path", join(peers, "oxmpl", "Cargo.toml"), "--target-dir", folder]);
+    await run("cargo", [
+      "build",
+      "--release",
+      "--locked",
+      "--manifest-path",
+      join(peers, "oxmpl", "Cargo.toml"),
+      "--target-dir",
+      folder,
+    ]);
   }
   return [program];
 }
 
-/** OxMPL's package for JavaScript, from its crate; it is not on npm. @returns {Promise<any>} its module, ready to use */
+/**
+ * OxMPL's package for JavaScript, from its crate; it is not on npm.
+ * @returns {Promise<any>} its module, ready to use
+ */
 export async function oxmplInJavaScript() {
   const folder = join(built, "oxmpl-js");
   const target = "wasm32-unknown-unknown";
   const wasm = join(folder, target, "release", "oxmpl_js.wasm");
   const glue = join(folder, "glue");
   if (!existsSync(join(glue, "planarium.js"))) {
-    await run("cargo", ["build", "--release", "--locked", "--manifest-path", join(peers, "oxmpl-js", "Cargo.toml"), "-p", "oxmpl-js", "--target", target, "--target-dir", folder]);
+    await run("cargo", [
+      "build",
+      "--release",
+      "--locked",
+      "--manifest-path",
+      join(peers, "oxmpl-js", "Cargo.toml"),
+      "-p",
+      "oxmpl-js",
+      "--target",
+      target,
+      "--target-dir",
+      folder,
+    ]);
     await run("cargo", ["run", "--quiet", "--locked", "-p", "planarium-bindgen", "--", wasm, glue]);
   }
   const module = await import(pathToFileURL(join(glue, "planarium.js")).href);

@@ -1,6 +1,6 @@
 /**
- * The worlds and jobs of the benchmark. Every world is generated from a seed, and is written twice: as a scenario document for
- * Planarium, and as flat text with one item per line for the peers.
+ * The worlds and jobs of the benchmark. Every world is generated from a seed, and is written twice: as a scenario
+ * document for Planarium, and as flat text with one item per line for the peers.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -17,7 +17,11 @@ import { join } from "node:path";
  * @property {number} links  of an arm; 0 of a body or a car
  */
 
-/** The jobs: the reports' roadmaps, single queries in their forests and two other kinds of world, bodies, and cars by controls. @type {Row[]} */
+/**
+ * The jobs: the reports' roadmaps, single queries in their forests and two other kinds of world, bodies, and cars by
+ * controls.
+ * @type {Row[]}
+ */
 export const rows = [
   ...[2, 3, 4].map((links) => row("prm", "forest", { links }, `forest ${links}R`, links)),
   ...[2, 3, 4].map((links) => row("rrt-connect", "forest", { links }, `forest ${links}R`, links)),
@@ -70,17 +74,22 @@ export function writeWorlds(Scenario, { name, generator, options }, first, count
 }
 
 /**
- * The document of an arm on circles, a disc, a convex body or a car, among convex polygons and discs, as flat text; polygons
- * counter-clockwise.
+ * The document of an arm on circles, a disc, a convex body or a car, among convex polygons and discs, as flat text;
+ * polygons counter-clockwise.
  * @param {ScenarioDocument} document
  */
 export function flat({ world, robot, queries: [query] }) {
   /** @type {(string | number)[][]} */
   const items = [...machine(robot), ["start", ...query.start], ["goal", ...(query.goal ?? [])]];
-  if (query.goal_tolerance) items.push(["tolerance", query.goal_tolerance.translation ?? 0, query.goal_tolerance.rotation ?? 0]);
+  if (query.goal_tolerance)
+    items.push(["tolerance", query.goal_tolerance.translation ?? 0, query.goal_tolerance.rotation ?? 0]);
   if (world.bounds) items.push(["bounds", ...world.bounds.min, ...world.bounds.max]);
   for (const obstacle of world.obstacles) {
-    items.push(obstacle.type === "disc" ? ["disc", ...obstacle.center, obstacle.radius] : ["polygon", ...counterClockwise(obstacle.vertices).flat()]);
+    items.push(
+      obstacle.type === "disc"
+        ? ["disc", ...obstacle.center, obstacle.radius]
+        : ["polygon", ...counterClockwise(obstacle.vertices).flat()],
+    );
   }
   return items.map((item) => `${item.join(" ")}\n`).join("");
 }
@@ -91,9 +100,15 @@ export function flat({ world, robot, queries: [query] }) {
  * @returns {(string | number)[][]}
  */
 function machine(robot) {
-  if (robot.type === "arm" && (robot.joint_limits ?? robot.joints) !== undefined) throw new Error("the peers know arms whose joints turn without limits, discs, bodies and cars");
+  if (robot.type === "arm" && (robot.joint_limits ?? robot.joints) !== undefined)
+    throw new Error("the peers know arms whose joints turn without limits, discs, bodies and cars");
   if (robot.type === "disc") return [["radius", robot.radius]];
-  if (robot.type === "arm") return [["base", ...robot.base], ["radius", robot.radius ?? 0], ["links", ...robot.links]];
+  if (robot.type === "arm")
+    return [
+      ["base", ...robot.base],
+      ["radius", robot.radius ?? 0],
+      ["links", ...robot.links],
+    ];
   const shape = ["shape", ...counterClockwise(robot.shape.vertices).flat()];
   if (robot.type === "rigid_body") return [shape];
   return [shape, ["wheelbase", robot.wheelbase], ["speed", ...robot.speed], ["steering", ...robot.steering]];

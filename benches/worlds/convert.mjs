@@ -1,6 +1,6 @@
 /**
- * Maps and parking cases of other people as scenarios: occupancy grids of MovingAI and ROS with their cells as rectangles, the circles and
- * the grid of OMPL, the cases of TPCAP.
+ * Maps and parking cases of other people as scenarios: occupancy grids of MovingAI and ROS with their cells as
+ * rectangles, the circles and the grid of OMPL, the cases of TPCAP.
  */
 import { readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
@@ -25,7 +25,15 @@ function random(seed) {
 }
 
 /** @param {number[]} low @param {number[]} high */
-const rectangle = ([x0, y0], [x1, y1]) => ({ type: "polygon", vertices: [[x0, y0], [x1, y0], [x1, y1], [x0, y1]] });
+const rectangle = ([x0, y0], [x1, y1]) => ({
+  type: "polygon",
+  vertices: [
+    [x0, y0],
+    [x1, y0],
+    [x1, y1],
+    [x0, y1],
+  ],
+});
 
 /**
  * The blocked cells of a grid as rectangles, each as wide as it can be and then as high.
@@ -51,7 +59,8 @@ function rectangles(blocked) {
 }
 
 /**
- * Pairs of free cells between which a disc can move: the cells whose middle is far enough from every blocked one, joined to their neighbours.
+ * Pairs of free cells between which a disc can move: the cells whose middle is far enough from every blocked one,
+ * joined to their neighbours.
  * @param {boolean[][]} blocked @param {number} radius in cells @param {number} count @param {number} seed
  */
 function pairs(blocked, radius, count, seed) {
@@ -63,7 +72,8 @@ function pairs(blocked, radius, count, seed) {
     if (x + 0.5 < reach || y + 0.5 < reach || width - x - 0.5 < reach || height - y - 0.5 < reach) return false;
     for (let v = Math.max(0, y - far); v <= Math.min(height - 1, y + far); v += 1) {
       for (let u = Math.max(0, x - far); u <= Math.min(width - 1, x + far); u += 1) {
-        if (blocked[v][u] && Math.hypot(Math.max(0, Math.abs(u - x) - 0.5), Math.max(0, Math.abs(v - y) - 0.5)) < reach) return false;
+        if (blocked[v][u] && Math.hypot(Math.max(0, Math.abs(u - x) - 0.5), Math.max(0, Math.abs(v - y) - 0.5)) < reach)
+          return false;
       }
     }
     return true;
@@ -71,10 +81,12 @@ function pairs(blocked, radius, count, seed) {
   const part = new Int32Array(width * height).fill(-1);
   /** @type {number[]} */
   const free = [];
-  for (let y = 0; y < height; y += 1) for (let x = 0; x < width; x += 1) if (is_free(x, y)) {
-    part[y * width + x] = 0;
-    free.push(y * width + x);
-  }
+  for (let y = 0; y < height; y += 1)
+    for (let x = 0; x < width; x += 1)
+      if (is_free(x, y)) {
+        part[y * width + x] = 0;
+        free.push(y * width + x);
+      }
   let parts = 0;
   for (const first of free) {
     if (part[first] !== 0) continue;
@@ -95,12 +107,20 @@ function pairs(blocked, radius, count, seed) {
   const found = [];
   for (let tries = 0; found.length < count && tries < 1000 * count; tries += 1) {
     const [a, b] = [0, 0].map(() => free[Math.floor(draw() * free.length)]);
-    if (a !== b && part[a] === part[b]) found.push([a, b].map((at) => [(at % width) + 0.5, Math.floor(at / width) + 0.5]));
+    if (a !== b && part[a] === part[b])
+      found.push([a, b].map((at) => [(at % width) + 0.5, Math.floor(at / width) + 0.5]));
   }
   return found;
 }
 
-/** @param {string} name @param {boolean[][]} blocked @param {number} radius in cells @param {number[][][]} ends in cells @param {number} scale @returns {Scenario} */
+/**
+ * @param {string} name
+ * @param {boolean[][]} blocked
+ * @param {number} radius in cells
+ * @param {number[][][]} ends in cells
+ * @param {number} scale
+ * @returns {Scenario}
+ */
 function grid(name, blocked, radius, ends, scale) {
   const metres = (/** @type {number[]} */ at) => at.map((x) => x * scale);
   return {
@@ -118,7 +138,11 @@ function grid(name, blocked, radius, ends, scale) {
 export function movingAi(file, count) {
   const [header, rows] = readFileSync(file, "latin1").split(/^map\r?\n/m);
   if (!header.includes("octile")) throw new Error(`${file} is no map of MovingAI`);
-  const blocked = rows.trimEnd().split(/\r?\n/).reverse().map((row) => [...row].map((cell) => !".G".includes(cell)));
+  const blocked = rows
+    .trimEnd()
+    .split(/\r?\n/)
+    .reverse()
+    .map((row) => [...row].map((cell) => !".G".includes(cell)));
   // Every pair of a disc that is smaller than a cell and of a chain of cells that share sides.
   return grid(basename(file, ".map"), blocked, 0.3, pairs(blocked, 0.3, count, 1), 1);
 }
@@ -139,21 +163,26 @@ export function rosMap(yaml, count) {
     at += found[0].length;
   }
   const [kind, width, height, most] = [words[0], ...words.slice(1).map(Number)];
-  const pixels = kind === "P5" ? bytes.subarray(at + 1) : bytes.subarray(at).toString("latin1").trim().split(/\s+/).map(Number);
+  const pixels =
+    kind === "P5" ? bytes.subarray(at + 1) : bytes.subarray(at).toString("latin1").trim().split(/\s+/).map(Number);
   const [resolution, free] = [Number(value("resolution")), Number(value("free_thresh"))];
   const is_blocked = (/** @type {number} */ pixel) => {
     const light = pixel / Number(most);
     return (value("negate") === "1" ? light : 1 - light) >= free;
   };
   const blocked = Array.from({ length: Number(height) }, (_, y) =>
-    Array.from({ length: Number(width) }, (_, x) => is_blocked(pixels[(Number(height) - 1 - y) * Number(width) + x])));
+    Array.from({ length: Number(width) }, (_, x) => is_blocked(pixels[(Number(height) - 1 - y) * Number(width) + x])),
+  );
   const radius = 0.2 / resolution;
   return grid(basename(yaml, ".yaml"), blocked, radius, pairs(blocked, radius, count, 2), resolution);
 }
 
 /** @param {string} folder @param {number} count @returns {Scenario[]} */
 export function ompl(folder, count) {
-  const discs = readFileSync(join(folder, "circle_obstacles.txt"), "utf8").split("\n").slice(2).map((line) => line.trim().split(/\s+/).map(Number));
+  const discs = readFileSync(join(folder, "circle_obstacles.txt"), "utf8")
+    .split("\n")
+    .slice(2)
+    .map((line) => line.trim().split(/\s+/).map(Number));
   const ends = new Map();
   for (const line of readFileSync(join(folder, "circle_queries.txt"), "utf8").split("\n")) {
     const found = /^(\d+)\s+(start|goal):\s+(\S+)\s+(\S+)/.exec(line);
@@ -163,7 +192,9 @@ export function ompl(folder, count) {
     name: "circles",
     world: {
       bounds: { min: [-10, -10], max: [80, 80] },
-      obstacles: discs.filter((disc) => disc.length === 4).map(([, x, y, radius]) => ({ type: "disc", center: [x, y], radius })),
+      obstacles: discs
+        .filter((disc) => disc.length === 4)
+        .map(([, x, y, radius]) => ({ type: "disc", center: [x, y], radius })),
     },
     robot: { type: "disc", radius: 0 },
     queries: [...ends].slice(0, count).map(([name, query]) => ({ name, ...query })),
@@ -178,9 +209,13 @@ export function parking(file) {
   const corners = numbers.slice(7, 7 + numbers[6]);
   let at = 7 + numbers[6];
   const polygons = corners.map((count) => Array.from({ length: count }, () => [numbers[at++] - x, numbers[at++] - y]));
-  const [start, goal] = [[0, 0, numbers[2]], [numbers[3] - x, numbers[4] - y, numbers[5]]];
+  const [start, goal] = [
+    [0, 0, numbers[2]],
+    [numbers[3] - x, numbers[4] - y, numbers[5]],
+  ];
   const all = [...polygons.flat(), start, goal];
-  const bound = (/** @type {number} */ i, /** @type {1 | -1} */ sign) => sign * Math.max(...all.map((point) => sign * point[i])) + sign * 6;
+  const bound = (/** @type {number} */ i, /** @type {1 | -1} */ sign) =>
+    sign * Math.max(...all.map((point) => sign * point[i])) + sign * 6;
   return {
     name: basename(file, ".csv").toLowerCase(),
     world: {
@@ -189,22 +224,47 @@ export function parking(file) {
     },
     // The vehicle of the competition.
     robot: {
-      type: "car", shape: { type: "polygon", vertices: [[-0.929, -0.971], [3.76, -0.971], [3.76, 0.971], [-0.929, 0.971]] },
-      wheelbase: 2.8, speed: [-2.5, 2.5], steering: [-0.75, 0.75],
+      type: "car",
+      shape: {
+        type: "polygon",
+        vertices: [
+          [-0.929, -0.971],
+          [3.76, -0.971],
+          [3.76, 0.971],
+          [-0.929, 0.971],
+        ],
+      },
+      wheelbase: 2.8,
+      speed: [-2.5, 2.5],
+      steering: [-0.75, 0.75],
     },
     queries: [{ name: "park", start, goal, goal_tolerance: { translation: 0.25, rotation: 0.1 } }],
   };
 }
 
-/** All of a folder. @param {string} folder @param {number} count queries of each map @returns {{ group: string, scenario: Scenario }[]} */
+/**
+ * All of a folder.
+ * @param {string} folder
+ * @param {number} count queries of each map
+ * @returns {{ group: string, scenario: Scenario }[]}
+ */
 export function converted(folder, count) {
   const files = (/** @type {string} */ name, /** @type {RegExp} */ kind) =>
-    readdirSync(join(folder, name)).filter((file) => kind.test(file)).sort().map((file) => join(folder, name, file));
+    readdirSync(join(folder, name))
+      .filter((file) => kind.test(file))
+      .sort()
+      .map((file) => join(folder, name, file));
   const of = (/** @type {string} */ group, /** @type {(Scenario | undefined)[]} */ scenarios) =>
     scenarios.flatMap((scenario) => (scenario === undefined ? [] : [{ group, scenario }]));
   return [
-    ...of("city maps", files("movingai", /\.map$/).map((file) => movingAi(file, count))),
-    ...of("ROS maps", files("ros", /\.yaml$/).map((file) => rosMap(file, count))),
+    ...of(
+      "city maps",
+      files("movingai", /\.map$/).map((file) => movingAi(file, count)),
+    ),
+    ...of(
+      "ROS maps",
+      files("ros", /\.yaml$/).map((file) => rosMap(file, count)),
+    ),
     ...of("circles", ompl(join(folder, "ompl"), 2 * count)),
     ...of("parking", files("tpcap", /^Case\d+\.csv$/).map(parking)),
   ];

@@ -1,4 +1,7 @@
-/** The documentation site: VitePress over README, CHANGELOG and docs/, where TypeDoc has written docs/api/. `npm run site` builds it. */
+/**
+ * The documentation site: VitePress over README, CHANGELOG and docs/, where TypeDoc has written docs/api/. `npm run
+ * site` builds it.
+ */
 import { Graphviz } from "@hpcc-js/wasm-graphviz";
 import { cpSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { join, posix, relative } from "node:path";
@@ -7,19 +10,55 @@ import { completePlannerPage, plannerOf, planners } from "./planners.mjs";
 import { root } from "../../scripts/run.mjs";
 import { BASE, anchorOf, rustReference } from "../../scripts/site.mjs";
 
-/** Pages of the site by the file that each is made from. The site has the address of a file in docs/ without that folder. */
-const REWRITES = { "README.md": "index.md", "CHANGELOG.md": "changelog.md", "SECURITY.md": "security.md", "docs/:page*": ":page*" };
+/**
+ * Pages of the site by the file that each is made from. The site has the address of a file in docs/ without that
+ * folder.
+ */
+const REWRITES = {
+  "README.md": "index.md",
+  "CHANGELOG.md": "changelog.md",
+  "SECURITY.md": "security.md",
+  "docs/:page*": ":page*",
+};
 
-/** The sidebar; a page that does not exist is left out, and a page of docs/ that no group names follows in the last one. */
+/**
+ * The sidebar; a page that does not exist is left out, and a page of docs/ that no group names follows in the last one.
+ */
 const GROUPS = [
   ["Begin", ["README.md", "docs/start.md", "docs/teaching.md"]],
   ["How it works", ["docs/proof.md", "docs/experiments.md", "docs/benchmarks.md"]],
-  ["Reference", ["docs/scenarios.md", "docs/fleet.md", "docs/prm-rl.md", "docs/javascript.md", "docs/in-rust.md", "docs/command-line.md", "docs/toolchains.md"]],
-  ["Project", ["docs/architecture.md", "docs/adding-a-planner.md", ...markdownIn("docs/decisions"), "SECURITY.md", "CHANGELOG.md"]],
+  [
+    "Reference",
+    [
+      "docs/scenarios.md",
+      "docs/fleet.md",
+      "docs/prm-rl.md",
+      "docs/javascript.md",
+      "docs/in-rust.md",
+      "docs/command-line.md",
+      "docs/toolchains.md",
+    ],
+  ],
+  [
+    "Project",
+    [
+      "docs/architecture.md",
+      "docs/adding-a-planner.md",
+      ...markdownIn("docs/decisions"),
+      "SECURITY.md",
+      "CHANGELOG.md",
+    ],
+  ],
 ];
 
 /** What the site calls a page, where that is not its heading. @type {Record<string, string>} */
-const TITLES = { "README.md": "What it is", "docs/javascript.md": "JavaScript", "docs/in-rust.md": "Rust", "docs/teaching.md": "Teaching", "docs/planners.md": "Overview" };
+const TITLES = {
+  "README.md": "What it is",
+  "docs/javascript.md": "JavaScript",
+  "docs/in-rust.md": "Rust",
+  "docs/teaching.md": "Teaching",
+  "docs/planners.md": "Overview",
+};
 
 /** Families of planners, in the order of the sidebar. */
 const FAMILIES = [
@@ -30,15 +69,29 @@ const FAMILIES = [
 ];
 
 /** @param {string} folder */
-function markdownIn(folder) { return readdirSync(join(root, folder)).filter((name) => name.endsWith(".md")).sort().map((name) => `${folder}/${name}`); }
+function markdownIn(folder) {
+  return readdirSync(join(root, folder))
+    .filter((name) => name.endsWith(".md"))
+    .sort()
+    .map((name) => `${folder}/${name}`);
+}
 
 /** The address in the site of a Markdown file of the project. @param {string} file */
-function addressOf(file) { return `/${file.replace(/^docs\//, "").replace(/^README\.md$/, "").replace(/^(CHANGELOG|SECURITY)\.md$/, (name) => name.toLowerCase())}`; }
+function addressOf(file) {
+  return `/${file
+    .replace(/^docs\//, "")
+    .replace(/^README\.md$/, "")
+    .replace(/^(CHANGELOG|SECURITY)\.md$/, (name) => name.toLowerCase())}`;
+}
 
 /** @param {string} file */
 function titleOf(file) {
   const planner = planners.find(({ id }) => file === `docs/planners/${id}.md`);
-  return planner?.title ?? TITLES[file] ?? (/^# (.+)$/m.exec(readFileSync(join(root, file), "utf8"))?.[1] ?? file).replaceAll("`", "");
+  return (
+    planner?.title ??
+    TITLES[file] ??
+    (/^# (.+)$/m.exec(readFileSync(join(root, file), "utf8"))?.[1] ?? file).replaceAll("`", "")
+  );
 }
 
 /** @param {string} file */
@@ -48,23 +101,36 @@ function sidebar() {
   const named = new Set(["docs/planners.md", ...GROUPS.flatMap(([, files]) => files)]);
   const others = markdownIn("docs").filter((file) => !named.has(file));
   const groups = GROUPS.map(([text, files], i) => ({
-    text, items: [...files, ...(i === GROUPS.length - 1 ? others : [])].filter((file) => existsSync(join(root, file))).map(itemOf),
+    text,
+    items: [...files, ...(i === GROUPS.length - 1 ? others : [])]
+      .filter((file) => existsSync(join(root, file)))
+      .map(itemOf),
   }));
   groups[2].items.push({ text: "npm: every function", link: "/api/" });
   // `scripts/site.mjs` copies the reference of the crate once `cargo doc` has written it; it is no page of VitePress.
-  if (existsSync(rustReference())) groups[2].items.push({ text: "Rust: every item", link: "/rust/planarium/index.html", target: "_self" });
-  const families = FAMILIES.map(([text, ids]) => ({ text, collapsed: false, items: ids.map((id) => itemOf(`docs/planners/${id}.md`)) }));
+  if (existsSync(rustReference()))
+    groups[2].items.push({ text: "Rust: every item", link: "/rust/planarium/index.html", target: "_self" });
+  const families = FAMILIES.map(([text, ids]) => ({
+    text,
+    collapsed: false,
+    items: ids.map((id) => itemOf(`docs/planners/${id}.md`)),
+  }));
   const grouped = FAMILIES.flatMap(([, ids]) => ids);
   const missing = planners.filter(({ id }) => !grouped.includes(id));
-  if (missing.length > 0) throw new Error(`The sidebar has no ${missing.map(({ id }) => id).join(", ")}: see FAMILIES.`);
+  if (missing.length > 0)
+    throw new Error(`The sidebar has no ${missing.map(({ id }) => id).join(", ")}: see FAMILIES.`);
   return [groups[0], { text: "Planners", items: [itemOf("docs/planners.md"), ...families] }, ...groups.slice(1)];
 }
 
-/** Files of the project that pages link to and that are no pages, and their places in the site. @type {Map<string, string>} */
+/**
+ * Files of the project that pages link to and that are no pages, and their places in the site.
+ * @type {Map<string, string>}
+ */
 const linkedFiles = new Map();
 
 /**
- * A relative link of a file of the project, as the site has it; null if it leads to a folder, which the site does not have.
+ * A relative link of a file of the project, as the site has it; null if it leads to a folder, which the site does not
+ * have.
  * @param {string} link @param {string} file  that has the link, from the root on
  */
 function linkInSite(link, file) {
@@ -92,20 +158,39 @@ function rewriteLinks({ tokens, env }) {
   }
 }
 
-/** The drawing of a Mermaid graph that has only arrows: `a --> b & c`, and `a["title"]`. @param {string} text @param {Graphviz} graphviz */
+/**
+ * The drawing of a Mermaid graph that has only arrows: `a --> b & c`, and `a["title"]`.
+ * @param {string} text
+ * @param {Graphviz} graphviz
+ */
 function drawGraph(text, graphviz) {
   const titles = new Map();
-  const lines = text.trim().split("\n").slice(1).map((line) => line.trim()
-    .replace(/(\w+)\["([^"]+)"\]/g, (_, id, title) => (titles.set(id, title), id)).replace("-->", "->").replace(/-> (.+)/, (_, to) => `-> {${to.replaceAll("&", " ")}}`));
+  const lines = text
+    .trim()
+    .split("\n")
+    .slice(1)
+    .map((line) =>
+      line
+        .trim()
+        .replace(/(\w+)\["([^"]+)"\]/g, (_, id, title) => (titles.set(id, title), id))
+        .replace("-->", "->")
+        .replace(/-> (.+)/, (_, to) => `-> {${to.replaceAll("&", " ")}}`),
+    );
   const labels = [...titles].map(([id, title]) => `${id} [label="${title}"]`);
   const dot = `digraph { bgcolor=none; nodesep=0.25; ranksep=0.35; node [shape=box, style=rounded, fontname="sans-serif", fontsize=12, height=0.3, margin="0.12,0.04"]; edge [arrowsize=0.6]; ${[...labels, ...lines].join("; ")} }`;
-  return graphviz.dot(dot).replace(/^[^]*?(?=<svg)/, "").replaceAll(/<title>[^<]*<\/title>/g, "").replaceAll(/(stroke|fill)="black"/g, '$1="currentColor"');
+  return graphviz
+    .dot(dot)
+    .replace(/^[^]*?(?=<svg)/, "")
+    .replaceAll(/<title>[^<]*<\/title>/g, "")
+    .replaceAll(/(stroke|fill)="black"/g, '$1="currentColor"');
 }
 const graphviz = await Graphviz.load();
 
 /** Patterns of the folders that have no pages. */
 function otherFolders() {
-  return readdirSync(root, { withFileTypes: true }).filter((entry) => entry.isDirectory() && entry.name !== "docs").map(({ name }) => `${name}/**`);
+  return readdirSync(root, { withFileTypes: true })
+    .filter((entry) => entry.isDirectory() && entry.name !== "docs")
+    .map(({ name }) => `${name}/**`);
 }
 
 export default defineConfig({
@@ -130,12 +215,17 @@ export default defineConfig({
       });
       md.core.ruler.push("links-in-site", rewriteLinks);
       const fence = md.renderer.rules.fence;
-      md.renderer.rules.fence = (tokens, i, options, env, self) => (tokens[i].info.trim() === "mermaid" ? `<figure class="graph">${drawGraph(tokens[i].content, graphviz)}</figure>` : fence?.(tokens, i, options, env, self) ?? "");
+      md.renderer.rules.fence = (tokens, i, options, env, self) =>
+        tokens[i].info.trim() === "mermaid"
+          ? `<figure class="graph">${drawGraph(tokens[i].content, graphviz)}</figure>`
+          : (fence?.(tokens, i, options, env, self) ?? "");
     },
   },
   // `scripts/site.mjs` checks the links to these.
   ignoreDeadLinks: [/^\/files\//],
-  buildEnd({ outDir }) { for (const [file, place] of linkedFiles) cpSync(join(root, file), join(outDir, place)); },
+  buildEnd({ outDir }) {
+    for (const [file, place] of linkedFiles) cpSync(join(root, file), join(outDir, place));
+  },
   transformPageData(page) {
     const id = plannerOf(page.relativePath);
     const planner = planners.find((one) => one.id === id);
@@ -146,11 +236,23 @@ export default defineConfig({
     outline: [2, 3],
     search: { provider: "local", options: { detailedView: true } },
     nav: [
-      { text: "Start", link: "/start" }, { text: "Planners", link: "/planners" }, { text: "Proof", link: "/proof" },
-      { text: "Reference", items: [{ text: "Scenarios", link: "/scenarios" }, { text: "Several robots", link: "/fleet" }, { text: "Learned edges", link: "/prm-rl" }, { text: "JavaScript", link: "/javascript" }, { text: "npm: every function", link: "/api/" }, { text: "Rust", link: "/in-rust" }, { text: "Command line", link: "/command-line" }] },
+      { text: "Start", link: "/start" },
+      { text: "Planners", link: "/planners" },
+      { text: "Proof", link: "/proof" },
+      {
+        text: "Reference",
+        items: [
+          { text: "Scenarios", link: "/scenarios" },
+          { text: "Several robots", link: "/fleet" },
+          { text: "Learned edges", link: "/prm-rl" },
+          { text: "JavaScript", link: "/javascript" },
+          { text: "npm: every function", link: "/api/" },
+          { text: "Rust", link: "/in-rust" },
+          { text: "Command line", link: "/command-line" },
+        ],
+      },
     ],
     sidebar: sidebar(),
     docFooter: { prev: "Before", next: "Next" },
   },
 });
-

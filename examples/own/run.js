@@ -39,12 +39,18 @@ export async function run(description, options, grow, show) {
   requestAnimationFrame(frame);
 }
 
-/** The configuration at a fraction of a path. @param {number[][]} path @param {number} part @param {boolean[]} circles */
+/**
+ * The configuration at a fraction of a path.
+ * @param {number[][]} path
+ * @param {number} part
+ * @param {boolean[]} circles
+ */
 function along(path, part, circles) {
-  const difference = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.map((v, i) => {
-    const d = b[i] - v;
-    return circles[i] ? d - 2 * Math.PI * Math.round(d / (2 * Math.PI)) : d;
-  });
+  const difference = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    a.map((v, i) => {
+      const d = b[i] - v;
+      return circles[i] ? d - 2 * Math.PI * Math.round(d / (2 * Math.PI)) : d;
+    });
   const lengths = path.slice(1).map((q, i) => Math.hypot(...difference(path[i], q)));
   let left = part * lengths.reduce((sum, length) => sum + length, 0);
   const at = lengths.findIndex((length) => (left -= length) <= 0);

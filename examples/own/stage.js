@@ -3,9 +3,15 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 /** A colour of the page. @param {string} name */
-export const colour = (name) => new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+export const colour = (name) =>
+  new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
 
-/** @param {HTMLCanvasElement} canvas @param {[number, number, number]} target  what the camera looks at @param {[number, number, number]} from  where it is @param {number} size  of the scene, metres */
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {[number, number, number]} target  what the camera looks at
+ * @param {[number, number, number]} from  where it is
+ * @param {number} size  of the scene, metres
+ */
 export function makeStage(canvas, target, from, size) {
   const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
   renderer.shadowMap.enabled = true;
@@ -26,7 +32,9 @@ export function makeStage(canvas, target, from, size) {
   sun.shadow.bias = -0.0005;
   sun.shadow.normalBias = size / 500;
   scene.add(sun, sun.target, new THREE.HemisphereLight(0xffffff, 0x8088a0, 2));
-  const paint = () => { scene.background = colour("page"); };
+  const paint = () => {
+    scene.background = colour("page");
+  };
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => location.reload());
   paint();
   const render = () => {
@@ -46,9 +54,19 @@ export function makeStage(canvas, target, from, size) {
   return { scene, render };
 }
 
-/** Boxes of one colour, each by its least and greatest corner. @param {number[][]} boxes @param {string} name @param {number} [opacity] */
+/**
+ * Boxes of one colour, each by its least and greatest corner.
+ * @param {number[][]} boxes
+ * @param {string} name
+ * @param {number} [opacity]
+ */
 export function makeBoxes(boxes, name, opacity = 1) {
-  const material = new THREE.MeshStandardMaterial({ color: colour(name), roughness: 0.9, transparent: opacity < 1, opacity });
+  const material = new THREE.MeshStandardMaterial({
+    color: colour(name),
+    roughness: 0.9,
+    transparent: opacity < 1,
+    opacity,
+  });
   const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(1, 1, 1), material, boxes.length);
   boxes.forEach(([ax, ay, az, bx, by, bz], i) => {
     const scale = new THREE.Matrix4().makeScale(bx - ax, by - ay, bz - az);
@@ -60,7 +78,10 @@ export function makeBoxes(boxes, name, opacity = 1) {
 
 /** Segments, given by rows of x, y, z; they are replaced as they grow. @param {string} name @param {number} opacity */
 export function makeSegments(name, opacity) {
-  const lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: colour(name), transparent: true, opacity }));
+  const lines = new THREE.LineSegments(
+    new THREE.BufferGeometry(),
+    new THREE.LineBasicMaterial({ color: colour(name), transparent: true, opacity }),
+  );
   lines.frustumCulled = false;
   const set = (/** @type {number[]} */ points) => {
     lines.geometry.dispose();
@@ -82,14 +103,21 @@ export function makeTube(points, radius, name) {
 
 /** Balls of one colour, placed anew by rows of x, y, z and radius. @param {number} count @param {string} name */
 export function makeBalls(count, name) {
-  const mesh = new THREE.InstancedMesh(new THREE.SphereGeometry(1, 28, 20), new THREE.MeshStandardMaterial({ color: colour(name), roughness: 0.55 }), count);
+  const mesh = new THREE.InstancedMesh(
+    new THREE.SphereGeometry(1, 28, 20),
+    new THREE.MeshStandardMaterial({ color: colour(name), roughness: 0.55 }),
+    count,
+  );
   mesh.castShadow = mesh.receiveShadow = true;
   mesh.frustumCulled = false;
   const matrix = new THREE.Matrix4();
   const set = (/** @type {ArrayLike<number>} */ rows) => {
     for (let i = 0; i < count; i += 1) {
       const radius = rows[4 * i + 3];
-      mesh.setMatrixAt(i, matrix.makeScale(radius, radius, radius).setPosition(rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]));
+      mesh.setMatrixAt(
+        i,
+        matrix.makeScale(radius, radius, radius).setPosition(rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]),
+      );
     }
     mesh.instanceMatrix.needsUpdate = true;
   };

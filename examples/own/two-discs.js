@@ -4,7 +4,15 @@
 export const RADIUS = 0.28;
 export const SIDE = 4;
 /** Pillars: x, y, radius. */
-export const PILLARS = [[2, 2, 0.45], [0.9, 3.1, 0.25], [3.1, 0.9, 0.25], [2, 3.75, 0.2], [2, 0.25, 0.2], [0.75, 1.0, 0.18], [3.25, 3.0, 0.18]];
+export const PILLARS = [
+  [2, 2, 0.45],
+  [0.9, 3.1, 0.25],
+  [3.1, 0.9, 0.25],
+  [2, 3.75, 0.2],
+  [2, 0.25, 0.2],
+  [0.75, 1.0, 0.18],
+  [3.25, 3.0, 0.18],
+];
 
 const coordinate = /** @type {const} */ ({ kind: "interval", low: RADIUS, high: SIDE - RADIUS });
 
@@ -20,7 +28,11 @@ export const description = {
       const [ax, ay, bx, by] = rows.subarray(4 * i, 4 * i + 4);
       let clearance = Math.hypot(ax - bx, ay - by) - 2 * RADIUS;
       for (const [x, y, radius] of PILLARS) {
-        clearance = Math.min(clearance, Math.hypot(ax - x, ay - y) - radius - RADIUS, Math.hypot(bx - x, by - y) - radius - RADIUS);
+        clearance = Math.min(
+          clearance,
+          Math.hypot(ax - x, ay - y) - radius - RADIUS,
+          Math.hypot(bx - x, by - y) - radius - RADIUS,
+        );
       }
       clearances[i] = clearance;
     }

@@ -1,4 +1,7 @@
-/** What the package does, member by member: its tables, scenarios, configurations and motions. Its runs are in runs.test.mjs. */
+/**
+ * What the package does, member by member: its tables, scenarios, configurations and motions. Its runs are in
+ * runs.test.mjs.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -6,7 +9,8 @@ import { inspect } from "node:util";
 import init, { Scenario, generators, initSync, planners, randomSeed, version } from "planarium";
 import { arm, disc, fails } from "./scenes.mjs";
 
-const close = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
+const close = (/** @type {number} */ a, /** @type {number} */ b) =>
+  assert.ok(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
 
 test("in Node the package is ready on import; init and initSync change nothing", async () => {
   const scenario = Scenario.parse(arm);
@@ -26,23 +30,35 @@ test("planners() lists every planner with complete parameters", () => {
     assert.ok(parameters.some(({ name }) => name === "max_iterations"));
     for (const parameter of parameters) {
       assert.match(parameter.name, /^[a-z][a-z_]*$/);
-      assert.equal(parameter.option, parameter.name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()));
+      assert.equal(
+        parameter.option,
+        parameter.name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
+      );
       assert.ok(parameter.title.length > 0 && parameter.meaning.length > 0, parameter.name);
       assert.ok(["integer", "number", "boolean", "choice"].includes(parameter.kind), parameter.kind);
       assert.equal(typeof parameter.unit, "string");
       assert.equal(parameter.kind === "choice", Array.isArray(parameter.choices));
       for (const bound of [parameter.min, parameter.max]) assert.ok(bound === null || Number.isFinite(bound));
-      assert.ok(parameter.default !== undefined && (parameter.default !== null || typeof parameter.default_meaning === "string"), parameter.name);
+      assert.ok(
+        parameter.default !== undefined &&
+          (parameter.default !== null || typeof parameter.default_meaning === "string"),
+        parameter.name,
+      );
     }
   }
 });
 
 test("generators() lists every generator with its options, which it takes", () => {
   const list = generators();
-  assert.deepEqual(list.map(({ id }) => id), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
+  assert.deepEqual(
+    list.map(({ id }) => id),
+    ["forest", "clutter", "discs", "maze", "gap", "bug-trap"],
+  );
   for (const { id, title, summary, options } of list) {
     assert.ok(title.length > 0 && summary.length > 0);
-    const defaults = options.filter(({ name }) => (name !== "links" || id === "forest") && !["draws", "sliding"].includes(name)).map((option) => [option.name, option.default ?? undefined]);
+    const defaults = options
+      .filter(({ name }) => (name !== "links" || id === "forest") && !["draws", "sliding"].includes(name))
+      .map((option) => [option.name, option.default ?? undefined]);
     assert.ok(Scenario.generate(id, Object.fromEntries(defaults)).title);
   }
 });
@@ -57,7 +73,10 @@ test("a scenario says what it is", () => {
   const one = Scenario.parse(arm);
   assert.deepEqual([one.name, one.robot, one.dimension], ["two-joints", "arm", 2]);
   const other = Scenario.parse(JSON.stringify(disc));
-  assert.deepEqual([other.name, other.title, other.robot, other.dimension], ["round-the-wall", "Round the wall", "disc", 2]);
+  assert.deepEqual(
+    [other.name, other.title, other.robot, other.dimension],
+    ["round-the-wall", "Round the wall", "disc", 2],
+  );
   assert.deepEqual(other.circles(), [false, false]);
   assert.deepEqual(one.circles(), [true, true]);
   assert.deepEqual(other.extent(), disc.world.bounds);
@@ -115,7 +134,11 @@ test("endEffectors equals endEffector row by row, also for more rows than go ove
   const tips = scenario.endEffectors(rows);
   assert.equal(tips.length, rows.length);
   for (const row of [0, 1, 16_383, 16_384, 32_768, 39_999]) {
-    assert.deepEqual([...tips.subarray(2 * row, 2 * row + 2)], scenario.endEffector(rows.subarray(2 * row, 2 * row + 2)), `row ${row}`);
+    assert.deepEqual(
+      [...tips.subarray(2 * row, 2 * row + 2)],
+      scenario.endEffector(rows.subarray(2 * row, 2 * row + 2)),
+      `row ${row}`,
+    );
   }
   assert.equal(scenario.endEffectors([]).length, 0);
 });
@@ -152,10 +175,27 @@ test("cspace agrees with check at the centre of every cell", () => {
 });
 
 test("checkQuery tells of a blocked start or goal before planning", () => {
-  const blocked = { ...arm, queries: [{ ...arm.queries[0], start: [0.5, 0] }, { name: "free", start: [0, 0], goal: [2, 0.5] }, { name: "tip", start: [0, 0], target: { point: /** @type {[number, number]} */ ([1, 1]) } }] };
+  const blocked = {
+    ...arm,
+    queries: [
+      { ...arm.queries[0], start: [0.5, 0] },
+      { name: "free", start: [0, 0], goal: [2, 0.5] },
+      { name: "tip", start: [0, 0], target: { point: /** @type {[number, number]} */ ([1, 1]) } },
+    ],
+  };
   const scenario = Scenario.parse(blocked);
-  assert.deepEqual(scenario.checkQuery(), { query: "over", free: false, start: scenario.check([0.5, 0]), goal: { free: true, touching: [] } });
-  assert.deepEqual(scenario.checkQuery("free"), { query: "free", free: true, start: { free: true, touching: [] }, goal: { free: true, touching: [] } });
+  assert.deepEqual(scenario.checkQuery(), {
+    query: "over",
+    free: false,
+    start: scenario.check([0.5, 0]),
+    goal: { free: true, touching: [] },
+  });
+  assert.deepEqual(scenario.checkQuery("free"), {
+    query: "free",
+    free: true,
+    start: { free: true, touching: [] },
+    goal: { free: true, touching: [] },
+  });
   assert.deepEqual([scenario.checkQuery("tip").goal, scenario.checkQuery("tip").free], [null, true]);
   assert.throws(() => scenario.checkQuery("none"), { code: "unknown-query", pointer: "/query" });
   assert.throws(() => scenario.planner(), { code: "start-in-collision" });
@@ -163,7 +203,10 @@ test("checkQuery tells of a blocked start or goal before planning", () => {
 
 test("console.log shows what an object is, also once it is freed", () => {
   const scenario = Scenario.parse(disc);
-  assert.equal(inspect(scenario, { breakLength: Infinity }), "Scenario { dimension: 2, name: 'round-the-wall', robot: 'disc', title: 'Round the wall' }");
+  assert.equal(
+    inspect(scenario, { breakLength: Infinity }),
+    "Scenario { dimension: 2, name: 'round-the-wall', robot: 'disc', title: 'Round the wall' }",
+  );
   const planner = scenario.planner();
   assert.match(inspect(planner), /^Planner \{[^]*iterations: 0,[^]*status: 'running',[^]*vertexCount: 2/);
   planner.free();
@@ -174,8 +217,21 @@ test("optimum returns a record: exact, or a reference", () => {
   const scenario = Scenario.parse(disc);
   const { length, path, slack, ...others } = scenario.optimum({ query: "across" });
   assert.ok(slack !== null && slack > 0 && slack < 1e-11 && length !== null && length > 12);
-  assert.deepEqual([path[0], path.at(-1)], [[2, 2], [8, 2]]);
-  assert.deepEqual(others, { scenario: scenario.name, query: "across", method: "tangent-graph", exact: true, resolution: null, length_measure: "metres" });
+  assert.deepEqual(
+    [path[0], path.at(-1)],
+    [
+      [2, 2],
+      [8, 2],
+    ],
+  );
+  assert.deepEqual(others, {
+    scenario: scenario.name,
+    query: "across",
+    method: "tangent-graph",
+    exact: true,
+    resolution: null,
+    length_measure: "metres",
+  });
   // To the bit what the command line prints.
   const rings = Scenario.parse(readFileSync(new URL("../../www/scenes/rings.json", import.meta.url), "utf8"));
   assert.equal(rings.optimum().length, 13.543068005532522);

@@ -9,7 +9,11 @@ test("a subdivision is stepped to its verdict, and its cells are read by cursors
   const subdivision = scenario.certify({ clearance: 1.21 });
   scenario.free();
   assert.deepEqual([subdivision.status, subdivision.verdict, subdivision.cellCount], ["running", null, 1]);
-  assert.deepEqual([...subdivision.cellsSince(0)], [5, 5, 4.6, 4.6, 0], "the centre stays within the bounds by the radius");
+  assert.deepEqual(
+    [...subdivision.cellsSince(0)],
+    [5, 5, 4.6, 4.6, 0],
+    "the centre stays within the bounds by the radius",
+  );
   assert.equal(subdivision.step(1), "running");
   assert.equal(subdivision.cellCount, 5);
   assert.equal(subdivision.certificate().verdict, "unknown");
@@ -20,7 +24,9 @@ test("a subdivision is stepped to its verdict, and its cells are read by cursors
   assert.deepEqual(subdivision.cellsSince(5), rows.slice(25));
   const { clearance, clearance_at_most: most, cells, wall, channel } = subdivision.certificate();
   assert.deepEqual([clearance, most, cells, channel], [1.21, 1.21, subdivision.cellCount, []]);
-  assert.ok(wall.length > 0 && wall.every(({ cell, part, obstacle }) => cell.length === 3 && part === 0 && obstacle === 0));
+  assert.ok(
+    wall.length > 0 && wall.every(({ cell, part, obstacle }) => cell.length === 3 && part === 0 && obstacle === 0),
+  );
   assert.ok((subdivision.greatestClearance() ?? Infinity) <= 1.21);
   subdivision.free();
   // A disc that touches the bounds keeps 1.2 away from the wall.

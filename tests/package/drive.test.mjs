@@ -15,7 +15,16 @@ function press(one, ...keys) {
 }
 
 test("a drive starts at rest at the start of the first query, or where it is told to", () => {
-  assert.deepEqual(drive().state, { pose: [0.5, 0.5, 0], v: 0, phi: 0, steps: 0, seconds: 0, blocked: null, traceCount: 1, keyCount: 0 });
+  assert.deepEqual(drive().state, {
+    pose: [0.5, 0.5, 0],
+    v: 0,
+    phi: 0,
+    steps: 0,
+    seconds: 0,
+    blocked: null,
+    traceCount: 1,
+    keyCount: 0,
+  });
   assert.deepEqual(Scenario.parse(car).drive([1, 1.5, 7]).state.pose, [1, 1.5, 7 - 2 * Math.PI]);
   assert.equal(drive().stepSeconds, 0.01);
 });
@@ -47,9 +56,35 @@ test("a record replays to the same bits, and as far as it is told to", () => {
   fails(() => other.replay([{ step: 1, key: /** @type {any} */ ("jump") }], 1), "out-of-range", "/record/0/key");
   fails(() => other.replay(/** @type {any} */ ([null]), 1), "wrong-type", "/record/0");
   fails(() => other.replay(/** @type {any} */ ("left"), 1), "wrong-type", "/record");
-  fails(() => other.replay(/** @type {any} */ (new Proxy([0, 0], { get() { throw undefined; } })), 1), "invalid-json");
+  fails(
+    () =>
+      other.replay(
+        /** @type {any} */ (
+          new Proxy([0, 0], {
+            get() {
+              throw undefined;
+            },
+          })
+        ),
+        1,
+      ),
+    "invalid-json",
+  );
   fails(() => other.replay([{ step: NaN, key: "left" }], 1), "not-finite", "/record/0/step");
-  fails(() => other.replay(/** @type {any} */ ([{ get step() { throw new Error("hands off"); } }]), 1), "invalid-json");
+  fails(
+    () =>
+      other.replay(
+        /** @type {any} */ ([
+          {
+            get step() {
+              throw new Error("hands off");
+            },
+          },
+        ]),
+        1,
+      ),
+    "invalid-json",
+  );
 });
 
 test("a rollout has poses and seconds, and names what it hits", () => {
@@ -69,8 +104,12 @@ test("a rollout takes its integration and its step", () => {
   const { poses, seconds } = scenario.rollout([0.5, 0.5, 0], 0.5, Math.PI / 4, 1, { integration: "euler", dt: 0.1 });
   assert.deepEqual([poses.length, seconds], [3 * 11, 1]);
   for (const [options, code, pointer] of /** @type {[any, string, string][]} */ ([
-    [{ integration: "heun" }, "out-of-range", "/integration"], [{ dt: 0 }, "out-of-range", "/dt"], [{ dt: NaN }, "not-finite", "/dt"], [{ step: 1 }, "unknown-field", "/step"],
-  ])) fails(() => scenario.rollout([0.5, 0.5, 0], 0.1, 0, 1, options), code, pointer);
+    [{ integration: "heun" }, "out-of-range", "/integration"],
+    [{ dt: 0 }, "out-of-range", "/dt"],
+    [{ dt: NaN }, "not-finite", "/dt"],
+    [{ step: 1 }, "unknown-field", "/step"],
+  ]))
+    fails(() => scenario.rollout([0.5, 0.5, 0], 0.1, 0, 1, options), code, pointer);
 });
 
 test("what is wrong is refused", () => {

@@ -1,7 +1,23 @@
-/** Bad input that no document or option in JSON has, and what is no call at all. What the core refuses is in refusals.test.mjs. */
+/**
+ * Bad input that no document or option in JSON has, and what is no call at all. What the core refuses is in
+ * refusals.test.mjs.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Drive, Experiment, Fleet, FleetPlanner, Navigation, Neighbours, Planner, Problem, Reach, Scenario, Subdivision, Trajectories } from "planarium/full";
+import {
+  Drive,
+  Experiment,
+  Fleet,
+  FleetPlanner,
+  Navigation,
+  Neighbours,
+  Planner,
+  Problem,
+  Reach,
+  Scenario,
+  Subdivision,
+  Trajectories,
+} from "planarium/full";
 import { arm, car, disc, fails, finish, revoked } from "./scenes.mjs";
 
 const query = (/** @type {object} */ fields) => ({ ...arm, queries: [{ ...arm.queries[0], ...fields }] });
@@ -11,7 +27,12 @@ const parse = (document) => Scenario.parse(/** @type {any} */ (document));
 
 test("numbers that JSON cannot say are refused by name, where they stand", () => {
   for (const value of [NaN, Infinity, -Infinity]) {
-    fails(() => Scenario.parse(query({ start: [0, value] })), "not-finite", "/queries/0/start/1", new RegExp(String(value)));
+    fails(
+      () => Scenario.parse(query({ start: [0, value] })),
+      "not-finite",
+      "/queries/0/start/1",
+      new RegExp(String(value)),
+    );
   }
   fails(() => parse({ ...arm, "a/b~c": { x: NaN } }), "not-finite", "/a~1b~0c/x");
   fails(() => parse({ ...car, robot: { ...car.robot, speed: [0, Infinity] } }), "not-finite", "/robot/speed/1");
@@ -22,14 +43,33 @@ test("what is no document at all", () => {
   const circle = /** @type {{ self?: object }} */ ({});
   circle.self = circle;
   fails(() => parse(circle), "invalid-json");
-  fails(() => parse({ get name() { throw new Error("never read me"); } }), "invalid-json", undefined, /never read me/);
+  fails(
+    () =>
+      parse({
+        get name() {
+          throw new Error("never read me");
+        },
+      }),
+    "invalid-json",
+    undefined,
+    /never read me/,
+  );
   fails(() => parse({ name: 1n }), "wrong-type", "/name", /a bigint/);
   let reads = 0;
-  const fickle = { nothing: null, get name() { reads += 1; if (reads > 1) throw new Error("only once"); return "n"; } };
+  const fickle = {
+    nothing: null,
+    get name() {
+      reads += 1;
+      if (reads > 1) throw new Error("only once");
+      return "n";
+    },
+  };
   fails(() => parse(fickle), "unknown-field", "/nothing");
   assert.equal(reads, 1, "a field is read once");
-  for (const value of [undefined, () => 1, Symbol("s")]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type");
-  for (const value of [null, 1, true, [], "[]"]) fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type", "");
+  for (const value of [undefined, () => 1, Symbol("s")])
+    fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type");
+  for (const value of [null, 1, true, [], "[]"])
+    fails(() => Scenario.parse(/** @type {any} */ (value)), "wrong-type", "");
   fails(() => Scenario.parse("[".repeat(100_000)), "invalid-json");
   fails(() => Scenario.parse(" ".repeat(33 * 1024 * 1024)), "too-large");
 });
@@ -39,8 +79,13 @@ test("generators and planners take objects, and words where words are", () => {
   fails(() => Scenario.generate(/** @type {any} */ (7)), "wrong-type", "/kind");
   fails(() => Scenario.generate("forest", /** @type {any} */ (5)), "wrong-type");
   for (const [given, code, pointer] of /** @type {[any, string, string][]} */ ([
-    ["prm", "wrong-type", ""], [[1], "wrong-type", ""], [{ seed: 0.5 }, "out-of-range", "/seed"], [{ seed: -1 }, "out-of-range", "/seed"], [{ step: Infinity }, "not-finite", "/step"],
-  ])) fails(() => scenario.planner(given), code, pointer);
+    ["prm", "wrong-type", ""],
+    [[1], "wrong-type", ""],
+    [{ seed: 0.5 }, "out-of-range", "/seed"],
+    [{ seed: -1 }, "out-of-range", "/seed"],
+    [{ step: Infinity }, "not-finite", "/step"],
+  ]))
+    fails(() => scenario.planner(given), code, pointer);
 });
 
 test("options are named in camelCase; the sentence names the right one", () => {
@@ -49,20 +94,48 @@ test("options are named in camelCase; the sentence names the right one", () => {
   fails(planner({ max_iterations: 5 }), "unknown-parameter", "/max_iterations", /maxIterations, not "max_iterations"/);
   fails(planner({ algorithm: "rrt", goal_bias: 0.1 }), "unknown-parameter", "/goal_bias", /goalBias/);
   fails(planner({ maxIterations: -5 }), "out-of-range", "/maxIterations", /^maxIterations must lie/);
-  fails(planner({ goalBais: 1 }), "unknown-parameter", "/goalBais", /"goalBais"; known options are [^_]*edgeCheck[^_]*$/);
+  fails(
+    planner({ goalBais: 1 }),
+    "unknown-parameter",
+    "/goalBais",
+    /"goalBais"; known options are [^_]*edgeCheck[^_]*$/,
+  );
   fails(planner({ query: "max_iterations_2" }), "unknown-query", "/query", /"max_iterations_2"/);
   fails(() => new Trajectories(/** @type {any} */ ({ half_side: 1 })), "unknown-parameter", "/half_side", /halfSide/);
-  fails(() => scenario.reach(/** @type {any} */ ({ target: [1, 1], free_only: true })), "unknown-parameter", "/free_only", /freeOnly/);
+  fails(
+    () => scenario.reach(/** @type {any} */ ({ target: [1, 1], free_only: true })),
+    "unknown-parameter",
+    "/free_only",
+    /freeOnly/,
+  );
   fails(() => Scenario.generate("forest", /** @type {any} */ ({ a_b: 1 })), "unknown-parameter", "/a_b", /aB/);
   // Fields of documents stay as they are.
-  fails(() => Scenario.parse(car).planner({ algorithm: "sst", selectionRadius: -1 }), "out-of-range", "/selectionRadius");
+  fails(
+    () => Scenario.parse(car).planner({ algorithm: "sst", selectionRadius: -1 }),
+    "out-of-range",
+    "/selectionRadius",
+  );
   const robot = /** @type {any} */ (arm.robot);
-  fails(() => Scenario.parse({ ...arm, robot: { ...robot, joint_limits: [[0, 1]] } }), "wrong-dimension", "/robot/joint_limits", /./);
+  fails(
+    () => Scenario.parse({ ...arm, robot: { ...robot, joint_limits: [[0, 1]] } }),
+    "wrong-dimension",
+    "/robot/joint_limits",
+    /./,
+  );
 });
 
 test("configurations", () => {
   const scenario = Scenario.parse(arm);
-  const wrong = /** @type {any[]} */ ([undefined, null, 1, "01", {}, { length: 2 }, new DataView(new ArrayBuffer(16)), new Set([1, 2])]);
+  const wrong = /** @type {any[]} */ ([
+    undefined,
+    null,
+    1,
+    "01",
+    {},
+    { length: 2 },
+    new DataView(new ArrayBuffer(16)),
+    new Set([1, 2]),
+  ]);
   for (const q of wrong) fails(() => scenario.check(q), "wrong-type", "/q");
   for (const q of [[], [0], [0, 0, 0], new Float64Array(3)]) fails(() => scenario.check(q), "wrong-dimension", "/q");
   fails(() => scenario.check(new Array(4_000_000_000)), "too-large", "/q", /4000000000/);
@@ -76,7 +149,11 @@ test("configurations", () => {
   fails(() => scenario.interpolate([0, 0], [1, 1], 1.5), "out-of-range", "/t");
   fails(() => scenario.interpolate([0, 0], [1, 1], /** @type {any} */ ("0.5")), "wrong-type", "/t");
   fails(() => scenario.endEffectors([1, 2, 3]), "wrong-dimension", "/vertices");
-  const proxy = new Proxy([0, 0], { get() { throw new Error("hands off"); } });
+  const proxy = new Proxy([0, 0], {
+    get() {
+      throw new Error("hands off");
+    },
+  });
   fails(() => scenario.check(proxy), "wrong-type", "/q", /hands off/);
 });
 
@@ -104,16 +181,28 @@ test("pictures of the configuration space", () => {
 
 /** The counts of the rows that these methods return. @type {Record<string, string>} */
 const COUNTS = {
-  verticesSince: "vertexCount", edgesSince: "edgeCount", tracesSince: "edgeCount", motionsSince: "edgeCount", eventsSince: "eventCount",
-  historySince: "historyCount", iteratesSince: "iterateCount", solutionsSince: "solutionCount", acceptedSince: "acceptedCount",
-  refusedSince: "refusedCount", traceSince: "traceCount",
+  verticesSince: "vertexCount",
+  edgesSince: "edgeCount",
+  tracesSince: "edgeCount",
+  motionsSince: "edgeCount",
+  eventsSince: "eventCount",
+  historySince: "historyCount",
+  iteratesSince: "iterateCount",
+  solutionsSince: "solutionCount",
+  acceptedSince: "acceptedCount",
+  refusedSince: "refusedCount",
+  traceSince: "traceCount",
 };
 
 /** @param {object} one @param {string} read */
 const countOf = (one, read) => Reflect.get(read === "traceSince" ? Reflect.get(one, "state") : one, COUNTS[read]);
 
 test("counts and cursors", () => {
-  const counting = [Scenario.parse(arm).planner(), Scenario.parse(arm).reach({ target: [0.1, 0.1] }), new Trajectories()];
+  const counting = [
+    Scenario.parse(arm).planner(),
+    Scenario.parse(arm).reach({ target: [0.1, 0.1] }),
+    new Trajectories(),
+  ];
   for (const one of counting) {
     for (const n of [-1, 0.5, 2 ** 53]) fails(() => one.step(n), "out-of-range", "/n");
     for (const n of [NaN, Infinity]) fails(() => one.step(n), "not-finite", "/n");
@@ -127,7 +216,8 @@ test("counts and cursors", () => {
     const reads = Object.getOwnPropertyNames(Object.getPrototypeOf(one)).filter((name) => name.endsWith("Since"));
     assert.ok(reads.length > 0);
     for (const read of reads) {
-      for (const row of [-1, 0.5, countOf(one, read) + 1]) fails(() => Reflect.get(one, read).call(one, row), "out-of-range", "/row");
+      for (const row of [-1, 0.5, countOf(one, read) + 1])
+        fails(() => Reflect.get(one, read).call(one, row), "out-of-range", "/row");
       fails(() => Reflect.get(one, read).call(one, NaN), "not-finite", "/row");
     }
   }
@@ -136,12 +226,21 @@ test("counts and cursors", () => {
 test("use after free throws freed; freeing twice does nothing", () => {
   const scenario = Scenario.parse(arm);
   const drive = Scenario.parse(car).drive();
-  const handles = [scenario.planner(), scenario.neighbours(), scenario.reach({ target: [1, 0] }), drive, new Trajectories(), scenario];
+  const handles = [
+    scenario.planner(),
+    scenario.neighbours(),
+    scenario.reach({ target: [1, 0] }),
+    drive,
+    new Trajectories(),
+    scenario,
+  ];
   for (const [i, handle] of handles.entries()) {
     if (i % 2 === 0) handle.free();
     handle[Symbol.dispose]();
     handle.free();
-    for (const [name, { get, value }] of Object.entries(Object.getOwnPropertyDescriptors(Object.getPrototypeOf(handle)))) {
+    for (const [name, { get, value }] of Object.entries(
+      Object.getOwnPropertyDescriptors(Object.getPrototypeOf(handle)),
+    )) {
       if (name === "constructor" || name === "free" || name.startsWith("__")) continue;
       fails(() => (get ?? value).call(handle), "freed", "", /freed/);
     }
@@ -167,48 +266,162 @@ test("handles come from the package alone", () => {
 });
 
 test("values that have no JSON form are refused where they stand; undefined is absent, null a value", () => {
-  const [scenario, fleet, task] = [Scenario.parse(arm), Fleet.generate("swap"), Navigation.generate("rooms", { seed: 1 })];
-  const experiment = (/** @type {object} */ fields) => ({ format: "planarium-experiment-1", worlds: [{ scenario: arm }], planners: [{ algorithm: "prm" }], seeds: [1], ...fields });
-  class Kept { #seed = 5; get seed() { return this.#seed; } }
+  const [scenario, fleet, task] = [
+    Scenario.parse(arm),
+    Fleet.generate("swap"),
+    Navigation.generate("rooms", { seed: 1 }),
+  ];
+  const experiment = (/** @type {object} */ fields) => ({
+    format: "planarium-experiment-1",
+    worlds: [{ scenario: arm }],
+    planners: [{ algorithm: "prm" }],
+    seeds: [1],
+    ...fields,
+  });
+  class Kept {
+    #seed = 5;
+    get seed() {
+      return this.#seed;
+    }
+  }
   /** Calls with a value, and where it stands. @type {[(value: any) => unknown, string][]} */
   const places = [
-    [(seed) => scenario.planner({ seed }), "/seed"], [(maxIterations) => scenario.planner({ maxIterations }), "/maxIterations"], [(algorithm) => scenario.planner({ algorithm }), "/algorithm"],
-    [(links) => Scenario.generate("forest", { links }), "/links"], [(target) => scenario.reach({ target: [1, target] }), "/target/1"], [(query) => scenario.certify({ query }), "/query"],
-    [(trees) => scenario.neighbours({ index: "forest", trees }), "/trees"], [(free) => scenario.sampleConfigurations(1, { free }), "/free"], [(metric) => scenario.optimum({ metric }), "/metric"],
-    [(count) => new Trajectories({ count }), "/count"], [(order) => fleet.planner({ order: ["a", order] }), "/order/1"], [(count) => Fleet.generate("ring", { count }), "/count"],
-    [(title) => Fleet.parse({ ...fleet.toJSON(), title }), "/title"], [(hidden) => task.training({ hidden }), "/hidden"], [(title) => Navigation.parse({ ...task.toJSON(), title }), "/title"],
-    [(title) => Experiment.parse(/** @type {any} */ (experiment({ title }))), "/title"], [(k) => Experiment.parse(/** @type {any} */ (experiment({ planners: [{ algorithm: "prm", set: { k } }] }))), "/planners/0/set/k"],
-    [(title) => Scenario.parse({ ...arm, title }), "/title"], [(x) => Scenario.parse(query({ goal: [0, x] })), "/queries/0/goal/1"], [(radius) => parse({ ...arm, "a/b": { radius } }), "/a~1b/radius"],
-    [(x) => scenario.check([0, x]), "/q/1"], [(x) => scenario.neighbours().add([[0, 0], [x, 0]]), "/rows/1/0"],
+    [(seed) => scenario.planner({ seed }), "/seed"],
+    [(maxIterations) => scenario.planner({ maxIterations }), "/maxIterations"],
+    [(algorithm) => scenario.planner({ algorithm }), "/algorithm"],
+    [(links) => Scenario.generate("forest", { links }), "/links"],
+    [(target) => scenario.reach({ target: [1, target] }), "/target/1"],
+    [(query) => scenario.certify({ query }), "/query"],
+    [(trees) => scenario.neighbours({ index: "forest", trees }), "/trees"],
+    [(free) => scenario.sampleConfigurations(1, { free }), "/free"],
+    [(metric) => scenario.optimum({ metric }), "/metric"],
+    [(count) => new Trajectories({ count }), "/count"],
+    [(order) => fleet.planner({ order: ["a", order] }), "/order/1"],
+    [(count) => Fleet.generate("ring", { count }), "/count"],
+    [(title) => Fleet.parse({ ...fleet.toJSON(), title }), "/title"],
+    [(hidden) => task.training({ hidden }), "/hidden"],
+    [(title) => Navigation.parse({ ...task.toJSON(), title }), "/title"],
+    [(title) => Experiment.parse(/** @type {any} */ (experiment({ title }))), "/title"],
+    [
+      (k) => Experiment.parse(/** @type {any} */ (experiment({ planners: [{ algorithm: "prm", set: { k } }] }))),
+      "/planners/0/set/k",
+    ],
+    [(title) => Scenario.parse({ ...arm, title }), "/title"],
+    [(x) => Scenario.parse(query({ goal: [0, x] })), "/queries/0/goal/1"],
+    [(radius) => parse({ ...arm, "a/b": { radius } }), "/a~1b/radius"],
+    [(x) => scenario.check([0, x]), "/q/1"],
+    [
+      (x) =>
+        scenario.neighbours().add([
+          [0, 0],
+          [x, 0],
+        ]),
+      "/rows/1/0",
+    ],
   ];
-  for (const value of [Symbol("x"), () => 1, class {}, 1n, new Map([["seed", 5]]), new Set([5]), Promise.resolve(5), /5/, new Kept(), Object.create({ seed: 5 }), new ArrayBuffer(8), Object(5)]) {
+  for (const value of [
+    Symbol("x"),
+    () => 1,
+    class {},
+    1n,
+    new Map([["seed", 5]]),
+    new Set([5]),
+    Promise.resolve(5),
+    /5/,
+    new Kept(),
+    Object.create({ seed: 5 }),
+    new ArrayBuffer(8),
+    Object(5),
+  ]) {
     for (const [call, pointer] of places) fails(() => call(value), "wrong-type", pointer);
     if (typeof value === "object") fails(() => scenario.planner(/** @type {any} */ (value)), "wrong-type", "");
   }
-  for (const [call, pointer] of places.slice(0, 3)) for (const value of [null, [5], { valueOf: undefined }]) fails(() => call(value), "wrong-type", pointer);
-  for (const value of ["5", new Date(0), { valueOf: undefined }, null, [5], true]) fails(() => scenario.planner(/** @type {any} */ ({ seed: value })), "wrong-type", "/seed");
+  for (const [call, pointer] of places.slice(0, 3))
+    for (const value of [null, [5], { valueOf: undefined }]) fails(() => call(value), "wrong-type", pointer);
+  for (const value of ["5", new Date(0), { valueOf: undefined }, null, [5], true])
+    fails(() => scenario.planner(/** @type {any} */ ({ seed: value })), "wrong-type", "/seed");
   const plain = finish(scenario.planner()).fingerprint();
-  for (const given of /** @type {any[]} */ ([undefined, null, {}, { seed: undefined, step: undefined }, Object.create(null)])) assert.equal(finish(scenario.planner(given)).fingerprint(), plain);
+  for (const given of /** @type {any[]} */ ([
+    undefined,
+    null,
+    {},
+    { seed: undefined, step: undefined },
+    Object.create(null),
+  ]))
+    assert.equal(finish(scenario.planner(given)).fingerprint(), plain);
   assert.equal(Scenario.parse(/** @type {any} */ ({ ...arm, title: undefined })).title, arm.name);
 });
 
 test("a method of another class, or without its object, is refused, and every handle goes on", () => {
-  const [scenario, carScenario, fleet, task] = [Scenario.parse(arm), Scenario.parse(car), Fleet.generate("swap"), Navigation.generate("rooms", { seed: 1 })];
-  const experiment = Experiment.parse({ format: "planarium-experiment-1", worlds: [{ scenario: arm }], planners: [{ algorithm: "prm" }], seeds: [1] });
-  const problem = new Problem({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(_, free) { free.fill(1); } });
-  class Own extends Problem { get twice() { return 2 * this.dimension; } }
-  const own = new Own({ space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1], isFree(_, free) { free.fill(1); } });
+  const [scenario, carScenario, fleet, task] = [
+    Scenario.parse(arm),
+    Scenario.parse(car),
+    Fleet.generate("swap"),
+    Navigation.generate("rooms", { seed: 1 }),
+  ];
+  const experiment = Experiment.parse({
+    format: "planarium-experiment-1",
+    worlds: [{ scenario: arm }],
+    planners: [{ algorithm: "prm" }],
+    seeds: [1],
+  });
+  const problem = new Problem({
+    space: { coordinates: [{ kind: "circle" }] },
+    start: [0],
+    goal: [1],
+    isFree(_, free) {
+      free.fill(1);
+    },
+  });
+  class Own extends Problem {
+    get twice() {
+      return 2 * this.dimension;
+    }
+  }
+  const own = new Own({
+    space: { coordinates: [{ kind: "circle" }] },
+    start: [0],
+    goal: [1],
+    isFree(_, free) {
+      free.fill(1);
+    },
+  });
   /** @type {any[]} */
   const handles = [
-    scenario, scenario.planner(), scenario.reach({ target: [1, 0] }), scenario.neighbours(), scenario.certify(), carScenario.drive(), new Trajectories(), fleet, fleet.planner(), experiment, experiment.trial(0), task, task.training(), problem,
+    scenario,
+    scenario.planner(),
+    scenario.reach({ target: [1, 0] }),
+    scenario.neighbours(),
+    scenario.certify(),
+    carScenario.drive(),
+    new Trajectories(),
+    fleet,
+    fleet.planner(),
+    experiment,
+    experiment.trial(0),
+    task,
+    task.training(),
+    problem,
   ];
   const prototypes = handles.map((handle) => Object.getPrototypeOf(handle));
   assert.equal(new Set(prototypes).size, handles.length);
   let members = 0;
   prototypes.forEach((prototype, i) => {
-    const strangers = [...handles.filter((_, j) => j !== i), undefined, null, 5, "text", {}, prototype, Object.create(prototype), Object.assign(Object.create(prototype), handles[i]), new Proxy(handles[i], {})];
+    const strangers = [
+      ...handles.filter((_, j) => j !== i),
+      undefined,
+      null,
+      5,
+      "text",
+      {},
+      prototype,
+      Object.create(prototype),
+      Object.assign(Object.create(prototype), handles[i]),
+      new Proxy(handles[i], {}),
+    ];
     for (const key of Reflect.ownKeys(prototype)) {
-      if (key === "constructor" || String(key).startsWith("__") || key === Symbol.for("nodejs.util.inspect.custom")) continue;
+      if (key === "constructor" || String(key).startsWith("__") || key === Symbol.for("nodejs.util.inspect.custom"))
+        continue;
       members += 1;
       const { get, value } = /** @type {PropertyDescriptor} */ (Object.getOwnPropertyDescriptor(prototype, key));
       for (const stranger of strangers) fails(() => (get ?? value).call(stranger), "illegal-invocation", "");
@@ -217,11 +430,19 @@ test("a method of another class, or without its object, is refused, and every ha
   assert.ok(members > 150, `${members} members`);
   const { step } = /** @type {Planner} */ (handles[1]);
   fails(() => step(1), "illegal-invocation", "", /^step belongs to a Planner, and was called on undefined\.$/);
-  fails(() => FleetPlanner.prototype.result.call(/** @type {any} */ (fleet)), "illegal-invocation", "", /^result belongs to a FleetPlanner, and was called on a Fleet\.$/);
+  fails(
+    () => FleetPlanner.prototype.result.call(/** @type {any} */ (fleet)),
+    "illegal-invocation",
+    "",
+    /^result belongs to a FleetPlanner, and was called on a Fleet\.$/,
+  );
   assert.deepEqual([own.dimension, own.twice], [1, 2], "a class may be extended");
   const { parse } = Scenario;
   assert.equal(parse(arm).name, arm.name, "functions of classes need no class");
-  assert.ok(prototypes.every((prototype) => prototype.__v_skip === true), "Vue makes no proxies of them");
+  assert.ok(
+    prototypes.every((prototype) => prototype.__v_skip === true),
+    "Vue makes no proxies of them",
+  );
   for (const one of [...handles, own]) one.free();
 });
 
@@ -233,23 +454,88 @@ test("a caller's slip is told as such, and the core lives on", () => {
   structuredClone(detached.buffer, { transfer: [detached.buffer] });
   fails(() => scenario.resume(detached), "wrong-type", "/roadmap");
   fails(() => scenario.resume(revoked()), "wrong-type", "/roadmap");
-  const lengthless = Object.defineProperty(kept.slice(), "length", { get() { throw new Error("no length"); } });
+  const lengthless = Object.defineProperty(kept.slice(), "length", {
+    get() {
+      throw new Error("no length");
+    },
+  });
   assert.equal(scenario.resume(lengthless).phase, "searching", "bytes are copied without their properties");
-  for (const length of [-1, 2 ** 40, { valueOf() { throw new Error("no length"); } }]) {
+  for (const length of [
+    -1,
+    2 ** 40,
+    {
+      valueOf() {
+        throw new Error("no length");
+      },
+    },
+  ]) {
     const list = new Proxy([[0, 0]], { get: (of, name) => (name === "length" ? length : Reflect.get(of, name)) });
     fails(() => scenario.neighbours().add(list), length === 2 ** 40 ? "too-large" : "wrong-type", "/rows");
   }
   let reads = 0;
-  const fickle = new Proxy([0, 0, 0], { get: (of, name) => (name === "length" ? (reads += 1) + 1 : Reflect.get(of, name)) });
+  const fickle = new Proxy([0, 0, 0], {
+    get: (of, name) => (name === "length" ? (reads += 1) + 1 : Reflect.get(of, name)),
+  });
   assert.equal(scenario.check(fickle).free, true, "a length is read once");
   fails(() => scenario.check(fickle), "wrong-dimension", "/q");
-  for (const q of [revoked(), { get 0() { return 1; } }]) fails(() => scenario.check(q), "wrong-type", "/q");
-  for (const thrown of [Object.create(null), Symbol("s"), undefined, null, revoked(), { toString() { throw revoked(); } }, 1n]) {
-    fails(() => scenario.check(new Proxy([0, 0], { get() { throw thrown; } })), "wrong-type", "/q");
-    fails(() => scenario.planner(/** @type {any} */ ({ get seed() { throw thrown; } })), "invalid-json");
-    fails(() => parse({ toJSON() { throw thrown; } }), "invalid-json");
+  for (const q of [
+    revoked(),
+    {
+      get 0() {
+        return 1;
+      },
+    },
+  ])
+    fails(() => scenario.check(q), "wrong-type", "/q");
+  for (const thrown of [
+    Object.create(null),
+    Symbol("s"),
+    undefined,
+    null,
+    revoked(),
+    {
+      toString() {
+        throw revoked();
+      },
+    },
+    1n,
+  ]) {
+    fails(
+      () =>
+        scenario.check(
+          new Proxy([0, 0], {
+            get() {
+              throw thrown;
+            },
+          }),
+        ),
+      "wrong-type",
+      "/q",
+    );
+    fails(
+      () =>
+        scenario.planner(
+          /** @type {any} */ ({
+            get seed() {
+              throw thrown;
+            },
+          }),
+        ),
+      "invalid-json",
+    );
+    fails(
+      () =>
+        parse({
+          toJSON() {
+            throw thrown;
+          },
+        }),
+      "invalid-json",
+    );
   }
-  const deep = () => { scenario.check(new Proxy([0, 0], { get: () => deep() })); };
+  const deep = () => {
+    scenario.check(new Proxy([0, 0], { get: () => deep() }));
+  };
   fails(deep, "wrong-type", "/q");
   assert.equal(standing.step(1), "running");
 });
@@ -258,10 +544,42 @@ test("a handle that is freed while its arguments are read is freed, and no other
   const standing = Scenario.parse(arm).planner();
   /** @type {((scenario: Scenario, free: () => void) => unknown)[]} */
   const calls = [
-    (scenario, free) => scenario.check(new Proxy([0, 0], { get: (of, name) => { free(); return Reflect.get(of, name); } })),
-    (scenario, free) => scenario.planner(/** @type {any} */ ({ toJSON() { free(); return {}; } })),
-    (scenario, free) => scenario.cspace({ get width() { free(); return 8; }, height: 8 }),
-    (scenario, free) => scenario.resume(new Uint8Array(4), /** @type {any} */ ({ get query() { free(); return "over"; } })),
+    (scenario, free) =>
+      scenario.check(
+        new Proxy([0, 0], {
+          get: (of, name) => {
+            free();
+            return Reflect.get(of, name);
+          },
+        }),
+      ),
+    (scenario, free) =>
+      scenario.planner(
+        /** @type {any} */ ({
+          toJSON() {
+            free();
+            return {};
+          },
+        }),
+      ),
+    (scenario, free) =>
+      scenario.cspace({
+        get width() {
+          free();
+          return 8;
+        },
+        height: 8,
+      }),
+    (scenario, free) =>
+      scenario.resume(
+        new Uint8Array(4),
+        /** @type {any} */ ({
+          get query() {
+            free();
+            return "over";
+          },
+        }),
+      ),
   ];
   for (const call of calls) {
     const scenario = Scenario.parse(arm);

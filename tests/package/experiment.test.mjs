@@ -24,7 +24,9 @@ function rowOf(experiment, number, slice) {
   while (slice > 0 ? trial.step(slice) : trial.stepFor(1));
   const row = trial.row();
   assert.deepEqual(Object.keys(row).sort(), experiment.columns.toSorted());
-  assert.ok(trial.buildSeconds + trial.searchSeconds >= 0 && trial.iterations === row.iterations && trial.status === row.status);
+  assert.ok(
+    trial.buildSeconds + trial.searchSeconds >= 0 && trial.iterations === row.iterations && trial.status === row.status,
+  );
   trial.free();
   return row;
 }
@@ -37,7 +39,10 @@ test("rows and summaries are the committed ones, however a trial is stepped", ()
       assert.equal(trialCount, outcome.rows.length);
       const rows = outcome.rows.map((_, number) => rowOf(experiment, number, slice));
       // As lines of CSV without quotes.
-      assert.deepEqual(rows.map((row) => columns.map((column) => row[column] ?? "").join(",")), outcome.rows);
+      assert.deepEqual(
+        rows.map((row) => columns.map((column) => row[column] ?? "").join(",")),
+        outcome.rows,
+      );
       assert.deepEqual(experiment.summary(rows.toReversed()), JSON.parse(outcome.summary), "in any order");
       experiment.free();
     }
@@ -46,11 +51,20 @@ test("rows and summaries are the committed ones, however a trial is stepped", ()
 
 test("a summary has the rows that it was given, and times if they have some", () => {
   const experiment = Experiment.parse({ ...small, measures: ["build_seconds", "rejected_samples"] });
-  assert.deepEqual(experiment.summary([]), { experiment: experiment.fingerprint, trials: 16, rows: 0, groups: [], comparisons: [] });
+  assert.deepEqual(experiment.summary([]), {
+    experiment: experiment.fingerprint,
+    trials: 16,
+    rows: 0,
+    groups: [],
+    comparisons: [],
+  });
   /** @type {TrialRow} */
   const row = { ...rowOf(experiment, 0, 1e9), build_seconds: 0.25 };
   assert.equal(row.status, "solved");
-  const { rows, groups: [{ solved, measures }, ...others] } = experiment.summary([row]);
+  const {
+    rows,
+    groups: [{ solved, measures }, ...others],
+  } = experiment.summary([row]);
   assert.deepEqual([rows, others.length, solved.n, solved.missing], [1, 0, 1, 7]);
   assert.equal(measures.build_seconds?.mean.mean, 0.25);
   /** @param {object} change */
@@ -68,13 +82,24 @@ test("a summary has the rows that it was given, and times if they have some", ()
 test("an experiment says what it is", () => {
   const experiment = Experiment.parse({ ...small, title: "Bias", measures: ["visited"] });
   assert.deepEqual([experiment.title, experiment.trialCount, experiment.measures], ["Bias", 16, ["visited"]]);
-  assert.deepEqual(experiment.columns.slice(0, 8), ["experiment", "trial", "world", "world_seed", "query", "planner", "planner.goal_bias", "seed"]);
+  assert.deepEqual(experiment.columns.slice(0, 8), [
+    "experiment",
+    "trial",
+    "world",
+    "world_seed",
+    "query",
+    "planner",
+    "planner.goal_bias",
+    "seed",
+  ]);
   assert.equal(Experiment.parse(small).fingerprint, experiment.fingerprint);
   assert.deepEqual(Experiment.parse(small).measures, ["length", "iterations", "clearance_evaluations"]);
 });
 
 test("wrong documents and trials are errors with code and pointer", () => {
-  const bad = /** @type {(change: object) => () => unknown} */ ((change) => () => Experiment.parse(/** @type {any} */ ({ ...small, ...change })));
+  const bad = /** @type {(change: object) => () => unknown} */ (
+    (change) => () => Experiment.parse(/** @type {any} */ ({ ...small, ...change }))
+  );
   fails(bad({ seeds: { from: 0, count: NaN } }), "not-finite", "/seeds/count");
   fails(() => Experiment.parse(/** @type {any} */ (3)), "wrong-type", "");
   const experiment = Experiment.parse(small);

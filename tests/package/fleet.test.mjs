@@ -6,7 +6,9 @@ import { fails } from "./scenes.mjs";
 
 /** @type {import("planarium/full").FleetDocument} */
 const pair = {
-  format: "planarium-fleet-1", name: "pair", world: { bounds: { min: [0, 0], max: [10, 4] }, obstacles: [] },
+  format: "planarium-fleet-1",
+  name: "pair",
+  world: { bounds: { min: [0, 0], max: [10, 4] }, obstacles: [] },
   robots: [
     { name: "a", robot: { type: "disc", radius: 0.5 }, start: [1, 2], goal: [9, 2] },
     { name: "b", robot: { type: "disc", radius: 0.5 }, speed: 2, start: [9, 3.2], goal: [1, 0.8] },
@@ -35,7 +37,13 @@ test("robots that would meet on the straight way are planned around each other, 
   while (sliced.step(7) === "running");
   assert.equal(sliced.fingerprint, whole.fingerprint);
   assert.deepEqual(sliced.result(), whole.result());
-  assert.deepEqual(fleet.verify(whole.result()), { valid: true, conflicts: [], faults: [], claims: [], looks: fleet.verify(whole.result()).looks });
+  assert.deepEqual(fleet.verify(whole.result()), {
+    valid: true,
+    conflicts: [],
+    faults: [],
+    claims: [],
+    looks: fleet.verify(whole.result()).looks,
+  });
   const rows = whole.trajectory(1);
   assert.deepEqual([...rows.slice(0, 4)], [0, 9, 3.2, 0]);
   assert.deepEqual([...rows.slice(-3)], [1, 0.8, 0]);
@@ -53,7 +61,10 @@ test("robots that would meet on the straight way are planned around each other, 
 });
 
 test("planners and generators are listed with their options", () => {
-  assert.deepEqual(fleetPlanners().map(({ id }) => id), ["pbs", "prioritized", "composite"]);
+  assert.deepEqual(
+    fleetPlanners().map(({ id }) => id),
+    ["pbs", "prioritized", "composite"],
+  );
   for (const { id, options } of fleetGenerators()) {
     assert.ok(options.every(({ name }) => name !== "seed"));
     assert.ok(Fleet.generate(id, { radius: 0.25 }).robotCount > 0, id);

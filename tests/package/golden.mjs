@@ -3,19 +3,29 @@
 /** How many times the hand moves on its way to the target. */
 const MOVES = 20;
 
-/** Options by their names in JavaScript, from those of documents. @param {Record<string, unknown>} options @returns {any} */
+/**
+ * Options by their names in JavaScript, from those of documents.
+ * @param {Record<string, unknown>} options
+ * @returns {any}
+ */
 function inCamelCase(options) {
-  const renamed = Object.entries(options).map(([name, value]) => [name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), value]);
+  const renamed = Object.entries(options).map(([name, value]) => [
+    name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
+    value,
+  ]);
   return Object.fromEntries(renamed);
 }
 
 /**
  * The outcomes of all cases, in the order of the files.
  * @param {Pick<typeof import("planarium/full"), "Problem" | "Scenario" | "Trajectories">} planarium
- * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs", any[]> & { scenes: Record<string, string> }} cases
- *   as stored in their files, and the scenes' texts by name
+ * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs", any[]> & { scenes:
+ *   Record<string, string> }} cases as stored in their files, and the scenes' texts by name
  */
-export function outcomes({ Problem, Scenario, Trajectories }, { plans, neighbours, trajectories, reaches, certificates, customs, scenes }) {
+export function outcomes(
+  { Problem, Scenario, Trajectories },
+  { plans, neighbours, trajectories, reaches, certificates, customs, scenes },
+) {
   /** @param {any} given */
   const opened = ({ scene, scenario = scenes[scene], generate, options }) =>
     generate ? Scenario.generate(generate, options) : Scenario.parse(scenario);
@@ -36,30 +46,70 @@ function planned(scenario, { planner: algorithm, seed, parameters }) {
   const { status, fingerprint, length, blended_length, path, stats } = planner.result();
   planner.free();
   scenario.free();
-  return { status, fingerprint, length, ...blended_length !== undefined && { blended_length }, waypoints: path.length, clearance_evaluations: stats.clearance_evaluations };
+  return {
+    status,
+    fingerprint,
+    length,
+    ...(blended_length !== undefined && { blended_length }),
+    waypoints: path.length,
+    clearance_evaluations: stats.clearance_evaluations,
+  };
 }
 
 const RADIUS = 0.3;
-const OBSTACLES = [[2, 2, 0.5], [1, 3.3, 0.2], [3.1, 0.9, 0.25]];
+const OBSTACLES = [
+  [2, 2, 0.5],
+  [1, 3.3, 0.2],
+  [3.1, 0.9, 0.25],
+];
 
-/** The clearance of two discs among round obstacles, and of each other. @param {Float64Array} rows @param {number} at */
+/**
+ * The clearance of two discs among round obstacles, and of each other.
+ * @param {Float64Array} rows
+ * @param {number} at
+ */
 function clearanceOfDiscs(rows, at) {
   const distance = (/** @type {number} */ x, /** @type {number} */ y) => Math.sqrt(x * x + y * y);
   let clearance = distance(rows[at] - rows[at + 2], rows[at + 1] - rows[at + 3]) - RADIUS - RADIUS;
   for (const [x, y, radius] of OBSTACLES) {
-    for (const disc of [at, at + 2]) clearance = Math.min(clearance, distance(rows[disc] - x, rows[disc + 1] - y) - radius - RADIUS);
+    for (const disc of [at, at + 2])
+      clearance = Math.min(clearance, distance(rows[disc] - x, rows[disc + 1] - y) - radius - RADIUS);
   }
   return clearance;
 }
 
-/** Two discs that change places: the problem of the crate's own tests. @param {"clearance" | "samples"} free @returns {import("planarium/full").ProblemDescription} */
+/**
+ * Two discs that change places: the problem of the crate's own tests.
+ * @param {"clearance" | "samples"} free
+ * @returns {import("planarium/full").ProblemDescription}
+ */
 export function twoDiscs(free) {
   const side = { kind: /** @type {const} */ ("interval"), low: RADIUS, high: 4 - RADIUS };
-  const description = { space: { coordinates: [side, side, side, side] }, start: [0.7, 2, 3.3, 2], goal: [3.3, 2, 0.7, 2] };
+  const description = {
+    space: { coordinates: [side, side, side, side] },
+    start: [0.7, 2, 3.3, 2],
+    goal: [3.3, 2, 0.7, 2],
+  };
   if (free === "clearance") {
-    return { ...description, reach: [1, 1, 1, 1], clearance(rows, clearances) { clearances.forEach((_, i) => { clearances[i] = clearanceOfDiscs(rows, 4 * i); }); } };
+    return {
+      ...description,
+      reach: [1, 1, 1, 1],
+      clearance(rows, clearances) {
+        clearances.forEach((_, i) => {
+          clearances[i] = clearanceOfDiscs(rows, 4 * i);
+        });
+      },
+    };
   }
-  return { ...description, resolution: 0.05, isFree(rows, out) { out.forEach((_, i) => { out[i] = Number(clearanceOfDiscs(rows, 4 * i) > 0); }); } };
+  return {
+    ...description,
+    resolution: 0.05,
+    isFree(rows, out) {
+      out.forEach((_, i) => {
+        out[i] = Number(clearanceOfDiscs(rows, 4 * i) > 0);
+      });
+    },
+  };
 }
 
 /** @param {import("planarium/full").Problem} problem @param {any} given */
@@ -90,13 +140,27 @@ function tried(trajectories) {
   return result;
 }
 
-/** A run, the nearest reachable point, and an arm that follows a hand. @param {import("planarium/full").Scenario} scenario @param {any} given */
+/**
+ * A run, the nearest reachable point, and an arm that follows a hand.
+ * @param {import("planarium/full").Scenario} scenario
+ * @param {any} given
+ */
 function reached(scenario, { reach }) {
-  const { target: [x, y], orientation } = reach;
+  const {
+    target: [x, y],
+    orientation,
+  } = reach;
   const run = scenario.reach(inCamelCase(reach));
   let q = run.configuration();
   while (run.step(100) === "running");
-  const { status, verdict: { verdict }, stats: { iterations }, solutions, rejected, fingerprint } = run.result();
+  const {
+    status,
+    verdict: { verdict },
+    stats: { iterations },
+    solutions,
+    rejected,
+    fingerprint,
+  } = run.result();
   const { configuration, distance: away } = scenario.nearestReachable([x, y], orientation);
   const from = scenario.endEffector(q);
   let distance = 0;
@@ -109,8 +173,14 @@ function reached(scenario, { reach }) {
   run.free();
   scenario.free();
   return {
-    status, verdict, iterations, solutions: solutions.length, rejected: rejected.length, fingerprint,
-    nearest: { configuration: [...configuration], distance: away }, followed: { configuration: [...q], distance },
+    status,
+    verdict,
+    iterations,
+    solutions: solutions.length,
+    rejected: rejected.length,
+    fingerprint,
+    nearest: { configuration: [...configuration], distance: away },
+    followed: { configuration: [...q], distance },
   };
 }
 
@@ -122,5 +192,12 @@ function certified(scenario, { clearance }) {
   const kinds = subdivision.cellsSince(0).filter((_, i) => i % 5 === 4);
   subdivision.free();
   scenario.free();
-  return { verdict, clearance_at_most, cells, blocked: kinds.filter((kind) => kind === 2).length, wall: wall.length, channel: channel.length };
+  return {
+    verdict,
+    clearance_at_most,
+    cells,
+    blocked: kinds.filter((kind) => kind === 2).length,
+    wall: wall.length,
+    channel: channel.length,
+  };
 }

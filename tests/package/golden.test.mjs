@@ -17,9 +17,18 @@ const golden = (name) => JSON.parse(readFileSync(join(root, "tests", `${name}.js
 
 const place = join(root, "www", "scenes");
 const scenes = Object.fromEntries(
-  readdirSync(place).filter((name) => name.endsWith(".json")).map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
+  readdirSync(place)
+    .filter((name) => name.endsWith(".json"))
+    .map((name) => [basename(name, ".json"), readFileSync(join(place, name), "utf8")]),
 );
-const lists = ["golden", "golden-neighbours", "golden-trajectories", "golden-ik", "golden-certificates", "golden-custom"].map(golden);
+const lists = [
+  "golden",
+  "golden-neighbours",
+  "golden-trajectories",
+  "golden-ik",
+  "golden-certificates",
+  "golden-custom",
+].map(golden);
 const [plans, neighbours, trajectories, reaches, certificates, customs] = lists;
 const cases = { plans, neighbours, trajectories, reaches, certificates, customs, scenes };
 const expected = lists.map((some) => some.map(({ outcome }) => outcome));
@@ -32,7 +41,10 @@ test("golden outcomes in Node", () => {
 test("golden outcomes in Node of what the light core has", () => {
   const core = /** @type {any} */ ({ ...light, Trajectories: full.Trajectories });
   const found = outcomes(core, { ...cases, trajectories: [], reaches: [] });
-  assert.deepEqual(found, expected.map((outcome, i) => (lists[i] === trajectories || lists[i] === reaches ? [] : outcome)));
+  assert.deepEqual(
+    found,
+    expected.map((outcome, i) => (lists[i] === trajectories || lists[i] === reaches ? [] : outcome)),
+  );
 });
 
 test("golden outcomes in Chromium, on the page and in a worker, without special headers", async () => {

@@ -1,6 +1,6 @@
 /**
- * Starting the package by its web entry: before, by every kind of input, twice, at once, after a failure and after a trap.
- * Each case runs in a fresh Node process, since a process starts the package once.
+ * Starting the package by its web entry: before, by every kind of input, twice, at once, after a failure and after a
+ * trap. Each case runs in a fresh Node process, since a process starts the package once.
  */
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
@@ -17,7 +17,10 @@ const place = join(root, "dist", "package");
 const web = pathToFileURL(join(place, "planarium.js")).href;
 const wasm = join(place, "planarium_bg.wasm");
 
-/** Serves the module well, as another type, not at all, cut short, and a page in its place. @type {import("node:http").Server} */
+/**
+ * Serves the module well, as another type, not at all, cut short, and a page in its place.
+ * @type {import("node:http").Server}
+ */
 let server;
 /** @type {string} */
 let site;
@@ -26,8 +29,10 @@ before(async () => {
   const bytes = readFileSync(wasm);
   server = createServer((request, response) => {
     if (request.url === "/good") response.writeHead(200, { "content-type": "application/wasm" }).end(bytes);
-    else if (request.url === "/untyped") response.writeHead(200, { "content-type": "application/octet-stream" }).end(bytes);
-    else if (request.url === "/broken") response.writeHead(200, { "content-type": "application/wasm" }).end(bytes.subarray(0, 1000));
+    else if (request.url === "/untyped")
+      response.writeHead(200, { "content-type": "application/octet-stream" }).end(bytes);
+    else if (request.url === "/broken")
+      response.writeHead(200, { "content-type": "application/wasm" }).end(bytes.subarray(0, 1000));
     else if (request.url === "/page") response.writeHead(200, { "content-type": "text/html" }).end("<!doctype html>");
     else response.writeHead(404).end("no");
   });
@@ -36,7 +41,11 @@ before(async () => {
 });
 after(() => server.close());
 
-/** Runs a program in a process of its own, and returns what it prints. @param {string} program @returns {Promise<any>} */
+/**
+ * Runs a program in a process of its own, and returns what it prints.
+ * @param {string} program
+ * @returns {Promise<any>}
+ */
 async function printed(program) {
   const { stdout } = await promisify(execFile)(process.execPath, ["--expose-gc", "--input-type=module", "-e", program]);
   return JSON.parse(stdout);
@@ -44,9 +53,11 @@ async function printed(program) {
 
 /**
  * Runs a program that gives a value back.
- * @param {string} body  of an async function; has `planarium` (the web entry), `bytes`, `site`, `disc`, `caught`, `plan`
+ * @param {string} body  of an async function; has `planarium` (the web entry), `bytes`, `site`, `disc`, `caught`,
+ *   `plan`
  */
-const fresh = (body) => printed(`
+const fresh = (body) =>
+  printed(`
 import { readFileSync } from "node:fs";
 const planarium = await import(${JSON.stringify(web)});
 const { default: init, initSync, Scenario, PlanariumError } = planarium;

@@ -1,4 +1,6 @@
-/** The tarball in an empty folder: planned with by import, by `require`, and out of a bundle; the same bits each time. */
+/**
+ * The tarball in an empty folder: planned with by import, by `require`, and out of a bundle; the same bits each time.
+ */
 import assert from "node:assert/strict";
 import { copyFileSync, existsSync } from "node:fs";
 import { join } from "node:path";
@@ -30,13 +32,26 @@ before(() => {
 
 for (const [how, args, files] of /** @type {[string, string[], Record<string, string>][]} */ ([
   ["by import", ["import.mjs"], { "import.mjs": imported }],
-  ["by require", ["--no-warnings", "require.cjs"], { "require.cjs": `const { Scenario } = require("planarium");${plan}` }],
-  ["by require, after an init that resolves at once", ["--no-warnings", "init.cjs"], {
-    "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });`,
-  }],
-  ["in a worker", ["main.mjs"], {
-    "worker.mjs": imported, "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");`,
-  }],
+  [
+    "by require",
+    ["--no-warnings", "require.cjs"],
+    { "require.cjs": `const { Scenario } = require("planarium");${plan}` },
+  ],
+  [
+    "by require, after an init that resolves at once",
+    ["--no-warnings", "init.cjs"],
+    {
+      "init.cjs": `const { default: init, Scenario } = require("planarium"); init().then(() => { ${plan} });`,
+    },
+  ],
+  [
+    "in a worker",
+    ["main.mjs"],
+    {
+      "worker.mjs": imported,
+      "main.mjs": `import { Worker } from "node:worker_threads"; new Worker("./worker.mjs");`,
+    },
+  ],
 ])) {
   test(`used in Node ${how}`, () => {
     addFiles(folder, files);
@@ -54,7 +69,9 @@ test("the wasm file, the schema and the manifest can be resolved", () => {
 });
 
 test("inner modules cannot be reached", () => {
-  addFiles(folder, { "inner.mjs": `import("planarium/dist/package/runtime.js").catch((error) => console.log(JSON.stringify(error.code)))` });
+  addFiles(folder, {
+    "inner.mjs": `import("planarium/dist/package/runtime.js").catch((error) => console.log(JSON.stringify(error.code)))`,
+  });
   assert.equal(node(["inner.mjs"], folder), "ERR_PACKAGE_PATH_NOT_EXPORTED");
 });
 
@@ -66,13 +83,24 @@ await init({ module_or_path: bytes });${plan}`;
 for (const [how, entry, options] of /** @type {[string, string, import("esbuild").BuildOptions][]} */ ([
   ["for Node", imported, { platform: "node" }],
   ["for Node, minified", imported, { platform: "node", minify: true }],
-  ["for browsers, with the bytes inside", inlined, { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } }],
+  [
+    "for browsers, with the bytes inside",
+    inlined,
+    { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } },
+  ],
 ])) {
   test(`bundled by esbuild ${how}`, async () => {
     const out = join(folder, how);
     addFiles(folder, { "entry.mjs": entry });
     const outfile = join(out, "bundle.mjs");
-    await build({ entryPoints: [join(folder, "entry.mjs")], outfile, bundle: true, format: "esm", logLevel: "error", ...options });
+    await build({
+      entryPoints: [join(folder, "entry.mjs")],
+      outfile,
+      bundle: true,
+      format: "esm",
+      logLevel: "error",
+      ...options,
+    });
     const wasm = join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm");
     if (!options.loader) copyFileSync(wasm, join(out, "planarium_bg.wasm"));
     assert.deepEqual(node([outfile], folder), expected);
@@ -83,15 +111,27 @@ test("bundled by esbuild with planarium/full: one core, and that is the other", 
   const out = join(folder, "full");
   addFiles(folder, { "entry.mjs": imported.replace('"planarium"', '"planarium/full"') });
   const outfile = join(out, "bundle.mjs");
-  const { metafile } = await build({ entryPoints: [join(folder, "entry.mjs")], outfile, bundle: true, format: "esm", logLevel: "error", platform: "node", metafile: true });
+  const { metafile } = await build({
+    entryPoints: [join(folder, "entry.mjs")],
+    outfile,
+    bundle: true,
+    format: "esm",
+    logLevel: "error",
+    platform: "node",
+    metafile: true,
+  });
   const glues = Object.keys(metafile.inputs).filter((name) => name.endsWith("glue.js"));
-  assert.deepEqual(glues.map((name) => name.replace(/.*dist\/package\//, "")), ["full/planarium_glue.js"]);
+  assert.deepEqual(
+    glues.map((name) => name.replace(/.*dist\/package\//, "")),
+    ["full/planarium_glue.js"],
+  );
   copyFileSync(join(folder, "node_modules/planarium/dist/package/full/full_bg.wasm"), join(out, "full_bg.wasm"));
   assert.deepEqual(node([outfile], folder), expected);
 });
 
 test("planarium and planarium/full side by side: documents pass, objects of one are foreign to the other", () => {
-  addFiles(folder, { "both.mjs": `
+  addFiles(folder, {
+    "both.mjs": `
 import * as light from "planarium";
 import * as full from "planarium/full";
 import { PlannerPool } from "planarium/worker";
@@ -108,10 +148,14 @@ const found = {
 };
 pool.terminate();
 console.log(JSON.stringify(found));
-` });
+`,
+  });
   const { prints, ...found } = node(["both.mjs"], folder);
   assert.equal(new Set(prints).size, 1);
   assert.deepEqual(found, {
-    fleets: [false, true, false, true], taken: ["illegal-invocation", true], planner: ["wrong-type", true], lists: [true, null, true],
+    fleets: [false, true, false, true],
+    taken: ["illegal-invocation", true],
+    planner: ["wrong-type", true],
+    lists: [true, null, true],
   });
 });

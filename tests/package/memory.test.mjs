@@ -16,11 +16,18 @@ const pages = () => memory.buffer.byteLength / 65536;
 test("arrays handed out stay valid after the memory has grown", () => {
   const scenario = Scenario.parse(arm);
   const planner = finish(scenario.planner({ algorithm: "prm", samples: 200 }));
-  const kept = [planner.verticesSince(0), planner.edgesSince(0), planner.eventsSince(0), planner.path(), scenario.cspace({ width: 16, height: 16 })];
+  const kept = [
+    planner.verticesSince(0),
+    planner.edgesSince(0),
+    planner.eventsSince(0),
+    planner.path(),
+    scenario.cspace({ width: 16, height: 16 }),
+  ];
   const copies = kept.map((array) => array.slice());
   const before = pages();
   const many = [];
-  while (pages() === before && many.length < 200) many.push(finish(scenario.planner({ algorithm: "prm", samples: 2000, seed: many.length })));
+  while (pages() === before && many.length < 200)
+    many.push(finish(scenario.planner({ algorithm: "prm", samples: 2000, seed: many.length })));
   assert.ok(pages() > before, "the memory must grow for this to mean anything");
   finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 99 }));
   kept.forEach((array, i) => {
@@ -31,7 +38,11 @@ test("arrays handed out stay valid after the memory has grown", () => {
   for (const other of many) other.free();
 });
 
-/** Repeats what makes and frees: once it has been done a few times, the memory stays as large as it is. @param {number} times @param {(seed: number) => void} cycle */
+/**
+ * Repeats what makes and frees: once it has been done a few times, the memory stays as large as it is.
+ * @param {number} times
+ * @param {(seed: number) => void} cycle
+ */
 function keepsItsSize(times, cycle) {
   for (let i = 0; i < times / 20; i += 1) cycle(i);
   const before = pages();
@@ -74,7 +85,9 @@ test("nor do robots of one's own, whose functions throw", () => {
   keepsItsSize(2_000, (seed) => {
     let calls = 0;
     const problem = new Problem({
-      space: { coordinates: [{ kind: "circle" }] }, start: [0], goal: [1],
+      space: { coordinates: [{ kind: "circle" }] },
+      start: [0],
+      goal: [1],
       clearance(_, clearances) {
         clearances.fill(0.01);
         if ((calls += 1) > 3) throw seed;

@@ -1,18 +1,34 @@
-/** Learned navigation from JavaScript: documents, training, planners whose edges are rollouts, drives, the comparison, and what is refused. */
+/**
+ * Learned navigation from JavaScript: documents, training, planners whose edges are rollouts, drives, the comparison,
+ * and what is refused.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Navigation, NavigationComparison, Training, comparisonOptions, navigationGenerators, rolloutOptions, trainingOptions } from "planarium/full";
+import {
+  Navigation,
+  NavigationComparison,
+  Training,
+  comparisonOptions,
+  navigationGenerators,
+  rolloutOptions,
+  trainingOptions,
+} from "planarium/full";
 import { fails } from "./scenes.mjs";
 
 /** @type {Extract<import("planarium/full").NavigationDocument["robot"], { type: "differential_drive" }>} */
 const wheeled = {
-  type: "differential_drive", shape: { type: "disc", radius: 0.2 }, speed: [-0.1, 1], turn_rate: [-1.5, 1.5],
+  type: "differential_drive",
+  shape: { type: "disc", radius: 0.2 },
+  speed: [-0.1, 1],
+  turn_rate: [-1.5, 1.5],
   sensor: { rays: 4, field_of_view: 2, range: 2 },
 };
 
 /** @type {import("planarium/full").NavigationDocument} */
 const corridor = {
-  format: "planarium-navigation-1", name: "corridor", world: { bounds: { min: [0, 0], max: [8, 3] }, obstacles: [{ type: "disc", center: [4, 1.5], radius: 0.3 }] },
+  format: "planarium-navigation-1",
+  name: "corridor",
+  world: { bounds: { min: [0, 0], max: [8, 3] }, obstacles: [{ type: "disc", center: [4, 1.5], radius: 0.3 }] },
   robot: wheeled,
   queries: [{ name: "along", start: [1, 1, 0], goal: [7, 1] }],
 };
@@ -88,7 +104,8 @@ test("a planner rolls edges out, tells how many rollouts succeed, and its path i
   assert.deepEqual([result.edge_check, result.planner], ["rollouts", "lazy-prm"]);
   const rollouts = task.edgeRollouts(policy, path, options);
   assert.equal(rollouts.length, result.path.length - 1);
-  for (const { of, forward, backward } of rollouts) assert.ok(of === 6 && forward >= 2 && backward >= 2 && forward <= 6 && backward <= 6);
+  for (const { of, forward, backward } of rollouts)
+    assert.ok(of === 6 && forward >= 2 && backward >= 2 && forward <= 6 && backward <= 6);
   const drives = Array.from({ length: 10 }, (_, trial) => task.execute(path, { policy, trial }));
   assert.deepEqual(drives[3], task.execute(path, { policy: JSON.stringify(policy), trial: 3 }));
   assert.notDeepEqual(drives[0].trace, drives[1].trace);
@@ -107,8 +124,15 @@ test("without a policy a controller follows straight edges that are proven free"
   assert.equal(planner.step(1e9), "solved");
   assert.equal(planner.result().edge_check, undefined);
   assert.equal(task.execute(planner.path()).outcome, "reached");
-  const still = Navigation.parse({ ...corridor, robot: { ...wheeled, noise: { range: 0, position: 0, heading: 0, speed: 0, turn_rate: 0 } } });
-  assert.deepEqual(still.execute(planner.path(), { trial: 1 }), still.execute(planner.path(), { trial: 2 }), "without noise all trials are one");
+  const still = Navigation.parse({
+    ...corridor,
+    robot: { ...wheeled, noise: { range: 0, position: 0, heading: 0, speed: 0, turn_rate: 0 } },
+  });
+  assert.deepEqual(
+    still.execute(planner.path(), { trial: 1 }),
+    still.execute(planner.path(), { trial: 2 }),
+    "without noise all trials are one",
+  );
   assert.equal(task.execute([1, 1, 7, 2.2], { trial: 0 }).outcome, "collision", "it drives into what is in its way");
   fails(() => task.straightPlanner({ margin: -1 }), "out-of-range", "/margin");
 });
@@ -134,12 +158,20 @@ test("a comparison comes to the same counts in any slices, and sums up its execu
 });
 
 test("generators and options are listed, and what is freed is said to be", () => {
-  assert.deepEqual(navigationGenerators().map(({ id }) => id), ["rooms", "furnished"]);
+  assert.deepEqual(
+    navigationGenerators().map(({ id }) => id),
+    ["rooms", "furnished"],
+  );
   for (const { id, options } of navigationGenerators()) {
     assert.ok(options.every(({ name }) => name !== "seed"));
     assert.deepEqual(Navigation.generate(id, { seed: 5 }).toJSON(), Navigation.generate(id, { seed: 5 }).toJSON());
   }
-  for (const table of [trainingOptions(), rolloutOptions(), comparisonOptions()]) assert.ok(table.every(({ meaning, default: value, default_meaning: otherwise }) => meaning && (value ?? otherwise) !== null));
+  for (const table of [trainingOptions(), rolloutOptions(), comparisonOptions()])
+    assert.ok(
+      table.every(
+        ({ meaning, default: value, default_meaning: otherwise }) => meaning && (value ?? otherwise) !== null,
+      ),
+    );
   const freed = Navigation.parse(corridor);
   const training = freed.training(SMALL);
   const comparison = freed.comparison(training.policy(), { leastDistance: 3, queries: 1 });

@@ -12,11 +12,16 @@ export function emptyFolder() {
   return folder;
 }
 
-/** Packs the project, and returns the path of the tarball. @param {{ prepack?: boolean }} [options]  is it built first, as npm does? */
+/**
+ * Packs the project, and returns the path of the tarball.
+ * @param {{ prepack?: boolean }} [options]  is it built first, as npm does?
+ */
 export function pack({ prepack = false } = {}) {
   const folder = emptyFolder();
   const scripts = prepack ? [] : ["--ignore-scripts"];
-  const [{ filename }] = JSON.parse(npm(["pack", "--json", "--pack-destination", folder, ...scripts], root).replace(/^[^[]*/, ""));
+  const [{ filename }] = JSON.parse(
+    npm(["pack", "--json", "--pack-destination", folder, ...scripts], root).replace(/^[^[]*/, ""),
+  );
   return join(folder, filename);
 }
 
@@ -44,7 +49,9 @@ export function addFiles(folder, files) {
 
 /** Runs Node in a folder, and returns what it prints as JSON. @param {string[]} args @param {string} [folder] */
 export function node(args, folder = root) {
-  return JSON.parse(execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }));
+  return JSON.parse(
+    execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }),
+  );
 }
 
 /** @param {string[]} args @param {string} folder */

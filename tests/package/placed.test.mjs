@@ -12,19 +12,45 @@ const square = {
   name: "square",
   world: {
     bounds: { min: [0, 0], max: [3, 3] },
-    obstacles: [{ type: "polygon", vertices: [[1, 1], [2, 1], [2, 1.4], [1.4, 1.4], [1.4, 2], [1, 2]] }, { type: "disc", center: [2.2, 2.2], radius: 0.2 }],
+    obstacles: [
+      {
+        type: "polygon",
+        vertices: [
+          [1, 1],
+          [2, 1],
+          [2, 1.4],
+          [1.4, 1.4],
+          [1.4, 2],
+          [1, 2],
+        ],
+      },
+      { type: "disc", center: [2.2, 2.2], radius: 0.2 },
+    ],
   },
-  queries: [{ name: "across", start: [0.5, 0.5, 0], goal: [2.5, 2.6, 1.5], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+  queries: [
+    {
+      name: "across",
+      start: [0.5, 0.5, 0],
+      goal: [2.5, 2.6, 1.5],
+      goal_tolerance: { translation: 0.1, rotation: 0.5 },
+    },
+  ],
 };
 
 /** Rows of so many numbers. @param {ArrayLike<number>} flat @param {number} width */
 function rows(flat, width) {
   assert.equal(flat.length % width, 0);
-  return Array.from({ length: flat.length / width }, (_, i) => Array.from({ length: width }, (_, k) => flat[i * width + k]));
+  return Array.from({ length: flat.length / width }, (_, i) =>
+    Array.from({ length: width }, (_, k) => flat[i * width + k]),
+  );
 }
 
 /** The placement after a motion: the closed form of x' = v cos theta, y' = v sin theta, theta' = v tan(phi) / L. */
-const driven = (/** @type {Configuration} */ [x, y, theta], /** @type {Motion} */ { control: [v, phi], duration }, wheelbase = 0.2) => {
+const driven = (
+  /** @type {Configuration} */ [x, y, theta],
+  /** @type {Motion} */ { control: [v, phi], duration },
+  wheelbase = 0.2,
+) => {
   const half = (v * Math.tan(phi) * duration) / wheelbase / 2;
   const chord = v * duration * (Math.abs(half) < 1e-9 ? 1 : Math.sin(half) / half);
   return [x + chord * Math.cos(theta + half), y + chord * Math.sin(theta + half), theta + 2 * half];
@@ -55,7 +81,10 @@ for (const options of [{ algorithm: "rrt-control" }, { algorithm: "prm", steerin
     assert.deepEqual([numbers(rows(motions, 4)), numbers(rows(traces, 4))], [[...ends.keys()], [...ends.keys()]]);
     ends.forEach(([from, to], edge) => {
       const own = rows(motions, 4).filter(([number]) => number === edge);
-      const end = own.reduce((pose, [, v, phi, duration]) => driven(pose, { control: [v, phi], duration }), vertices[from]);
+      const end = own.reduce(
+        (pose, [, v, phi, duration]) => driven(pose, { control: [v, phi], duration }),
+        vertices[from],
+      );
       same(end, vertices[to], `(edge ${edge})`);
     });
     const { status, path, motions: led = [] } = planner.result();
@@ -65,16 +94,24 @@ for (const options of [{ algorithm: "rrt-control" }, { algorithm: "prm", steerin
 }
 
 test("Euler's steps are named in the result", () => {
-  const { integration, status } = finish(Scenario.parse(car).planner({ algorithm: "rrt-control", integration: "euler", seed: 1 })).result();
+  const { integration, status } = finish(
+    Scenario.parse(car).planner({ algorithm: "rrt-control", integration: "euler", seed: 1 }),
+  ).result();
   assert.deepEqual([status, integration], ["solved", "euler"]);
 });
 
 test("a tree that gives up tells how near it came, and how it got there", () => {
   const scenario = Scenario.parse(car);
   for (const options of [{ algorithm: "rrt-control" }, { algorithm: "rrt", step: 0.1 }]) {
-    const { status, path, motions, length, approximate } = finish(scenario.planner(asOptions({ ...options, maxIterations: 20, seed: 1 }))).result();
+    const { status, path, motions, length, approximate } = finish(
+      scenario.planner(asOptions({ ...options, maxIterations: 20, seed: 1 })),
+    ).result();
     assert.deepEqual([status, path, motions, length], ["exhausted", [], [], 0]);
-    assert.ok(approximate?.motions && approximate.path.length === approximate.motions.length + 1 && approximate.goal_distance > 0);
+    assert.ok(
+      approximate?.motions &&
+        approximate.path.length === approximate.motions.length + 1 &&
+        approximate.goal_distance > 0,
+    );
     approximate.motions.forEach((motion, i) => same(driven(approximate.path[i], motion), approximate.path[i + 1]));
   }
 });
@@ -94,7 +131,9 @@ test("a built roadmap of a body, and of a steered car, is queried again; that of
   assert.deepEqual([straight.status, straight.motions], ["solved", undefined]);
   const resumed = finish(scenario.resume(bodies.roadmap("binary")));
   assert.deepEqual([resumed.status, resumed.path()], ["solved", bodies.path()]);
-  const cars = finish(Scenario.parse(car).planner({ algorithm: "prm", samples: 400, seed: 1, steering: "reeds-shepp" }));
+  const cars = finish(
+    Scenario.parse(car).planner({ algorithm: "prm", samples: 400, seed: 1, steering: "reeds-shepp" }),
+  );
   const { status, path, motions = [] } = cars.query([0.4, 0.9, 2], [1, 0.3, 3]);
   assert.equal(status, "solved");
   assert.equal(path.length, motions.length + 1);
@@ -107,24 +146,42 @@ test("a roadmap of a car is kept with its curves, and gone on with", () => {
   const planner = finish(scenario.planner({ algorithm: "prm", samples: 300, seed: 1, steering: "dubins" }));
   for (const kept of [planner.roadmap("json"), planner.roadmap("binary")]) {
     const resumed = finish(scenario.resume(kept));
-    assert.deepEqual([resumed.status, resumed.path(), resumed.result().motions], ["solved", planner.path(), planner.result().motions]);
+    assert.deepEqual(
+      [resumed.status, resumed.path(), resumed.result().motions],
+      ["solved", planner.path(), planner.result().motions],
+    );
   }
-  fails(() => scenario.resume(planner.roadmap("binary"), { steering: "reeds-shepp" }), "out-of-range", "/steering", /was built with/);
+  fails(
+    () => scenario.resume(planner.roadmap("binary"), { steering: "reeds-shepp" }),
+    "out-of-range",
+    "/steering",
+    /was built with/,
+  );
 });
 
 test("planners() says which robots each planner and each parameter is for", () => {
   const types = /** @type {(keyof typeof scenes)[]} */ (Object.keys(scenes));
   for (const { id, robots, parameters } of planners()) {
     assert.deepEqual(robots, ["rrt-control", "sst"].includes(id) ? ["car"] : types, id);
-    for (const { name, robots: some } of parameters) assert.ok(some.length > 0 && some.every((type) => types.includes(type)), `${id} ${name}`);
+    for (const { name, robots: some } of parameters)
+      assert.ok(some.length > 0 && some.every((type) => types.includes(type)), `${id} ${name}`);
   }
 });
 
 test("presets are settings of their planner, and start", () => {
   for (const { id, presets, parameters, robots } of planners()) {
     for (const { id: name, settings } of presets) {
-      for (const key of Object.keys(settings)) assert.ok(parameters.some((parameter) => parameter.option === key), `${id} ${name} ${key}`);
-      for (const type of robots) assert.equal(Scenario.parse(scenes[type]).planner(asOptions({ algorithm: id, ...settings })).iterations, 0, `${id} ${name} ${type}`);
+      for (const key of Object.keys(settings))
+        assert.ok(
+          parameters.some((parameter) => parameter.option === key),
+          `${id} ${name} ${key}`,
+        );
+      for (const type of robots)
+        assert.equal(
+          Scenario.parse(scenes[type]).planner(asOptions({ algorithm: id, ...settings })).iterations,
+          0,
+          `${id} ${name} ${type}`,
+        );
     }
   }
 });
@@ -140,5 +197,6 @@ test("documents of bodies and cars come back complete", () => {
   assert.ok(part.type === "polygon" && part.vertices.length === 6);
   same([...part.vertices[0], 0], [1.06, 0.74, 0]);
   assert.deepEqual(scenario.endEffector([1, 0.8, 2]), [1, 0.8]);
-  for (const robot of /** @type {const} */ (["rigid_body", "car"])) assert.equal(Scenario.generate("gap", { robot, seed: 1 }).robot, robot);
+  for (const robot of /** @type {const} */ (["rigid_body", "car"]))
+    assert.equal(Scenario.generate("gap", { robot, seed: 1 }).robot, robot);
 });

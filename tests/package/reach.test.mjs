@@ -4,11 +4,19 @@ import { test } from "node:test";
 import { Scenario, reachMethods } from "planarium/full";
 import { car, fails } from "./scenes.mjs";
 
-/** @param {number[]} links @param {[number, number][]} [limits] @param {import("planarium/full").Obstacle[]} [obstacles] */
-const armOf = (links, limits, obstacles = []) => Scenario.parse({
-  format: "planarium-scenario-1", name: "arm", world: { obstacles }, queries: [],
-  robot: { type: "arm", base: [0, 0], links, ...(limits ? { joint_limits: limits } : {}) },
-});
+/**
+ * @param {number[]} links
+ * @param {[number, number][]} [limits]
+ * @param {import("planarium/full").Obstacle[]} [obstacles]
+ */
+const armOf = (links, limits, obstacles = []) =>
+  Scenario.parse({
+    format: "planarium-scenario-1",
+    name: "arm",
+    world: { obstacles },
+    queries: [],
+    robot: { type: "arm", base: [0, 0], links, ...(limits ? { joint_limits: limits } : {}) },
+  });
 
 /** @param {Scenario} scenario @param {import("planarium/full").ReachOptions} options */
 function ended(scenario, options) {
@@ -27,14 +35,21 @@ test("each method reaches a target, and iterates and solutions come by cursors",
     seen.push(...run.iteratesSince(seen.length / 5));
     assert.deepEqual(seen, [...run.iteratesSince(0)]);
     assert.equal(seen.length, 5 * run.iterateCount);
-    assert.deepEqual([run.status, run.solutionCount, run.solutionsSince(2).length, run.rejectedCount], ["solved", 2, 0, 0], id);
+    assert.deepEqual(
+      [run.status, run.solutionCount, run.solutionsSince(2).length, run.rejectedCount],
+      ["solved", 2, 0, 0],
+      id,
+    );
     const rows = run.solutionsSince(0);
     assert.deepEqual([...run.configuration()], seen.slice(-3));
     assert.equal(run.error, seen.at(-4));
     assert.ok(run.manipulability > 0 && run.restarts >= 1);
     const result = run.result();
     assert.deepEqual(result.solutions.flat(), [...rows]);
-    assert.deepEqual([result.method, result.target, result.orientation, result.stats.iterations], [id, [1, 0.7], 0.3, run.iterations]);
+    assert.deepEqual(
+      [result.method, result.target, result.orientation, result.stats.iterations],
+      [id, [1, 0.7], 0.3, run.iterations],
+    );
     assert.deepEqual(result.verdict, { verdict: "reached", reason: null, nearest: null, touching: null });
     assert.match(run.fingerprint(), /^[0-9a-f]{16}$/);
     assert.equal(result.fingerprint, run.fingerprint());
@@ -45,7 +60,10 @@ test("a verdict says why a target is not reached, and what is nearest or touches
   const far = ended(armOf([1, 0.5]), { target: [3, 0] });
   assert.equal(far.status, "exhausted");
   const { verdict, reason, nearest } = far.verdict();
-  assert.deepEqual([verdict, reason, nearest], ["out-of-reach", "too-far", { configuration: [0, 0], point: [1.5, 0], distance: 1.5, turn: 0 }]);
+  assert.deepEqual(
+    [verdict, reason, nearest],
+    ["out-of-reach", "too-far", { configuration: [0, 0], point: [1.5, 0], distance: 1.5, turn: 0 }],
+  );
   const blocked = armOf([1], undefined, [{ type: "disc", center: [0, 1], radius: 0.2 }]);
   const touching = ended(blocked, { target: [0, 1], freeOnly: true }).verdict();
   assert.deepEqual([touching.verdict, touching.touching], ["in-collision", [{ part: 0, obstacle: 0 }]]);
@@ -60,8 +78,15 @@ test("what an arm that follows does, and what is nearest, are records", () => {
 });
 
 test("what is wrong is refused by name", () => {
-  const scenario = armOf([1, 1], [[-1, 1], [0, 2]]);
-  const reach = (/** @type {object} */ options) => () => scenario.reach(/** @type {import("planarium/full").ReachOptions} */ (options));
+  const scenario = armOf(
+    [1, 1],
+    [
+      [-1, 1],
+      [0, 2],
+    ],
+  );
+  const reach = (/** @type {object} */ options) => () =>
+    scenario.reach(/** @type {import("planarium/full").ReachOptions} */ (options));
   fails(reach({}), "missing-field", "/target");
   fails(() => scenario.reach(/** @type {never} */ (undefined)), "missing-field", "/target");
   fails(reach({ target: [1] }), "wrong-dimension", "/target");

@@ -1,4 +1,7 @@
-/** The examples and links of the README and of docs/: scripts run in the installed tarball, commands in a shell, documents are parsed. */
+/**
+ * The examples and links of the README and of docs/: scripts run in the installed tarball, commands in a shell,
+ * documents are parsed.
+ */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -11,7 +14,13 @@ import { anchorOf } from "../../scripts/site.mjs";
 import { recordingContext } from "./canvas.mjs";
 import { addFiles, emptyFolder, install } from "./packed.mjs";
 
-const names = ["README.md", "CHANGELOG.md", ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".md") && !/^(\.vitepress|api)\//.test(name)).map((name) => `docs/${name}`)];
+const names = [
+  "README.md",
+  "CHANGELOG.md",
+  ...readdirSync(join(root, "docs"), { recursive: true, encoding: "utf8" })
+    .filter((name) => name.endsWith(".md") && !/^(\.vitepress|api)\//.test(name))
+    .map((name) => `docs/${name}`),
+];
 const texts = new Map(names.map((name) => [name, readFileSync(join(root, name), "utf8")]));
 
 /** A text of the repository. @param {string} name */
@@ -26,7 +35,9 @@ function blocks(name, language) {
 const PRINTED = {
   "README.md": [/^solved \d+ vertices, \d+ edges \d\.\d+\n$/, /^solved [1-9]\d* edges\n$/],
   "docs/start.md": [/^solved [1-9]\d* waypoints\n$/],
-  "docs/fleet.md": [/^[1-9]\d* conflicts if all drive straight at once\n(?:\d+ iterations\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/],
+  "docs/fleet.md": [
+    /^[1-9]\d* conflicts if all drive straight at once\n(?:\d+ iterations\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/,
+  ],
   "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
@@ -59,7 +70,11 @@ test("every JavaScript example runs in the installed package", () => {
     assert.equal(examples.length, expected.length, `examples in ${name}`);
     examples.forEach((code, i) => {
       addFiles(folder, { "example.mjs": code });
-      assert.match(execFileSync(process.execPath, ["--import", "./browser.mjs", "example.mjs"], { cwd: folder, encoding: "utf8" }), expected[i], `${name}, example ${i + 1}`);
+      assert.match(
+        execFileSync(process.execPath, ["--import", "./browser.mjs", "example.mjs"], { cwd: folder, encoding: "utf8" }),
+        expected[i],
+        `${name}, example ${i + 1}`,
+      );
     });
   }
 });
@@ -67,7 +82,23 @@ test("every JavaScript example runs in the installed package", () => {
 test("every shell example runs, and its paths are valid", () => {
   // To install is to build and to copy: the program that the native tests use is copied instead.
   const installation = "cargo install --path cli --quiet\n";
-  execFileSync("cargo", ["test", "--no-run", "--locked", "--quiet", "-p", "planarium", "-p", "planarium-cli", "--all-features", "--test", "all"], { cwd: root, stdio: "inherit" });
+  execFileSync(
+    "cargo",
+    [
+      "test",
+      "--no-run",
+      "--locked",
+      "--quiet",
+      "-p",
+      "planarium",
+      "-p",
+      "planarium-cli",
+      "--all-features",
+      "--test",
+      "all",
+    ],
+    { cwd: root, stdio: "inherit" },
+  );
   const programs = emptyFolder();
   copyFileSync(join(targetFolder(), "debug", "planarium"), join(programs, "planarium"));
   const env = { ...process.env, PATH: `${programs}:${process.env.PATH}` };
@@ -77,7 +108,12 @@ test("every shell example runs, and its paths are valid", () => {
     const folder = emptyFolder();
     for (const example of examples) {
       const commands = example.replace(installation, "");
-      const printed = execFileSync("sh", ["-ec", commands], { cwd: folder, env, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+      const printed = execFileSync("sh", ["-ec", commands], {
+        cwd: folder,
+        env,
+        encoding: "utf8",
+        stdio: ["ignore", "pipe", "pipe"],
+      });
       if (commands.includes("verify")) assert.match(printed, /"valid":true/, commands);
       for (const [, file] of commands.matchAll(/--out (\S+)/g)) {
         assert.equal(JSON.parse(readFileSync(join(folder, file), "utf8")).status, "solved", file);
@@ -87,12 +123,15 @@ test("every shell example runs, and its paths are valid", () => {
 });
 
 test("every JSON example is a scenario, a fleet, a navigation task, or an experiment, which a native test runs", () => {
-  const examples = names.flatMap((name) => blocks(name, "json")).filter((example) => JSON.parse(example).format !== "planarium-experiment-1");
+  const examples = names
+    .flatMap((name) => blocks(name, "json"))
+    .filter((example) => JSON.parse(example).format !== "planarium-experiment-1");
   assert.ok(examples.length > 0);
   for (const example of examples) {
     const { format, queries, robots } = JSON.parse(example);
     if (format === "planarium-fleet-1") assert.equal(Fleet.parse(example).robotCount, robots.length);
-    else if (format === "planarium-navigation-1") assert.equal(Navigation.parse(example).toJSON().queries.length, queries.length);
+    else if (format === "planarium-navigation-1")
+      assert.equal(Navigation.parse(example).toJSON().queries.length, queries.length);
     else assert.ok(Scenario.parse(example).check(queries[0].start).free);
   }
 });
@@ -101,7 +140,10 @@ test("no example is left out: code is JavaScript, Rust, JSON, shell, or one of t
   // Those of docs/toolchains.md are built and run by `npm run compat`.
   const known = ["js", "rust", "json", "sh", "html", "python", "diff", "mermaid", "javascript", "jsonc", "text"];
   for (const [name, text] of texts) {
-    const opened = text.split("\n").filter((line) => line.startsWith("```")).filter((_, i) => i % 2 === 0);
+    const opened = text
+      .split("\n")
+      .filter((line) => line.startsWith("```"))
+      .filter((_, i) => i % 2 === 0);
     for (const line of opened) assert.ok(known.includes(line.slice(3)), `${name}: ${line}`);
     const isDoctested = readFileSync(join(root, "src", "lib.rs"), "utf8").includes(`include_str!("../${name}")`);
     if (opened.includes("```rust")) assert.ok(isDoctested, `src/lib.rs includes ${name}`);
@@ -115,7 +157,10 @@ test("every link leads to a file, and to a heading in it", () => {
       const [path, anchor] = link.split("#");
       const file = join(dirname(name), path === "" ? name.replace(/.*\//, "") : path);
       assert.ok(existsSync(join(root, file)), `${name} links to ${link}`);
-      const headings = (texts.get(file) ?? "").split("\n").filter((line) => /^#+ /.test(line)).map((line) => anchorOf(line.replace(/^#+ /, "")));
+      const headings = (texts.get(file) ?? "")
+        .split("\n")
+        .filter((line) => /^#+ /.test(line))
+        .map((line) => anchorOf(line.replace(/^#+ /, "")));
       if (anchor !== undefined) assert.ok(headings.includes(anchor), `${name} links to ${link}`);
       count++;
     }
@@ -134,12 +179,19 @@ test("the README is short, and its picture light", () => {
 
 test("the pictures of proofs show the numbers of the core", async () => {
   const { drawings } = await import("../../scripts/pictures.mjs");
-  for (const [name, drawn] of Object.entries(drawings())) assert.equal(readFileSync(join(root, "docs", "images", name), "utf8"), drawn, `node scripts/pictures.mjs draws ${name}`);
+  for (const [name, drawn] of Object.entries(drawings()))
+    assert.equal(
+      readFileSync(join(root, "docs", "images", name), "utf8"),
+      drawn,
+      `node scripts/pictures.mjs draws ${name}`,
+    );
 });
 
 test("every command of npm that is mentioned is a script of the project", () => {
   const { scripts } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const mentioned = names.flatMap((name) => Array.from(textOf(name).matchAll(/`npm (?:run )?([\w:]+)`/g), ([, script]) => script)).filter((script) => !["install", "pack"].includes(script));
+  const mentioned = names
+    .flatMap((name) => Array.from(textOf(name).matchAll(/`npm (?:run )?([\w:]+)`/g), ([, script]) => script))
+    .filter((script) => !["install", "pack"].includes(script));
   assert.ok(mentioned.includes("start") && mentioned.includes("test"));
   for (const script of mentioned) assert.ok(script in scripts, script);
 });

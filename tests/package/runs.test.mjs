@@ -68,8 +68,13 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
     const { vertices, edges, configuration_checks, motion_checks, clearance_evaluations } = planner.stats();
     const [now] = rows.slice(-1);
     assert.deepEqual(Object.fromEntries(historyColumns.slice(0, 7).map((name, i) => [name, now[i]])), {
-      vertices, edges, events: planner.eventCount, phase: phases.indexOf(planner.phase), configurationChecks: configuration_checks,
-      motionChecks: motion_checks, clearanceEvaluations: clearance_evaluations,
+      vertices,
+      edges,
+      events: planner.eventCount,
+      phase: phases.indexOf(planner.phase),
+      configurationChecks: configuration_checks,
+      motionChecks: motion_checks,
+      clearanceEvaluations: clearance_evaluations,
     });
   }
   assert.equal(rows.length, planner.iterations);
@@ -79,11 +84,20 @@ test("a recorded run leaves a row for every iteration, whoever steps it, and is 
   const costs = rows.map((row) => row[7]);
   const first = costs.findIndex(Number.isFinite);
   assert.ok(costs.slice(0, first).every((cost) => cost === Infinity));
-  assert.ok(costs.slice(first + 1).every((cost, i) => cost <= costs[first + i]) && costs[costs.length - 1] < costs[first]);
+  assert.ok(
+    costs.slice(first + 1).every((cost, i) => cost <= costs[first + i]) && costs[costs.length - 1] < costs[first],
+  );
   assert.ok(Math.abs(costs[costs.length - 1] - planner.result().length) < 1e-12);
   assert.deepEqual(planner.historySince(0), Float64Array.from(rows.flat()), "rows stay");
-  assert.deepEqual([planner.historySince(planner.historyCount).length, plain.historyCount, plain.historySince(0).length], [0, 0, 0]);
-  assert.throws(() => plain.record(), { name: "PlanariumError", code: "unsupported", message: /before the first iteration/ });
+  assert.deepEqual(
+    [planner.historySince(planner.historyCount).length, plain.historyCount, plain.historySince(0).length],
+    [0, 0, 0],
+  );
+  assert.throws(() => plain.record(), {
+    name: "PlanariumError",
+    code: "unsupported",
+    message: /before the first iteration/,
+  });
 });
 
 test("rawPath is the path as it was found", () => {
@@ -113,7 +127,10 @@ test("firstHits takes rows of two ends, more of them than go over at once, and i
 test("events are left out if they are not wanted", () => {
   const planner = finish(Scenario.parse(arm).planner({ algorithm: "prm", seed: 3, events: false }));
   assert.deepEqual([planner.eventCount, planner.eventsSince(0).length], [0, 0]);
-  assert.throws(() => Scenario.parse(arm).planner(asOptions({ events: 1 })), { code: "wrong-type", pointer: "/events" });
+  assert.throws(() => Scenario.parse(arm).planner(asOptions({ events: 1 })), {
+    code: "wrong-type",
+    pointer: "/events",
+  });
 });
 
 test("stepFor(0) makes one iteration, so that a loop always gets on, and leads to the same result", () => {
@@ -131,7 +148,11 @@ test("stepFor(0) makes one iteration, so that a loop always gets on, and leads t
 
 test("step makes at most n iterations, none at n = 0, and none after the end", () => {
   const planner = Scenario.parse(arm).planner({ algorithm: "prm" });
-  for (const [count, made] of [[0, 0], [100, 100], [1, 101]]) {
+  for (const [count, made] of [
+    [0, 0],
+    [100, 100],
+    [1, 101],
+  ]) {
     assert.equal(planner.step(count), "running");
     assert.equal(planner.iterations, made);
   }
@@ -147,13 +168,21 @@ test("a budget that runs out ends as exhausted, with an empty path", () => {
   assert.equal(planner.status, "exhausted");
   assert.equal(planner.path().length, 0);
   const { path, reason, explanation } = planner.result();
-  assert.deepEqual([path, reason, explanation], [[], "iteration-limit", "gave up after 3 iterations without a path (max_iterations)"]);
+  assert.deepEqual(
+    [path, reason, explanation],
+    [[], "iteration-limit", "gave up after 3 iterations without a path (max_iterations)"],
+  );
   assert.deepEqual([planner.reason, planner.explanation], [reason, explanation]);
   assert.deepEqual(finish(Scenario.parse(disc).planner({})).reason, undefined, "solved");
 });
 
 test("stepFor overruns its budget by less than a quarter, whatever an iteration costs", (context) => {
-  const planner = Scenario.generate("forest", { seed: 2, links: 4 }).planner({ algorithm: "prm", samples: 3000, k: 5, maxIterations: 20_000 });
+  const planner = Scenario.generate("forest", { seed: 2, links: 4 }).planner({
+    algorithm: "prm",
+    samples: 3000,
+    k: 5,
+    maxIterations: 20_000,
+  });
   // A clock that runs by iterations made, at a price that changes with the phase.
   const price = (/** @type {string} */ phase) => (phase === "sampling" ? 0.001 : 0.11);
   let clock = 0;
@@ -197,10 +226,17 @@ test("a roadmap is kept as text and as bytes, and gone on with: the same path, a
     const xml = planner.roadmap("graphml");
     assert.match(xml, /^<\?xml [^]*<graphml [^]*<\/graphml>\n$/);
     const { vertices, edges } = JSON.parse(text);
-    const told = (/** @type {RegExp} */ pattern) => Array.from(xml.matchAll(pattern), ([, ...found]) => found.map(Number));
-    assert.deepEqual(told(/<node id="n\d+"><data key="q0">(.+?)<\/data><data key="q1">(.+?)<\/data><\/node>/g), vertices);
+    const told = (/** @type {RegExp} */ pattern) =>
+      Array.from(xml.matchAll(pattern), ([, ...found]) => found.map(Number));
+    assert.deepEqual(
+      told(/<node id="n\d+"><data key="q0">(.+?)<\/data><data key="q1">(.+?)<\/data><\/node>/g),
+      vertices,
+    );
     const lines = told(/<edge id="e\d+" source="n(\d+)" target="n(\d+)"><data key="weight">(.+?)<\/data>/g);
-    assert.deepEqual(lines, edges.map((/** @type {[number, number]} */ [a, b]) => [a, b, scenario.distance(vertices[a], vertices[b])]));
+    assert.deepEqual(
+      lines,
+      edges.map((/** @type {[number, number]} */ [a, b]) => [a, b, scenario.distance(vertices[a], vertices[b])]),
+    );
     for (const kept of [text, bytes, new Uint8Array(bytes)]) {
       const resumed = finish(scenario.resume(kept, { query: "over", shortcut: 0 }));
       assert.equal(resumed.status, planner.status);
@@ -219,14 +255,19 @@ test("a roadmap is reopened where an obstacle has moved, and only what is wanted
   const planner = finish(scenario.planner({ algorithm: "lazy-prm", seed: 3, samples: 300 }));
   assert.equal(finish(planner.reopen(scenario)).stats().motion_checks, 0, "nothing has moved");
   const document = scenario.document();
-  const post = { type: /** @type {const} */ ("disc"), center: /** @type {[number, number]} */ ([-1.2, -1.2]), radius: 0.1 };
+  const post = {
+    type: /** @type {const} */ ("disc"),
+    center: /** @type {[number, number]} */ ([-1.2, -1.2]),
+    radius: 0.1,
+  };
   const world = { ...document.world, obstacles: [...document.world.obstacles, post] };
   const moved = Scenario.parse({ ...document, world });
   const [one, same] = [moved, JSON.stringify(moved)].map((input) => finish(planner.reopen(input)));
   assert.equal(one.fingerprint(), same.fingerprint(), "the same calls give the same bits");
   assert.equal(one.vertexCount, planner.vertexCount);
   assert.ok(one.stats().motion_checks < planner.stats().motion_checks && one.stats().unchecked_edges);
-  for (let i = 0, path = one.path(); i + 4 <= path.length; i += 2) assert.equal(moved.firstHit(path.subarray(i, i + 2), path.subarray(i + 2, i + 4)), null);
+  for (let i = 0, path = one.path(); i + 4 <= path.length; i += 2)
+    assert.equal(moved.firstHit(path.subarray(i, i + 2), path.subarray(i + 2, i + 4)), null);
   assert.throws(() => planner.reopen(disc), { code: "other-scenario", pointer: "/robot" });
   assert.throws(() => scenario.planner({ algorithm: "lazy-prm" }).reopen(scenario), { code: "unsupported" });
   assert.throws(() => planner.reopen("{"), { code: "invalid-json" });
@@ -256,7 +297,10 @@ test("growth yields everything once, lets other tasks run in between, and is the
   /** @type {number[]} */ const events = [];
   /** @type {string[]} */ const statuses = [];
   let [ticks, isOver] = [0, false];
-  const tick = () => { ticks += 1; if (!isOver) setImmediate(tick); };
+  const tick = () => {
+    ticks += 1;
+    if (!isOver) setImmediate(tick);
+  };
   setImmediate(tick);
   for await (const growth of planner.growth({ budget: 0.5 })) {
     vertices.push(...growth.vertices);
@@ -266,17 +310,30 @@ test("growth yields everything once, lets other tasks run in between, and is the
     assert.equal(growth.iterations, planner.iterations);
   }
   isOver = true;
-  assert.deepEqual([vertices, edges, events], [[...plain.verticesSince(0)], [...plain.edgesSince(0)], [...plain.eventsSince(0)]]);
+  assert.deepEqual(
+    [vertices, edges, events],
+    [[...plain.verticesSince(0)], [...plain.edgesSince(0)], [...plain.eventsSince(0)]],
+  );
   assert.equal(planner.fingerprint(), plain.fingerprint());
-  assert.deepEqual([statuses[0], statuses.at(-1), statuses.indexOf("solved")], ["running", "solved", statuses.length - 1]);
+  assert.deepEqual(
+    [statuses[0], statuses.at(-1), statuses.indexOf("solved")],
+    ["running", "solved", statuses.length - 1],
+  );
   assert.ok(ticks > 1, `${ticks} ticks`);
 });
 
 test("growth yields everything once where the loop steps the planner, too", async () => {
   const scenario = Scenario.parse(arm);
-  for (const options of /** @type {const} */ ([{ algorithm: "prm", samples: 400, k: 5 }, { algorithm: "rrt-connect" }])) {
+  for (const options of /** @type {const} */ ([
+    { algorithm: "prm", samples: 400, k: 5 },
+    { algorithm: "rrt-connect" },
+  ])) {
     const whole = finish(scenario.planner({ ...options, seed: 1 }));
-    for (const [before, within] of [[0, 1], [3, 40], [0, 1e6]]) {
+    for (const [before, within] of [
+      [0, 1],
+      [3, 40],
+      [0, 1e6],
+    ]) {
       const planner = scenario.planner({ ...options, seed: 1 });
       /** @type {[number[], number[], number[]]} */
       const grown = [[], [], []];
@@ -288,7 +345,11 @@ test("growth yields everything once where the loop steps the planner, too", asyn
         last = status;
         planner.step(within);
       }
-      assert.deepEqual(grown, [[...whole.verticesSince(0)], [...whole.edgesSince(0)], [...whole.eventsSince(0)]], `${within}`);
+      assert.deepEqual(
+        grown,
+        [[...whole.verticesSince(0)], [...whole.edgesSince(0)], [...whole.eventsSince(0)]],
+        `${within}`,
+      );
       assert.equal(last, "solved");
     }
   }
@@ -302,7 +363,10 @@ test("growth ends at break, and the run can be continued; a freed planner has no
     assert.equal(vertices.length, planner.vertexCount * planner.dimension, "a new loop begins with what there is");
     break;
   }
-  for (const [budget, code] of /** @type {const} */ ([[NaN, "not-finite"], [-1, "out-of-range"]])) {
+  for (const [budget, code] of /** @type {const} */ ([
+    [NaN, "not-finite"],
+    [-1, "out-of-range"],
+  ])) {
     assert.throws(() => planner.growth({ budget }), { code, pointer: "/budget" });
   }
   assert.throws(() => planner.growth(/** @type {any} */ ({ buget: 4 })), { code: "unknown-field", pointer: "/buget" });
@@ -316,7 +380,10 @@ test("solve plans in one call, of a document, a text or a scenario", () => {
   const scenario = Scenario.parse(disc);
   for (const input of [disc, JSON.stringify(disc), scenario]) {
     const { stats, ...result } = solve(input, { seed: 4 });
-    assert.deepEqual({ ...result, stats: { ...stats, build_seconds: 0, search_seconds: 0 } }, { ...expected, stats: { ...expected.stats, build_seconds: 0, search_seconds: 0 } });
+    assert.deepEqual(
+      { ...result, stats: { ...stats, build_seconds: 0, search_seconds: 0 } },
+      { ...expected, stats: { ...expected.stats, build_seconds: 0, search_seconds: 0 } },
+    );
   }
   assert.equal(scenario.name, disc.name, "a scenario of the caller is not freed");
   assert.throws(() => solve(disc, { algorithm: "prm", k: -1 }), { code: "out-of-range", pointer: "/k" });

@@ -10,7 +10,15 @@ export const arm = {
   name: "two-joints",
   world: {
     obstacles: [
-      { type: "polygon", vertices: [[1.2, 0.5], [1.6, 0.5], [1.6, 0.9], [1.2, 0.9]] },
+      {
+        type: "polygon",
+        vertices: [
+          [1.2, 0.5],
+          [1.6, 0.5],
+          [1.6, 0.9],
+          [1.2, 0.9],
+        ],
+      },
       { type: "disc", center: [-1.0, 0.8], radius: 0.3 },
     ],
   },
@@ -25,7 +33,17 @@ export const disc = {
   title: "Round the wall",
   world: {
     bounds: { min: [0, 0], max: [10, 10] },
-    obstacles: [{ type: "polygon", vertices: [[4.9, 0], [5.1, 0], [5.1, 8], [4.9, 8]] }],
+    obstacles: [
+      {
+        type: "polygon",
+        vertices: [
+          [4.9, 0],
+          [5.1, 0],
+          [5.1, 8],
+          [4.9, 8],
+        ],
+      },
+    ],
   },
   robot: { type: "disc", radius: 0.4 },
   queries: [{ name: "across", start: [2, 2], goal: [8, 2] }],
@@ -39,14 +57,35 @@ export const car = {
     bounds: { min: [0, 0], max: [2, 2] },
     obstacles: [
       { type: "disc", center: [0.2, 1.8], radius: 0.05 },
-      { type: "polygon", vertices: [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] },
+      {
+        type: "polygon",
+        vertices: [
+          [1.5, 0],
+          [1.6, 0],
+          [1.6, 1.2],
+          [1.5, 1.2],
+        ],
+      },
     ],
   },
   robot: {
-    type: "car", shape: { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] },
-    wheelbase: 0.2, speed: [-0.5, 0.5], steering: [-Math.PI / 4, Math.PI / 4],
+    type: "car",
+    shape: {
+      type: "polygon",
+      vertices: [
+        [-0.1, -0.05],
+        [0.1, -0.05],
+        [0.1, 0.05],
+        [-0.1, 0.05],
+      ],
+    },
+    wheelbase: 0.2,
+    speed: [-0.5, 0.5],
+    steering: [-Math.PI / 4, Math.PI / 4],
   },
-  queries: [{ name: "home", start: [0.5, 0.5, 0], goal: [1.8, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+  queries: [
+    { name: "home", start: [0.5, 0.5, 0], goal: [1.8, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } },
+  ],
 };
 
 /** An L that must turn to get through a gap. @type {ScenarioDocument} */
@@ -56,12 +95,31 @@ export const body = {
   world: {
     bounds: { min: [0, 0], max: [2.4, 1.6] },
     obstacles: [
-      { type: "polygon", vertices: [[1.17, 0], [1.23, 0], [1.23, 0.55], [1.17, 0.55]] },
+      {
+        type: "polygon",
+        vertices: [
+          [1.17, 0],
+          [1.23, 0],
+          [1.23, 0.55],
+          [1.17, 0.55],
+        ],
+      },
       { type: "disc", center: [1.2, 1.25], radius: 0.2 },
     ],
   },
   robot: {
-    type: "rigid_body", shape: { type: "polygon", vertices: [[-0.06, -0.06], [0.34, -0.06], [0.34, 0.06], [0.06, 0.06], [0.06, 0.34], [-0.06, 0.34]] },
+    type: "rigid_body",
+    shape: {
+      type: "polygon",
+      vertices: [
+        [-0.06, -0.06],
+        [0.34, -0.06],
+        [0.34, 0.06],
+        [0.06, 0.06],
+        [0.06, 0.34],
+        [-0.06, 0.34],
+      ],
+    },
   },
   queries: [{ name: "through", start: [0.4, 0.4, 0], goal: [2, 1.1, 3] }],
 };
@@ -71,7 +129,11 @@ export const scenes = { arm, disc, rigid_body: body, car };
 
 /** @import { PlannerOptions, ResumeOptions } from "planarium" */
 
-/** Options that are made at run time, which no type can describe. @param {any} made @returns {PlannerOptions & ResumeOptions} */
+/**
+ * Options that are made at run time, which no type can describe.
+ * @param {any} made
+ * @returns {PlannerOptions & ResumeOptions}
+ */
 export const options = (made) => made;
 
 /** Runs a planner to its end. @param {import("planarium").Planner} planner @param {number} [slice] */
@@ -94,7 +156,11 @@ export function revoked(target = []) {
 export function fails(work, code, pointer, message = /.{11}/) {
   assert.throws(work, (error) => {
     assert.ok(error instanceof PlanariumError && error instanceof Error, String(error));
-    assert.deepEqual([error.name, error.code, pointer === undefined ? undefined : error.pointer], ["PlanariumError", code, pointer], error.message);
+    assert.deepEqual(
+      [error.name, error.code, pointer === undefined ? undefined : error.pointer],
+      ["PlanariumError", code, pointer],
+      error.message,
+    );
     assert.match(error.message, message);
     return true;
   });

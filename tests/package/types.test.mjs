@@ -268,7 +268,15 @@ export function draw(context: CanvasRenderingContext2D, canvas: OffscreenCanvas,
 }
 `;
 
-const base = { strict: true, noEmit: true, target: "es2022", skipLibCheck: false, types: [], noUncheckedIndexedAccess: true, exactOptionalPropertyTypes: true };
+const base = {
+  strict: true,
+  noEmit: true,
+  target: "es2022",
+  skipLibCheck: false,
+  types: [],
+  noUncheckedIndexedAccess: true,
+  exactOptionalPropertyTypes: true,
+};
 
 /** @type {string} */
 let folder;
@@ -278,13 +286,22 @@ before(() => {
 });
 
 for (const [name, settings] of Object.entries({
-  "nodenext": { module: "nodenext" },
-  "bundler": { module: "esnext", moduleResolution: "bundler" },
+  nodenext: { module: "nodenext" },
+  bundler: { module: "esnext", moduleResolution: "bundler" },
   "nodenext without the DOM": { module: "nodenext", lib: ["es2022"] },
 })) {
   test(`a strict consumer compiles under ${name}`, () => {
-    addFiles(folder, { "tsconfig.json": JSON.stringify({ compilerOptions: { ...base, ...settings }, files: "lib" in settings ? ["consumer.ts"] : ["consumer.ts", "drawer.ts"] }) });
-    const { status, stdout } = spawnSync(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", folder], { encoding: "utf8" });
+    addFiles(folder, {
+      "tsconfig.json": JSON.stringify({
+        compilerOptions: { ...base, ...settings },
+        files: "lib" in settings ? ["consumer.ts"] : ["consumer.ts", "drawer.ts"],
+      }),
+    });
+    const { status, stdout } = spawnSync(
+      process.execPath,
+      [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", folder],
+      { encoding: "utf8" },
+    );
     assert.equal(status, 0, stdout);
   });
 }
@@ -298,8 +315,12 @@ test("no declaration says any, and every member is explained", () => {
     const code = text.replace(/\/\*[^]*?\*\/|"[^"]*"/g, "");
     assert.doesNotMatch(code, /\bany\b/, name);
     assert.doesNotMatch(text, /\* r#*"/, name);
-    const bare = text.split("\n").filter((line, i, lines) =>
-      /^ {4}(?:static |get )?\[?\w[\w.]*\]?\??[(:]/.test(line) && !lines[i - 1].trimEnd().endsWith("*/"));
+    const bare = text
+      .split("\n")
+      .filter(
+        (line, i, lines) =>
+          /^ {4}(?:static |get )?\[?\w[\w.]*\]?\??[(:]/.test(line) && !lines[i - 1].trimEnd().endsWith("*/"),
+      );
     assert.deepEqual(bare, [], `${name} has members without a comment`);
   }
 });

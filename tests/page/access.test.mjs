@@ -1,9 +1,26 @@
-/** The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion, a projector. */
+/**
+ * The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion,
+ * a projector.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  PHONE, atRest, chooseScene, click, coloursOf, fill, finish, keys, onPausedPage, pickFile, pixelsOf, pressUntil, textMatches, unfold,
-  useBrowser, violations,
+  PHONE,
+  atRest,
+  chooseScene,
+  click,
+  coloursOf,
+  fill,
+  finish,
+  keys,
+  onPausedPage,
+  pickFile,
+  pixelsOf,
+  pressUntil,
+  textMatches,
+  unfold,
+  useBrowser,
+  violations,
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
@@ -27,14 +44,22 @@ const STATES = {
     await atRest(page);
   },
   "a lesson, with everything unfolded": async (page) => {
-    await page.evaluate(() => { for (const details of document.querySelectorAll("details")) details.open = true; });
+    await page.evaluate(() => {
+      for (const details of document.querySelectorAll("details")) details.open = true;
+    });
     await unfold(page, "export");
     await page.click("#lessons button");
     await page.waitForSelector("#lesson:not([hidden])");
     await atRest(page);
   },
   "a generated scene, with a link to be copied by hand": async (page) => {
-    await page.evaluate(() => { Object.defineProperty(navigator, "clipboard", { get() { throw new Error("closed"); } }); });
+    await page.evaluate(() => {
+      Object.defineProperty(navigator, "clipboard", {
+        get() {
+          throw new Error("closed");
+        },
+      });
+    });
     await chooseScene(page, "maze");
     await click(page, "#step-10");
     await page.click("#link");
@@ -54,192 +79,318 @@ const STATES = {
 const FITS = { "solved, all numbers and parameters open": 200, "the editor, with something selected": 120 };
 
 for (const [state, enter] of Object.entries(STATES)) {
-  test(`${state}: axe finds nothing, and nothing hangs over`, () => onPausedPage(async (page) => {
-    await enter(page);
-    await assertFaultless(page, state);
-    if (state in FITS) await assertFits(page, state, FITS[state]);
-  }));
+  test(`${state}: axe finds nothing, and nothing hangs over`, () =>
+    onPausedPage(async (page) => {
+      await enter(page);
+      await assertFaultless(page, state);
+      if (state in FITS) await assertFits(page, state, FITS[state]);
+    }));
 }
 
-test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () => onPausedPage(async (page) => {
-  for (const id of ["race", "view", "lessons", "export"]) await unfold(page, id);
-  await page.click("#more summary");
-  await assertTargets(page);
-  const transport = await page.locator("#transport button").evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect().height));
-  assert.ok(transport.every((height) => height >= 44), `${transport}`);
-}, PHONE));
+test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () =>
+  onPausedPage(async (page) => {
+    for (const id of ["race", "view", "lessons", "export"]) await unfold(page, id);
+    await page.click("#more summary");
+    await assertTargets(page);
+    const transport = await page
+      .locator("#transport button")
+      .evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect().height));
+    assert.ok(
+      transport.every((height) => height >= 44),
+      `${transport}`,
+    );
+  }, PHONE));
 
-test("forced colours are honoured: the stage is drawn in them, and what is chosen shows", () => onPausedPage(async (page) => {
-  await finish(page);
-  await assertForced(page);
-  assert.ok(await pixelsOf(page, "workspace", "top", "path") > 100);
-  const border = await page.locator(".card:has(input:checked)").evaluate((card) => getComputedStyle(card).borderTopWidth);
-  assert.equal(border, "2px");
-}, { forcedColors: "active" }));
+test("forced colours are honoured: the stage is drawn in them, and what is chosen shows", () =>
+  onPausedPage(
+    async (page) => {
+      await finish(page);
+      await assertForced(page);
+      assert.ok((await pixelsOf(page, "workspace", "top", "path")) > 100);
+      const border = await page
+        .locator(".card:has(input:checked)")
+        .evaluate((card) => getComputedStyle(card).borderTopWidth);
+      assert.equal(border, "2px");
+    },
+    { forcedColors: "active" },
+  ));
 
-test("text and marks stand out, and different things differ for the colour-blind too", () => onPausedPage(async (page) => {
-  // Viénot, Brettel, Mollon 1999, "Digital video colourmaps for checking the legibility of displays by dichromats": linear RGB.
-  const SEEN = {
-    protan: [[0.11238, 0.88762, 0], [0.11238, 0.88762, 0], [0.00401, -0.00401, 1]],
-    deutan: [[0.29275, 0.70725, 0], [0.29275, 0.70725, 0], [-0.02234, 0.02234, 1]],
-  };
-  const PAIRS = [
-    ["ink", "page"], ["quiet", "page"], ["quiet", "stage"], ["collision", "page"],
-    ["obstacle-edge", "stage"], ["robot", "stage"], ["start", "stage"], ["goal", "stage"], ["growth", "stage"],
-    ["newest", "stage"], ["path", "stage"], ["unproven", "stage"], ["rejected", "stage"], ["collision", "stage"], ["control", "page"],
-  ];
-  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    await page.emulateMedia({ colorScheme });
-    const names = [...new Set(PAIRS.flat())];
-    const colours = await coloursOf(page, names.map((name) => `var(--${name})`));
-    const linear = (/** @type {string} */ name) => colours[names.indexOf(name)].map((byte) => byte / 255)
-      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
-    for (const [mark, ground] of PAIRS) {
-      const [dark, light] = [mark, ground].map((name) => linear(name).reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0)).sort((x, y) => x - y);
-      const ratio = (light + 0.05) / (dark + 0.05);
-      assert.ok(ratio >= (/^(ink|quiet|collision)/.test(mark) ? 4.5 : 3), `${mark} on ${ground}, ${colorScheme}: ${ratio.toFixed(2)}`);
-    }
-    for (const [eyes, rows] of Object.entries(SEEN)) {
-      const seen = (/** @type {string} */ name) => rows.map((row) => Math.cbrt(Math.max(0, row.reduce((sum, weight, i) => sum + weight * linear(name)[i], 0))));
-      for (const [a, b] of [["start", "goal"], ["path", "growth"], ["path", "start"], ["collision", "start"]]) {
-        const apart = Math.hypot(...seen(a).map((value, i) => value - seen(b)[i]));
-        assert.ok(apart > 0.1, `${a} and ${b} for ${eyes} eyes, ${colorScheme}: ${apart.toFixed(3)}`);
+test("text and marks stand out, and different things differ for the colour-blind too", () =>
+  onPausedPage(async (page) => {
+    // Viénot, Brettel, Mollon 1999, "Digital video colourmaps for checking the legibility of displays by dichromats":
+    // linear RGB.
+    const SEEN = {
+      protan: [
+        [0.11238, 0.88762, 0],
+        [0.11238, 0.88762, 0],
+        [0.00401, -0.00401, 1],
+      ],
+      deutan: [
+        [0.29275, 0.70725, 0],
+        [0.29275, 0.70725, 0],
+        [-0.02234, 0.02234, 1],
+      ],
+    };
+    const PAIRS = [
+      ["ink", "page"],
+      ["quiet", "page"],
+      ["quiet", "stage"],
+      ["collision", "page"],
+      ["obstacle-edge", "stage"],
+      ["robot", "stage"],
+      ["start", "stage"],
+      ["goal", "stage"],
+      ["growth", "stage"],
+      ["newest", "stage"],
+      ["path", "stage"],
+      ["unproven", "stage"],
+      ["rejected", "stage"],
+      ["collision", "stage"],
+      ["control", "page"],
+    ];
+    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+      await page.emulateMedia({ colorScheme });
+      const names = [...new Set(PAIRS.flat())];
+      const colours = await coloursOf(
+        page,
+        names.map((name) => `var(--${name})`),
+      );
+      const linear = (/** @type {string} */ name) =>
+        colours[names.indexOf(name)]
+          .map((byte) => byte / 255)
+          .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+      for (const [mark, ground] of PAIRS) {
+        const [dark, light] = [mark, ground]
+          .map((name) => linear(name).reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0))
+          .sort((x, y) => x - y);
+        const ratio = (light + 0.05) / (dark + 0.05);
+        assert.ok(
+          ratio >= (/^(ink|quiet|collision)/.test(mark) ? 4.5 : 3),
+          `${mark} on ${ground}, ${colorScheme}: ${ratio.toFixed(2)}`,
+        );
+      }
+      for (const [eyes, rows] of Object.entries(SEEN)) {
+        const seen = (/** @type {string} */ name) =>
+          rows.map((row) =>
+            Math.cbrt(
+              Math.max(
+                0,
+                row.reduce((sum, weight, i) => sum + weight * linear(name)[i], 0),
+              ),
+            ),
+          );
+        for (const [a, b] of [
+          ["start", "goal"],
+          ["path", "growth"],
+          ["path", "start"],
+          ["collision", "start"],
+        ]) {
+          const apart = Math.hypot(...seen(a).map((value, i) => value - seen(b)[i]));
+          assert.ok(apart > 0.1, `${a} and ${b} for ${eyes} eyes, ${colorScheme}: ${apart.toFixed(3)}`);
+        }
       }
     }
-  }
-}));
+  }));
 
-test("single keys work on stage and transport, and nowhere else", () => onPausedPage(async (page) => {
-  await page.focus("#stage");
-  await pressUntil(page, ".", "#counters[data-iterations='1']");
-  await pressUntil(page, "Space", "#play[data-playing=true]");
-  await pressUntil(page, "Space", "#play[data-playing=false]");
-  await pressUntil(page, "r", "#counters[data-iterations='0']");
-  const seed = await page.inputValue("#parameter-seed");
-  await page.keyboard.press("n");
-  await page.waitForFunction((old) => /** @type {HTMLInputElement} */ (document.getElementById("parameter-seed")).value !== old, seed);
-  await page.focus("#speed");
-  await pressUntil(page, ".", "#counters[data-iterations='1']");
-  await page.focus("#planner");
-  await keys(page, ".", "r", "e");
-  const { iterations } = await atRest(page);
-  assert.equal(iterations, (await page.inputValue("#planner")) === "prm" ? 1 : 0);
-  await page.focus("#stage");
-  await page.keyboard.press(".");
-  assert.equal((await atRest(page)).iterations, iterations + 1, "keys in the panel are the panel's");
-  await page.focus("#stage");
-  await pressUntil(page, "e", "#counters[data-status=solved], #counters[data-status=exhausted]");
-}));
+test("single keys work on stage and transport, and nowhere else", () =>
+  onPausedPage(async (page) => {
+    await page.focus("#stage");
+    await pressUntil(page, ".", "#counters[data-iterations='1']");
+    await pressUntil(page, "Space", "#play[data-playing=true]");
+    await pressUntil(page, "Space", "#play[data-playing=false]");
+    await pressUntil(page, "r", "#counters[data-iterations='0']");
+    const seed = await page.inputValue("#parameter-seed");
+    await page.keyboard.press("n");
+    await page.waitForFunction(
+      (old) => /** @type {HTMLInputElement} */ (document.getElementById("parameter-seed")).value !== old,
+      seed,
+    );
+    await page.focus("#speed");
+    await pressUntil(page, ".", "#counters[data-iterations='1']");
+    await page.focus("#planner");
+    await keys(page, ".", "r", "e");
+    const { iterations } = await atRest(page);
+    assert.equal(iterations, (await page.inputValue("#planner")) === "prm" ? 1 : 0);
+    await page.focus("#stage");
+    await page.keyboard.press(".");
+    assert.equal((await atRest(page)).iterations, iterations + 1, "keys in the panel are the panel's");
+    await page.focus("#stage");
+    await pressUntil(page, "e", "#counters[data-status=solved], #counters[data-status=exhausted]");
+  }));
 
-test("everything is reached by Tab, with a focus that shows", () => onPausedPage(async (page) => {
-  const reached = new Set();
-  for (let i = 0; i < 60; i++) {
-    await page.keyboard.press("Tab");
-    const { id, outline } = await page.evaluate(() => {
-      const element = document.activeElement ?? document.body;
-      const shown = element.matches(".card input") ? element.parentElement ?? element : element;
-      return { id: element.id || element.getAttribute("name") || element.tagName, outline: getComputedStyle(shown).outlineStyle };
-    });
-    if (id === "BODY") break;
-    reached.add(id);
-    assert.notEqual(outline, "none", id);
-  }
-  for (const id of ["theme", "your-turn", "stage", "play", "step-1", "step-10", "step-100", "finish", "reset", "speed", "scene", "open", "planner", "parameter-k", "parameter-samples", "parameter-seed", "new-seed", "pose-0", "pose-0-number", "pose-1"]) {
-    assert.ok(reached.has(id), `${id} is not reached`);
-  }
-}));
+test("everything is reached by Tab, with a focus that shows", () =>
+  onPausedPage(async (page) => {
+    const reached = new Set();
+    for (let i = 0; i < 60; i++) {
+      await page.keyboard.press("Tab");
+      const { id, outline } = await page.evaluate(() => {
+        const element = document.activeElement ?? document.body;
+        const shown = element.matches(".card input") ? (element.parentElement ?? element) : element;
+        return {
+          id: element.id || element.getAttribute("name") || element.tagName,
+          outline: getComputedStyle(shown).outlineStyle,
+        };
+      });
+      if (id === "BODY") break;
+      reached.add(id);
+      assert.notEqual(outline, "none", id);
+    }
+    for (const id of [
+      "theme",
+      "your-turn",
+      "stage",
+      "play",
+      "step-1",
+      "step-10",
+      "step-100",
+      "finish",
+      "reset",
+      "speed",
+      "scene",
+      "open",
+      "planner",
+      "parameter-k",
+      "parameter-samples",
+      "parameter-seed",
+      "new-seed",
+      "pose-0",
+      "pose-0-number",
+      "pose-1",
+    ]) {
+      assert.ok(reached.has(id), `${id} is not reached`);
+    }
+  }));
 
-test("a scene is chosen, planned, gone back in and raced by keys alone", () => onPausedPage(async (page) => {
-  await page.focus("input[name=scene]:checked");
-  await page.keyboard.press("ArrowRight");
-  await page.waitForFunction(() => document.body.dataset.scene !== "stones");
-  await atRest(page);
-  await page.focus("#timeline");
-  await keys(page, ".", ".");
-  assert.equal((await atRest(page)).iterations, 2);
-  await page.keyboard.press(",");
-  assert.equal((await atRest(page)).iterations, 1);
-  await page.focus("#race-fold > summary");
-  await pressUntil(page, "Enter", "#add-rival");
-  await page.focus("#add-rival");
-  await pressUntil(page, "Enter", ".rival");
-  await page.focus("#stage");
-  await pressUntil(page, "e", "#counters[data-settled=true][data-status=solved]");
-}));
+test("a scene is chosen, planned, gone back in and raced by keys alone", () =>
+  onPausedPage(async (page) => {
+    await page.focus("input[name=scene]:checked");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => document.body.dataset.scene !== "stones");
+    await atRest(page);
+    await page.focus("#timeline");
+    await keys(page, ".", ".");
+    assert.equal((await atRest(page)).iterations, 2);
+    await page.keyboard.press(",");
+    assert.equal((await atRest(page)).iterations, 1);
+    await page.focus("#race-fold > summary");
+    await pressUntil(page, "Enter", "#add-rival");
+    await page.focus("#add-rival");
+    await pressUntil(page, "Enter", ".rival");
+    await page.focus("#stage");
+    await pressUntil(page, "e", "#counters[data-settled=true][data-status=solved]");
+  }));
 
-test("a finger drags the robot, and the page scrolls beneath one that does not", () => onPausedPage(async (page) => {
-  await page.click("#your-turn");
-  const before = await page.inputValue("#pose-0-number");
-  const canvas = page.locator("#workspace canvas[data-layer=top]");
-  const [x, y] = (await plane(page, 1.2))(0, 0);
-  await swipe(page, [[x + 40, y], [x + 30, y - 40]]);
-  await page.waitForFunction((value) => /** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value !== value, before);
-  assert.equal(await canvas.evaluate((element) => getComputedStyle(element).touchAction), "none", "while it is moved by hand");
-  await page.click("#your-turn");
-  await page.waitForFunction(() => !document.getElementById("stage")?.classList.contains("in-hand"));
-  assert.match(await canvas.evaluate((element) => getComputedStyle(element).touchAction), /pan-y/);
-  assert.doesNotMatch(await page.getAttribute("meta[name=viewport]", "content") ?? "", /user-scalable|maximum-scale/);
-}, PHONE));
+test("a finger drags the robot, and the page scrolls beneath one that does not", () =>
+  onPausedPage(async (page) => {
+    await page.click("#your-turn");
+    const before = await page.inputValue("#pose-0-number");
+    const canvas = page.locator("#workspace canvas[data-layer=top]");
+    const [x, y] = (await plane(page, 1.2))(0, 0);
+    await swipe(page, [
+      [x + 40, y],
+      [x + 30, y - 40],
+    ]);
+    await page.waitForFunction(
+      (value) => /** @type {HTMLInputElement} */ (document.getElementById("pose-0-number")).value !== value,
+      before,
+    );
+    assert.equal(
+      await canvas.evaluate((element) => getComputedStyle(element).touchAction),
+      "none",
+      "while it is moved by hand",
+    );
+    await page.click("#your-turn");
+    await page.waitForFunction(() => !document.getElementById("stage")?.classList.contains("in-hand"));
+    assert.match(await canvas.evaluate((element) => getComputedStyle(element).touchAction), /pan-y/);
+    assert.doesNotMatch(
+      (await page.getAttribute("meta[name=viewport]", "content")) ?? "",
+      /user-scalable|maximum-scale/,
+    );
+  }, PHONE));
 
-test("with less motion the page is paused, nothing glows, a path is there at once and announced", () => onPausedPage(async (page) => {
-  assert.equal((await atRest(page)).iterations, 0);
-  assert.equal(await page.innerText("#play"), "Play");
-  await click(page, "#step-100");
-  assert.equal(await pixelsOf(page, "workspace", "top", "halo"), 0);
-  await finish(page);
-  assert.equal(await page.getAttribute("#play", "data-playing"), "false");
-  assert.ok(await pixelsOf(page, "workspace", "top", "path") > 100);
-  await textMatches(page, "#announcer", /^Path found/);
-  assert.match(await page.getAttribute("#workspace canvas[role=img]", "aria-label") ?? "", /262 vertices.*solved/);
-}));
+test("with less motion the page is paused, nothing glows, a path is there at once and announced", () =>
+  onPausedPage(async (page) => {
+    assert.equal((await atRest(page)).iterations, 0);
+    assert.equal(await page.innerText("#play"), "Play");
+    await click(page, "#step-100");
+    assert.equal(await pixelsOf(page, "workspace", "top", "halo"), 0);
+    await finish(page);
+    assert.equal(await page.getAttribute("#play", "data-playing"), "false");
+    assert.ok((await pixelsOf(page, "workspace", "top", "path")) > 100);
+    await textMatches(page, "#announcer", /^Path found/);
+    assert.match((await page.getAttribute("#workspace canvas[role=img]", "aria-label")) ?? "", /262 vertices.*solved/);
+  }));
 
-test("on a projector words are larger and lines bolder; axe finds nothing, nor in a frame", () => onPausedPage(async (page, url) => {
-  await chooseScene(page, "firs");
-  await finish(page);
-  const ink = async () => (await pixelsOf(page, "workspace", "top", "path")) / (await page.locator("#workspace canvas[data-layer=top]").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).width));
-  const fontSize = () => page.evaluate(() => parseFloat(getComputedStyle(document.body).fontSize));
-  const [size, thin] = [await fontSize(), await ink()];
-  await click(page, "#projector");
-  assert.equal(await page.isVisible(".panel"), false);
-  assert.ok(await fontSize() > 1.3 * size);
-  assert.ok(await ink() > 1.25 * thin, `${await ink()} after ${thin}`);
-  assert.deepEqual(await violations(page), []);
-  await page.keyboard.press("Escape");
-  assert.equal(await page.isVisible(".panel"), true);
-  await page.goto(`${url}?embed=1`);
-  await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-  // The heading is the parent's to give.
-  assert.deepEqual((await violations(page)).filter((found) => !/^page-has-heading-one/.test(found)), []);
-}));
+test("on a projector words are larger and lines bolder; axe finds nothing, nor in a frame", () =>
+  onPausedPage(async (page, url) => {
+    await chooseScene(page, "firs");
+    await finish(page);
+    const ink = async () =>
+      (await pixelsOf(page, "workspace", "top", "path")) /
+      (await page
+        .locator("#workspace canvas[data-layer=top]")
+        .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).width));
+    const fontSize = () => page.evaluate(() => parseFloat(getComputedStyle(document.body).fontSize));
+    const [size, thin] = [await fontSize(), await ink()];
+    await click(page, "#projector");
+    assert.equal(await page.isVisible(".panel"), false);
+    assert.ok((await fontSize()) > 1.3 * size);
+    assert.ok((await ink()) > 1.25 * thin, `${await ink()} after ${thin}`);
+    assert.deepEqual(await violations(page), []);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.isVisible(".panel"), true);
+    await page.goto(`${url}?embed=1`);
+    await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+    // The heading is the parent's to give.
+    assert.deepEqual(
+      (await violations(page)).filter((found) => !/^page-has-heading-one/.test(found)),
+      [],
+    );
+  }));
 
-test("a disc has one figure, which fits any width", () => onPausedPage(async (page) => {
-  await chooseScene(page, "rings");
-  await finish(page);
-  await assertFits(page, "rings", 200);
-}));
+test("a disc has one figure, which fits any width", () =>
+  onPausedPage(async (page) => {
+    await chooseScene(page, "rings");
+    await finish(page);
+    await assertFits(page, "rings", 200);
+  }));
 
 for (const deviceScaleFactor of [1, 3]) {
-  test(`canvases are as sharp as the screen, with ${deviceScaleFactor} device pixels to a CSS pixel`, () => onPausedPage(async (page) => {
-    // A canvas is fitted when something is drawn on it; in a solved run every one has something.
-    await finish(page);
-    await page.waitForFunction(() => {
-      const canvases = /** @type {HTMLCanvasElement[]} */ ([...document.querySelectorAll("canvas[data-layer]")]);
-      return canvases.length === 10 && canvases.every((canvas) => {
-        const { width, height } = canvas.getBoundingClientRect();
-        return Math.abs(canvas.width - width * devicePixelRatio) <= 1 && Math.abs(canvas.height - height * devicePixelRatio) <= 1;
-      });
-    });
-  }, { deviceScaleFactor, viewport: { width: 1000, height: 800 } }));
+  test(`canvases are as sharp as the screen, with ${deviceScaleFactor} device pixels to a CSS pixel`, () =>
+    onPausedPage(
+      async (page) => {
+        // A canvas is fitted when something is drawn on it; in a solved run every one has something.
+        await finish(page);
+        await page.waitForFunction(() => {
+          const canvases = /** @type {HTMLCanvasElement[]} */ ([...document.querySelectorAll("canvas[data-layer]")]);
+          return (
+            canvases.length === 10 &&
+            canvases.every((canvas) => {
+              const { width, height } = canvas.getBoundingClientRect();
+              return (
+                Math.abs(canvas.width - width * devicePixelRatio) <= 1 &&
+                Math.abs(canvas.height - height * devicePixelRatio) <= 1
+              );
+            })
+          );
+        });
+      },
+      { deviceScaleFactor, viewport: { width: 1000, height: 800 } },
+    ));
 }
 
-test("light and dark follow the system until the reader chooses", () => onPausedPage(async (page) => {
-  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  const light = await background();
-  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
-  assert.notEqual(await background(), light);
-  await page.click("#theme");
-  assert.equal(await background(), light);
-  await page.reload();
-  await page.waitForSelector("#counters[data-status=running]");
-  assert.equal(await background(), light, "the choice is remembered");
-}, { colorScheme: "light" }));
+test("light and dark follow the system until the reader chooses", () =>
+  onPausedPage(
+    async (page) => {
+      const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+      const light = await background();
+      await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+      assert.notEqual(await background(), light);
+      await page.click("#theme");
+      assert.equal(await background(), light);
+      await page.reload();
+      await page.waitForSelector("#counters[data-status=running]");
+      assert.equal(await background(), light, "the choice is remembered");
+    },
+    { colorScheme: "light" },
+  ));

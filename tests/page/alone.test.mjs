@@ -5,7 +5,19 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import {
-  TRAP, atRest, choose, chooseScene, click, finish, onPage, onPausedPage, root, thumbnails, unfold, useBrowser, worker,
+  TRAP,
+  atRest,
+  choose,
+  chooseScene,
+  click,
+  finish,
+  onPage,
+  onPausedPage,
+  root,
+  thumbnails,
+  unfold,
+  useBrowser,
+  worker,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
@@ -14,45 +26,62 @@ useBrowser();
 
 const oneFile = join(root, "dist", "planarium.html");
 
-test("without a network every scene can be shown and planned, once the page is open", () => onPausedPage(async (page) => {
-  // The last thumbnail is drawn once all scenes are there.
-  await thumbnails(page);
-  // What some of them need is fetched a little later: the page's clock goes faster.
-  await page.clock.fastForward(60_000);
-  await page.waitForSelector("body[data-complete=true]");
-  await page.context().setOffline(true);
-  for (const { id } of SCENES) {
-    await chooseScene(page, id);
-    assert.equal((await click(page, "#step-10")).iterations, 10, id);
-  }
-}, {}, { before: async (page) => { await page.clock.install(); } }));
+test("without a network every scene can be shown and planned, once the page is open", () =>
+  onPausedPage(
+    async (page) => {
+      // The last thumbnail is drawn once all scenes are there.
+      await thumbnails(page);
+      // What some of them need is fetched a little later: the page's clock goes faster.
+      await page.clock.fastForward(60_000);
+      await page.waitForSelector("body[data-complete=true]");
+      await page.context().setOffline(true);
+      for (const { id } of SCENES) {
+        await chooseScene(page, id);
+        assert.equal((await click(page, "#step-10")).iterations, 10, id);
+      }
+    },
+    {},
+    {
+      before: async (page) => {
+        await page.clock.install();
+      },
+    },
+  ));
 
-test("a page that was open once opens without a network with all its rooms, and plans the same", () => onPausedPage(async (page, url) => {
-  await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
-  const there = await finish(page);
-  // Pictures of the gallery are stored once they are seen.
-  await page.goto(`${url}gallery.html`);
-  const picture = page.locator(".entry img").first();
-  const { src, unseen } = await picture.evaluate(async (image) => {
-    await /** @type {HTMLImageElement} */ (image).decode();
-    return { src: /** @type {HTMLImageElement} */ (image).src, unseen: /** @type {HTMLImageElement} */ ([...document.images].at(-1)).src };
-  });
-  await page.waitForFunction((address) => caches.match(address), src);
-  assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
-  await page.context().setOffline(true);
-  await page.goto("about:blank");
-  await page.goto(url);
-  await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-  assert.equal((await finish(page)).fingerprint, there.fingerprint);
-  await chooseScene(page, "rings");
-  for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
-  assert.equal(await page.isHidden("#notice"), true);
-  for (const room of ["reach", "neighbours", "trajectories", "fleet", "prm-rl", "experiments", "gallery"]) {
-    await page.goto(`${url}${room}.html`);
-    await page.waitForSelector("body[data-state=ready][data-settled=true]");
-  }
-  await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
-}, { serviceWorkers: "allow" }, { expectErrors: true }));
+test("a page that was open once opens without a network with all its rooms, and plans the same", () =>
+  onPausedPage(
+    async (page, url) => {
+      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
+      const there = await finish(page);
+      // Pictures of the gallery are stored once they are seen.
+      await page.goto(`${url}gallery.html`);
+      const picture = page.locator(".entry img").first();
+      const { src, unseen } = await picture.evaluate(async (image) => {
+        await /** @type {HTMLImageElement} */ (image).decode();
+        return {
+          src: /** @type {HTMLImageElement} */ (image).src,
+          unseen: /** @type {HTMLImageElement} */ ([...document.images].at(-1)).src,
+        };
+      });
+      await page.waitForFunction((address) => caches.match(address), src);
+      assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
+      await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(url);
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      assert.equal((await finish(page)).fingerprint, there.fingerprint);
+      await chooseScene(page, "rings");
+      for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
+      assert.equal(await page.isHidden("#notice"), true);
+      for (const room of ["reach", "neighbours", "trajectories", "fleet", "prm-rl", "experiments", "gallery"]) {
+        await page.goto(`${url}${room}.html`);
+        await page.waitForSelector("body[data-state=ready][data-settled=true]");
+      }
+      await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+    },
+    { serviceWorkers: "allow" },
+    { expectErrors: true },
+  ));
 
 test("the page in one file has at most 1260 KB and asks for nothing", () => {
   assert.ok(statSync(oneFile).size <= 1260 * 1024, `${statSync(oneFile).size}`);
@@ -65,27 +94,37 @@ for (const where of ["from the disk", "in a sandboxed frame"]) {
   test(`the page in one file runs ${where}, and plans the same bits as the package`, async () => {
     const { algorithm, settings } = sceneOf("stones");
     const { fingerprint } = ran(open(sceneOf("stones")), algorithm, settings).result;
-    await onPage({ reducedMotion: "reduce" }, async (page) => {
-      /** @type {string[]} */
-      const requests = [];
-      page.on("request", (request) => requests.push(request.url()));
-      let frame = page.mainFrame();
-      if (where === "from the disk") {
-        await page.goto(pathToFileURL(oneFile).href);
-      } else {
-        const outer = join(root, "dist", "one-file", "outer.html");
-        writeFileSync(outer, `<!doctype html><title>outer</title><iframe sandbox="allow-scripts" src="../planarium.html" style="width: 1000px; height: 800px"></iframe>`);
-        await page.goto(pathToFileURL(outer).href);
-        frame = await (await page.waitForSelector("iframe")).contentFrame() ?? frame;
-      }
-      await frame.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-      await frame.click("#finish");
-      await frame.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
-      assert.equal(await frame.getAttribute("#counters", "data-fingerprint"), fingerprint);
-      await choose(frame, "scene", "rings");
-      await frame.waitForSelector("body[data-scene=rings]");
-      assert.ok(requests.every((url) => /^(file|data|blob):/.test(url)), requests.join(" "));
-    }, { path: "icon.svg", expectErrors: true });
+    await onPage(
+      { reducedMotion: "reduce" },
+      async (page) => {
+        /** @type {string[]} */
+        const requests = [];
+        page.on("request", (request) => requests.push(request.url()));
+        let frame = page.mainFrame();
+        if (where === "from the disk") {
+          await page.goto(pathToFileURL(oneFile).href);
+        } else {
+          const outer = join(root, "dist", "one-file", "outer.html");
+          writeFileSync(
+            outer,
+            `<!doctype html><title>outer</title><iframe sandbox="allow-scripts" src="../planarium.html" style="width: 1000px; height: 800px"></iframe>`,
+          );
+          await page.goto(pathToFileURL(outer).href);
+          frame = (await (await page.waitForSelector("iframe")).contentFrame()) ?? frame;
+        }
+        await frame.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+        await frame.click("#finish");
+        await frame.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
+        assert.equal(await frame.getAttribute("#counters", "data-fingerprint"), fingerprint);
+        await choose(frame, "scene", "rings");
+        await frame.waitForSelector("body[data-scene=rings]");
+        assert.ok(
+          requests.every((url) => /^(file|data|blob):/.test(url)),
+          requests.join(" "),
+        );
+      },
+      { path: "icon.svg", expectErrors: true },
+    );
   });
 }
 
@@ -109,113 +148,186 @@ const parent = (url) => `<!doctype html><title>Parent</title><button id="before"
     }
   </script>`;
 
-test("embedded it shows the stage only, takes no focus and obeys orders", () => onPage({ reducedMotion: "reduce" }, async (page, url) => {
-  await page.route("**/parent.html", (route) => route.fulfill({ contentType: "text/html", body: parent(url) }));
-  await page.goto(`${url}parent.html`);
-  await page.waitForFunction("told.some(({ planarium }) => planarium === 'state')");
-  const frame = page.frames()[1];
-  for (const hidden of [".masthead", ".panel", ".legend"]) assert.equal(await frame.locator(hidden).isVisible(), false, hidden);
-  assert.equal(await frame.locator("#transport").isVisible(), true);
-  assert.equal(await page.evaluate(() => document.activeElement?.tagName), "BODY", "the focus stays where it was");
-  const over = await frame.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
-  assert.deepEqual(over.map((pixels) => Math.max(0, pixels)), [0, 0], "nothing hangs over");
-  const order = (/** @type {object} */ message) => page.evaluate((sent) => /** @type {any} */ (window).order(sent), message);
-  const ask = async () => {
-    await frame.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-    return (await order({ planarium: "state" })).value;
-  };
-  const loaded = await order({ planarium: "load", scene: "firs", algorithm: "rrt", settings: { seed: 5, step: 0.35 }, iteration: 40 });
-  assert.ok(!loaded.fault, JSON.stringify(loaded));
-  assert.deepEqual([loaded.value.settled, loaded.value.iteration, loaded.value.lanes[0].algorithm, loaded.value.lanes[0].iteration], [true, 40, "rrt", 40]);
-  assert.equal((await ask()).iteration, 40);
-  // The answer tells of the run that was loaded, not of the one before, whether it rests or plays.
-  const again = (await order({ planarium: "load", scene: "rings", iteration: 7 })).value;
-  assert.deepEqual([again.iteration, again.lanes[0].algorithm, again.lanes[0].unit], [7, "prm", "m"]);
-  const playing = (await order({ planarium: "load", scene: "stones", algorithm: "rrt-connect", play: true })).value;
-  assert.deepEqual([playing.playing, playing.lanes[0].algorithm, playing.lanes[0].unit], [true, "rrt-connect", "rad"]);
-  await order({ planarium: "load", scene: "firs", algorithm: "rrt", settings: { seed: 5, step: 0.35 }, iteration: 40 });
-  for (const [message, iteration] of /** @type {[object, number][]} */ ([
-    [{ planarium: "step", count: 10 }, 50], [{ planarium: "step", count: -3 }, 47], [{ planarium: "seek", iteration: 12 }, 12],
-  ])) {
-    await order(message);
-    assert.equal((await ask()).iteration, iteration);
-  }
-  const { lanes, sentence } = await ask();
-  assert.deepEqual([lanes[0].iteration, lanes[0].algorithm], [12, "rrt"]);
-  assert.ok(sentence.length > 10);
-  await order({ planarium: "play" });
-  await page.waitForFunction("told.at(-1).state?.playing && told.at(-1).state.iteration > 20");
-  await order({ planarium: "pause" });
-  assert.equal((await ask()).playing, false);
-  for (const [message, code, pointer] of /** @type {[object, string, string][]} */ ([
-    [{ planarium: "load", scene: "nowhere" }, "unknown-scene", "/scene"],
-    [{ planarium: "load", document: { format: "planarium-scenario-1" } }, "missing-field", "/name"],
-    [{ planarium: "seek", iteration: "soon" }, "wrong-type", "/iteration"],
-    [{ planarium: "dance" }, "unknown-order", "/planarium"], [{ planarium: "toString" }, "unknown-order", "/planarium"],
-    [{ planarium: "load", scene: "firs", algorithm: "rtr" }, "unknown-planner", "/algorithm"],
-    [{ planarium: "load", scene: "firs", algorithm: 7 }, "wrong-type", "/algorithm"],
-    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: { setp: 1 } }, "unknown-parameter", "/settings/setp"],
-    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: [1] }, "wrong-type", "/settings"],
-    [{ planarium: "load", scene: "firs", query: "nowhere" }, "unknown-query", "/query"],
-    [{ planarium: "load", scene: "firs", iteration: -1 }, "out-of-range", "/iteration"],
-    [{ planarium: "load", scene: "firs", play: 1 }, "wrong-type", "/play"],
-    [{ planarium: "load", scene: "firs", seting: {} }, "unknown-field", "/seting"],
-    [{ planarium: "load", scene: "firs", document: {} }, "duplicate-field", "/document"],
-    [{ planarium: "load" }, "unknown-scene", "/scene"], [{ planarium: "load", document: "{}" }, "wrong-type", "/document"],
-    [{ planarium: "seek" }, "missing-field", "/iteration"], [{ planarium: "step", count: 0.5 }, "wrong-type", "/count"],
-  ])) {
-    const { fault } = await order(message);
-    assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
-  }
-  assert.deepEqual((({ iteration, lanes: [{ algorithm }] }) => [algorithm, iteration > 12])(await ask()), ["rrt", true], "what was open is open");
-  // What only the core can refuse has left the open scene.
-  for (const [message, code, pointer] of /** @type {[object, string, string][]} */ ([
-    [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: { step: -1 } }, "out-of-range", "/settings/step"],
-    [{ planarium: "load", scene: "firs", algorithm: "sst" }, "unsupported", "/algorithm"],
-    [{ planarium: "play" }, "unsupported", "/algorithm"], [{ planarium: "seek", iteration: 3 }, "unsupported", "/algorithm"],
-  ])) {
-    const { fault } = await order(message);
-    assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
-  }
-  assert.equal((await ask()).refusal.code, "unsupported");
-  const settled = (await order({ planarium: "load", scene: "rings", settings: { seed: 9 }, iteration: 5 })).value;
-  assert.deepEqual([settled.lanes[0].algorithm, settled.iteration, settled.refusal], ["prm", 5, null], "settings alone are those of the scene's planner");
-  // Both are sent at once: the second arrives before the first can have been answered.
-  const [first, second] = await page.evaluate(() => Promise.all([{ scene: "firs" }, { scene: "rings", iteration: 3 }].map((message) => /** @type {any} */ (window).order({ planarium: "load", ...message }))));
-  assert.deepEqual([first.fault?.code, second.value?.iteration], ["superseded", 3]);
-  await frame.focus("#stage");
-  await page.keyboard.press("Escape");
-  await page.waitForFunction("told.some(({ planarium }) => planarium === 'escape')");
-  assert.equal(await frame.evaluate(() => document.activeElement?.tagName), "BODY");
-}));
-
-test("a page that is not a parent is not obeyed", () => onPausedPage(async (page) => {
-  await page.evaluate(() => new Promise((resolve) => {
-    addEventListener("message", () => setTimeout(resolve));
-    window.postMessage({ planarium: "step", count: 10 }, "*");
+test("embedded it shows the stage only, takes no focus and obeys orders", () =>
+  onPage({ reducedMotion: "reduce" }, async (page, url) => {
+    await page.route("**/parent.html", (route) => route.fulfill({ contentType: "text/html", body: parent(url) }));
+    await page.goto(`${url}parent.html`);
+    await page.waitForFunction("told.some(({ planarium }) => planarium === 'state')");
+    const frame = page.frames()[1];
+    for (const hidden of [".masthead", ".panel", ".legend"])
+      assert.equal(await frame.locator(hidden).isVisible(), false, hidden);
+    assert.equal(await frame.locator("#transport").isVisible(), true);
+    assert.equal(await page.evaluate(() => document.activeElement?.tagName), "BODY", "the focus stays where it was");
+    const over = await frame.evaluate(() => [
+      document.documentElement.scrollWidth - innerWidth,
+      document.documentElement.scrollHeight - innerHeight,
+    ]);
+    assert.deepEqual(
+      over.map((pixels) => Math.max(0, pixels)),
+      [0, 0],
+      "nothing hangs over",
+    );
+    const order = (/** @type {object} */ message) =>
+      page.evaluate((sent) => /** @type {any} */ (window).order(sent), message);
+    const ask = async () => {
+      await frame.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+      return (await order({ planarium: "state" })).value;
+    };
+    const loaded = await order({
+      planarium: "load",
+      scene: "firs",
+      algorithm: "rrt",
+      settings: { seed: 5, step: 0.35 },
+      iteration: 40,
+    });
+    assert.ok(!loaded.fault, JSON.stringify(loaded));
+    assert.deepEqual(
+      [loaded.value.settled, loaded.value.iteration, loaded.value.lanes[0].algorithm, loaded.value.lanes[0].iteration],
+      [true, 40, "rrt", 40],
+    );
+    assert.equal((await ask()).iteration, 40);
+    // The answer tells of the run that was loaded, not of the one before, whether it rests or plays.
+    const again = (await order({ planarium: "load", scene: "rings", iteration: 7 })).value;
+    assert.deepEqual([again.iteration, again.lanes[0].algorithm, again.lanes[0].unit], [7, "prm", "m"]);
+    const playing = (await order({ planarium: "load", scene: "stones", algorithm: "rrt-connect", play: true })).value;
+    assert.deepEqual(
+      [playing.playing, playing.lanes[0].algorithm, playing.lanes[0].unit],
+      [true, "rrt-connect", "rad"],
+    );
+    await order({
+      planarium: "load",
+      scene: "firs",
+      algorithm: "rrt",
+      settings: { seed: 5, step: 0.35 },
+      iteration: 40,
+    });
+    for (const [message, iteration] of /** @type {[object, number][]} */ ([
+      [{ planarium: "step", count: 10 }, 50],
+      [{ planarium: "step", count: -3 }, 47],
+      [{ planarium: "seek", iteration: 12 }, 12],
+    ])) {
+      await order(message);
+      assert.equal((await ask()).iteration, iteration);
+    }
+    const { lanes, sentence } = await ask();
+    assert.deepEqual([lanes[0].iteration, lanes[0].algorithm], [12, "rrt"]);
+    assert.ok(sentence.length > 10);
+    await order({ planarium: "play" });
+    await page.waitForFunction("told.at(-1).state?.playing && told.at(-1).state.iteration > 20");
+    await order({ planarium: "pause" });
+    assert.equal((await ask()).playing, false);
+    for (const [message, code, pointer] of /** @type {[object, string, string][]} */ ([
+      [{ planarium: "load", scene: "nowhere" }, "unknown-scene", "/scene"],
+      [{ planarium: "load", document: { format: "planarium-scenario-1" } }, "missing-field", "/name"],
+      [{ planarium: "seek", iteration: "soon" }, "wrong-type", "/iteration"],
+      [{ planarium: "dance" }, "unknown-order", "/planarium"],
+      [{ planarium: "toString" }, "unknown-order", "/planarium"],
+      [{ planarium: "load", scene: "firs", algorithm: "rtr" }, "unknown-planner", "/algorithm"],
+      [{ planarium: "load", scene: "firs", algorithm: 7 }, "wrong-type", "/algorithm"],
+      [
+        { planarium: "load", scene: "firs", algorithm: "rrt", settings: { setp: 1 } },
+        "unknown-parameter",
+        "/settings/setp",
+      ],
+      [{ planarium: "load", scene: "firs", algorithm: "rrt", settings: [1] }, "wrong-type", "/settings"],
+      [{ planarium: "load", scene: "firs", query: "nowhere" }, "unknown-query", "/query"],
+      [{ planarium: "load", scene: "firs", iteration: -1 }, "out-of-range", "/iteration"],
+      [{ planarium: "load", scene: "firs", play: 1 }, "wrong-type", "/play"],
+      [{ planarium: "load", scene: "firs", seting: {} }, "unknown-field", "/seting"],
+      [{ planarium: "load", scene: "firs", document: {} }, "duplicate-field", "/document"],
+      [{ planarium: "load" }, "unknown-scene", "/scene"],
+      [{ planarium: "load", document: "{}" }, "wrong-type", "/document"],
+      [{ planarium: "seek" }, "missing-field", "/iteration"],
+      [{ planarium: "step", count: 0.5 }, "wrong-type", "/count"],
+    ])) {
+      const { fault } = await order(message);
+      assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
+    }
+    assert.deepEqual(
+      (({ iteration, lanes: [{ algorithm }] }) => [algorithm, iteration > 12])(await ask()),
+      ["rrt", true],
+      "what was open is open",
+    );
+    // What only the core can refuse has left the open scene.
+    for (const [message, code, pointer] of /** @type {[object, string, string][]} */ ([
+      [
+        { planarium: "load", scene: "firs", algorithm: "rrt", settings: { step: -1 } },
+        "out-of-range",
+        "/settings/step",
+      ],
+      [{ planarium: "load", scene: "firs", algorithm: "sst" }, "unsupported", "/algorithm"],
+      [{ planarium: "play" }, "unsupported", "/algorithm"],
+      [{ planarium: "seek", iteration: 3 }, "unsupported", "/algorithm"],
+    ])) {
+      const { fault } = await order(message);
+      assert.deepEqual([fault?.code, fault?.pointer], [code, pointer], JSON.stringify(fault));
+    }
+    assert.equal((await ask()).refusal.code, "unsupported");
+    const settled = (await order({ planarium: "load", scene: "rings", settings: { seed: 9 }, iteration: 5 })).value;
+    assert.deepEqual(
+      [settled.lanes[0].algorithm, settled.iteration, settled.refusal],
+      ["prm", 5, null],
+      "settings alone are those of the scene's planner",
+    );
+    // Both are sent at once: the second arrives before the first can have been answered.
+    const [first, second] = await page.evaluate(() =>
+      Promise.all(
+        [{ scene: "firs" }, { scene: "rings", iteration: 3 }].map((message) =>
+          /** @type {any} */ (window).order({ planarium: "load", ...message }),
+        ),
+      ),
+    );
+    assert.deepEqual([first.fault?.code, second.value?.iteration], ["superseded", 3]);
+    await frame.focus("#stage");
+    await page.keyboard.press("Escape");
+    await page.waitForFunction("told.some(({ planarium }) => planarium === 'escape')");
+    assert.equal(await frame.evaluate(() => document.activeElement?.tagName), "BODY");
   }));
-  assert.equal((await click(page, "#step-1")).iterations, 1);
-}));
+
+test("a page that is not a parent is not obeyed", () =>
+  onPausedPage(async (page) => {
+    await page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          addEventListener("message", () => setTimeout(resolve));
+          window.postMessage({ planarium: "step", count: 10 }, "*");
+        }),
+    );
+    assert.equal((await click(page, "#step-1")).iterations, 1);
+  }));
 
 /** Puts the trap into the page and its worker. @param {import("playwright-core").Page} page */
-const wire = async (page) => void await page.route(/\/(main|worker)\.js$/, async (route) => {
-  const response = await route.fetch();
-  await route.fulfill({ response, body: TRAP + await response.text() });
-});
+const wire = async (page) =>
+  void (await page.route(/\/(main|worker)\.js$/, async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: TRAP + (await response.text()) });
+  }));
 
-test("a trap while it plans, draws or is asked is said, and the page stays usable", () => onPausedPage(async (page) => {
-  for (const [call, button, place] of /** @type {const} */ ([["planner_step", "#step-100", "worker"], ["scenario_endEffectors", "#step-100", "page"], ["scenario_check", "#your-turn", "page"], ["scenario_extent", "#theme", "worker"]])) {
-    await page.click("#reset");
-    await click(page, "#step-10");
-    const set = (/** @type {string} */ name) => { /** @type {any} */ (self).trap = name; };
-    await (place === "page" ? page.evaluate(set, call) : worker(page).evaluate(set, call));
-    await page.click(button);
-    await page.waitForSelector("#notice[data-code=internal]");
-    assert.match(await page.innerText("#notice"), /internal error/);
-    await atRest(page);
-    await page.click("#notice button");
-    assert.equal((await finish(page)).status, "solved", call);
-  }
-  await chooseScene(page, "firs");
-  assert.equal((await finish(page)).status, "solved");
-}, {}, { before: wire }));
+test("a trap while it plans, draws or is asked is said, and the page stays usable", () =>
+  onPausedPage(
+    async (page) => {
+      for (const [call, button, place] of /** @type {const} */ ([
+        ["planner_step", "#step-100", "worker"],
+        ["scenario_endEffectors", "#step-100", "page"],
+        ["scenario_check", "#your-turn", "page"],
+        ["scenario_extent", "#theme", "worker"],
+      ])) {
+        await page.click("#reset");
+        await click(page, "#step-10");
+        const set = (/** @type {string} */ name) => {
+          /** @type {any} */ (self).trap = name;
+        };
+        await (place === "page" ? page.evaluate(set, call) : worker(page).evaluate(set, call));
+        await page.click(button);
+        await page.waitForSelector("#notice[data-code=internal]");
+        assert.match(await page.innerText("#notice"), /internal error/);
+        await atRest(page);
+        await page.click("#notice button");
+        assert.equal((await finish(page)).status, "solved", call);
+      }
+      await chooseScene(page, "firs");
+      assert.equal((await finish(page)).status, "solved");
+    },
+    {},
+    { before: wire },
+  ));

@@ -1,4 +1,7 @@
-/** Chromium and the built page, for the tests of the page: every page opened here is watched for errors and for requests that leave the site. */
+/**
+ * Chromium and the built page, for the tests of the page: every page opened here is watched for errors and for requests
+ * that leave the site.
+ */
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +17,10 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
 /** @typedef {import("../../www/draw/layer.js").LayerName} LayerName */
-/** @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the page, its query and fragment */
+/**
+ * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the
+ *   page, its query and fragment
+ */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
 /** Are all cases tried, and not only those that differ in kind? */
@@ -47,10 +53,18 @@ let server;
 /** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
 const idle = new Map();
 
-/** Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it. @param {string} [folder]  of the page, where it is another build */
+/**
+ * Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it.
+ * @param {string} [folder]  of the page, where it is another build
+ */
 export async function start(folder = pageRoot) {
   assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
-  server = await serve({ root: folder, port: 0, policy: folder === pageRoot ? pagePolicy() : undefined, docs: siteRoot });
+  server = await serve({
+    root: folder,
+    port: 0,
+    policy: folder === pageRoot ? pagePolicy() : undefined,
+    docs: siteRoot,
+  });
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? found, args: ["--no-sandbox"] });
 }
@@ -67,7 +81,11 @@ export function useBrowser(folder) {
   after(stop);
 }
 
-/** A page in a context of its own, watched for errors and for requests that leave the site. @param {Options} options @returns {Promise<Opened>} */
+/**
+ * A page in a context of its own, watched for errors and for requests that leave the site.
+ * @param {Options} options
+ * @returns {Promise<Opened>}
+ */
 async function opened(options) {
   assert.ok(browser && server, "start() comes first");
   const { origin: home } = new URL(server.url);
@@ -79,9 +97,13 @@ async function opened(options) {
   /** @type {string[]} */
   const faults = [];
   page.on("console", (message) => {
-    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked on.
-    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(message.text());
-    if ((message.type() === "error" || message.type() === "warning") && !remark) faults.push(`console: ${message.text()}`);
+    // The tests read canvases back more often than a page would, and keep its files from being kept: both are remarked
+    // on.
+    const remark = /^(Canvas2D: Multiple readback operations|Service Worker registration blocked by Playwright)/.test(
+      message.text(),
+    );
+    if ((message.type() === "error" || message.type() === "warning") && !remark)
+      faults.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => faults.push(`thrown: ${error.message}`));
   page.on("request", (request) => {
@@ -92,8 +114,9 @@ async function opened(options) {
 }
 
 /**
- * Opens the page, runs a test on it, and holds it to silence: no error on the console, nothing thrown, no request to anywhere else.
- * The document is a new one each time; the window that it is in serves the next test too, unless the test prepares it.
+ * Opens the page, runs a test on it, and holds it to silence: no error on the console, nothing thrown, no request to
+ * anywhere else. The document is a new one each time; the window that it is in serves the next test too, unless the
+ * test prepares it.
  * @param {Options} options  `reducedMotion: "reduce"` opens it paused
  * @param {(page: Page, url: string) => Promise<void>} test
  * @param {More} [more]
@@ -101,9 +124,15 @@ async function opened(options) {
 export async function onPage(options, test, { before, expectErrors = false, path = "" } = {}) {
   assert.ok(server, "start() comes first");
   const { url } = server;
-  const { viewport, colorScheme = "light", reducedMotion = "no-preference", forcedColors = "none", ...fixed } = { ...DESK, ...options };
+  const {
+    viewport,
+    colorScheme = "light",
+    reducedMotion = "no-preference",
+    forcedColors = "none",
+    ...fixed
+  } = { ...DESK, ...options };
   const key = before || expectErrors || fixed.permissions ? "" : JSON.stringify({ reducedMotion, ...fixed });
-  const one = (key && idle.get(key)) || await opened(options);
+  const one = (key && idle.get(key)) || (await opened(options));
   idle.delete(key);
   const { page, context, faults } = one;
   let isKept = false;
@@ -133,19 +162,29 @@ export async function onPage(options, test, { before, expectErrors = false, path
  * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more]
  */
 export async function onPausedPage(test, options = {}, more = {}) {
-  await onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-    await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-    await test(page, url);
-  }, more);
+  await onPage(
+    { reducedMotion: "reduce", ...options },
+    async (page, url) => {
+      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      await test(page, url);
+    },
+    more,
+  );
 }
 
 /** The numbers of the run. @param {Page} page */
 export async function counters(page) {
   return page.locator("#counters").evaluate((element) => {
-    const { status, phase, iterations, vertices, edges, fingerprint, length } = /** @type {HTMLElement} */ (element).dataset;
+    const { status, phase, iterations, vertices, edges, fingerprint, length } = /** @type {HTMLElement} */ (element)
+      .dataset;
     return {
-      status: status ?? "", phase: phase ?? "", iterations: Number(iterations), vertices: Number(vertices), edges: Number(edges),
-      fingerprint: fingerprint ?? "", length: length === undefined ? NaN : Number(length),
+      status: status ?? "",
+      phase: phase ?? "",
+      iterations: Number(iterations),
+      vertices: Number(vertices),
+      edges: Number(edges),
+      fingerprint: fingerprint ?? "",
+      length: length === undefined ? NaN : Number(length),
     };
   });
 }
@@ -158,7 +197,9 @@ export async function atRest(page) {
 
 /** Runs to the end and waits for it. @param {Page} page */
 export async function finish(page) {
-  const ended = ["solved", "exhausted"].map((status) => `#counters[data-settled=true][data-status=${status}]`).join(", ");
+  const ended = ["solved", "exhausted"]
+    .map((status) => `#counters[data-settled=true][data-status=${status}]`)
+    .join(", ");
   // What plays may come to its end by itself: then the button is off.
   await page.waitForSelector(`#finish:enabled, ${ended}`, { state: "attached" });
   await page.locator("#finish").evaluate((button) => /** @type {HTMLElement} */ (button).click());
@@ -175,13 +216,22 @@ export async function seek(page, time) {
 
 /** Opens a fold and waits for what is in it. @param {Page} page @param {string} id */
 export async function unfold(page, id) {
-  await page.locator(`#${id}-fold`).evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  await page.locator(`#${id}-fold`).evaluate((fold) => {
+    /** @type {HTMLDetailsElement} */ (fold).open = true;
+  });
   await page.waitForFunction((name) => (document.getElementById(name)?.childElementCount ?? 0) > 0, id);
 }
 
-/** Chooses one of several, wherever the strip that it is in has scrolled to. @param {import("playwright-core").Page | import("playwright-core").Frame} page @param {string} name @param {string} value */
+/**
+ * Chooses one of several, wherever the strip that it is in has scrolled to.
+ * @param {import("playwright-core").Page | import("playwright-core").Frame} page
+ * @param {string} name
+ * @param {string} value
+ */
 export async function choose(page, name, value) {
-  await page.locator(`input[name=${name}][value=${value}]`).evaluate((input) => /** @type {HTMLElement} */ (input).click());
+  await page
+    .locator(`input[name=${name}][value=${value}]`)
+    .evaluate((input) => /** @type {HTMLElement} */ (input).click());
 }
 
 /** Puts a scene on the stage. @param {Page} page @param {string} id */
@@ -202,7 +252,12 @@ export async function keys(page, ...names) {
   for (const name of names) await page.keyboard.press(name);
 }
 
-/** Presses a key, and waits until an element is in a state. @param {Page} page @param {string} key @param {string} selector */
+/**
+ * Presses a key, and waits until an element is in a state.
+ * @param {Page} page
+ * @param {string} key
+ * @param {string} selector
+ */
 export async function pressUntil(page, key, selector) {
   await page.keyboard.press(key);
   await page.waitForSelector(selector, { state: "attached" });
@@ -217,10 +272,17 @@ export async function linkOf(page) {
 }
 
 /** The values that a select offers. @param {Page} page @param {string} id @returns {Promise<string[]>} */
-export const offered = (page, id) => page.locator(`#${id}`)
-  .evaluate((/** @type {HTMLSelectElement} */ { options }) => Array.from(options, ({ value }) => value));
+export const offered = (page, id) =>
+  page
+    .locator(`#${id}`)
+    .evaluate((/** @type {HTMLSelectElement} */ { options }) => Array.from(options, ({ value }) => value));
 
-/** Gives a field or a select a value, and leaves it. @param {Page} page @param {string} selector @param {string} value */
+/**
+ * Gives a field or a select a value, and leaves it.
+ * @param {Page} page
+ * @param {string} selector
+ * @param {string} value
+ */
 export async function fill(page, selector, value) {
   const control = page.locator(selector);
   if (await control.evaluate(({ tagName }) => tagName === "SELECT")) await control.selectOption(value);
@@ -228,30 +290,58 @@ export async function fill(page, selector, value) {
   await control.blur();
 }
 
-/** Types a value into a parameter and leaves the field. @param {Page} page @param {string} name @param {string} value */
+/**
+ * Types a value into a parameter and leaves the field.
+ * @param {Page} page
+ * @param {string} name
+ * @param {string} value
+ */
 export const setParameter = (page, name, value) => fill(page, `#parameter-${name}`, value);
 
-/** Chooses a planner and waits for its panel. @param {Page} page @param {string} id @param {string} parameter  that it has */
+/**
+ * Chooses a planner and waits for its panel.
+ * @param {Page} page
+ * @param {string} id
+ * @param {string} parameter  that it has
+ */
 export async function choosePlanner(page, id, parameter) {
   await page.selectOption("#planner", id);
   await page.waitForSelector(`#parameter-${parameter}`, { state: "attached" });
 }
 
 /** Waits until a run has made more iterations than so many. @param {Page} page @param {number} iterations */
-export const passes = (page, iterations) => page.waitForFunction((least) => Number(document.getElementById("counters")?.dataset.iterations) > least, iterations);
+export const passes = (page, iterations) =>
+  page.waitForFunction((least) => Number(document.getElementById("counters")?.dataset.iterations) > least, iterations);
 
-/** Waits until a field or a slider has a value within bounds. @param {Page} page @param {string} id @param {number} low @param {number} [high] */
-export const valueWithin = (page, id, low, high = Infinity) => page.waitForFunction(([name, least, most]) => {
-  const value = Number(/** @type {HTMLInputElement} */ (document.getElementById(String(name))).value);
-  return value > Number(least) && value < Number(most);
-}, [id, low, high]);
+/**
+ * Waits until a field or a slider has a value within bounds.
+ * @param {Page} page
+ * @param {string} id
+ * @param {number} low
+ * @param {number} [high]
+ */
+export const valueWithin = (page, id, low, high = Infinity) =>
+  page.waitForFunction(
+    ([name, least, most]) => {
+      const value = Number(/** @type {HTMLInputElement} */ (document.getElementById(String(name))).value);
+      return value > Number(least) && value < Number(most);
+    },
+    [id, low, high],
+  );
 
 /** Waits until an element's text matches. @param {Page} page @param {string} selector @param {RegExp} pattern */
-export const textMatches = (page, selector, pattern) => page.waitForFunction(
-  ([css, source]) => new RegExp(source).test(document.querySelector(css)?.textContent ?? ""), [selector, pattern.source],
-);
+export const textMatches = (page, selector, pattern) =>
+  page.waitForFunction(
+    ([css, source]) => new RegExp(source).test(document.querySelector(css)?.textContent ?? ""),
+    [selector, pattern.source],
+  );
 
-/** Saves a file, as a click does. @param {Page} page @param {string} selector @returns {Promise<{ name: string, bytes: Buffer, text: string }>} */
+/**
+ * Saves a file, as a click does.
+ * @param {Page} page
+ * @param {string} selector
+ * @returns {Promise<{ name: string, bytes: Buffer, text: string }>}
+ */
 export async function download(page, selector) {
   const [file] = await Promise.all([page.waitForEvent("download"), page.click(selector)]);
   const bytes = readFileSync(await file.path());
@@ -259,8 +349,9 @@ export async function download(page, selector) {
 }
 
 /**
- * The times of the next five changes of an element, milliseconds of the page's clock. The clock is stopped and then moved by this function
- * alone, so that the times are those the page itself reads, however slow the machine is. It must have been installed before the page opened.
+ * The times of the next five changes of an element, milliseconds of the page's clock. The clock is stopped and then
+ * moved by this function alone, so that the times are those the page itself reads, however slow the machine is. It must
+ * have been installed before the page opened.
  * @param {Page} page
  * @param {string} selector
  * @param {MutationObserverInit} what
@@ -275,11 +366,17 @@ export async function changes(page, selector, what, begin) {
     return all;
   }, what);
   await begin?.();
-  while (await times.evaluate(({ length }) => length) < 5) await page.clock.runFor(20);
+  while ((await times.evaluate(({ length }) => length)) < 5) await page.clock.runFor(20);
   return times.jsonValue();
 }
 
-/** Hands a file to the page as if it were picked. @param {Page} page @param {string} name @param {string | Uint8Array} content @param {string} [selector]  of the field */
+/**
+ * Hands a file to the page as if it were picked.
+ * @param {Page} page
+ * @param {string} name
+ * @param {string | Uint8Array} content
+ * @param {string} [selector]  of the field
+ */
 export async function pickFile(page, name, content, selector = "#file") {
   await page.setInputFiles(selector, { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
 }
@@ -293,30 +390,48 @@ export async function openScenario(page, document) {
 
 /** Drops a file on the page. @param {Page} page @param {string} name @param {string | Uint8Array} content */
 export async function dropFile(page, name, content) {
-  await page.evaluate(({ fileName, bytes }) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(bytes)], fileName));
-    for (const type of ["dragenter", "dragover", "drop"]) {
-      document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
-    }
-  }, { fileName: name, bytes: [...Buffer.from(content)] });
+  await page.evaluate(
+    ({ fileName, bytes }) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(bytes)], fileName));
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
+      }
+    },
+    { fileName: name, bytes: [...Buffer.from(content)] },
+  );
 }
 
 /** Waits for the next frame but one: what was drawn before is on the screen. @param {Page} page */
-export const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+export const frames = (page) =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Colours as the page computes them: red, green and blue, 0 to 255. @param {Page} page @param {string[]} expressions  of CSS */
-export const coloursOf = (page, expressions) => page.evaluate((all) => all.map((expression) => {
-  const probe = document.createElement("span");
-  probe.style.forcedColorAdjust = "none";
-  probe.style.color = expression;
-  document.body.append(probe);
-  const { color } = getComputedStyle(probe);
-  probe.remove();
-  return (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
-}), expressions);
+/**
+ * Colours as the page computes them: red, green and blue, 0 to 255.
+ * @param {Page} page
+ * @param {string[]} expressions  of CSS
+ */
+export const coloursOf = (page, expressions) =>
+  page.evaluate(
+    (all) =>
+      all.map((expression) => {
+        const probe = document.createElement("span");
+        probe.style.forcedColorAdjust = "none";
+        probe.style.color = expression;
+        document.body.append(probe);
+        const { color } = getComputedStyle(probe);
+        probe.remove();
+        return (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+      }),
+    expressions,
+  );
 
-/** The pixels of a layer, RGBA row by row, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+/**
+ * The pixels of a layer, RGBA row by row, and its size.
+ * @param {Page} page
+ * @param {string} pane
+ * @param {LayerName} layer
+ */
 async function imageOf(page, pane, layer) {
   await frames(page);
   const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
@@ -324,7 +439,9 @@ async function imageOf(page, pane, layer) {
     const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
     context?.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
     const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, width, height));
-    const rows = Array.from({ length: height }, (_, y) => String.fromCharCode(...data.subarray(4 * y * width, 4 * (y + 1) * width)));
+    const rows = Array.from({ length: height }, (_, y) =>
+      String.fromCharCode(...data.subarray(4 * y * width, 4 * (y + 1) * width)),
+    );
     return { width, height, text: btoa(rows.join("")) };
   });
   return { width, height, data: Buffer.from(text, "base64") };
@@ -338,11 +455,17 @@ export async function pixelsOf(page, pane, layer, property) {
   const { data } = await imageOf(page, pane, layer);
   const [wanted] = await coloursOf(page, [`var(--${property})`]);
   let count = 0;
-  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && wanted.every((value, k) => Math.abs(data[i + k] - value) < 12)) count++;
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + 3] > 200 && wanted.every((value, k) => Math.abs(data[i + k] - value) < 12)) count++;
   return count;
 }
 
-/** How dense the pixels of a layer are, 0 to 255, and its size. @param {Page} page @param {string} pane @param {LayerName} layer */
+/**
+ * How dense the pixels of a layer are, 0 to 255, and its size.
+ * @param {Page} page
+ * @param {string} pane
+ * @param {LayerName} layer
+ */
 export async function alphaOf(page, pane, layer) {
   const { width, height, data } = await imageOf(page, pane, layer);
   return { width, height, alpha: data.filter((_, i) => i % 4 === 3) };
@@ -354,39 +477,55 @@ export async function alphaOf(page, pane, layer) {
  */
 export async function pictureOf(page, selector) {
   await frames(page);
-  return page.locator(selector).evaluateAll((elements) => elements.map((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-    context?.drawImage(canvas, 0, 0);
-    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
-    let hash = 0x811c9dc5;
-    let ink = 0;
-    // An empty canvas may have any size.
-    new Uint32Array(data.buffer).forEach((pixel, i) => {
-      if (pixel === 0) return;
-      hash = Math.imul(Math.imul(hash ^ i, 0x01000193) ^ pixel, 0x01000193);
-      ink++;
-    });
-    return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
-  }));
+  return page.locator(selector).evaluateAll((elements) =>
+    elements.map((element) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (element);
+      const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+      context?.drawImage(canvas, 0, 0);
+      const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, canvas.width, canvas.height));
+      let hash = 0x811c9dc5;
+      let ink = 0;
+      // An empty canvas may have any size.
+      new Uint32Array(data.buffer).forEach((pixel, i) => {
+        if (pixel === 0) return;
+        hash = Math.imul(Math.imul(hash ^ i, 0x01000193) ^ pixel, 0x01000193);
+        ink++;
+      });
+      return `${canvas.dataset.layer} ${hash >>> 0} ${ink}`;
+    }),
+  );
 }
 
 /** What the layers of growth show. @param {Page} page @param {string} pane */
-export const growthHash = async (page, pane) => (await pictureOf(page, ["edges", "vertices", "marks"].map((name) => `#${pane} canvas[data-layer=${name}]`).join())).join();
+export const growthHash = async (page, pane) =>
+  (
+    await pictureOf(page, ["edges", "vertices", "marks"].map((name) => `#${pane} canvas[data-layer=${name}]`).join())
+  ).join();
 
 /** What axe finds against WCAG 2.2 A and AA, and good practice. @param {Page} page @returns {Promise<string[]>} */
 export async function violations(page) {
-  if (!await page.evaluate(() => "axe" in window)) await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
+  if (!(await page.evaluate(() => "axe" in window)))
+    await page.evaluate(readFileSync(join(root, "node_modules", "axe-core", "axe.min.js"), "utf8"));
   return page.evaluate(async () => {
     // @ts-expect-error axe defines itself
-    const { violations: found } = await axe.run(document, { resultTypes: ["violations"], runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] });
-    return found.map((/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+    const { violations: found } = await axe.run(document, {
+      resultTypes: ["violations"],
+      runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
+    });
+    return found.map(
+      (/** @type {{ id: string, nodes: { html: string }[] }} */ { id, nodes }) =>
+        `${id}: ${nodes.map(({ html }) => html).join(" ")}`,
+    );
   });
 }
 
 /** Waits until every scene of the gallery has its picture. @param {Page} page */
 export async function thumbnails(page) {
-  await page.waitForFunction(() => [...document.querySelectorAll(".card canvas")].every((canvas) => ![0, 300].includes(/** @type {HTMLCanvasElement} */ (canvas).width)));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll(".card canvas")].every(
+      (canvas) => ![0, 300].includes(/** @type {HTMLCanvasElement} */ (canvas).width),
+    ),
+  );
 }
 
 /** The worker that plans. @param {Page} page */

@@ -1,10 +1,23 @@
-/** The keyboard car on the page: keys, buttons, numbers, stops, records, one control's way; and time that no frame decides. */
+/**
+ * The keyboard car on the page: keys, buttons, numbers, stops, records, one control's way; and time that no frame
+ * decides.
+ */
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Scenario } from "planarium";
 import { Driving } from "../../www/planner/driving/driving.js";
 import {
-  PHONE, chooseScene, download, onPage, onPausedPage, openScenario, pickFile, pixelsOf, pressUntil, textMatches, useBrowser,
+  PHONE,
+  chooseScene,
+  download,
+  onPage,
+  onPausedPage,
+  openScenario,
+  pickFile,
+  pixelsOf,
+  pressUntil,
+  textMatches,
+  useBrowser,
 } from "./browser.mjs";
 import { assertFaultless } from "./looks.mjs";
 
@@ -16,21 +29,65 @@ useBrowser();
 
 /** A car on an empty square with a wall to its right. @type {ScenarioDocument} */
 const ROAD = {
-  format: "planarium-scenario-1", name: "road",
-  world: { bounds: { min: [0, 0], max: [2, 2] }, obstacles: [{ type: "disc", center: [0.3, 1.7], radius: 0.1 }, { type: "polygon", vertices: [[1.5, 0], [1.6, 0], [1.6, 1.2], [1.5, 1.2]] }] },
-  robot: { type: "car", shape: { type: "polygon", vertices: [[-0.05, -0.06], [0.25, -0.06], [0.25, 0.06], [-0.05, 0.06]] }, wheelbase: 0.2, speed: [-0.5, 0.5], steering: [-0.7854, 0.7854] },
-  queries: [{ name: "home", start: [0.3, 0.5, 0], goal: [0.9, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } }],
+  format: "planarium-scenario-1",
+  name: "road",
+  world: {
+    bounds: { min: [0, 0], max: [2, 2] },
+    obstacles: [
+      { type: "disc", center: [0.3, 1.7], radius: 0.1 },
+      {
+        type: "polygon",
+        vertices: [
+          [1.5, 0],
+          [1.6, 0],
+          [1.6, 1.2],
+          [1.5, 1.2],
+        ],
+      },
+    ],
+  },
+  robot: {
+    type: "car",
+    shape: {
+      type: "polygon",
+      vertices: [
+        [-0.05, -0.06],
+        [0.25, -0.06],
+        [0.25, 0.06],
+        [-0.05, 0.06],
+      ],
+    },
+    wheelbase: 0.2,
+    speed: [-0.5, 0.5],
+    steering: [-0.7854, 0.7854],
+  },
+  queries: [
+    { name: "home", start: [0.3, 0.5, 0], goal: [0.9, 0.5, 0], goal_tolerance: { translation: 0.1, rotation: 0.5 } },
+  ],
 };
 
 const scenario = Scenario.parse(ROAD);
 /** When the tests of time begin, in milliseconds. */
 const from = 1e12;
 
-/** A drive that begins at `from`, with what it needs of a session. @param {boolean} [byKeys]  time passes with keys alone */
+/**
+ * A drive that begins at `from`, with what it needs of a session.
+ * @param {boolean} [byKeys]  time passes with keys alone
+ */
 function begun(byKeys = false) {
   const document = scenario.document();
   const { start, goal } = document.queries[0];
-  const shown = { scenario, document, query: "home", start, goal, hand: null, check: null, driven: null, placed: { isNear: () => false } };
+  const shown = {
+    scenario,
+    document,
+    query: "home",
+    start,
+    goal,
+    hand: null,
+    check: null,
+    driven: null,
+    placed: { isNear: () => false },
+  };
   const session = { shown, wake() {}, timeline: { pause() {} }, byHand: { release() {}, game: {} } };
   const driving = new Driving(/** @type {Session} */ (/** @type {unknown} */ (session)));
   driving.start(byKeys, from);
@@ -39,14 +96,28 @@ function begun(byKeys = false) {
 
 describe("time", () => {
   /** Moments of keys, milliseconds. @type {[number, DriveKey][]} */
-  const keys = [[3, "faster"], [111.4, "faster"], [127, "left"], [600.01, "faster"], [640, "right"], [641, "right"], [1234.5, "slower"], [1802, "left"]];
+  const keys = [
+    [3, "faster"],
+    [111.4, "faster"],
+    [127, "left"],
+    [600.01, "faster"],
+    [640, "right"],
+    [641, "right"],
+    [1234.5, "slower"],
+    [1802, "left"],
+  ];
 
-  /** Drives for two seconds. @param {number} rate  frames a second @param {number} [late]  milliseconds after which a key is heard */
+  /**
+   * Drives for two seconds.
+   * @param {number} rate  frames a second
+   * @param {number} [late]  milliseconds after which a key is heard
+   */
   function driven(rate, late = 0) {
     const driving = begun();
     /** @type {[number, () => void][]} */
     const happens = keys.map(([at, key]) => [at + late, () => driving.press(key, from + at)]);
-    for (let frame = 1; frame <= 2.2 * rate; frame++) happens.push([(1000 * frame) / rate, () => driving.pass(from + (1000 * frame) / rate)]);
+    for (let frame = 1; frame <= 2.2 * rate; frame++)
+      happens.push([(1000 * frame) / rate, () => driving.pass(from + (1000 * frame) / rate)]);
     happens.sort(([a], [b]) => a - b);
     for (const [, then] of happens) then();
     driving.pause(from + 2030);
@@ -167,7 +238,10 @@ describe("Euler's steps beside the arc", () => {
       driving.setEuler(dt);
       return Number(besideOf(driving).apart) / dt;
     });
-    assert.ok(gaps.every((gap) => Math.abs(gap / gaps[3] - 1) < 0.05), `${gaps}`);
+    assert.ok(
+      gaps.every((gap) => Math.abs(gap / gaps[3] - 1) < 0.05),
+      `${gaps}`,
+    );
     // The arc turns away from the wall; a step of half a second goes straight into it.
     driving.start(false, from, [1.1, 0.5, 0]);
     driving.setEuler(0.5);
@@ -178,10 +252,22 @@ describe("Euler's steps beside the arc", () => {
 });
 
 /** What the bar says. @param {Page} page */
-const dash = (page) => page.locator("#drive").evaluate((bar) => {
-  const { v, phi, x, y, theta, steps, keys, blocked, paused, replaying, arrived } = /** @type {HTMLElement} */ (bar).dataset;
-  return { v: Number(v), phi: Number(phi), pose: [x, y, theta].map(Number), steps: Number(steps), keys: Number(keys), blocked, paused, replaying, arrived };
-});
+const dash = (page) =>
+  page.locator("#drive").evaluate((bar) => {
+    const { v, phi, x, y, theta, steps, keys, blocked, paused, replaying, arrived } = /** @type {HTMLElement} */ (bar)
+      .dataset;
+    return {
+      v: Number(v),
+      phi: Number(phi),
+      pose: [x, y, theta].map(Number),
+      steps: Number(steps),
+      keys: Number(keys),
+      blocked,
+      paused,
+      replaying,
+      arrived,
+    };
+  });
 
 /** Opens the road and drives. @param {Page} page */
 async function drive(page) {
@@ -195,147 +281,169 @@ async function drive(page) {
 async function press(page, ...keys) {
   const before = (await dash(page)).keys;
   for (const key of keys) await page.keyboard.press(key);
-  await page.waitForFunction((count) => document.getElementById("drive")?.dataset.keys === String(count), before + keys.length);
+  await page.waitForFunction(
+    (count) => document.getElementById("drive")?.dataset.keys === String(count),
+    before + keys.length,
+  );
 }
 
-test("arrows and letters drive while the stage has the focus; numbers say how; Escape leaves", () => onPausedPage(async (page) => {
-  await drive(page);
-  assert.equal(await page.evaluate(() => document.activeElement?.id), "stage");
-  assert.deepEqual([(await dash(page)).pose, (await dash(page)).v], [[0.3, 0.5, 0], 0]);
-  // Less motion is asked for: time goes by with each key alone.
-  await press(page, "ArrowUp", "w", "ArrowLeft", "c");
-  const { v, phi, steps } = await dash(page);
-  assert.deepEqual([v, phi, steps], [0.2, Math.PI / 12, 100]);
-  await press(page, "d", "s", "ArrowDown", "ArrowDown", "ArrowRight", "a");
-  const back = await dash(page);
-  assert.ok(Math.abs(back.v + 0.1) < 1e-12 && back.phi === 0);
-  assert.match(await page.innerText("#drive dl"), /v\s+−0\.10 m\/s\s+φ\s+0°\s+x\s+0\.\d{3} m/);
-  await page.focus("#planner");
-  await page.keyboard.press("w");
-  assert.equal((await dash(page)).keys, back.keys, "keys elsewhere are not the car's");
-  await page.focus("#stage");
-  await page.keyboard.press("Escape");
-  await page.waitForSelector("#drive", { state: "hidden" });
-  assert.equal(await page.evaluate(() => document.activeElement?.id), "your-turn");
-  assert.ok(await page.isVisible("#transport"));
-}));
+test("arrows and letters drive while the stage has the focus; numbers say how; Escape leaves", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    assert.equal(await page.evaluate(() => document.activeElement?.id), "stage");
+    assert.deepEqual([(await dash(page)).pose, (await dash(page)).v], [[0.3, 0.5, 0], 0]);
+    // Less motion is asked for: time goes by with each key alone.
+    await press(page, "ArrowUp", "w", "ArrowLeft", "c");
+    const { v, phi, steps } = await dash(page);
+    assert.deepEqual([v, phi, steps], [0.2, Math.PI / 12, 100]);
+    await press(page, "d", "s", "ArrowDown", "ArrowDown", "ArrowRight", "a");
+    const back = await dash(page);
+    assert.ok(Math.abs(back.v + 0.1) < 1e-12 && back.phi === 0);
+    assert.match(await page.innerText("#drive dl"), /v\s+−0\.10 m\/s\s+φ\s+0°\s+x\s+0\.\d{3} m/);
+    await page.focus("#planner");
+    await page.keyboard.press("w");
+    assert.equal((await dash(page)).keys, back.keys, "keys elsewhere are not the car's");
+    await page.focus("#stage");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#drive", { state: "hidden" });
+    assert.equal(await page.evaluate(() => document.activeElement?.id), "your-turn");
+    assert.ok(await page.isVisible("#transport"));
+  }));
 
-test("it stops at an obstacle, says at which and marks it; axe finds nothing, and it backs off again", () => onPausedPage(async (page) => {
-  await drive(page);
-  await press(page, ...Array.from({ length: 22 }, () => "w"));
-  const stopped = await dash(page);
-  assert.deepEqual([stopped.blocked, stopped.v], ["1", 0]);
-  assert.ok(stopped.pose[0] > 1.24 && stopped.pose[0] < 1.25, `${stopped.pose}`);
-  assert.match(await page.innerText("#story"), /Stopped: obstacle 1 is in the way/);
-  assert.equal(await page.getAttribute("#story", "data-tone"), "bad");
-  await textMatches(page, "#announcer", /obstacle 1/);
-  assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 60);
-  await page.click("#drive .more summary");
-  await assertFaultless(page, "driving");
-  await page.focus("#stage");
-  await press(page, "s", "s");
-  const { blocked, pose } = await dash(page);
-  assert.equal(blocked, "");
-  assert.ok(pose[0] < stopped.pose[0]);
-}));
+test("it stops at an obstacle, says at which and marks it; axe finds nothing, and it backs off again", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    await press(page, ...Array.from({ length: 22 }, () => "w"));
+    const stopped = await dash(page);
+    assert.deepEqual([stopped.blocked, stopped.v], ["1", 0]);
+    assert.ok(stopped.pose[0] > 1.24 && stopped.pose[0] < 1.25, `${stopped.pose}`);
+    assert.match(await page.innerText("#story"), /Stopped: obstacle 1 is in the way/);
+    assert.equal(await page.getAttribute("#story", "data-tone"), "bad");
+    await textMatches(page, "#announcer", /obstacle 1/);
+    assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 60);
+    await page.click("#drive .more summary");
+    await assertFaultless(page, "driving");
+    await page.focus("#stage");
+    await press(page, "s", "s");
+    const { blocked, pose } = await dash(page);
+    assert.equal(blocked, "");
+    assert.ok(pose[0] < stopped.pose[0]);
+  }));
 
-test("in its own time it drives on, can be paused, and goes on", () => onPage({}, async (page) => {
-  await page.waitForSelector("#counters[data-status=running]", { state: "attached" });
-  await drive(page);
-  await press(page, "w", "w");
-  await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.4);
-  await pressUntil(page, "p", "#drive[data-paused=true]");
-  const { steps } = await dash(page);
-  await pressUntil(page, "c", "#drive[data-paused=false]");
-  await page.waitForFunction((before) => Number(document.getElementById("drive")?.dataset.steps) > before, steps);
-}));
+test("in its own time it drives on, can be paused, and goes on", () =>
+  onPage({}, async (page) => {
+    await page.waitForSelector("#counters[data-status=running]", { state: "attached" });
+    await drive(page);
+    await press(page, "w", "w");
+    await page.waitForFunction(() => Number(document.getElementById("drive")?.dataset.x) > 0.4);
+    await pressUntil(page, "p", "#drive[data-paused=true]");
+    const { steps } = await dash(page);
+    await pressUntil(page, "c", "#drive[data-paused=false]");
+    await page.waitForFunction((before) => Number(document.getElementById("drive")?.dataset.steps) > before, steps);
+  }));
 
-test("at the goal it says so; another scene ends the drive and leaves nothing behind", () => onPausedPage(async (page) => {
-  await drive(page);
-  await press(page, "w", "w");
-  while ((await dash(page)).pose[0] < 0.84) await press(page, "c");
-  await press(page, "s", "s");
-  await page.waitForSelector("#drive[data-arrived=true]");
-  assert.match(await page.innerText("#story"), /You reached the goal after \d+\.\d s and \d+ keys\./);
-  await chooseScene(page, "open");
-  await page.waitForSelector("#drive", { state: "hidden" });
-  assert.equal(await page.textContent("#your-turn"), "Your turn");
-}));
+test("at the goal it says so; another scene ends the drive and leaves nothing behind", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    await press(page, "w", "w");
+    while ((await dash(page)).pose[0] < 0.84) await press(page, "c");
+    await press(page, "s", "s");
+    await page.waitForSelector("#drive[data-arrived=true]");
+    assert.match(await page.innerText("#story"), /You reached the goal after \d+\.\d s and \d+ keys\./);
+    await chooseScene(page, "open");
+    await page.waitForSelector("#drive", { state: "hidden" });
+    assert.equal(await page.textContent("#your-turn"), "Your turn");
+  }));
 
-test("a drive is replayed to the same place, and so is its file; another one is refused", () => onPausedPage(async (page) => {
-  await drive(page);
-  await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
-  const first = await dash(page);
-  await page.click("#drive-replay");
-  await textMatches(page, "#announcer", /^Replaying|was replayed/);
-  assert.deepEqual(await dash(page), first);
-  await page.click("#drive .more summary");
-  const record = JSON.parse((await download(page, "#drive-save")).text);
-  assert.deepEqual([record.format, record.scenario, record.steps, record.pose], ["planarium-drive-1", "road", first.steps, first.pose]);
-  const direct = scenario.drive();
-  assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
-  await page.click("#drive-restart");
-  await page.waitForSelector("#drive[data-keys='0']");
-  const file = (/** @type {object} */ content) => pickFile(page, "x.json", JSON.stringify(content), "#drive-file");
-  await file(record);
-  await page.waitForSelector(`#drive[data-keys='${first.keys}']`);
-  assert.deepEqual(await dash(page), first);
-  await file({ ...record, record: [{ step: 0, key: "jump" }] });
-  await page.waitForSelector("#notice[data-pointer='/record/0/key']");
-  await file({ ...record, scenario: "elsewhere" });
-  await textMatches(page, "#notice", /recorded in the scene "elsewhere"/);
-}));
+test("a drive is replayed to the same place, and so is its file; another one is refused", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    await press(page, "w", "w", "ArrowLeft", "c", "ArrowRight", "c");
+    const first = await dash(page);
+    await page.click("#drive-replay");
+    await textMatches(page, "#announcer", /^Replaying|was replayed/);
+    assert.deepEqual(await dash(page), first);
+    await page.click("#drive .more summary");
+    const record = JSON.parse((await download(page, "#drive-save")).text);
+    assert.deepEqual(
+      [record.format, record.scenario, record.steps, record.pose],
+      ["planarium-drive-1", "road", first.steps, first.pose],
+    );
+    const direct = scenario.drive();
+    assert.deepEqual(direct.replay(record.record, record.steps).pose, first.pose);
+    await page.click("#drive-restart");
+    await page.waitForSelector("#drive[data-keys='0']");
+    const file = (/** @type {object} */ content) => pickFile(page, "x.json", JSON.stringify(content), "#drive-file");
+    await file(record);
+    await page.waitForSelector(`#drive[data-keys='${first.keys}']`);
+    assert.deepEqual(await dash(page), first);
+    await file({ ...record, record: [{ step: 0, key: "jump" }] });
+    await page.waitForSelector("#notice[data-pointer='/record/0/key']");
+    await file({ ...record, scenario: "elsewhere" });
+    await textMatches(page, "#notice", /recorded in the scene "elsewhere"/);
+  }));
 
-test("a form shows where one control leads, and refuses what the car cannot do", () => onPausedPage(async (page) => {
-  await drive(page);
-  await page.click("#drive .more summary");
-  await page.fill("#roll-v", "0.5");
-  await page.fill("#roll-phi", "0");
-  await page.fill("#roll-duration", "10");
-  await page.click("#drive .roll button");
-  await textMatches(page, "#drive .roll .hint", /Free for 1\.\d\d s; then obstacle 1 is in the way/);
-  await page.fill("#roll-v", "0.7");
-  await page.click("#drive .roll button");
-  await textMatches(page, "#drive .roll .hint", /within \[-0\.5, 0\.5\]/);
-  assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
-}));
+test("a form shows where one control leads, and refuses what the car cannot do", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    await page.click("#drive .more summary");
+    await page.fill("#roll-v", "0.5");
+    await page.fill("#roll-phi", "0");
+    await page.fill("#roll-duration", "10");
+    await page.click("#drive .roll button");
+    await textMatches(page, "#drive .roll .hint", /Free for 1\.\d\d s; then obstacle 1 is in the way/);
+    await page.fill("#roll-v", "0.7");
+    await page.click("#drive .roll button");
+    await textMatches(page, "#drive .roll .hint", /within \[-0\.5, 0\.5\]/);
+    assert.equal(await page.getAttribute("#roll-v", "aria-invalid"), "true");
+  }));
 
-test("a switch draws Euler's steps beside the arc, and says how far apart they end", () => onPausedPage(async (page) => {
-  await drive(page);
-  await page.click("#drive .more summary");
-  const gap = page.locator("#drive dl div", { hasText: "gap to Euler" });
-  assert.equal(await gap.isVisible(), false);
-  for (const [id, value] of [["v", "0.4"], ["phi", "0.5"], ["duration", "1.5"]]) await page.fill(`#roll-${id}`, value);
-  await page.click("#drive .roll button");
-  await textMatches(page, "#drive .roll .hint", /^Free for all 1\.50 s\.$/);
-  assert.equal(await pixelsOf(page, "workspace", "top", "unproven"), 0);
-  await page.check("#drive-euler");
-  const [x, y] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5).poses.slice(-3);
-  for (const dt of [0.01, 0.25]) {
-    await page.selectOption("#drive-dt", String(dt));
-    const [toX, toY] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5, { integration: "euler", dt }).poses.slice(-3);
-    const apart = Math.hypot(toX - x, toY - y).toFixed(3);
-    await textMatches(page, "#drive .roll .hint", new RegExp(`path ends ${apart} m from the end of the arc`));
-    await textMatches(page, "#drive dl", new RegExp(`gap to Euler\\s*${apart} m`));
-  }
-  assert.ok(await pixelsOf(page, "workspace", "top", "unproven") > 40, "it has a label");
-  await assertFaultless(page, "Euler");
-  await page.focus("#stage");
-  await press(page, "w", "a", "c");
-  await textMatches(page, "#drive dl", /gap to Euler\s*0\.00\d m/);
-  await page.uncheck("#drive-euler");
-  await gap.waitFor({ state: "hidden" });
-}));
+test("a switch draws Euler's steps beside the arc, and says how far apart they end", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    await page.click("#drive .more summary");
+    const gap = page.locator("#drive dl div", { hasText: "gap to Euler" });
+    assert.equal(await gap.isVisible(), false);
+    for (const [id, value] of [
+      ["v", "0.4"],
+      ["phi", "0.5"],
+      ["duration", "1.5"],
+    ])
+      await page.fill(`#roll-${id}`, value);
+    await page.click("#drive .roll button");
+    await textMatches(page, "#drive .roll .hint", /^Free for all 1\.50 s\.$/);
+    assert.equal(await pixelsOf(page, "workspace", "top", "unproven"), 0);
+    await page.check("#drive-euler");
+    const [x, y] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5).poses.slice(-3);
+    for (const dt of [0.01, 0.25]) {
+      await page.selectOption("#drive-dt", String(dt));
+      const [toX, toY] = scenario.rollout([0.3, 0.5, 0], 0.4, 0.5, 1.5, { integration: "euler", dt }).poses.slice(-3);
+      const apart = Math.hypot(toX - x, toY - y).toFixed(3);
+      await textMatches(page, "#drive .roll .hint", new RegExp(`path ends ${apart} m from the end of the arc`));
+      await textMatches(page, "#drive dl", new RegExp(`gap to Euler\\s*${apart} m`));
+    }
+    assert.ok((await pixelsOf(page, "workspace", "top", "unproven")) > 40, "it has a label");
+    await assertFaultless(page, "Euler");
+    await page.focus("#stage");
+    await press(page, "w", "a", "c");
+    await textMatches(page, "#drive dl", /gap to Euler\s*0\.00\d m/);
+    await page.uncheck("#drive-euler");
+    await gap.waitFor({ state: "hidden" });
+  }));
 
-test("buttons are as large as fingers, and do what the keys do", () => onPausedPage(async (page) => {
-  await drive(page);
-  for (const button of await page.locator("#drive button:visible").all()) {
-    const box = await button.boundingBox();
-    assert.ok(box && box.width >= 44 && box.height >= 44, `${await button.innerText()} ${box?.width} x ${box?.height}`);
-  }
-  for (const key of ["faster", "faster", "left", "slower", "right", "keep"]) await page.tap(`#drive-${key}`);
-  await page.waitForSelector("#drive[data-keys='6']");
-  const { v, phi, steps } = await dash(page);
-  assert.deepEqual([v, phi, steps], [0.1, 0, 150]);
-  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
-}, PHONE));
+test("buttons are as large as fingers, and do what the keys do", () =>
+  onPausedPage(async (page) => {
+    await drive(page);
+    for (const button of await page.locator("#drive button:visible").all()) {
+      const box = await button.boundingBox();
+      assert.ok(
+        box && box.width >= 44 && box.height >= 44,
+        `${await button.innerText()} ${box?.width} x ${box?.height}`,
+      );
+    }
+    for (const key of ["faster", "faster", "left", "slower", "right", "keep"]) await page.tap(`#drive-${key}`);
+    await page.waitForSelector("#drive[data-keys='6']");
+    const { v, phi, steps } = await dash(page);
+    assert.deepEqual([v, phi, steps], [0.1, 0, 150]);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+  }, PHONE));

@@ -31,14 +31,28 @@ async function refused(fragment) {
 
 /** @param {ReturnType<typeof seeded>} random @returns {Settings} */
 function randomSettings(random) {
-  const values = [() => random.below(1000), () => -random.next() * 1e-9, () => random.next() * 1e300, () => random.chance(0.5), () => random.pick(["uniform", "", "ä<\"&\u2603", "obstacle-based"])];
-  return Object.fromEntries(Array.from({ length: random.below(9) }, (_, i) => [`${random.pick(["k", "step", "Edge_Check", "x-"])}${i}`, random.pick(values)()]));
+  const values = [
+    () => random.below(1000),
+    () => -random.next() * 1e-9,
+    () => random.next() * 1e300,
+    () => random.chance(0.5),
+    () => random.pick(["uniform", "", 'ä<"&\u2603', "obstacle-based"]),
+  ];
+  return Object.fromEntries(
+    Array.from({ length: random.below(9) }, (_, i) => [
+      `${random.pick(["k", "step", "Edge_Check", "x-"])}${i}`,
+      random.pick(values)(),
+    ]),
+  );
 }
 
 /** @param {ReturnType<typeof seeded>} random @returns {import("planarium").KeyPress[]} */
 function randomRecord(random) {
   let step = 0;
-  return Array.from({ length: random.below(60) }, () => ({ step: step += random.below(300), key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right", "keep"])) }));
+  return Array.from({ length: random.below(60) }, () => ({
+    step: (step += random.below(300)),
+    key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right", "keep"])),
+  }));
 }
 
 /** @param {ReturnType<typeof seeded>} random @returns {Experiment} */
@@ -46,18 +60,38 @@ function randomExperiment(random) {
   /** @type {View} */
   const view = {};
   if (random.chance(0.3)) view.axes = [random.below(8), random.below(8)];
-  for (const flag of /** @type {const} */ (["refused", "strobe", "raw", "projector"])) if (random.chance(0.4)) view[flag] = random.chance(0.7);
+  for (const flag of /** @type {const} */ (["refused", "strobe", "raw", "projector"]))
+    if (random.chance(0.4)) view[flag] = random.chance(0.7);
   if (random.chance(0.4)) view.lens = random.pick(["workspace", "cspace"]);
   /** @type {Experiment} */
   const experiment = {
     version: 1,
-    lanes: Array.from({ length: 1 + random.below(4) }, () => ({ algorithm: random.pick(["prm", "rrt-connect", "rrt_star"]), settings: randomSettings(random) })),
+    lanes: Array.from({ length: 1 + random.below(4) }, () => ({
+      algorithm: random.pick(["prm", "rrt-connect", "rrt_star"]),
+      settings: randomSettings(random),
+    })),
     iteration: random.chance(0.5) ? 0 : random.below(2 ** 31),
     view,
   };
   if (random.chance(0.7)) experiment.scene = random.pick(["stones", "firs", "a", "B-2_c"]);
   if (experiment.scene === undefined || random.chance(0.3)) {
-    experiment.document = { name: "eigene Szene \u{1f600}", world: { obstacles: [{ vertices: [[random.next(), -1], [0, 1e-7], [3, null]] }, {}, []] }, free: random.chance(0.5) };
+    experiment.document = {
+      name: "eigene Szene \u{1f600}",
+      world: {
+        obstacles: [
+          {
+            vertices: [
+              [random.next(), -1],
+              [0, 1e-7],
+              [3, null],
+            ],
+          },
+          {},
+          [],
+        ],
+      },
+      free: random.chance(0.5),
+    };
   }
   if (random.chance(0.5)) experiment.query = random.pick(["round", "to the left", "Größe"]);
   if (random.chance(0.4)) experiment.options = randomSettings(random);
@@ -77,7 +111,9 @@ test("500 random experiments come back as they were, but for what is off by defa
     const experiment = randomExperiment(random);
     const fragment = await encodeLink(experiment);
     assert.match(fragment, /^1[\w-]+$/);
-    const view = Object.fromEntries(Object.entries(experiment.view).filter(([, value]) => value !== false && value !== "workspace"));
+    const view = Object.fromEntries(
+      Object.entries(experiment.view).filter(([, value]) => value !== false && value !== "workspace"),
+    );
     const expected = { experiment: { ...experiment, view }, fault: null };
     assert.deepEqual(await decodeLink(fragment), expected);
     assert.deepEqual(await decodeLink(`#${fragment}`), expected);
@@ -89,7 +125,15 @@ test("every built-in scene has a link of less than 2 kB, with all lanes and opti
     const lanes = Array.from({ length: 4 }, (_, i) => ({ algorithm, settings: { ...settings, seed: 4294967295 - i } }));
     const options = Object.fromEntries(Array.from({ length: 12 }, (_, i) => [`option-${i}`, i + 0.125]));
     /** @type {Experiment} */
-    const experiment = { version: 1, scene: id, query: "there and back", lanes, iteration: 100000, view: { axes: [0, 1], refused: true, strobe: true, raw: true, projector: true, lens: "cspace" }, options };
+    const experiment = {
+      version: 1,
+      scene: id,
+      query: "there and back",
+      lanes,
+      iteration: 100000,
+      view: { axes: [0, 1], refused: true, strobe: true, raw: true, projector: true, lens: "cspace" },
+      options,
+    };
     const fragment = await encodeLink(experiment);
     assert.ok(fragment.length < 2000, `${id}: ${fragment.length}`);
     assert.deepEqual((await decodeLink(fragment)).experiment, experiment);
@@ -112,16 +156,29 @@ test("keys come back from their text, and a long drive fits a short link", async
     assert.match(keyText(record), KEY_TEXT);
     assert.deepEqual(keysOf(keyText(record)), record);
   }
-  const long = Array.from({ length: 400 }, (_, i) => ({ step: 40 * i + random.below(40), key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right"])) }));
+  const long = Array.from({ length: 400 }, (_, i) => ({
+    step: 40 * i + random.below(40),
+    key: random.pick(/** @type {const} */ (["faster", "slower", "left", "right"])),
+  }));
   const fragment = await encodeLink({ ...PLAIN, scene: "parking", drive: { keys: keyText(long), steps: 16_000 } });
   assert.ok(fragment.length < 1500, `${fragment.length} characters for 400 keys`);
 });
 
 test("what is off is left out", async () => {
   const link = await encodeLink(PLAIN);
-  assert.equal(await encodeLink({ ...PLAIN, query: undefined, view: { refused: false, strobe: false, lens: "workspace", axes: undefined } }), link);
-  assert.equal(await encodeLink({ ...PLAIN, view: { raw: true } }) === link, false);
-  assert.deepEqual((await decodeLink(fragmentOf('{"scene":"stones","lanes":[{"algorithm":"prm"}]}'))).experiment, PLAIN);
+  assert.equal(
+    await encodeLink({
+      ...PLAIN,
+      query: undefined,
+      view: { refused: false, strobe: false, lens: "workspace", axes: undefined },
+    }),
+    link,
+  );
+  assert.equal((await encodeLink({ ...PLAIN, view: { raw: true } })) === link, false);
+  assert.deepEqual(
+    (await decodeLink(fragmentOf('{"scene":"stones","lanes":[{"algorithm":"prm"}]}'))).experiment,
+    PLAIN,
+  );
 });
 
 test("a fault says which entry is wrong", async () => {
@@ -131,16 +188,28 @@ test("a fault says which entry is wrong", async () => {
     [`{"scene":"stones",${lanes},"colour":1}`, /experiment\.colour is unknown/],
     [`{"scene":"stones",${lanes},"version":2}`, /experiment\.version is wrong/],
     [`{"scene":"stones","lanes":[]}`, /experiment\.lanes is wrong/],
-    [`{"scene":"stones","lanes":[${'{"algorithm":"prm"},'.repeat(4)}{"algorithm":"prm"}]}`, /experiment\.lanes is wrong/],
+    [
+      `{"scene":"stones","lanes":[${'{"algorithm":"prm"},'.repeat(4)}{"algorithm":"prm"}]}`,
+      /experiment\.lanes is wrong/,
+    ],
     [`{"scene":"stones","lanes":{"0":{"algorithm":"prm"}}}`, /experiment\.lanes is wrong/],
     [`{"scene":"stones","lanes":[{"settings":{}}]}`, /lacks a scene or an algorithm/],
     [`{"scene":"stones"}`, /lacks a scene or an algorithm/],
     [`{${lanes}}`, /lacks a scene or an algorithm/],
-    [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":null}}]}`, /experiment\.lanes\.0\.settings\.k is wrong/],
-    [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":1e999}}]}`, /experiment\.lanes\.0\.settings\.k is wrong/],
+    [
+      `{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":null}}]}`,
+      /experiment\.lanes\.0\.settings\.k is wrong/,
+    ],
+    [
+      `{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":1e999}}]}`,
+      /experiment\.lanes\.0\.settings\.k is wrong/,
+    ],
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":[1]}}]}`, /settings\.k is wrong/],
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"k":"${"x".repeat(257)}"}}]}`, /settings\.k is wrong/],
-    [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{${Array.from({ length: 65 }, (_, i) => `"k${i}":1`)}}}]}`, /settings is wrong/],
+    [
+      `{"scene":"stones","lanes":[{"algorithm":"prm","settings":{${Array.from({ length: 65 }, (_, i) => `"k${i}":1`)}}}]}`,
+      /settings is wrong/,
+    ],
     [`{"scene":"stones","lanes":[{"algorithm":"../prm"}]}`, /lanes\.0\.algorithm is wrong/],
     [`{"scene":"${"s".repeat(65)}",${lanes}}`, /experiment\.scene is wrong/],
     [`{"scene":"stones\\n",${lanes}}`, /experiment\.scene is wrong/],
@@ -179,8 +248,15 @@ test("a fault says which entry is wrong", async () => {
     [`{"scene":"stones","lanes":[{"algorithm":"prm","settings":{"prototype":1}}]}`, /prototype is wrong/],
     [`{"scene":"stones","l\\nes":[]}`, /experiment\.l\\u\{a\}es is wrong/],
     [`{"scene":"stones","a\u2028\u202e\\ud800b":[]}`, /experiment\.a\\u\{2028\}\\u\{202e\}\\u\{d800\}b is wrong/],
-    ["null", /experiment is wrong/], ["7", /experiment is wrong/], ["[]", /experiment is wrong/], ['"text"', /experiment is wrong/],
-    ["", /damaged/], ["{", /damaged/], ["{}{}", /damaged/], [`${"[".repeat(300000)}`, /damaged|wrong/], [`${"[".repeat(100000)}${"]".repeat(100000)}`, /wrong/],
+    ["null", /experiment is wrong/],
+    ["7", /experiment is wrong/],
+    ["[]", /experiment is wrong/],
+    ['"text"', /experiment is wrong/],
+    ["", /damaged/],
+    ["{", /damaged/],
+    ["{}{}", /damaged/],
+    [`${"[".repeat(300000)}`, /damaged|wrong/],
+    [`${"[".repeat(100000)}${"]".repeat(100000)}`, /wrong/],
   ];
   for (const [text, pattern] of cases) assert.match(await refused(fragmentOf(text)), pattern, text.slice(0, 200));
 });
@@ -195,7 +271,11 @@ test("what is no link at all is refused in words", async () => {
   assert.match(await refused("1abcde"), /damaged/);
   assert.match(await refused(`1${"A".repeat(65537)}`), /too long/);
   assert.match(await refused(`1${Buffer.from([0xff, 0xfe, 0]).toString("base64url")}`), /damaged/);
-  assert.match(await refused(`1${deflateRawSync(Buffer.from([0x22, 0xc3, 0x28, 0x22])).toString("base64url")}`), /damaged/, "not UTF-8");
+  assert.match(
+    await refused(`1${deflateRawSync(Buffer.from([0x22, 0xc3, 0x28, 0x22])).toString("base64url")}`),
+    /damaged/,
+    "not UTF-8",
+  );
   await refused(/** @type {string} */ (/** @type {unknown} */ (undefined)));
 });
 
@@ -240,10 +320,19 @@ test("400 fuzzed fragments never throw, and what is let in is an experiment", as
 
 test("what would be refused is not encoded", async () => {
   const wrong = /** @type {unknown[]} */ ([
-    { ...PLAIN, version: 2 }, { ...PLAIN, scene: "a b" }, { ...PLAIN, lanes: [] }, { ...PLAIN, iteration: NaN }, { ...PLAIN, iteration: -1 }, { ...PLAIN, scene: undefined },
-    { ...PLAIN, colour: "red" }, { ...PLAIN, options: { k: Infinity } }, { ...PLAIN, document: { x: [NaN] } }, { ...PLAIN, view: { axes: [0, 1, 2] } },
+    { ...PLAIN, version: 2 },
+    { ...PLAIN, scene: "a b" },
+    { ...PLAIN, lanes: [] },
+    { ...PLAIN, iteration: NaN },
+    { ...PLAIN, iteration: -1 },
+    { ...PLAIN, scene: undefined },
+    { ...PLAIN, colour: "red" },
+    { ...PLAIN, options: { k: Infinity } },
+    { ...PLAIN, document: { x: [NaN] } },
+    { ...PLAIN, view: { axes: [0, 1, 2] } },
   ]);
-  for (const experiment of wrong) await assert.rejects(encodeLink(/** @type {Experiment} */ (experiment)), { message: SENTENCE });
+  for (const experiment of wrong)
+    await assert.rejects(encodeLink(/** @type {Experiment} */ (experiment)), { message: SENTENCE });
   const random = seeded(3);
   const noise = { ...PLAIN, document: { x: Array.from({ length: 9000 }, random.next) } };
   await assert.rejects(encodeLink(noise), /too long/);

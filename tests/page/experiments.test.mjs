@@ -1,4 +1,7 @@
-/** The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it shows. */
+/**
+ * The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it
+ * shows.
+ */
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -8,7 +11,18 @@ import { completed } from "../../www/experiments/charts.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
 import { Rows } from "../../www/experiments/rows.js";
-import { counters, download, fill, frames, linkOf, onPage, pickFile, root, useBrowser, violations } from "./browser.mjs";
+import {
+  counters,
+  download,
+  fill,
+  frames,
+  linkOf,
+  onPage,
+  pickFile,
+  root,
+  useBrowser,
+  violations,
+} from "./browser.mjs";
 import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
 
 /** @import { ExperimentDocument, TrialRow } from "planarium/full" */
@@ -22,19 +36,33 @@ const golden = JSON.parse(readFileSync(join(root, "tests", "golden-experiment.js
 
 /** Two scenes, two planners, a parameter: 48 trials, some without a path. @type {LinkedDocument} */
 const small = {
-  format: "planarium-experiment-1", title: "Small",
+  format: "planarium-experiment-1",
+  title: "Small",
   worlds: [{ scene: "stones" }, { name: "made", generate: "discs", set: { count: 20 }, seeds: [3] }],
-  planners: [{ algorithm: "prm", set: { samples: 40 }, vary: { k: [2, 4] } }, { algorithm: "rrt-connect", set: { max_iterations: 60 } }],
-  seeds: { from: 0, count: 8 }, verify: true,
+  planners: [
+    { algorithm: "prm", set: { samples: 40 }, vary: { k: [2, 4] } },
+    { algorithm: "rrt-connect", set: { max_iterations: 60 } },
+  ],
+  seeds: { from: 0, count: 8 },
+  verify: true,
 };
 
 /** The names of its planners. @type {Record<string, string>} */
 const titles = { prm: "PRM", "rrt-connect": "RRT-Connect" };
 
 /** Runs many trials, one worker or three. @param {number} workers */
-const processors = (workers) => (/** @type {Page} */ page) => void page.addInitScript((count) => Object.defineProperty(navigator, "hardwareConcurrency", { value: count }), workers + 1);
+const processors = (workers) => (/** @type {Page} */ page) =>
+  void page.addInitScript(
+    (count) => Object.defineProperty(navigator, "hardwareConcurrency", { value: count }),
+    workers + 1,
+  );
 
-/** Opens an experiment by its link, which also runs it. @param {{ document: LinkedDocument, view?: View }} experiment @param {(page: Page, url: string) => Promise<void>} act @param {import("./browser.mjs").More} [more] */
+/**
+ * Opens an experiment by its link, which also runs it.
+ * @param {{ document: LinkedDocument, view?: View }} experiment
+ * @param {(page: Page, url: string) => Promise<void>} act
+ * @param {import("./browser.mjs").More} [more]
+ */
 async function onExperiment(experiment, act, more = {}) {
   await onPage({}, act, { path: `experiments.html#${await encodeExperiment(experiment)}`, ...more });
 }
@@ -44,7 +72,9 @@ const done = (page) => page.waitForSelector("body[data-phase=done][data-settled=
 
 /** Saves a file of the page. @param {Page} page @param {string} id */
 async function taken(page, id) {
-  await page.locator("#export-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  await page.locator("#export-fold").evaluate((fold) => {
+    /** @type {HTMLDetailsElement} */ (fold).open = true;
+  });
   return download(page, `#export-${id}`);
 }
 
@@ -61,176 +91,292 @@ function rowsOf(document) {
   });
   const summary = experiment.summary(rows);
   experiment.free();
-  return { rows, summary, csv: `${[columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))].map((cells) => cells.join(",")).join("\n")}\n` };
+  return {
+    rows,
+    summary,
+    csv: `${[columns, ...rows.map((row) => columns.map((column) => row[column] ?? ""))].map((cells) => cells.join(",")).join("\n")}\n`,
+  };
 }
 
-/** The table behind a kind of chart. @param {Page} page @param {string} kind @returns {Promise<Record<string, string>[]>} */
+/**
+ * The table behind a kind of chart.
+ * @param {Page} page
+ * @param {string} kind
+ * @returns {Promise<Record<string, string>[]>}
+ */
 async function tableOf(page, kind) {
-  await page.locator("#table-fold").evaluate((fold) => { /** @type {HTMLDetailsElement} */ (fold).open = true; });
+  await page.locator("#table-fold").evaluate((fold) => {
+    /** @type {HTMLDetailsElement} */ (fold).open = true;
+  });
   await page.click(`#kinds [data-kind=${kind}]`);
   await page.waitForSelector(`body[data-chart=${kind}][data-settled=true]`);
   return page.locator("#table table").evaluate((table) => {
     const { tHead, tBodies } = /** @type {HTMLTableElement} */ (table);
     const names = Array.from(tHead?.rows[0].cells ?? [], ({ textContent }) => textContent ?? "");
-    return Array.from(tBodies[0].rows, ({ cells }) => Object.fromEntries(Array.from(cells, (cell, i) => [names[i], cell.dataset.value ?? ""])));
+    return Array.from(tBodies[0].rows, ({ cells }) =>
+      Object.fromEntries(Array.from(cells, (cell, i) => [names[i], cell.dataset.value ?? ""])),
+    );
   });
 }
 
 for (const workers of [1, 3]) {
   test(`rows are the golden ones, run by ${workers === 1 ? "one worker" : "three"}`, async () => {
     for (const { experiment: document, outcome } of golden) {
-      await onExperiment({ document }, async (page) => {
-        await done(page);
-        const { text } = await taken(page, "rows");
-        assert.deepEqual(text.trimEnd().split("\n").slice(1), outcome.rows);
-        assert.equal(text, rowsOf(document).csv);
-        const times = (await taken(page, "times")).text.trimEnd().split("\n");
-        assert.equal(times[0], "trial,build_seconds,search_seconds");
-        assert.equal(times.length, outcome.rows.length + 1);
-      }, { before: async (page) => processors(workers)(page) });
+      await onExperiment(
+        { document },
+        async (page) => {
+          await done(page);
+          const { text } = await taken(page, "rows");
+          assert.deepEqual(text.trimEnd().split("\n").slice(1), outcome.rows);
+          assert.equal(text, rowsOf(document).csv);
+          const times = (await taken(page, "times")).text.trimEnd().split("\n");
+          assert.equal(times[0], "trial,build_seconds,search_seconds");
+          assert.equal(times.length, outcome.rows.length + 1);
+        },
+        { before: async (page) => processors(workers)(page) },
+      );
     }
   });
 }
 
-test("trials of a worker that cannot be loaded are run by the others", () => onExperiment({ document: small }, async (page) => {
-  await done(page);
-  assert.equal((await taken(page, "rows")).text, rowsOf((await taken(page, "document")).text).csv);
-}, { expectErrors: true, before: async (page) => {
-  processors(3)(page);
-  let loaded = 0;
-  await page.route("**/rooms/worker.js", (route) => (loaded++ === 0 ? route.continue() : route.abort()));
-} }));
+test("trials of a worker that cannot be loaded are run by the others", () =>
+  onExperiment(
+    { document: small },
+    async (page) => {
+      await done(page);
+      assert.equal((await taken(page, "rows")).text, rowsOf((await taken(page, "document")).text).csv);
+    },
+    {
+      expectErrors: true,
+      before: async (page) => {
+        processors(3)(page);
+        let loaded = 0;
+        await page.route("**/rooms/worker.js", (route) => (loaded++ === 0 ? route.continue() : route.abort()));
+      },
+    },
+  ));
 
-test("charts have the values of the rows; pictures and files hold them", () => onExperiment({ document: small }, async (page) => {
-  await done(page);
-  const { rows, csv, summary } = rowsOf((await taken(page, "document")).text);
-  assert.equal((await taken(page, "rows")).text, csv);
-  assert.deepEqual(JSON.parse((await taken(page, "summary")).text), summary);
-  assert.equal(rows.length, 48);
-  /** @param {(row: TrialRow) => boolean} which @param {string} measure */
-  const sample = (which, measure) => Float64Array.from(rows.filter(which), (row) => (row.status === "solved" ? Number(row[measure]) : NaN));
-  assert.ok(rows.some(({ status }) => status !== "solved"), "not all have a path");
+test("charts have the values of the rows; pictures and files hold them", () =>
+  onExperiment({ document: small }, async (page) => {
+    await done(page);
+    const { rows, csv, summary } = rowsOf((await taken(page, "document")).text);
+    assert.equal((await taken(page, "rows")).text, csv);
+    assert.deepEqual(JSON.parse((await taken(page, "summary")).text), summary);
+    assert.equal(rows.length, 48);
+    /** @param {(row: TrialRow) => boolean} which @param {string} measure */
+    const sample = (which, measure) =>
+      Float64Array.from(rows.filter(which), (row) => (row.status === "solved" ? Number(row[measure]) : NaN));
+    assert.ok(
+      rows.some(({ status }) => status !== "solved"),
+      "not all have a path",
+    );
 
-  await fill(page, "#view-axis", "planner.k");
-  for (const record of await tableOf(page, "success")) {
-    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`;
-    const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
-    assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [one.n, ...[one.share, one.low, one.high].map((value) => 100 * Number(value))]);
-  }
-  await fill(page, "#view-measure", "valid");
-  for (const record of await tableOf(page, "success")) {
-    const some = rows.filter((row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`);
-    const one = share(Array.from(some, ({ valid }) => (valid === null ? NaN : Number(valid))));
-    assert.deepEqual([record.trials, record.missing, record.percent].map(Number), [one.n, one.missing, one.share === null ? NaN : 100 * one.share]);
-  }
-  for (const record of await tableOf(page, "box")) {
-    const which = (/** @type {TrialRow} */ row) => String(row["planner.k"] ?? "null") === record["planner.k"] && record.series === `${titles[String(row.planner)]}, ${row.world}`;
-    const { n, missing, values } = quartiles(sample(which, "length"));
-    assert.deepEqual([record.trials, record.missing].map(Number), [n, missing]);
-    if (values) assert.deepEqual(["least", "lower quartile", "median", "upper quartile", "most"].map((column) => Number(record[column])), [...values]);
-  }
-  assert.equal(await page.locator(".plot .trial").count(), rows.filter(({ status }) => status === "solved").length, "a dot for each path");
+    await fill(page, "#view-axis", "planner.k");
+    for (const record of await tableOf(page, "success")) {
+      const which = (/** @type {TrialRow} */ row) =>
+        String(row["planner.k"] ?? "null") === record["planner.k"] &&
+        record.series === `${titles[String(row.planner)]}, ${row.world}`;
+      const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
+      assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [
+        one.n,
+        ...[one.share, one.low, one.high].map((value) => 100 * Number(value)),
+      ]);
+    }
+    await fill(page, "#view-measure", "valid");
+    for (const record of await tableOf(page, "success")) {
+      const some = rows.filter(
+        (row) =>
+          String(row["planner.k"] ?? "null") === record["planner.k"] &&
+          record.series === `${titles[String(row.planner)]}, ${row.world}`,
+      );
+      const one = share(Array.from(some, ({ valid }) => (valid === null ? NaN : Number(valid))));
+      assert.deepEqual([record.trials, record.missing, record.percent].map(Number), [
+        one.n,
+        one.missing,
+        one.share === null ? NaN : 100 * one.share,
+      ]);
+    }
+    for (const record of await tableOf(page, "box")) {
+      const which = (/** @type {TrialRow} */ row) =>
+        String(row["planner.k"] ?? "null") === record["planner.k"] &&
+        record.series === `${titles[String(row.planner)]}, ${row.world}`;
+      const { n, missing, values } = quartiles(sample(which, "length"));
+      assert.deepEqual([record.trials, record.missing].map(Number), [n, missing]);
+      if (values)
+        assert.deepEqual(
+          ["least", "lower quartile", "median", "upper quartile", "most"].map((column) => Number(record[column])),
+          [...values],
+        );
+    }
+    assert.equal(
+      await page.locator(".plot .trial").count(),
+      rows.filter(({ status }) => status === "solved").length,
+      "a dot for each path",
+    );
 
-  const steps = await tableOf(page, "ecdf");
-  const connect = ecdf(sample(({ planner, world }) => planner === "rrt-connect" && world === "made", await page.inputValue("#view-work")));
-  const own = steps.filter(({ series }) => series === "RRT-Connect, made");
-  assert.deepEqual(own.map((step) => Number(step["share percent"])), connect.shares.map((one) => 100 * one), "failures stay in the denominator");
+    const steps = await tableOf(page, "ecdf");
+    const connect = ecdf(
+      sample(
+        ({ planner, world }) => planner === "rrt-connect" && world === "made",
+        await page.inputValue("#view-work"),
+      ),
+    );
+    const own = steps.filter(({ series }) => series === "RRT-Connect, made");
+    assert.deepEqual(
+      own.map((step) => Number(step["share percent"])),
+      connect.shares.map((one) => 100 * one),
+      "failures stay in the denominator",
+    );
 
-  await page.click("#kinds [data-kind=heat]");
-  await fill(page, "#view-second", "world");
-  await fill(page, "#view-measure", "motion_checks");
-  for (const record of await tableOf(page, "heat")) {
-    const { n, values } = quartiles(sample((row) => String(row["planner.k"]) === record["planner.k"] && row.world === record.world, "motion_checks"));
-    assert.deepEqual([record.trials, record.median].map(Number), [n, values?.[2] ?? NaN]);
-  }
-  for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
+    await page.click("#kinds [data-kind=heat]");
+    await fill(page, "#view-second", "world");
+    await fill(page, "#view-measure", "motion_checks");
+    for (const record of await tableOf(page, "heat")) {
+      const { n, values } = quartiles(
+        sample(
+          (row) => String(row["planner.k"]) === record["planner.k"] && row.world === record.world,
+          "motion_checks",
+        ),
+      );
+      assert.deepEqual([record.trials, record.median].map(Number), [n, values?.[2] ?? NaN]);
+    }
+    for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
 
-  // In words: each setting against the first one that solves at least half of its trials, trial by trial.
-  await page.click("#kinds [data-kind=success]");
-  await fill(page, "#view-measure", "solved");
-  await page.waitForSelector("body[data-chart=success][data-settled=true]");
-  await page.locator("#words-fold > summary").click();
-  const settings = /** @type {const} */ ([["prm", 2, "PRM, k = 2"], ["prm", 4, "PRM, k = 4"], ["rrt-connect", null, "RRT-Connect"]]).map(([planner, k, name]) => {
-    const own = rows.filter((row) => row.planner === planner && row["planner.k"] === k);
-    const solved = Float64Array.from(own, ({ status }) => Number(status === "solved"));
-    return { name, solved, lengths: Float64Array.from(own, (row) => Number(row.length ?? NaN)), share: Number(share(solved).share) };
-  });
-  const base = settings.find((one) => one.share >= 0.5);
-  assert.ok(base, "one solves half");
-  const others = settings.filter((one) => one !== base);
-  await page.waitForSelector("#words li:nth-child(2)");
-  assert.equal(await page.innerText("#words-about"), `The baseline is ${base.name}, the first setting that solves at least half of its trials. Trials of a pair have the same world and seed.`);
-  assert.deepEqual((await page.locator("#words li").allInnerTexts()).map((text) => /^(.*) finds? a path (more|equally) often.* (?:A|The) difference is /.exec(text)?.slice(1)), others.map(({ name, solved }) => {
-    const { larger, smaller } = paired(solved, base.solved, name, base.name, "", 2);
-    return larger === smaller ? [`${name} and ${base.name}`, "equally"] : [larger > smaller ? name : base.name, "more"];
-  }));
-  await page.click("#kinds [data-kind=box]");
-  await fill(page, "#view-measure", "length");
-  await page.waitForSelector("body[data-chart=box][data-settled=true]");
-  const [compared, without] = [true, false].map((has) => others.filter(({ lengths }) => lengths.some((length, i) => !Number.isNaN(length - base.lengths[i])) === has));
-  assert.deepEqual(await page.locator("#words li").allInnerTexts(), [
-    ...compared.map(({ name, lengths }) => paired(lengths, base.lengths, name, base.name, "path length", compared.length).words),
-    ...without.map(({ name }) => `No pair has a value of both the baseline and ${name}.`),
-  ]);
-  const last = settings[settings.length - 1];
-  await page.selectOption("#baseline", last.name);
-  await page.waitForFunction((name) => document.getElementById("words-about")?.textContent?.startsWith(`The baseline is ${name}, as chosen.`), last.name);
-  await tableOf(page, "line");
-
-  const png = await taken(page, "png");
-  assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
-  const svg = await taken(page, "svg");
-  assert.match(svg.text, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
-  assert.match(svg.text, /path length/);
-  assert.doesNotMatch(svg.text, /var\(--/);
-  const shown = await tableOf(page, "line");
-  const lines = (await taken(page, "table")).text.trimEnd().split("\r\n");
-  assert.equal(lines.length, shown.length + 1);
-  assert.ok(lines[0].startsWith("planner.k,series,trials,missing"));
-}));
-
-test("paused, gone on with and cancelled, it ends with the same rows", () => onPage({ reducedMotion: "reduce" }, async (page) => {
-  await page.waitForSelector("body[data-phase=ready][data-settled=true]");
-  const document = JSON.parse((await taken(page, "document")).text);
-  /** Presses a button as soon as some trials have ended. @param {string} id @param {number} more  than so many */
-  const press = (id, more) => page.evaluate(([name, least]) => new Promise((resolve) => {
-    const watch = new MutationObserver(() => {
-      if (Number(document.body.dataset.done) <= Number(least)) return;
-      watch.disconnect();
-      document.getElementById(String(name))?.click();
-      resolve(undefined);
+    // In words: each setting against the first one that solves at least half of its trials, trial by trial.
+    await page.click("#kinds [data-kind=success]");
+    await fill(page, "#view-measure", "solved");
+    await page.waitForSelector("body[data-chart=success][data-settled=true]");
+    await page.locator("#words-fold > summary").click();
+    const settings = /** @type {const} */ ([
+      ["prm", 2, "PRM, k = 2"],
+      ["prm", 4, "PRM, k = 4"],
+      ["rrt-connect", null, "RRT-Connect"],
+    ]).map(([planner, k, name]) => {
+      const own = rows.filter((row) => row.planner === planner && row["planner.k"] === k);
+      const solved = Float64Array.from(own, ({ status }) => Number(status === "solved"));
+      return {
+        name,
+        solved,
+        lengths: Float64Array.from(own, (row) => Number(row.length ?? NaN)),
+        share: Number(share(solved).share),
+      };
     });
-    watch.observe(document.body, { attributes: true });
-  }), [id, more]);
-  const ended = async () => Number(await page.getAttribute("body", "data-done"));
-  let pressed = press("cancel", 0);
-  assert.match(await page.innerText("#chart"), /^With reduced motion trials do not start by themselves\.\s+Run 1,?200 trials$/);
-  await page.click("#chart button");
-  await pressed;
-  await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
-  await page.waitForSelector("#chart button");
-  pressed = press("run", 0);
-  await page.click("#run");
-  await pressed;
-  await page.waitForSelector("body[data-phase=paused][data-settled=true]");
-  const before = await ended();
-  assert.ok(before > 0 && before < 1200, `${before}`);
-  assert.equal(await page.innerText("#run"), "Go on");
-  assert.equal(Number(await page.getAttribute("body", "data-drawn")), before, "the chart shows those that have ended");
-  pressed = press("run", before);
-  await page.click("#run");
-  await pressed;
-  await page.waitForSelector("body[data-phase=paused][data-settled=true]");
-  assert.ok(await ended() > before);
-  await page.focus("#stage");
-  await page.keyboard.press(" ");
-  await done(page);
-  assert.equal((await taken(page, "rows")).text, rowsOf(document).csv);
-}, { path: "experiments.html" }));
+    const base = settings.find((one) => one.share >= 0.5);
+    assert.ok(base, "one solves half");
+    const others = settings.filter((one) => one !== base);
+    await page.waitForSelector("#words li:nth-child(2)");
+    assert.equal(
+      await page.innerText("#words-about"),
+      `The baseline is ${base.name}, the first setting that solves at least half of its trials. Trials of a pair have the same world and seed.`,
+    );
+    assert.deepEqual(
+      (await page.locator("#words li").allInnerTexts()).map((text) =>
+        /^(.*) finds? a path (more|equally) often.* (?:A|The) difference is /.exec(text)?.slice(1),
+      ),
+      others.map(({ name, solved }) => {
+        const { larger, smaller } = paired(solved, base.solved, name, base.name, "", 2);
+        return larger === smaller
+          ? [`${name} and ${base.name}`, "equally"]
+          : [larger > smaller ? name : base.name, "more"];
+      }),
+    );
+    await page.click("#kinds [data-kind=box]");
+    await fill(page, "#view-measure", "length");
+    await page.waitForSelector("body[data-chart=box][data-settled=true]");
+    const [compared, without] = [true, false].map((has) =>
+      others.filter(({ lengths }) => lengths.some((length, i) => !Number.isNaN(length - base.lengths[i])) === has),
+    );
+    assert.deepEqual(await page.locator("#words li").allInnerTexts(), [
+      ...compared.map(
+        ({ name, lengths }) => paired(lengths, base.lengths, name, base.name, "path length", compared.length).words,
+      ),
+      ...without.map(({ name }) => `No pair has a value of both the baseline and ${name}.`),
+    ]);
+    const last = settings[settings.length - 1];
+    await page.selectOption("#baseline", last.name);
+    await page.waitForFunction(
+      (name) => document.getElementById("words-about")?.textContent?.startsWith(`The baseline is ${name}, as chosen.`),
+      last.name,
+    );
+    await tableOf(page, "line");
+
+    const png = await taken(page, "png");
+    assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    const svg = await taken(page, "svg");
+    assert.match(svg.text, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+    assert.match(svg.text, /path length/);
+    assert.doesNotMatch(svg.text, /var\(--/);
+    const shown = await tableOf(page, "line");
+    const lines = (await taken(page, "table")).text.trimEnd().split("\r\n");
+    assert.equal(lines.length, shown.length + 1);
+    assert.ok(lines[0].startsWith("planner.k,series,trials,missing"));
+  }));
+
+test("paused, gone on with and cancelled, it ends with the same rows", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      await page.waitForSelector("body[data-phase=ready][data-settled=true]");
+      const document = JSON.parse((await taken(page, "document")).text);
+      /** Presses a button as soon as some trials have ended. @param {string} id @param {number} more  than so many */
+      const press = (id, more) =>
+        page.evaluate(
+          ([name, least]) =>
+            new Promise((resolve) => {
+              const watch = new MutationObserver(() => {
+                if (Number(document.body.dataset.done) <= Number(least)) return;
+                watch.disconnect();
+                document.getElementById(String(name))?.click();
+                resolve(undefined);
+              });
+              watch.observe(document.body, { attributes: true });
+            }),
+          [id, more],
+        );
+      const ended = async () => Number(await page.getAttribute("body", "data-done"));
+      let pressed = press("cancel", 0);
+      assert.match(
+        await page.innerText("#chart"),
+        /^With reduced motion trials do not start by themselves\.\s+Run 1,?200 trials$/,
+      );
+      await page.click("#chart button");
+      await pressed;
+      await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
+      await page.waitForSelector("#chart button");
+      pressed = press("run", 0);
+      await page.click("#run");
+      await pressed;
+      await page.waitForSelector("body[data-phase=paused][data-settled=true]");
+      const before = await ended();
+      assert.ok(before > 0 && before < 1200, `${before}`);
+      assert.equal(await page.innerText("#run"), "Go on");
+      assert.equal(
+        Number(await page.getAttribute("body", "data-drawn")),
+        before,
+        "the chart shows those that have ended",
+      );
+      pressed = press("run", before);
+      await page.click("#run");
+      await pressed;
+      await page.waitForSelector("body[data-phase=paused][data-settled=true]");
+      assert.ok((await ended()) > before);
+      await page.focus("#stage");
+      await page.keyboard.press(" ");
+      await done(page);
+      assert.equal((await taken(page, "rows")).text, rowsOf(document).csv);
+    },
+    { path: "experiments.html" },
+  ));
 
 test("a link holds the whole experiment and its chart", async () => {
   /** @type {View} */
-  const view = { chart: "box", measure: "clearance_evaluations", axis: "world", isLog: true, reported: [{ x: "made", value: 100, label: "a report" }] };
+  const view = {
+    chart: "box",
+    measure: "clearance_evaluations",
+    axis: "world",
+    isLog: true,
+    reported: [{ x: "made", value: 100, label: "a report" }],
+  };
   await onExperiment({ document: small, view }, async (page) => {
     await done(page);
     await page.locator("details", { hasText: "Parameters" }).last().locator("summary").click();
@@ -242,27 +388,66 @@ test("a link holds the whole experiment and its chart", async () => {
     const fragment = await linkOf(page);
     assert.ok(fragment.length < 800, `${fragment.length}`);
     const { state } = await decodeExperiment(fragment);
-    assert.deepEqual(state, { document: { ...small, planners: [small.planners[0], { algorithm: "rrt-connect", set: { max_iterations: 70 } }], seeds: { from: 4, count: 3 } }, view });
+    assert.deepEqual(state, {
+      document: {
+        ...small,
+        planners: [small.planners[0], { algorithm: "rrt-connect", set: { max_iterations: 70 } }],
+        seeds: { from: 4, count: 3 },
+      },
+      view,
+    });
     const file = (await taken(page, "document")).text;
-    await onPage({}, async (other) => {
-      await done(other);
-      assert.equal(await linkOf(other), fragment);
-      assert.equal((await taken(other, "document")).text, file);
-      assert.deepEqual([await other.getAttribute("body", "data-chart"), await other.inputValue("#view-measure"), await other.inputValue("#view-axis")], ["box", "clearance_evaluations", "world"]);
-      assert.equal(await other.locator("#view-log").isChecked(), true);
-      assert.ok((await tableOf(other, "box")).some(({ series, median }) => series === "reported: a report" && median === "100"));
-    }, { path: `experiments.html${fragment}` });
+    await onPage(
+      {},
+      async (other) => {
+        await done(other);
+        assert.equal(await linkOf(other), fragment);
+        assert.equal((await taken(other, "document")).text, file);
+        assert.deepEqual(
+          [
+            await other.getAttribute("body", "data-chart"),
+            await other.inputValue("#view-measure"),
+            await other.inputValue("#view-axis"),
+          ],
+          ["box", "clearance_evaluations", "world"],
+        );
+        assert.equal(await other.locator("#view-log").isChecked(), true);
+        assert.ok(
+          (await tableOf(other, "box")).some(
+            ({ series, median }) => series === "reported: a report" && median === "100",
+          ),
+        );
+      },
+      { path: `experiments.html${fragment}` },
+    );
   });
 });
 
-test("a view of what is not there shows something else", () => onExperiment({ document: small, view: { chart: "heat", measure: "nothing", work: "solved", axis: "planner.q" } }, async (page) => {
-  await done(page);
-  assert.deepEqual([await page.getAttribute("body", "data-chart"), await page.inputValue("#view-measure"), await page.inputValue("#view-axis")], ["heat", "solved", "planner.k"]);
-  assert.equal(await page.isHidden("#notice"), true);
-}));
+test("a view of what is not there shows something else", () =>
+  onExperiment(
+    { document: small, view: { chart: "heat", measure: "nothing", work: "solved", axis: "planner.q" } },
+    async (page) => {
+      await done(page);
+      assert.deepEqual(
+        [
+          await page.getAttribute("body", "data-chart"),
+          await page.inputValue("#view-measure"),
+          await page.inputValue("#view-axis"),
+        ],
+        ["heat", "solved", "planner.k"],
+      );
+      assert.equal(await page.isHidden("#notice"), true);
+    },
+  ));
 
 test("what is put across is not up any more: another factor is", () => {
-  const factors = ["planner.k", "world", "planner"].map((column) => ({ column, title: column, unit: "", values: [1, 2], isNumeric: column === "planner.k" }));
+  const factors = ["planner.k", "world", "planner"].map((column) => ({
+    column,
+    title: column,
+    unit: "",
+    values: [1, 2],
+    isNumeric: column === "planner.k",
+  }));
   const shown = (/** @type {string} */ axis, /** @type {string} */ second, all = factors) => {
     const { kind, axis: across, second: up } = completed({ chart: "heat", axis, second }, all, [], ["solved"]);
     return [kind, across?.column, up?.column];
@@ -273,144 +458,206 @@ test("what is put across is not up any more: another factor is", () => {
   assert.deepEqual(shown("world", "world", [factors[1]]), ["success", "world", undefined]);
 });
 
-test("every ready experiment is accepted, with its worlds", () => onPage({ reducedMotion: "reduce" }, async (page) => {
-  await page.waitForSelector("body[data-phase=ready][data-settled=true]");
-  const ids = await page.locator("#ready option:enabled").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
-  const names = readdirSync(join(root, "www", "experiments", "documents")).map((name) => name.replace(".json", ""));
-  assert.deepEqual(ids.toSorted(), names.toSorted());
-  for (const id of ids) {
-    const { title } = JSON.parse(readFileSync(join(root, "www", "experiments", "documents", `${id}.json`), "utf8"));
-    await page.selectOption("#ready", id);
-    await page.waitForFunction((text) => document.getElementById("story")?.textContent?.startsWith(text), title);
-    await page.waitForSelector("body[data-phase=ready][data-settled=true], body[data-phase=refused]");
-    assert.equal(await page.innerText("#notice"), "", id);
-    assert.equal(await page.inputValue("#ready"), id);
-  }
-  await fill(page, "#seeds", "0 to 2");
-  assert.equal(await page.inputValue("#ready"), "", "once it is edited it is one of your own");
-}, { path: "experiments.html" }));
+test("every ready experiment is accepted, with its worlds", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      await page.waitForSelector("body[data-phase=ready][data-settled=true]");
+      const ids = await page
+        .locator("#ready option:enabled")
+        .evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+      const names = readdirSync(join(root, "www", "experiments", "documents")).map((name) => name.replace(".json", ""));
+      assert.deepEqual(ids.toSorted(), names.toSorted());
+      for (const id of ids) {
+        const { title } = JSON.parse(readFileSync(join(root, "www", "experiments", "documents", `${id}.json`), "utf8"));
+        await page.selectOption("#ready", id);
+        await page.waitForFunction((text) => document.getElementById("story")?.textContent?.startsWith(text), title);
+        await page.waitForSelector("body[data-phase=ready][data-settled=true], body[data-phase=refused]");
+        assert.equal(await page.innerText("#notice"), "", id);
+        assert.equal(await page.inputValue("#ready"), id);
+      }
+      await fill(page, "#seeds", "0 to 2");
+      assert.equal(await page.inputValue("#ready"), "", "once it is edited it is one of your own");
+    },
+    { path: "experiments.html" },
+  ));
 
-test("what is refused shows code and pointer before any trial, and the page goes on", () => onPage({ reducedMotion: "reduce" }, async (page) => {
-  await page.waitForSelector("body[data-phase=ready]");
-  for (const [change, code, pointer] of /** @type {const} */ ([
-    [{ planners: [{ algorithm: "prm", vary: { k: [3, 0] } }] }, "out-of-range", "/planners/0/vary/k/1"],
-    [{ planners: [{ algorithm: "sst" }] }, "unsupported", "/planners/0/algorithm"],
-    [{ worlds: [{ scene: "nowhere" }] }, "unknown-scene", "/worlds/0/scene"],
-    [{ worlds: 3 }, "wrong-type", "/worlds"],
-  ])) {
-    await pickFile(page, "bad.json", JSON.stringify({ ...small, ...change }));
-    await page.waitForSelector(`body[data-phase=refused][data-settled=true] #notice[data-code=${code}]`);
-    assert.equal(await page.getAttribute("#notice", "data-pointer"), pointer);
-    assert.equal(await page.isDisabled("#run"), true);
-    assert.equal(await page.innerText("#trials caption"), "No trials");
-  }
-  // A scenario is a world for the experiment that is open; here it has no planner.
-  await pickFile(page, "good.json", JSON.stringify(small));
-  await page.waitForSelector("body[data-phase=ready][data-count='48'][data-settled=true]");
-  assert.equal(await page.isHidden("#notice"), true);
-  await pickFile(page, "own.json", readFileSync(join(root, "www", "scenes", "pillar.json"), "utf8"));
-  await page.waitForSelector("body[data-phase=ready][data-count='24'][data-settled=true]");
-  await page.fill("#vary-0-values", "2 to 6 by 2");
-  await page.press("#vary-0-values", "Enter");
-  await page.waitForSelector("body[data-phase=ready][data-count='32']");
-  assert.equal(await page.evaluate(() => document.activeElement?.id), "vary-0-values", "the form is made again, and the focus stays");
-  await fill(page, "#vary-0-values", "0");
-  await page.waitForSelector("body[data-phase=refused] #notice[data-pointer='/planners/0/vary/k/0']");
-}, { path: "experiments.html" }));
+test("what is refused shows code and pointer before any trial, and the page goes on", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      await page.waitForSelector("body[data-phase=ready]");
+      for (const [change, code, pointer] of /** @type {const} */ ([
+        [{ planners: [{ algorithm: "prm", vary: { k: [3, 0] } }] }, "out-of-range", "/planners/0/vary/k/1"],
+        [{ planners: [{ algorithm: "sst" }] }, "unsupported", "/planners/0/algorithm"],
+        [{ worlds: [{ scene: "nowhere" }] }, "unknown-scene", "/worlds/0/scene"],
+        [{ worlds: 3 }, "wrong-type", "/worlds"],
+      ])) {
+        await pickFile(page, "bad.json", JSON.stringify({ ...small, ...change }));
+        await page.waitForSelector(`body[data-phase=refused][data-settled=true] #notice[data-code=${code}]`);
+        assert.equal(await page.getAttribute("#notice", "data-pointer"), pointer);
+        assert.equal(await page.isDisabled("#run"), true);
+        assert.equal(await page.innerText("#trials caption"), "No trials");
+      }
+      // A scenario is a world for the experiment that is open; here it has no planner.
+      await pickFile(page, "good.json", JSON.stringify(small));
+      await page.waitForSelector("body[data-phase=ready][data-count='48'][data-settled=true]");
+      assert.equal(await page.isHidden("#notice"), true);
+      await pickFile(page, "own.json", readFileSync(join(root, "www", "scenes", "pillar.json"), "utf8"));
+      await page.waitForSelector("body[data-phase=ready][data-count='24'][data-settled=true]");
+      await page.fill("#vary-0-values", "2 to 6 by 2");
+      await page.press("#vary-0-values", "Enter");
+      await page.waitForSelector("body[data-phase=ready][data-count='32']");
+      assert.equal(
+        await page.evaluate(() => document.activeElement?.id),
+        "vary-0-values",
+        "the form is made again, and the focus stays",
+      );
+      await fill(page, "#vary-0-values", "0");
+      await page.waitForSelector("body[data-phase=refused] #notice[data-pointer='/planners/0/vary/k/0']");
+    },
+    { path: "experiments.html" },
+  ));
 
-test("an edited ready experiment is one of the reader's own; by a link it keeps its name", () => onPage({ reducedMotion: "reduce" }, async (page) => {
-  const ready = () => page.waitForSelector("body[data-phase=ready][data-settled=true]");
-  await ready();
-  const id = await page.inputValue("#ready");
-  const link = await linkOf(page);
-  await onPage({ reducedMotion: "reduce" }, async (other) => {
-    await other.waitForSelector("body[data-phase=ready][data-settled=true]");
-    assert.equal(await other.inputValue("#ready"), id);
-  }, { path: `experiments.html${link}` });
-  await page.selectOption("#new-planner", "rrt-star");
-  await page.click("#add-planner");
-  await page.waitForSelector("#planner-1-remove");
-  await ready();
-  assert.deepEqual([await page.inputValue("#ready"), /^[^:]*/.exec(await page.innerText("#story"))?.[0]], ["", "PRM against RRT*"]);
-  assert.equal((await decodeExperiment(await linkOf(page))).state?.document.title, "PRM against RRT*");
+test("an edited ready experiment is one of the reader's own; by a link it keeps its name", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      const ready = () => page.waitForSelector("body[data-phase=ready][data-settled=true]");
+      await ready();
+      const id = await page.inputValue("#ready");
+      const link = await linkOf(page);
+      await onPage(
+        { reducedMotion: "reduce" },
+        async (other) => {
+          await other.waitForSelector("body[data-phase=ready][data-settled=true]");
+          assert.equal(await other.inputValue("#ready"), id);
+        },
+        { path: `experiments.html${link}` },
+      );
+      await page.selectOption("#new-planner", "rrt-star");
+      await page.click("#add-planner");
+      await page.waitForSelector("#planner-1-remove");
+      await ready();
+      assert.deepEqual(
+        [await page.inputValue("#ready"), /^[^:]*/.exec(await page.innerText("#story"))?.[0]],
+        ["", "PRM against RRT*"],
+      );
+      assert.equal((await decodeExperiment(await linkOf(page))).state?.document.title, "PRM against RRT*");
 
-  // Text that is no list of seeds says why, and nothing runs.
-  for (const text of ["abc", "5 to 1"]) {
-    await page.fill("#seeds", text);
-    assert.match(await page.innerText("#seeds-reason"), /^\W*Enter whole numbers/);
-    assert.equal(await page.isDisabled("#run"), true, text);
-  }
-  await fill(page, "#seeds", "3");
-  await ready();
-  assert.deepEqual([await page.isHidden("#seeds-reason"), await page.isDisabled("#run")], [true, false]);
+      // Text that is no list of seeds says why, and nothing runs.
+      for (const text of ["abc", "5 to 1"]) {
+        await page.fill("#seeds", text);
+        assert.match(await page.innerText("#seeds-reason"), /^\W*Enter whole numbers/);
+        assert.equal(await page.isDisabled("#run"), true, text);
+      }
+      await fill(page, "#seeds", "3");
+      await ready();
+      assert.deepEqual([await page.isHidden("#seeds-reason"), await page.isDisabled("#run")], [true, false]);
 
-  // Only planners for the robots of all worlds can be added.
-  assert.deepEqual(await page.locator("#new-planner option:disabled").evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value)), ["rrt-control", "sst"]);
-  // Two things vary: the planner, and k of one; without them there is no heat map.
-  assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), false);
-  await page.click("#planner-0-remove");
-  await ready();
-  assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), true);
-  assert.match(await page.getAttribute("#kinds [data-kind=heat]", "title") ?? "", /needs two/);
-  await pickFile(page, "car.json", JSON.stringify({ ...small, worlds: [{ generate: "clutter", set: { robot: "car" } }], planners: [{ algorithm: "sst" }] }));
-  await page.waitForSelector("#new-planner option[value=sst]:enabled", { state: "attached" });
-  await page.selectOption("#new-world", "scene:stones");
-  await page.setViewportSize({ width: 390, height: 700 });
-  await page.click("#add-world");
-  await page.waitForSelector("body[data-phase=refused] #notice[data-code=unsupported]");
-  const box = await page.locator("#notice").boundingBox();
-  assert.match(await page.innerText("#notice"), /^The experiment is refused\. SST plans for robots of type car, not arm/);
-  assert.ok(box && box.y > -1 && box.y + box.height < 701, `the refusal is in view: ${JSON.stringify(box)}`);
-}, { path: "experiments.html" }));
+      // Only planners for the robots of all worlds can be added.
+      assert.deepEqual(
+        await page
+          .locator("#new-planner option:disabled")
+          .evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value)),
+        ["rrt-control", "sst"],
+      );
+      // Two things vary: the planner, and k of one; without them there is no heat map.
+      assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), false);
+      await page.click("#planner-0-remove");
+      await ready();
+      assert.equal(await page.isDisabled("#kinds [data-kind=heat]"), true);
+      assert.match((await page.getAttribute("#kinds [data-kind=heat]", "title")) ?? "", /needs two/);
+      await pickFile(
+        page,
+        "car.json",
+        JSON.stringify({
+          ...small,
+          worlds: [{ generate: "clutter", set: { robot: "car" } }],
+          planners: [{ algorithm: "sst" }],
+        }),
+      );
+      await page.waitForSelector("#new-planner option[value=sst]:enabled", { state: "attached" });
+      await page.selectOption("#new-world", "scene:stones");
+      await page.setViewportSize({ width: 390, height: 700 });
+      await page.click("#add-world");
+      await page.waitForSelector("body[data-phase=refused] #notice[data-code=unsupported]");
+      const box = await page.locator("#notice").boundingBox();
+      assert.match(
+        await page.innerText("#notice"),
+        /^The experiment is refused\. SST plans for robots of type car, not arm/,
+      );
+      assert.ok(box && box.y > -1 && box.y + box.height < 701, `the refusal is in view: ${JSON.stringify(box)}`);
+    },
+    { path: "experiments.html" },
+  ));
 
 test("settings without a path are no baseline, and are in one sentence", () => {
   const rows = new Rows(["planner", "seed", "status", "length"], 12);
   // Two settings without paths, and two with them.
-  for (let trial = 0; trial < 12; trial++) rows.set(trial, ["abcd"[Math.floor(trial / 3)], trial % 3, trial < 6 ? "failed" : "solved", trial < 6 ? null : trial], [0, 0]);
+  for (let trial = 0; trial < 12; trial++)
+    rows.set(
+      trial,
+      ["abcd"[Math.floor(trial / 3)], trial % 3, trial < 6 ? "failed" : "solved", trial < 6 ? null : trial],
+      [0, 0],
+    );
   const factor = { column: "planner", title: "planner", unit: "", values: [..."abcd"], isNumeric: false };
   const { about, sentences } = comparisons(rows, [factor], "length");
   assert.match(comparisons(rows, [factor], "length", "d").about, /^The baseline is d, as chosen\./);
   assert.match(about, /^The baseline is c, the first/);
   assert.deepEqual(sentences, [
-    paired(Float64Array.of(9, 10, 11), Float64Array.of(6, 7, 8), "d", "c", "path length", 1).words, "No pair has a value of both the baseline and any of a; b.",
+    paired(Float64Array.of(9, 10, 11), Float64Array.of(6, 7, 8), "d", "c", "path length", 1).words,
+    "No pair has a value of both the baseline and any of a; b.",
   ]);
-  assert.deepEqual(comparisons(rows, [factor], "solved").sentences.map((text) => text.split(":")[0]), ["c finds a path more often than a", "c finds a path more often than b", "d and c find a path equally often"]);
+  assert.deepEqual(
+    comparisons(rows, [factor], "solved").sentences.map((text) => text.split(":")[0]),
+    ["c finds a path more often than a", "c finds a path more often than b", "d and c find a path equally often"],
+  );
 });
 
-test("a trial opens on the planner's page with its settings and ends with its fingerprint", () => onExperiment({ document: small, view: { chart: "box" } }, async (page) => {
-  await done(page);
-  const { rows } = rowsOf((await taken(page, "document")).text);
-  const check = async (/** @type {number} */ trial, /** @type {() => Promise<unknown>} */ open) => {
-    const [other] = await Promise.all([page.context().waitForEvent("page"), open()]);
-    await other.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-    const { fingerprint, status, iterations } = await counters(other);
-    const row = rows[trial];
-    assert.deepEqual([fingerprint, status, iterations], [row.fingerprint, row.status, row.iterations], `trial ${trial}`);
-    assert.equal(await other.inputValue("#parameter-seed"), String(row.seed));
-    await other.close();
-  };
-  const dot = page.locator(".plot .trial").nth(5);
-  await check(Number(await dot.getAttribute("data-trial")), () => dot.dispatchEvent("click"));
-  for (const trial of [19, 2]) await check(trial, () => page.click(`#trials tr[data-trial="${trial}"] a[href]`));
-  await page.click("#trials-on");
-  await page.waitForSelector("#trials tr[data-trial='30']");
-  await check(30, () => page.click("#trials tr[data-trial='30'] a[href]"));
-}));
+test("a trial opens on the planner's page with its settings and ends with its fingerprint", () =>
+  onExperiment({ document: small, view: { chart: "box" } }, async (page) => {
+    await done(page);
+    const { rows } = rowsOf((await taken(page, "document")).text);
+    const check = async (/** @type {number} */ trial, /** @type {() => Promise<unknown>} */ open) => {
+      const [other] = await Promise.all([page.context().waitForEvent("page"), open()]);
+      await other.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+      const { fingerprint, status, iterations } = await counters(other);
+      const row = rows[trial];
+      assert.deepEqual(
+        [fingerprint, status, iterations],
+        [row.fingerprint, row.status, row.iterations],
+        `trial ${trial}`,
+      );
+      assert.equal(await other.inputValue("#parameter-seed"), String(row.seed));
+      await other.close();
+    };
+    const dot = page.locator(".plot .trial").nth(5);
+    await check(Number(await dot.getAttribute("data-trial")), () => dot.dispatchEvent("click"));
+    for (const trial of [19, 2]) await check(trial, () => page.click(`#trials tr[data-trial="${trial}"] a[href]`));
+    await page.click("#trials-on");
+    await page.waitForSelector("#trials tr[data-trial='30']");
+    await check(30, () => page.click("#trials tr[data-trial='30'] a[href]"));
+  }));
 
-test("axe finds nothing, all fits", () => onExperiment({ document: small }, async (page) => {
-  await done(page);
-  for (const fold of ["table", "export"]) await page.locator(`#${fold}-fold`).evaluate((one) => { /** @type {HTMLDetailsElement} */ (one).open = true; });
-  for (const kind of ["success", "line"]) {
-    await page.click(`#kinds [data-kind=${kind}]`);
-    await assertFaultless(page, kind);
-  }
-  for (const width of [320, 390, 704, 1024, 2560]) {
-    await page.setViewportSize({ width, height: 900 });
-    await frames(page);
-    await page.waitForSelector("body[data-settled=true]");
-    assert.equal(await overhang(page), 0, `${width} px`);
-  }
-  await assertTargets(page);
-  await page.emulateMedia({ forcedColors: "active" });
-  assert.deepEqual(await violations(page), []);
-}));
+test("axe finds nothing, all fits", () =>
+  onExperiment({ document: small }, async (page) => {
+    await done(page);
+    for (const fold of ["table", "export"])
+      await page.locator(`#${fold}-fold`).evaluate((one) => {
+        /** @type {HTMLDetailsElement} */ (one).open = true;
+      });
+    for (const kind of ["success", "line"]) {
+      await page.click(`#kinds [data-kind=${kind}]`);
+      await assertFaultless(page, kind);
+    }
+    for (const width of [320, 390, 704, 1024, 2560]) {
+      await page.setViewportSize({ width, height: 900 });
+      await frames(page);
+      await page.waitForSelector("body[data-settled=true]");
+      assert.equal(await overhang(page), 0, `${width} px`);
+    }
+    await assertTargets(page);
+    await page.emulateMedia({ forcedColors: "active" });
+    assert.deepEqual(await violations(page), []);
+  }));

@@ -10,7 +10,10 @@ import assert from "node:assert/strict";
  * @property {number} clears    codes that began a new table
  */
 
-/** @param {Uint8Array} bytes @returns {{ width: number, height: number, loops: number | null, colours: Uint8Array, frames: Frame[] }} */
+/**
+ * @param {Uint8Array} bytes
+ * @returns {{ width: number, height: number, loops: number | null, colours: Uint8Array, frames: Frame[] }}
+ */
 export function readGif(bytes) {
   let at = 0;
   const byte = () => {
@@ -62,7 +65,10 @@ export function readGif(bytes) {
     }
     assert.equal(kind, 0x2c);
     const box = { x: short(), y: short(), width: short(), height: short() };
-    assert.ok(box.width > 0 && box.height > 0 && box.x + box.width <= width && box.y + box.height <= height, JSON.stringify(box));
+    assert.ok(
+      box.width > 0 && box.height > 0 && box.x + box.width <= width && box.y + box.height <= height,
+      JSON.stringify(box),
+    );
     assert.equal(byte(), 0, "no table, not interlaced");
     const bits = byte();
     const { values, clears } = unpack(blocks(), bits);
@@ -111,7 +117,8 @@ function unpack(data, bits) {
     assert.ok(table.length > 0, "a clear code comes first");
     assert.ok(code < table.length || (code === table.length && last), `code ${code} of ${table.length}`);
     /** @type {number[]} */
-    const entry = code < table.length ? table[code] : [.../** @type {number[]} */ (last), /** @type {number[]} */ (last)[0]];
+    const entry =
+      code < table.length ? table[code] : [.../** @type {number[]} */ (last), /** @type {number[]} */ (last)[0]];
     for (const value of entry) values.push(value);
     if (last && table.length < 4096) table.push([...last, entry[0]]);
     if (table.length === 2 ** size && size < 12) size++;

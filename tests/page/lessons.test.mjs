@@ -12,7 +12,12 @@ import { isFree, open, pieces, ran, sceneOf, touchedBy } from "./library.mjs";
 /** @param {string} id */
 const lessonOf = (id) => LESSONS.find((lesson) => lesson.id === id) ?? assert.fail(id);
 
-/** The run of a lesson's step, up to where it rests. @param {string} id @param {number} at  from 1, as people count @returns {Played} */
+/**
+ * The run of a lesson's step, up to where it rests.
+ * @param {string} id
+ * @param {number} at  from 1, as people count
+ * @returns {Played}
+ */
 function shown(id, at) {
   const lesson = lessonOf(id);
   const { scene, algorithm, settings } = stageAt(lesson, at - 1);
@@ -30,11 +35,17 @@ test("eight lessons of up to five short steps, each of which plays; numbers of i
   assert.equal(LESSONS.length, 8);
   assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 8);
   for (const lesson of LESSONS) {
-    assert.ok(lesson.title.length > 0 && lesson.title.length <= 30 && lesson.steps.length >= 3 && lesson.steps.length <= 5, lesson.id);
+    assert.ok(
+      lesson.title.length > 0 && lesson.title.length <= 30 && lesson.steps.length >= 3 && lesson.steps.length <= 5,
+      lesson.id,
+    );
     assert.ok(lesson.steps[0].scene, lesson.id);
     lesson.steps.forEach(({ text, question, choices, answer, scene, iteration }, i) => {
       assert.ok(/[?]$/.test(question) && question.length <= 110, `${question.length}: ${question}`);
-      assert.ok(choices.length >= 2 && choices.length <= 4 && new Set(choices).size === choices.length && choices[answer], question);
+      assert.ok(
+        choices.length >= 2 && choices.length <= 4 && new Set(choices).size === choices.length && choices[answer],
+        question,
+      );
       assert.notEqual(question, text);
       assert.ok(text.length > 0 && text.length <= 160, `${lesson.id} ${i + 1}: ${text.length}`);
       assert.ok((text.match(/[.:?!](?= |$)/g) ?? []).length <= 3 && /[.]$/.test(text), text);
@@ -42,7 +53,10 @@ test("eight lessons of up to five short steps, each of which plays; numbers of i
       const run = shown(lesson.id, i + 1);
       assert.equal(run.iterations, iteration ?? run.iterations);
       assert.ok(iteration !== undefined || run.status !== "running");
-      assert.ok(iteration !== undefined || run.iterations / sceneOf(stageAt(lesson, i).scene).pace <= 30, `${lesson.id} ${i + 1} takes too long`);
+      assert.ok(
+        iteration !== undefined || run.iterations / sceneOf(stageAt(lesson, i).scene).pace <= 30,
+        `${lesson.id} ${i + 1} takes too long`,
+      );
       const [, more, told] = /(more than )?\b([\d,]+) iterations/.exec(text) ?? [];
       const number = Number(told?.replace(",", ""));
       if (told) assert.ok(more ? run.iterations > number : run.iterations === number, text);
@@ -52,7 +66,10 @@ test("eight lessons of up to five short steps, each of which plays; numbers of i
 
 test("a step asks where the step before rests, if the run is the same, else at its beginning", () => {
   const pull = lessonOf("pull");
-  assert.deepEqual(pull.steps.map((_, i) => beginningOf(pull, i)), [0, 40, 120, 0, 0]);
+  assert.deepEqual(
+    pull.steps.map((_, i) => beginningOf(pull, i)),
+    [0, 40, 120, 0, 0],
+  );
 });
 
 test("at iteration 200 some samples are rejected and the others are vertices, with no edge yet", () => {
@@ -79,8 +96,15 @@ test("Halton samples have fewer clumps and smaller holes", () => {
 /** How many vertices have another one close by, and how far a free pose may be from all. @param {Played} run */
 function evenness({ scenario, vertices }) {
   const samples = vertices.slice(2);
-  const nearest = (/** @type {number[]} */ q, /** @type {number[][]} */ others) => Math.min(...others.map((other) => scenario.distance(q, other)));
-  const clumps = samples.filter((q, i) => nearest(q, samples.filter((_, j) => j !== i)) < 0.1).length;
+  const nearest = (/** @type {number[]} */ q, /** @type {number[][]} */ others) =>
+    Math.min(...others.map((other) => scenario.distance(q, other)));
+  const clumps = samples.filter(
+    (q, i) =>
+      nearest(
+        q,
+        samples.filter((_, j) => j !== i),
+      ) < 0.1,
+  ).length;
   let hole = 0;
   for (let i = 0; i < 60; i++) {
     for (let j = 0; j < 60; j++) {
@@ -111,12 +135,20 @@ test("PRM* takes 23, and more where there are more samples", () => {
   assert.deepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 23 }).edges);
   assert.notDeepEqual(star.edges, ran(star.scenario, "prm", { ...settings, k: 22 }).edges);
   const more = ran(star.scenario, "prm-star", { samples: 2000, seed: 0 });
-  assert.ok(more.result.stats.motion_checks / more.vertices.length > star.result.stats.motion_checks / star.vertices.length);
+  assert.ok(
+    more.result.stats.motion_checks / more.vertices.length > star.result.stats.motion_checks / star.vertices.length,
+  );
 });
 
 test("three and five places miss the wall; twenty see it, but with another seed not every disc; proofs miss nothing", () => {
   /** @type {[at: number, touched: number[]][]} */
-  const expected = [[1, [0]], [2, [0]], [3, []], [4, [1]], [5, []]];
+  const expected = [
+    [1, [0]],
+    [2, [0]],
+    [3, []],
+    [4, [1]],
+    [5, []],
+  ];
   for (const [at, touched] of expected) {
     const { scenario, status, path } = shown("edges", at);
     assert.equal(status, "solved");
@@ -127,8 +159,17 @@ test("three and five places miss the wall; twenty see it, but with another seed 
   }
   const { scene, algorithm, settings } = stageAt(lessonOf("edges"), 0);
   const veil = sceneOf("veil");
-  assert.deepEqual({ scene, algorithm, settings }, { scene: "veil", algorithm: veil.algorithm, settings: veil.settings }, "the scene goes through the wall, too");
-  assert.deepEqual(open(sceneOf("veil")).document().world.obstacles.map(({ type }) => type), ["polygon", "disc", "disc"]);
+  assert.deepEqual(
+    { scene, algorithm, settings },
+    { scene: "veil", algorithm: veil.algorithm, settings: veil.settings },
+    "the scene goes through the wall, too",
+  );
+  assert.deepEqual(
+    open(sceneOf("veil"))
+      .document()
+      .world.obstacles.map(({ type }) => type),
+    ["polygon", "disc", "disc"],
+  );
 });
 
 test("proven, no seed goes through", () => {
@@ -144,7 +185,10 @@ const inside = ({ vertices }) => vertices.filter(([x]) => x > 0.85 && x < 1.15).
 
 test("this seed finds the passage, another does not, many samples do, and so do Gaussian ones", () => {
   const [first, other, many, gaussian] = [1, 2, 3, 4].map((at) => shown("passage", at));
-  assert.deepEqual([first, other, many, gaussian].map(({ status }) => status), ["solved", "exhausted", "solved", "solved"]);
+  assert.deepEqual(
+    [first, other, many, gaussian].map(({ status }) => status),
+    ["solved", "exhausted", "solved", "solved"],
+  );
   assert.ok(inside(first) > 0 && inside(first) < 0.02 * first.vertices.length);
   assert.equal(count(other), 2);
   assert.ok(inside(many) < 0.02 * many.vertices.length);
@@ -165,7 +209,8 @@ test("at a third of its vertices the tree spans the room; later steps are shorte
     const span = Math.max(...early.map((q) => q[i])) - Math.min(...early.map((q) => q[i]));
     assert.ok(span > 0.8 * side, `${span} of ${side}`);
   });
-  const mean = (/** @type {number[][]} */ edges) => edges.reduce((sum, [a, b]) => sum + run.scenario.distance(run.vertices[a], run.vertices[b]), 0) / edges.length;
+  const mean = (/** @type {number[][]} */ edges) =>
+    edges.reduce((sum, [a, b]) => sum + run.scenario.distance(run.vertices[a], run.vertices[b]), 0) / edges.length;
   assert.ok(mean(run.edges.slice(-80)) < 0.75 * mean(run.edges.slice(0, 80)));
 });
 
@@ -177,14 +222,19 @@ test("a vertex beside more empty room is the nearest more often", () => {
   for (let x = 0.07; x < 3.15; x += 0.02) {
     for (let y = 0.07; y < 1.95; y += 0.02) {
       let best = 0;
-      tree.forEach((q, i) => { if (scenario.distance(q, [x, y]) < scenario.distance(tree[best], [x, y])) best = i; });
+      tree.forEach((q, i) => {
+        if (scenario.distance(q, [x, y]) < scenario.distance(tree[best], [x, y])) best = i;
+      });
       share[best]++;
     }
   }
   const order = tree.map((_, i) => i).sort((a, b) => share[b] - share[a]);
   const total = share.reduce((sum, value) => sum + value, 0);
   const few = Math.round(tree.length / 4);
-  assert.ok(order.slice(0, few).reduce((sum, i) => sum + share[i], 0) > 0.6 * total, "a quarter of the vertices draws most samples");
+  assert.ok(
+    order.slice(0, few).reduce((sum, i) => sum + share[i], 0) > 0.6 * total,
+    "a quarter of the vertices draws most samples",
+  );
   const out = (/** @type {number[]} */ [x, y]) => Math.hypot(x - 1.6, y - 1);
   const mean = (/** @type {number[]} */ some) => some.reduce((sum, i) => sum + out(tree[i]), 0) / some.length;
   assert.ok(mean(order.slice(0, few)) > 1.2 * mean(order.slice(few)), "and it is the outer quarter");
@@ -216,17 +266,33 @@ test("with a reverse gear the car gets round, without it does not, within ten ti
   const forward = shown("wheels", 2);
   assert.deepEqual([forward.status, forward.iterations], ["exhausted", 250]);
   for (let seed = 0; seed < 4; seed++) {
-    const { status } = ran(open(sceneOf("turn")), "rrt", { ...sceneOf("turn").settings, steering: "dubins", seed, max_iterations: 2500 });
+    const { status } = ran(open(sceneOf("turn")), "rrt", {
+      ...sceneOf("turn").settings,
+      steering: "dubins",
+      seed,
+      max_iterations: 2500,
+    });
     assert.equal(status, "exhausted", `seed ${seed}`);
   }
 });
 
 test("three controls need the fewest iterations and find the shortest path; the settings are the presets'", () => {
   const [one, three, five] = [3, 4, 5].map((at) => shown("wheels", at));
-  assert.deepEqual([one, three, five].map(({ status, iterations }) => [status, iterations]), [["solved", 1916], ["solved", 354], ["solved", 1073]]);
+  assert.deepEqual(
+    [one, three, five].map(({ status, iterations }) => [status, iterations]),
+    [
+      ["solved", 1916],
+      ["solved", 354],
+      ["solved", 1073],
+    ],
+  );
   assert.ok(three.result.length < five.result.length && five.result.length < one.result.length);
   const { presets } = planners().find(({ id }) => id === "rrt-control") ?? assert.fail();
-  for (const [at, id] of /** @type {[number, string][]} */ ([[2, "blossom-1"], [3, "blossom-3"], [4, "blossom-5"]])) {
+  for (const [at, id] of /** @type {[number, string][]} */ ([
+    [2, "blossom-1"],
+    [3, "blossom-3"],
+    [4, "blossom-5"],
+  ])) {
     const { settings } = presets.find((preset) => preset.id === id) ?? assert.fail(id);
     assert.deepEqual(stageAt(lessonOf("wheels"), at).settings, { ...namesOfDocuments(settings), seed: 1 });
   }

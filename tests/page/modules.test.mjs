@@ -31,8 +31,14 @@ function linesOf(ends, circles, short = circles) {
 test("an edge within the square is one line; one across a border is drawn on both sides; one across a corner on all four", () => {
   const circles = [true, true];
   assert.deepEqual(linesOf([0, 0, 1, 1], circles), [[0, 0, 1, 1]]);
-  assert.deepEqual(linesOf([3, 0, -3, 0.5], circles), [[3, 0, 3.283, 0.5], [-3.283, 0, -3, 0.5]]);
-  assert.deepEqual(linesOf([0, -3, 0.5, 3], circles), [[0, -3, 0.5, -3.283], [0, 3.283, 0.5, 3]]);
+  assert.deepEqual(linesOf([3, 0, -3, 0.5], circles), [
+    [3, 0, 3.283, 0.5],
+    [-3.283, 0, -3, 0.5],
+  ]);
+  assert.deepEqual(linesOf([0, -3, 0.5, 3], circles), [
+    [0, -3, 0.5, -3.283],
+    [0, 3.283, 0.5, 3],
+  ]);
   const corner = linesOf([3, 3, -3, -3], circles);
   assert.equal(corner.length, 4);
   assert.deepEqual(corner[3], [-3.283, -3.283, -3, -3]);
@@ -41,11 +47,20 @@ test("an edge within the square is one line; one across a border is drawn on bot
 
 test("a motion of the naive metric goes the long way, and is drawn on the square wherever its angles lie", () => {
   const long = linesOf([0.1, 1, 6.2, 1], [true, true], [false, false]);
-  assert.deepEqual(long, [[0.1, 1, 6.2, 1], [-6.183, 1, -0.083, 1]]);
+  assert.deepEqual(long, [
+    [0.1, 1, 6.2, 1],
+    [-6.183, 1, -0.083, 1],
+  ]);
   assert.deepEqual(linesOf([4, 1, 5, 1], [true, true], [false, false]), [[-2.283, 1, -1.283, 1]]);
-  assert.deepEqual([folded(4), folded(-1), folded(Math.PI)].map((v) => Math.round(v * 1000) / 1000), [-2.283, -1, 3.142]);
+  assert.deepEqual(
+    [folded(4), folded(-1), folded(Math.PI)].map((v) => Math.round(v * 1000) / 1000),
+    [-2.283, -1, 3.142],
+  );
   const { points, firsts } = motionCurves(load("stones"), Float64Array.from([0.1, 0, 6.2, 0]), [false, false]);
-  const left = points.filter((_, i) => i % 2 === 0).slice(0, firsts[1]).reduce((least, x) => Math.min(least, x));
+  const left = points
+    .filter((_, i) => i % 2 === 0)
+    .slice(0, firsts[1])
+    .reduce((least, x) => Math.min(least, x));
   assert.ok(left < -0.5, "the end-effector goes all the way round");
 });
 
@@ -133,8 +148,12 @@ test("a sampled path is followed to where it collides; a proven one has no such 
   const { at, pose, check } = playback.flaw;
   assert.equal(sampled.scenario.check(pose).free, false);
   assert.ok(sampled.scenario.distance(playback.configuration(at), pose) < 1e-9);
-  for (let part = 0; part < at - 0.002; part += 0.001) assert.ok(sampled.scenario.check(playback.configuration(part)).free, `${part}`);
-  assert.equal(ending(sampled.run, playback), `Path found, but not verified: ${touchingSentence(sampled.scenario, check).replaceAll("touches", "hits")} on the way. To fix it, set “Collision checking” to proven.`);
+  for (let part = 0; part < at - 0.002; part += 0.001)
+    assert.ok(sampled.scenario.check(playback.configuration(part)).free, `${part}`);
+  assert.equal(
+    ending(sampled.run, playback),
+    `Path found, but not verified: ${touchingSentence(sampled.scenario, check).replaceAll("touches", "hits")} on the way. To fix it, set “Collision checking” to proven.`,
+  );
   const careful = runOf("stones", "prm", { samples: 260, k: 9, edge_check: "sampled", edge_samples: 400 });
   const free = playbackOf(careful.scenario, careful.run);
   assert.ok(free && free.flaw === null && !free.isProven);
@@ -152,11 +171,19 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   assert.ok(scenario.distance(playback.configuration(0), start) < 1e-12);
   const short = scenario.distance(playback.configuration(1), goal);
   assert.ok(short > 0.1);
-  assert.equal(ending(run, playback), `Gave up after 300 iterations without a path (max_iterations). The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`);
+  assert.equal(
+    ending(run, playback),
+    `Gave up after 300 iterations without a path (max_iterations). The closest approach, dashed, ends ${short.toFixed(2)} rad from the goal.`,
+  );
   for (const algorithm of ["prm", "rrt-connect"]) {
     const other = runOf("firs", algorithm, { max_iterations: 3 });
     assert.equal(playbackOf(other.scenario, other.run), null);
-    assert.match(ending(other.run, null), algorithm === "prm" ? /after 3 iterations without a path \(max_iterations\), before the roadmap was searched/ : /two trees never met/);
+    assert.match(
+      ending(other.run, null),
+      algorithm === "prm"
+        ? /after 3 iterations without a path \(max_iterations\), before the roadmap was searched/
+        : /two trees never met/,
+    );
   }
 });
 
@@ -172,7 +199,10 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   const scene = { algorithm: "prm", isProven: true, sentence: "The scene's own." };
   const sentences = new Set();
   for (const [algorithm, settings] of /** @type {[string, import("../../www/domain/types.js").Settings][]} */ ([
-    ["prm-star", { samples: 60, shortcut: 5 }], ["visibility-prm", {}], ["rrt", { step: 0.5 }], ["rrt-connect", { step: 0.5 }],
+    ["prm-star", { samples: 60, shortcut: 5 }],
+    ["visibility-prm", {}],
+    ["rrt", { step: 0.5 }],
+    ["rrt-connect", { step: 0.5 }],
   ])) {
     const run = new LocalRun(load("stones"), algorithm, settings);
     while (run.status === "running") {
@@ -185,18 +215,34 @@ test("each phase has its sentence; the scene's own is told of its own planner on
   /** @param {import("../../www/domain/types.js").Settings} settings */
   const connecting = (settings) => {
     const run = new LocalRun(load("stones"), "prm", { samples: 30, ...settings });
-    assert.match(going(run, scene), /^Looking for a path from start to goal\. Each dot/, "what is looked for comes first");
+    assert.match(
+      going(run, scene),
+      /^Looking for a path from start to goal\. Each dot/,
+      "what is looked for comes first",
+    );
     while (run.phase === "sampling") toward(run, run.made + 1);
     return run;
   };
   assert.equal(going(connecting({}), scene), scene.sentence);
-  assert.doesNotMatch(going(connecting({ edge_check: "sampled" }), { algorithm: "prm", isProven: true, sentence: "Each line is proven." }), /proven/);
+  assert.doesNotMatch(
+    going(connecting({ edge_check: "sampled" }), {
+      algorithm: "prm",
+      isProven: true,
+      sentence: "Each line is proven.",
+    }),
+    /proven/,
+  );
 });
 
 test("a sample that was free but of no use flashes fainter than one in collision", () => {
   /** @type {number[]} */
   const inked = [];
-  const context = /** @type {any} */ ({ globalAlpha: 1, stroke() { inked.push(this.globalAlpha); } });
+  const context = /** @type {any} */ ({
+    globalAlpha: 1,
+    stroke() {
+      inked.push(this.globalAlpha);
+    },
+  });
   for (const name of ["save", "restore", "setLineDash", "beginPath", "moveTo", "lineTo"]) context[name] = () => {};
   const glow = new Glow();
   glow.add("rejected", 0, Float64Array.from([1, 2]));
@@ -242,7 +288,16 @@ test("a playback runs from start to goal at constant speed, rests, and comes bac
 
 test("a collision is told as who touches what", () => {
   const scenario = load("stones");
-  assert.equal(touchingSentence(scenario, { free: false, touching: [{ part: 1, obstacle: 3 }, { part: 0, obstacle: "bounds" }] }), "link 2 touches obstacle 3, link 1 leaves the bounds");
+  assert.equal(
+    touchingSentence(scenario, {
+      free: false,
+      touching: [
+        { part: 1, obstacle: 3 },
+        { part: 0, obstacle: "bounds" },
+      ],
+    }),
+    "link 2 touches obstacle 3, link 1 leaves the bounds",
+  );
 });
 
 test("what is fetched once is fetched once; those who wait go on in their order; what failed is fetched again", async () => {
@@ -255,13 +310,20 @@ test("what is fetched once is fetched once; those who wait go on in their order;
   await assert.rejects(get(), /not yet/);
   /** @type {number[]} */
   const order = [];
-  await Promise.all([1, 2, 3].map(async (who) => { order.push(who + 10 * await get()); }));
+  await Promise.all(
+    [1, 2, 3].map(async (who) => {
+      order.push(who + 10 * (await get()));
+    }),
+  );
   assert.deepEqual(order, [21, 22, 23]);
   assert.equal(calls, 2);
 });
 
 test("a history of edits goes back and on, forgets what was undone, and keeps two hundred edits", () => {
-  const documents = Array.from({ length: 260 }, (_, i) => /** @type {import("../../www/domain/types.js").ScenarioDocument} */ ({ name: String(i) }));
+  const documents = Array.from(
+    { length: 260 },
+    (_, i) => /** @type {import("../../www/domain/types.js").ScenarioDocument} */ ({ name: String(i) }),
+  );
   const edits = new History(documents[0]);
   for (const document of documents.slice(1)) edits.commit(document);
   assert.equal(edits.undoable, 200);
@@ -278,21 +340,60 @@ test("a history of edits goes back and on, forgets what was undone, and keeps tw
 });
 
 test("a document is written with its rows of numbers in a line each", () => {
-  const text = documentText({ title: "a, [1,\n 2]", vertices: [[0, 1], [0.5, -1e-7]], list: [{ empty: [] }], none: {} });
-  assert.deepEqual(JSON.parse(text), { title: "a, [1,\n 2]", vertices: [[0, 1], [0.5, -1e-7]], list: [{ empty: [] }], none: {} });
+  const text = documentText({
+    title: "a, [1,\n 2]",
+    vertices: [
+      [0, 1],
+      [0.5, -1e-7],
+    ],
+    list: [{ empty: [] }],
+    none: {},
+  });
+  assert.deepEqual(JSON.parse(text), {
+    title: "a, [1,\n 2]",
+    vertices: [
+      [0, 1],
+      [0.5, -1e-7],
+    ],
+    list: [{ empty: [] }],
+    none: {},
+  });
   assert.match(text, /^ {2}"vertices": \[\[0, 1\], \[0.5, -1e-7\]\],$/m);
 });
 
 test("whoever is behind goes next: a frame that is too short leaves all nearly level, however many frames it takes", () => {
   const scenario = load("rings");
-  const runs = [["prm", { samples: 900 }], ["rrt", { goal_bias: 0 }], ["rrt-connect", {}], ["prm-star", { samples: 300, edge_check: "sampled" }]]
-    .map(([algorithm, given]) => new LocalRun(scenario, String(algorithm), { .../** @type {object} */ (given), seed: 3 }));
+  const runs = [
+    ["prm", { samples: 900 }],
+    ["rrt", { goal_bias: 0 }],
+    ["rrt-connect", {}],
+    ["prm-star", { samples: 300, edge_check: "sampled" }],
+  ].map(
+    ([algorithm, given]) => new LocalRun(scenario, String(algorithm), { .../** @type {object} */ (given), seed: 3 }),
+  );
   let frames = 0;
-  while (!compete(runs.map(({ stepper }) => stepper), PAST.evaluations, Infinity, performance.now() + 0.5)) {
+  while (
+    !compete(
+      runs.map(({ stepper }) => stepper),
+      PAST.evaluations,
+      Infinity,
+      performance.now() + 0.5,
+    )
+  ) {
     frames++;
     for (const run of runs) run.fetch();
     const going = runs.filter(({ ended }) => !ended).map((run) => run.clock(PAST.evaluations));
-    const dearest = Math.max(0, ...runs.map(({ history: { data, width, count } }) => Math.max(...Array.from({ length: count - 1 }, (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations]))));
+    const dearest = Math.max(
+      0,
+      ...runs.map(({ history: { data, width, count } }) =>
+        Math.max(
+          ...Array.from(
+            { length: count - 1 },
+            (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations],
+          ),
+        ),
+      ),
+    );
     assert.ok(Math.max(...going) - Math.min(...going) <= 1000 + 64 * dearest, `${going}`);
     assert.ok(frames < 100_000);
   }
@@ -303,21 +404,49 @@ test("whoever is behind goes next: a frame that is too short leaves all nearly l
 test("lengths in different metrics are not compared; a tie is one; a path alone is not the shortest", () => {
   assert.deepEqual([[0], [0, 2], [0, 1, 2]].map(letters), ["A", "A and C", "A, B and C"]);
   const one = { isOver: true, found: 10, cost: 5, metric: "sum", collides: false };
-  assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), { first: [0, 1], shortest: [], isOver: true, isAlike: false });
-  assert.deepEqual(leaders([one, { ...one, found: 9, cost: 6 }, { ...one, isOver: false, found: null, cost: Infinity }]), { first: [1], shortest: [0], isOver: false, isAlike: true });
+  assert.deepEqual(leaders([one, { ...one, cost: 4, metric: "euclidean" }]), {
+    first: [0, 1],
+    shortest: [],
+    isOver: true,
+    isAlike: false,
+  });
+  assert.deepEqual(
+    leaders([one, { ...one, found: 9, cost: 6 }, { ...one, isOver: false, found: null, cost: Infinity }]),
+    { first: [1], shortest: [0], isOver: false, isAlike: true },
+  );
   assert.deepEqual(leaders([one, { ...one, found: null, cost: Infinity }]).shortest, []);
   const collides = { ...one, found: 1, cost: 1, collides: true };
-  assert.deepEqual(leaders([collides, one, { ...one, found: 19, cost: 4 }]), { first: [1], shortest: [2], isOver: true, isAlike: true });
-  assert.deepEqual(nameAll([{ algorithm: "prm", settings: { seed: 0 } }, { algorithm: "rrt", settings: { seed: 2 } }], (id) => id), ["A prm, seed 0", "B rrt, seed 2"]);
+  assert.deepEqual(leaders([collides, one, { ...one, found: 19, cost: 4 }]), {
+    first: [1],
+    shortest: [2],
+    isOver: true,
+    isAlike: true,
+  });
+  assert.deepEqual(
+    nameAll(
+      [
+        { algorithm: "prm", settings: { seed: 0 } },
+        { algorithm: "rrt", settings: { seed: 2 } },
+      ],
+      (id) => id,
+    ),
+    ["A prm, seed 0", "B rrt, seed 2"],
+  );
 });
 
 test("a path with blends is played round its corners, and the story tells how many there are", () => {
   const { scenario, run } = runOf("stones", "rrt-connect", { seed: 0, shortcut: 10, blend: 0.5 });
   const playback = playbackOf(scenario, run);
   const { length, blended_length: blended = NaN, blends = [] } = run.result;
-  assert.ok(playback && blended < length && Math.abs(playback.length - blended) < 1e-3 * length, `${playback?.length}, ${blended} of ${length}`);
+  assert.ok(
+    playback && blended < length && Math.abs(playback.length - blended) < 1e-3 * length,
+    `${playback?.length}, ${blended} of ${length}`,
+  );
   const rounded = blends.filter(([before]) => before > 0).length;
-  assert.match(ending(run, playback), new RegExp(`, ${rounded} of ${blends.length} corners rounded: ${blended.toFixed(2)} rad, proven`));
+  assert.match(
+    ending(run, playback),
+    new RegExp(`, ${rounded} of ${blends.length} corners rounded: ${blended.toFixed(2)} rad, proven`),
+  );
 });
 
 test("thinning keeps the first path and the end, rises, and costs no more for a long run", () => {
@@ -327,12 +456,18 @@ test("thinning keeps the first path and the end, rises, and costs no more for a 
     const [rows] = thinned([run], column, head);
     const times = Array.from({ length: rows.length / 3 }, (_, i) => rows[3 * i]);
     assert.ok(times.length <= 300 && times.length > 200, `${times.length} points of ${run.made}`);
-    assert.ok(times.every((at, i) => i === 0 || at > times[i - 1]), "times rise");
+    assert.ok(
+      times.every((at, i) => i === 0 || at > times[i - 1]),
+      "times rise",
+    );
     assert.deepEqual([times[0], times[times.length - 1]], [0, head]);
     const found = run.foundBy(run.made);
     assert.ok(times.includes(run.clockAt(column, found)), "the first path is there");
     const costs = times.map((_, i) => rows[3 * i + 2]);
-    assert.equal(costs.filter((cost) => cost < Infinity)[0], run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.cost]);
+    assert.equal(
+      costs.filter((cost) => cost < Infinity)[0],
+      run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.cost],
+    );
     assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.cost]);
   }
 });

@@ -1,4 +1,6 @@
-/** What the worker tells of a run's log: who waits for the search, who hangs from whom, which vertex a pointer is at. */
+/**
+ * What the worker tells of a run's log: who waits for the search, who hangs from whom, which vertex a pointer is at.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
@@ -8,7 +10,11 @@ import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
 import { LocalRun, runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
 
-/** Who waits, told the slow way: from the whole log up to the iteration. @param {LocalRun} run @param {number[]} roots */
+/**
+ * Who waits, told the slow way: from the whole log up to the iteration.
+ * @param {LocalRun} run
+ * @param {number[]} roots
+ */
 function waitingOf(run, roots) {
   const { past } = run;
   const reached = new Set(roots);
@@ -61,7 +67,11 @@ test("in a tree the cost from the root is the length of the way down the parents
     const cost = run.adjacency.cost(1, run.edges.count);
     assert.ok(Math.abs(cost - run.result.length) < 1e-9, `${cost} and ${run.result.length}`);
     let [way, vertex] = [0, 1];
-    for (let parent = run.adjacency.parent(1, run.edges.count); parent >= 0; parent = run.adjacency.parent(vertex, run.edges.count)) {
+    for (
+      let parent = run.adjacency.parent(1, run.edges.count);
+      parent >= 0;
+      parent = run.adjacency.parent(vertex, run.edges.count)
+    ) {
       way += run.adjacency.distance(parent, vertex);
       vertex = parent;
     }
@@ -105,9 +115,21 @@ for (const algorithm of ["informed-rrt-star", "aorrtc"]) {
       assert.ok(Math.abs(edges.reduce((sum, edge) => sum + run.lengthOf(edge), 0) - cost) < 1e-9);
       /** @type {number[]} */
       const drawn = [];
-      const context = { save() {}, restore() {}, beginPath() {}, stroke() {}, setLineDash() {}, ellipse: (/** @type {number[]} */ ...numbers) => drawn.push(...numbers) };
+      const context = {
+        save() {},
+        restore() {},
+        beginPath() {},
+        stroke() {},
+        setLineDash() {},
+        ellipse: (/** @type {number[]} */ ...numbers) => drawn.push(...numbers),
+      };
       const view = { x: (/** @type {number} */ x) => 100 * x, y: (/** @type {number} */ y) => -100 * y, scaleX: 100 };
-      drawInformed(/** @type {never} */ (context), /** @type {never} */ (view), /** @type {never} */ ({ run, scenario: run.scenario, shown: { start, goal } }), "");
+      drawInformed(
+        /** @type {never} */ (context),
+        /** @type {never} */ (view),
+        /** @type {never} */ ({ run, scenario: run.scenario, shown: { start, goal } }),
+        "",
+      );
       const [x, y, along, across, turn] = drawn;
       for (let angle = 0; angle < 6; angle++) {
         const [a, b] = [along * Math.cos(angle), across * Math.sin(angle)];
@@ -124,7 +146,12 @@ test("the nearest of 20,000 vertices is that of the slow way", () => {
   const { next: random } = seeded(7);
   const points = Float64Array.from({ length: 40_000 }, () => 700 * random() - 20);
   const pane = { pixels: (/** @type {Float64Array} */ rows) => rows };
-  const run = { vertices: { count: 20_000, slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end) } };
+  const run = {
+    vertices: {
+      count: 20_000,
+      slice: (/** @type {number} */ first, /** @type {number} */ end) => points.subarray(2 * first, 2 * end),
+    },
+  };
   const places = new VertexIndex(/** @type {never} */ (pane), /** @type {never} */ (run));
   places.nearest(0, 0, 1);
   let found = 0;
@@ -144,15 +171,27 @@ test("the nearest of 20,000 vertices is that of the slow way", () => {
 test("copies of a layer stay few, and the nearest one before a time is put back", () => {
   /** @type {(object | null)[]} */
   const pasted = [];
-  const layer = { canvas: { width: 500, height: 500 }, paste: (/** @type {object | null} */ copy) => pasted.push(copy) };
+  const layer = {
+    canvas: { width: 500, height: 500 },
+    paste: (/** @type {object | null} */ copy) => pasted.push(copy),
+  };
   const before = globalThis.OffscreenCanvas;
-  globalThis.OffscreenCanvas = /** @type {never} */ (class { getContext() { return { drawImage() {} }; } });
+  globalThis.OffscreenCanvas = /** @type {never} */ (
+    class {
+      getContext() {
+        return { drawImage() {} };
+      }
+    }
+  );
   try {
     const keeps = new Snapshots(/** @type {never} */ (layer));
     for (let count = 100; count <= 100_000; count += 100) if (keeps.isDue(count)) keeps.copy(count);
     assert.ok(keeps.copies.length >= 4 && keeps.copies.length <= 8, `${keeps.copies.length} copies`);
     const counts = keeps.copies.map(({ count }) => count);
-    assert.deepEqual(counts, counts.toSorted((a, b) => a - b));
+    assert.deepEqual(
+      counts,
+      counts.toSorted((a, b) => a - b),
+    );
     assert.equal(keeps.restore(counts[2] + 1), counts[2]);
     assert.equal(keeps.restore(counts[0] - 1), 0);
     assert.deepEqual(pasted, [keeps.copies[2].canvas, null]);

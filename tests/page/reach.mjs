@@ -21,7 +21,9 @@ export const scenarioOf = (id) => Scenario.parse(entryOf(id).document);
 
 /**
  * What tests of every room do.
- * @param {string} name  of its page @param {string} ready  its body at rest @param {string} chosen  the attribute that says which scene is chosen
+ * @param {string} name  of its page
+ * @param {string} ready  its body at rest
+ * @param {string} chosen  the attribute that says which scene is chosen
  */
 export function roomOf(name, ready, chosen) {
   /** Waits until all is computed and drawn. @param {Page} page */
@@ -31,11 +33,21 @@ export function roomOf(name, ready, chosen) {
   };
   return {
     rest,
-    /** Opens the page and waits until it is at rest. @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more] */
-    onRoom: (test, options = DESK, more = {}) => onPage({ reducedMotion: "reduce", ...options }, async (page, url) => {
-      await page.waitForSelector(ready);
-      await test(page, url);
-    }, { path: `${name}.html`, ...more }),
+    /**
+     * Opens the page and waits until it is at rest.
+     * @param {(page: Page, url: string) => Promise<void>} test
+     * @param {Options} [options]
+     * @param {More} [more]
+     */
+    onRoom: (test, options = DESK, more = {}) =>
+      onPage(
+        { reducedMotion: "reduce", ...options },
+        async (page, url) => {
+          await page.waitForSelector(ready);
+          await test(page, url);
+        },
+        { path: `${name}.html`, ...more },
+      ),
     /** @param {Page} page @param {string} selector */
     click: async (page, selector) => {
       await page.click(selector);
@@ -61,7 +73,14 @@ export function roomOf(name, ready, chosen) {
   };
 }
 
-export const { onRoom: onReach, rest, click, press, choose, put } = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene");
+export const {
+  onRoom: onReach,
+  rest,
+  click,
+  press,
+  choose,
+  put,
+} = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene");
 
 /** Solves to the end. @param {Page} page */
 export async function solved(page) {
@@ -73,5 +92,10 @@ export async function solved(page) {
 /** The pose. @param {Page} page */
 export const poseOf = async (page) => ((await page.getAttribute("body", "data-q")) ?? "").split(",").map(Number);
 
-/** Where a point of the world is, in pixels of the window. @param {Page} page @param {string} id  of the scene @param {[number, number]} point */
+/**
+ * Where a point of the world is, in pixels of the window.
+ * @param {Page} page
+ * @param {string} id  of the scene
+ * @param {[number, number]} point
+ */
 export const windowOf = async (page, id, point) => (await plane(page, scenarioOf(id).extent()))(...point);

@@ -10,42 +10,69 @@ import { onReach, poseOf, rest } from "./reach.mjs";
 
 useBrowser();
 
-test("the pages link each other, say which of them one is on, and share their colours", () => onReach(async (page, url) => {
-  assert.equal(await page.innerText(".rooms [aria-current=page]"), "Reach");
-  const addresses = await page.locator(".rooms a").evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
-  for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
-  await page.click(".rooms a >> text=Plan");
-  await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-  assert.equal(page.url(), url);
-  assert.equal(await page.innerText(".rooms [aria-current=page]"), "Plan");
-  await page.click(".rooms a >> text=Reach");
-  await page.waitForSelector("body[data-state=ready]");
-  await page.click("#theme");
-  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
-  await page.goto(url);
-  await page.waitForSelector("html[data-theme=dark]");
-}, { ...DESK, colorScheme: "light" }));
+test("the pages link each other, say which of them one is on, and share their colours", () =>
+  onReach(
+    async (page, url) => {
+      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Reach");
+      const addresses = await page
+        .locator(".rooms a")
+        .evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
+      for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
+      await page.click(".rooms a >> text=Plan");
+      await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+      assert.equal(page.url(), url);
+      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Plan");
+      await page.click(".rooms a >> text=Reach");
+      await page.waitForSelector("body[data-state=ready]");
+      await page.click("#theme");
+      assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+      await page.goto(url);
+      await page.waitForSelector("html[data-theme=dark]");
+    },
+    { ...DESK, colorScheme: "light" },
+  ));
 
-test("a room whose core was lost says so, and goes on", () => onReach(async (page) => {
-  const before = await poseOf(page);
-  await page.evaluate(() => { /** @type {any} */ (window).trap = "scenario_follow"; });
-  await page.focus("#stage");
-  await page.keyboard.press("ArrowUp");
-  await page.waitForSelector("#notice[data-code=internal]");
-  await rest(page);
-  assert.deepEqual(await poseOf(page), before);
-  await page.keyboard.press("ArrowUp");
-  await page.waitForFunction((q) => document.body.dataset.q !== q, before.join());
-  assert.ok(await pixelsOf(page, "workspace", "top", "robot") > 100);
-}, DESK, { before: async (page) => void await page.addInitScript(TRAP) }));
+test("a room whose core was lost says so, and goes on", () =>
+  onReach(
+    async (page) => {
+      const before = await poseOf(page);
+      await page.evaluate(() => {
+        /** @type {any} */ (window).trap = "scenario_follow";
+      });
+      await page.focus("#stage");
+      await page.keyboard.press("ArrowUp");
+      await page.waitForSelector("#notice[data-code=internal]");
+      await rest(page);
+      assert.deepEqual(await poseOf(page), before);
+      await page.keyboard.press("ArrowUp");
+      await page.waitForFunction((q) => document.body.dataset.q !== q, before.join());
+      assert.ok((await pixelsOf(page, "workspace", "top", "robot")) > 100);
+    },
+    DESK,
+    { before: async (page) => void (await page.addInitScript(TRAP)) },
+  ));
 
-for (const [path, failed] of [["", "#counters[data-status=failed]"], ["reach.html", "body[data-state=failed]"]]) {
-  test(`without its WebAssembly ${path || "the planner's page"} says so and stays a page`, () => onPage(DESK, async (page) => {
-    await page.waitForSelector(failed, { state: "attached" });
-    await page.waitForSelector("#notice:not([hidden])");
-    assert.match(await page.innerText("#notice"), /WebAssembly/);
-    assert.ok(await page.locator(".rooms a").count() > 1);
-  }, { path, expectErrors: true, before: async (page) => { await page.route(/\.wasm$/, (route) => route.abort()); } }));
+for (const [path, failed] of [
+  ["", "#counters[data-status=failed]"],
+  ["reach.html", "body[data-state=failed]"],
+]) {
+  test(`without its WebAssembly ${path || "the planner's page"} says so and stays a page`, () =>
+    onPage(
+      DESK,
+      async (page) => {
+        await page.waitForSelector(failed, { state: "attached" });
+        await page.waitForSelector("#notice:not([hidden])");
+        assert.match(await page.innerText("#notice"), /WebAssembly/);
+        assert.ok((await page.locator(".rooms a").count()) > 1);
+      },
+      {
+        path,
+        expectErrors: true,
+        before: async (page) => {
+          await page.route(/\.wasm$/, (route) => route.abort());
+        },
+      },
+    ));
 }
 
 const rule = record({ values: list(number, 0, Infinity) });
@@ -63,7 +90,15 @@ test("a state leaves out what has its default, and gets it back", async () => {
   const short = await encodeState({ values: [1, 2], isOn: false }, described);
   assert.equal(short, await encodeState({}, described));
   assert.deepEqual(await decodeState(short, described), { state: { values: [1, 2], isOn: false }, fault: "" });
-  assert.deepEqual((await decodeState(await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })), described)).state, { values: [], isOn: true });
+  assert.deepEqual(
+    (
+      await decodeState(
+        await encodeState({ values: [], isOn: true }, record({ values: list(number, 0, 3), isOn: flag })),
+        described,
+      )
+    ).state,
+    { values: [], isOn: true },
+  );
 });
 
 test("a state in an address is 2 KB at most, and unpacks to no more than 16", async () => {
@@ -75,67 +110,163 @@ test("a state in an address is 2 KB at most, and unpacks to no more than 16", as
 });
 
 test("a link that does not work is said not to, in every room, which opens all the same", async () => {
-  const forest = { robot: "three", draw: { n: 300, seed: 1, free: true }, q: [0, 0, 0], k: 3, index: "forest", given: { trees: 1000 } };
+  const forest = {
+    robot: "three",
+    draw: { n: 300, seed: 1, free: true },
+    q: [0, 0, 0],
+    k: 3,
+    index: "forest",
+    given: { trees: 1000 },
+  };
   for (const [room, ready, fragments, said] of /** @type {const} */ ([
-    ["reach", "body[data-state=ready][data-settled=true][data-scene=islands]", ["1abc", "2abc", `1${"a".repeat(3000)}`, "nothing"], /This link does not work/],
-    ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", ["1abc", "nothing"], /This link does not work/],
-    ["neighbours", "body[data-state=ready][data-settled=true][data-robot=two]", [await encodeState(forest, () => {})], /The link cannot be opened/],
+    [
+      "reach",
+      "body[data-state=ready][data-settled=true][data-scene=islands]",
+      ["1abc", "2abc", `1${"a".repeat(3000)}`, "nothing"],
+      /This link does not work/,
+    ],
+    [
+      "neighbours",
+      "body[data-state=ready][data-settled=true][data-robot=two]",
+      ["1abc", "nothing"],
+      /This link does not work/,
+    ],
+    [
+      "neighbours",
+      "body[data-state=ready][data-settled=true][data-robot=two]",
+      [await encodeState(forest, () => {})],
+      /The link cannot be opened/,
+    ],
     ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
     ["fleet", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
-    ["fleet", "body[data-settled=true] #stage[data-status=solved]", [await encodeState({ kind: "maze" }, () => {}), await encodeState({ given: { haste: 3 } }, () => {}), await encodeState({ order: [0, 900] }, () => {})], /The link cannot be opened/],
-    ["prm-rl", "body[data-state=ready][data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
+    [
+      "fleet",
+      "body[data-settled=true] #stage[data-status=solved]",
+      [
+        await encodeState({ kind: "maze" }, () => {}),
+        await encodeState({ given: { haste: 3 } }, () => {}),
+        await encodeState({ order: [0, 900] }, () => {}),
+      ],
+      /The link cannot be opened/,
+    ],
+    [
+      "prm-rl",
+      "body[data-state=ready][data-settled=true] #stage[data-status=solved]",
+      ["1broken"],
+      /This link does not work/,
+    ],
     ["experiments", "body[data-settled=true][data-phase=ready]", ["1broken"], /This link does not work/],
   ])) {
     for (const fragment of fragments) {
-      await onPage({ reducedMotion: "reduce" }, async (page) => {
-        await page.waitForSelector(ready);
-        assert.match(await page.innerText("#notice"), said, `${room}: ${fragment}`);
-      }, { path: `${room}.html#${fragment}` });
+      await onPage(
+        { reducedMotion: "reduce" },
+        async (page) => {
+          await page.waitForSelector(ready);
+          assert.match(await page.innerText("#notice"), said, `${room}: ${fragment}`);
+        },
+        { path: `${room}.html#${fragment}` },
+      );
     }
   }
 });
 
 test("links that were made before states had defaults still open", async () => {
-  /** @param {string} name @param {string} fragment @param {string} ready @param {(data: Record<string, string>, value: (id: string) => Promise<string>) => Promise<void>} check */
-  const opened = (name, fragment, ready, check) => onPage({ reducedMotion: "reduce" }, async (page) => {
-    await page.waitForSelector(ready);
-    assert.equal(await page.isHidden("#notice"), true);
-    await check(/** @type {Record<string, string>} */ (await page.evaluate(() => ({ ...document.body.dataset, ...document.getElementById("stage")?.dataset }))), (id) => page.inputValue(`#${id}`));
-  }, { path: `${name}.html#${fragment}` });
-  await opened("reach", "1PY7BDoJADET_Zc6VIEo0_RXCAaQqcdnG3SIHwr-bqvEyaTqvM12RLxIFjDBOo2UQkvZq4BVhjI8MbsqiprI4uhzajXBNImBLsxCef7-qaVcWp7olTDp4Yi-2iEQQOqfoyznQg5uq-B24-jJovIGbfUvovvMnFNalm9inpyJ3s4aX-IOT2F0HMKIspl6UNcw2aszgMyFJti5ZBh_LbXsD",
-    "body[data-state=ready][data-settled=true]", async ({ scene, mode, q }, value) => {
+  /**
+   * @param {string} name
+   * @param {string} fragment
+   * @param {string} ready
+   * @param {(data: Record<string, string>, value: (id: string) => Promise<string>) => Promise<void>} check
+   */
+  const opened = (name, fragment, ready, check) =>
+    onPage(
+      { reducedMotion: "reduce" },
+      async (page) => {
+        await page.waitForSelector(ready);
+        assert.equal(await page.isHidden("#notice"), true);
+        await check(
+          /** @type {Record<string, string>} */ (
+            await page.evaluate(() => ({ ...document.body.dataset, ...document.getElementById("stage")?.dataset }))
+          ),
+          (id) => page.inputValue(`#${id}`),
+        );
+      },
+      { path: `${name}.html#${fragment}` },
+    );
+  await opened(
+    "reach",
+    "1PY7BDoJADET_Zc6VIEo0_RXCAaQqcdnG3SIHwr-bqvEyaTqvM12RLxIFjDBOo2UQkvZq4BVhjI8MbsqiprI4uhzajXBNImBLsxCef7-qaVcWp7olTDp4Yi-2iEQQOqfoyznQg5uq-B24-jJovIGbfUvovvMnFNalm9inpyJ3s4aX-IOT2F0HMKIspl6UNcw2aszgMyFJti5ZBh_LbXsD",
+    "body[data-state=ready][data-settled=true]",
+    async ({ scene, mode, q }, value) => {
       assert.deepEqual([scene, mode, q], ["limits", "between", "0.5,0.25,-0.75"]);
-      assert.deepEqual([await value("along"), await value("link-0-number"), await value("method")], ["0.25", "0.500", "newton"]);
-    });
-  await opened("neighbours", "1FcxLCsIwFIbRvXzjq1SrCHcr4qA2fzVYU0ziA0r3Lh0fODN5uk4Vp96zhBFy98VnEt42jVGkgJ-MYXUfurFoMV74udkebbOz_cV44AcjpqAfzjBllYpxix-ldXuq5tjj6N2PMahLGDVLBW-X5Q8",
-    "body[data-settled=true][data-found]", async ({ robot, n, q, k, index, metric }, value) => {
+      assert.deepEqual(
+        [await value("along"), await value("link-0-number"), await value("method")],
+        ["0.25", "0.500", "newton"],
+      );
+    },
+  );
+  await opened(
+    "neighbours",
+    "1FcxLCsIwFIbRvXzjq1SrCHcr4qA2fzVYU0ziA0r3Lh0fODN5uk4Vp96zhBFy98VnEt42jVGkgJ-MYXUfurFoMV74udkebbOz_cV44AcjpqAfzjBllYpxix-ldXuq5tjj6N2PMahLGDVLBW-X5Q8",
+    "body[data-settled=true][data-found]",
+    async ({ robot, n, q, k, index, metric }, value) => {
       assert.deepEqual([robot, n, q, k, index, metric], ["three", "300", "0.5,-1,2", "4", "forest", "euclidean"]);
       assert.equal(await value("option-trees"), "3");
-    });
-  await opened("trajectories", "1q1ZKzyxLzVOyqlYqTk1NUbIyN9dRys1PSc1RslIqLsgsSsxRqtVRKinKBEmaGOgo5eelKllFG-iZ6uga6pnqGMfWAgA",
-    "body[data-settled=true] #stage[data-tried='40']", async (_, value) => {
-      assert.deepEqual([await value("option-seed"), await value("option-model"), await value("one-w-number")], ["77", "spiral", "-1.500"]);
-    });
+    },
+  );
+  await opened(
+    "trajectories",
+    "1q1ZKzyxLzVOyqlYqTk1NUbIyN9dRys1PSc1RslIqLsgsSsxRqtVRKinKBEmaGOgo5eelKllFG-iZ6uga6pnqGMfWAgA",
+    "body[data-settled=true] #stage[data-tried='40']",
+    async (_, value) => {
+      assert.deepEqual(
+        [await value("option-seed"), await value("option-model"), await value("one-w-number")],
+        ["77", "spiral", "-1.500"],
+      );
+    },
+  );
 });
 
-/** What each folder of the pages may import from others; a feature of the planner's page says which of its neighbours it knows. */
+/**
+ * What each folder of the pages may import from others; a feature of the planner's page says which of its neighbours it
+ * knows.
+ */
 const KIT = "app domain draw formats widgets";
 const BELOW = {
-  formats: "", domain: "", app: "formats", draw: "app domain formats", widgets: "app domain draw formats",
-  neighbours: `${KIT} planner/scenes`, trajectories: KIT, fleet: KIT, "prm-rl": KIT, reach: `${KIT} planner/link planner/scenes`,
-  rooms: "app experiments fleet neighbours prm-rl reach trajectories", experiments: `${KIT} planner/link planner/scenes`,
+  formats: "",
+  domain: "",
+  app: "formats",
+  draw: "app domain formats",
+  widgets: "app domain draw formats",
+  neighbours: `${KIT} planner/scenes`,
+  trajectories: KIT,
+  fleet: KIT,
+  "prm-rl": KIT,
+  reach: `${KIT} planner/link planner/scenes`,
+  rooms: "app experiments fleet neighbours prm-rl reach trajectories",
+  experiments: `${KIT} planner/link planner/scenes`,
   gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
   planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
-  "planner/worker": KIT, "planner/settings": KIT, "planner/scenes": KIT,
-  "planner/run-log": `${KIT} planner/worker`, "planner/stage": `${KIT} planner/run-log`, "planner/pose": `${KIT} planner/run-log planner/stage`,
-  "planner/race": `${KIT} planner/settings`, "planner/link": KIT, "planner/lessons": `${KIT} planner/scenes`, "planner/timeline": `${KIT} planner/run-log`,
-  "planner/certificate": `${KIT} planner/stage`, "planner/editor": `${KIT} planner/stage`, "planner/driving": `${KIT} planner/stage`,
+  "planner/worker": KIT,
+  "planner/settings": KIT,
+  "planner/scenes": KIT,
+  "planner/run-log": `${KIT} planner/worker`,
+  "planner/stage": `${KIT} planner/run-log`,
+  "planner/pose": `${KIT} planner/run-log planner/stage`,
+  "planner/race": `${KIT} planner/settings`,
+  "planner/link": KIT,
+  "planner/lessons": `${KIT} planner/scenes`,
+  "planner/timeline": `${KIT} planner/run-log`,
+  "planner/certificate": `${KIT} planner/stage`,
+  "planner/editor": `${KIT} planner/stage`,
+  "planner/driving": `${KIT} planner/stage`,
   "planner/export": `${KIT} planner/link planner/race planner/run-log planner/stage planner/timeline`,
 };
 
 test("a folder imports only what is below it", () => {
   const folderOf = (/** @type {string} */ path) => /^(planner\/[\w-]+(?=\/)|[\w-]+)/.exec(path)?.[0] ?? "";
-  const sources = readdirSync(join(root, "www"), { recursive: true, encoding: "utf8" }).filter((path) => path.endsWith(".js"));
+  const sources = readdirSync(join(root, "www"), { recursive: true, encoding: "utf8" }).filter((path) =>
+    path.endsWith(".js"),
+  );
   assert.deepEqual(new Set(sources.map(folderOf)), new Set(Object.keys(BELOW)));
   for (const path of sources) {
     const text = readFileSync(join(root, "www", path), "utf8");
@@ -161,20 +292,33 @@ test("every page has the same policy as the planner's, and its own entry, style 
     assert.equal(html.match(/aria-current="page"/g)?.length, 1, name);
     const cores = Array.from(html.matchAll(/href="planarium\/(\w+)_bg\.wasm"/g), ([, core]) => core);
     assert.deepEqual(cores, name === "index.html" ? ["planarium"] : name === "gallery.html" ? [] : ["full"], name);
-    for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)"/g)) if (address !== "docs/") assert.ok(existsSync(join(pageRoot, address)), `${name}: ${address}`);
+    for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)"/g))
+      if (address !== "docs/") assert.ok(existsSync(join(pageRoot, address)), `${name}: ${address}`);
   }
 });
 
-test("files are sent compressed to those who accept it, and are the same", () => onPage({}, async (_, url) => {
-  for (const file of ["", "planarium/planarium_bg.wasm", "style.css"]) {
-    const [plain, ...compressed] = await Promise.all(["identity", "gzip", "br"].map(async (encoding) => {
-      const response = await fetch(new URL(file, url), { headers: { "accept-encoding": encoding } });
-      return { encoding: response.headers.get("content-encoding"), type: response.headers.get("content-type"), size: Number(response.headers.get("content-length")), bytes: Buffer.from(await response.arrayBuffer()) };
-    }));
-    assert.deepEqual([plain, ...compressed].map(({ encoding }) => encoding), [null, "gzip", "br"], file);
-    for (const { bytes, type, size } of compressed) {
-      assert.ok(bytes.equals(plain.bytes) && type === plain.type, file);
-      assert.ok(size < plain.size / 2, `${file}: ${size} of ${plain.size}`);
+test("files are sent compressed to those who accept it, and are the same", () =>
+  onPage({}, async (_, url) => {
+    for (const file of ["", "planarium/planarium_bg.wasm", "style.css"]) {
+      const [plain, ...compressed] = await Promise.all(
+        ["identity", "gzip", "br"].map(async (encoding) => {
+          const response = await fetch(new URL(file, url), { headers: { "accept-encoding": encoding } });
+          return {
+            encoding: response.headers.get("content-encoding"),
+            type: response.headers.get("content-type"),
+            size: Number(response.headers.get("content-length")),
+            bytes: Buffer.from(await response.arrayBuffer()),
+          };
+        }),
+      );
+      assert.deepEqual(
+        [plain, ...compressed].map(({ encoding }) => encoding),
+        [null, "gzip", "br"],
+        file,
+      );
+      for (const { bytes, type, size } of compressed) {
+        assert.ok(bytes.equals(plain.bytes) && type === plain.type, file);
+        assert.ok(size < plain.size / 2, `${file}: ${size} of ${plain.size}`);
+      }
     }
-  }
-}));
+  }));

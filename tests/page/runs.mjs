@@ -14,7 +14,12 @@ export class LocalRun extends RunLog {
     this.stepper = new Stepper(own, algorithm, settings);
   }
 
-  /** Plans until a clock has passed `wanted`, the run ends, or the time passes `until`. @param {number} column @param {number} wanted @param {number} [until] */
+  /**
+   * Plans until a clock has passed `wanted`, the run ends, or the time passes `until`.
+   * @param {number} column
+   * @param {number} wanted
+   * @param {number} [until]
+   */
   advance(column, wanted, until = Infinity) {
     const isThere = this.stepper.advance(column, wanted, until);
     this.fetch();
@@ -22,7 +27,9 @@ export class LocalRun extends RunLog {
   }
 
   /** Takes in what has grown. */
-  fetch() { this.take(this.stepper.growth(true)); }
+  fetch() {
+    this.take(this.stepper.growth(true));
+  }
 
   /** @override */
   free() {
@@ -37,7 +44,12 @@ export function ended(run) {
   return run;
 }
 
-/** A scene's run, planned to its end and shown there. @param {string} id @param {string} algorithm @param {Settings} settings */
+/**
+ * A scene's run, planned to its end and shown there.
+ * @param {string} id
+ * @param {string} algorithm
+ * @param {Settings} settings
+ */
 export function runOf(id, algorithm, settings) {
   const scenario = load(id);
   const run = ended(new LocalRun(scenario, algorithm, settings));

@@ -8,7 +8,13 @@ import { root } from "../../scripts/run.mjs";
 import { SCENES, optionsAt } from "../../www/planner/scenes/scenes.js";
 import { endsOf, isDriven, isFree, open, pieces, ran, sceneOf } from "./library.mjs";
 
-/** A scene at work as the page opens it. @param {string} id @param {import("../../www/domain/types.js").Settings} [changed] @param {Record<string, number>} [positions] @param {number} [iterations] */
+/**
+ * A scene at work as the page opens it.
+ * @param {string} id
+ * @param {import("../../www/domain/types.js").Settings} [changed]
+ * @param {Record<string, number>} [positions]
+ * @param {number} [iterations]
+ */
 function played(id, changed = {}, positions = {}, iterations = Infinity) {
   const entry = sceneOf(id);
   const scenario = open(entry, positions);
@@ -35,7 +41,12 @@ test("the library has all kinds of scenes, each once", () => {
 
 test("every file in scenes/ belongs to a scene, and has its title", () => {
   const files = readdirSync(join(root, "www", "scenes")).sort();
-  assert.deepEqual(files, SCENES.filter(({ generate }) => !generate).map(({ id }) => `${id}.json`).sort());
+  assert.deepEqual(
+    files,
+    SCENES.filter(({ generate }) => !generate)
+      .map(({ id }) => `${id}.json`)
+      .sort(),
+  );
   for (const entry of SCENES.filter(({ generate }) => !generate)) {
     const scenario = open(entry);
     assert.deepEqual([scenario.name, scenario.title], [entry.id, entry.title]);
@@ -69,7 +80,11 @@ for (const entry of SCENES) {
       const [x, y] = scenario.endEffector(end);
       assert.ok(Math.hypot(x - target.point[0], y - target.point[1]) < 1e-8);
     } else if (!goal) assert.fail("a query has a goal or a target");
-    else if (near) assert.ok(Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= (near.translation ?? 0) && Math.abs(turnBetween(end[2], goal[2])) <= (near.rotation ?? 0));
+    else if (near)
+      assert.ok(
+        Math.hypot(end[0] - goal[0], end[1] - goal[1]) <= (near.translation ?? 0) &&
+          Math.abs(turnBetween(end[2], goal[2])) <= (near.rotation ?? 0),
+      );
     else assert.ok(scenario.distance(end, goal) < 1e-9);
     assert.equal(scenario.robot === "car" ? isDriven(scenario, result) : isFree(scenario, path), entry.id !== "veil");
   });
@@ -82,12 +97,18 @@ for (const entry of SCENES.filter(({ sliders }) => sliders)) {
     const check = (/** @type {Record<string, number>} */ positions) => {
       const scenario = open(entry, positions);
       for (const query of scenario.document().queries) {
-        assert.ok(endsOf(query).every((pose) => scenario.check(pose).free), JSON.stringify(positions));
+        assert.ok(
+          endsOf(query).every((pose) => scenario.check(pose).free),
+          JSON.stringify(positions),
+        );
       }
       scenario.free();
     };
     for (const slider of sliders) {
-      assert.ok(slider.title.length > 0 && slider.title.length <= 24 && slider.step > 0 && slider.min < slider.max, slider.option);
+      assert.ok(
+        slider.title.length > 0 && slider.title.length <= 24 && slider.step > 0 && slider.min < slider.max,
+        slider.option,
+      );
       assert.ok(!slider.words || (slider.min === 0 && slider.step === 1 && slider.max === slider.words.length - 1));
       const value = optionsAt(entry)[slider.option];
       const place = slider.words ? slider.words.indexOf(String(value)) : Number(value);
@@ -97,27 +118,33 @@ for (const entry of SCENES.filter(({ sliders }) => sliders)) {
     }
     // With two, each end of the one all along the other.
     for (const [one, other] of sliders.length === 2 ? [sliders, [...sliders].reverse()] : []) {
-      for (const end of [one.min, one.max]) for (const position of positionsOf(other)) check({ [one.option]: end, [other.option]: position });
+      for (const end of [one.min, one.max])
+        for (const position of positionsOf(other)) check({ [one.option]: end, [other.option]: position });
     }
   });
 }
 
 test("mazes and pebbles are solved wherever their sliders stand", () => {
   for (const seed of [0, 9, 17, 30]) {
-    for (const difficulty of [0, 1, 2]) assert.equal(played("maze", {}, { difficulty, seed }).status, "solved", `maze ${difficulty} ${seed}`);
-    for (const count of [0, 60, 110]) assert.equal(played("pebbles", {}, { count, seed }).status, "solved", `pebbles ${count} ${seed}`);
+    for (const difficulty of [0, 1, 2])
+      assert.equal(played("maze", {}, { difficulty, seed }).status, "solved", `maze ${difficulty} ${seed}`);
+    for (const count of [0, 60, 110])
+      assert.equal(played("pebbles", {}, { count, seed }).status, "solved", `pebbles ${count} ${seed}`);
   }
 });
 
 /** From one direction to another, the short way round. @param {number} from @param {number} to */
-function turnBetween(from, to) { return Math.atan2(Math.sin(to - from), Math.cos(to - from)); }
+function turnBetween(from, to) {
+  return Math.atan2(Math.sin(to - from), Math.cos(to - from));
+}
 
 test("corner: the L does not fit through the gap as it stands, nor with any one heading", () => {
   const scenario = open(sceneOf("corner"));
   for (let theta = -Math.PI; theta < Math.PI; theta += 0.02) {
     // Straight through, at any height: somewhere it touches.
     const passes = Array.from({ length: 160 }, (_, i) => i / 100).some((y) => {
-      for (let x = 0.5; x <= 1.9; x += 0.02) if (!scenario.check([x, y, theta]).touching.every(({ obstacle }) => obstacle === "bounds")) return false;
+      for (let x = 0.5; x <= 1.9; x += 0.02)
+        if (!scenario.check([x, y, theta]).touching.every(({ obstacle }) => obstacle === "bounds")) return false;
       return true;
     });
     assert.equal(passes, false, `${theta}`);
@@ -141,8 +168,12 @@ test("open: the tree reaches for the emptiest places first, then fills in", () =
   const early = vertices.slice(2, 82);
   const [width, height] = [0, 1].map((i) => Math.max(...early.map((q) => q[i])) - Math.min(...early.map((q) => q[i])));
   assert.ok(width > 0.7 * 3.2 && height > 0.7 * 2, `a quarter of the tree spans ${width} by ${height}`);
-  const full = (/** @type {number[][]} */ some) => some.filter(([a, b]) => scenario.distance(vertices[a], vertices[b]) > 0.1399).length / some.length;
-  assert.ok(full(edges.slice(0, 80)) > 0.75 && full(edges.slice(-80)) < 0.3, "first steps are long, later ones stop short");
+  const full = (/** @type {number[][]} */ some) =>
+    some.filter(([a, b]) => scenario.distance(vertices[a], vertices[b]) > 0.1399).length / some.length;
+  assert.ok(
+    full(edges.slice(0, 80)) > 0.75 && full(edges.slice(-80)) < 0.3,
+    "first steps are long, later ones stop short",
+  );
 });
 
 test("pillar: the disc is one island, and the tree goes round it", () => {
@@ -152,12 +183,21 @@ test("pillar: the disc is one island, and the tree goes round it", () => {
   const seen = new Set([cells.indexOf(1)]);
   for (const cell of seen) {
     const [x, y] = [cell % n, Math.floor(cell / n)];
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    for (const [dx, dy] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
       const next = ((y + dy + n) % n) * n + ((x + dx + n) % n);
       if (cells[next] === 1) seen.add(next);
     }
   }
-  assert.equal(seen.size, cells.reduce((sum, cell) => sum + cell, 0), "one piece");
+  assert.equal(
+    seen.size,
+    cells.reduce((sum, cell) => sum + cell, 0),
+    "one piece",
+  );
   const columns = new Set([...seen].map((cell) => cell % n));
   const rows = new Set([...seen].map((cell) => Math.floor(cell / n)));
   assert.ok(columns.size < n && rows.size < n, "with sea all round");
@@ -173,7 +213,9 @@ test("slot: the arm folds on the way", () => {
 
 test("passage: few samples fall into it, and narrower the map falls in two, though the disc would fit", () => {
   const { scenario, vertices } = played("passage");
-  const wall = scenario.document().world.obstacles.flatMap((obstacle) => obstacle.type === "polygon" ? obstacle.vertices.map(([x]) => x) : []);
+  const wall = scenario
+    .document()
+    .world.obstacles.flatMap((obstacle) => (obstacle.type === "polygon" ? obstacle.vertices.map(([x]) => x) : []));
   const inside = vertices.filter(([x]) => x > Math.min(...wall) && x < Math.max(...wall));
   assert.ok(inside.length >= 1 && inside.length < 0.05 * vertices.length, `${inside.length}`);
   const narrow = played("passage", {}, { width: 0.12 });
@@ -186,7 +228,9 @@ test("passage: few samples fall into it, and narrower the map falls in two, thou
 test("trap: the tree is in the trap for the better part of the run", () => {
   const { vertices, iterations, scenario } = played("trap");
   const [{ start }] = scenario.document().queries;
-  const trap = scenario.document().world.obstacles.flatMap((obstacle) => obstacle.type === "polygon" ? obstacle.vertices : []);
+  const trap = scenario
+    .document()
+    .world.obstacles.flatMap((obstacle) => (obstacle.type === "polygon" ? obstacle.vertices : []));
   const middle = [0, 1].map((i) => (Math.min(...trap.map((p) => p[i])) + Math.max(...trap.map((p) => p[i]))) / 2);
   const isInside = (/** @type {number[]} */ [x, y]) => Math.hypot(x - middle[0], y - middle[1]) < 0.6;
   assert.ok(isInside(start));
@@ -204,7 +248,7 @@ test("pebbles: the path is nearly as short as the straight line", () => {
 test("museum: a dozen poses, one in each room at least, see nearly all", () => {
   const { vertices, result } = played("museum");
   assert.ok(vertices.length <= 13 && (result.coverage ?? 0) > 0.99, `${vertices.length} ${result.coverage}`);
-  const room = (/** @type {number[]} */ [x, y]) => x < 1.05 ? (y < 1 ? 0 : 1) : x < 2.15 ? 2 : y < 0.8 ? 3 : 4;
+  const room = (/** @type {number[]} */ [x, y]) => (x < 1.05 ? (y < 1 ? 0 : 1) : x < 2.15 ? 2 : y < 0.8 ? 3 : 4);
   assert.equal(new Set(vertices.map(room)).size, 5);
 });
 

@@ -2,7 +2,20 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  DESK, PHONE, atRest, choosePlanner, chooseScene, click, finish, frames, growthHash, isDeep, onPausedPage, seek, setParameter, unfold,
+  DESK,
+  PHONE,
+  atRest,
+  choosePlanner,
+  chooseScene,
+  click,
+  finish,
+  frames,
+  growthHash,
+  isDeep,
+  onPausedPage,
+  seek,
+  setParameter,
+  unfold,
   useBrowser,
 } from "./browser.mjs";
 
@@ -10,7 +23,10 @@ import {
 
 useBrowser();
 
-/** Runs large enough that copies of layers are taken and used; SST and BIT* remove vertices. @type {[string, string, Record<string, number>][]} */
+/**
+ * Runs large enough that copies of layers are taken and used; SST and BIT* remove vertices.
+ * @type {[string, string, Record<string, number>][]}
+ */
 const RUNS = [
   ["locked", "prm", { samples: 700, k: 8 }],
   ["locked", "visibility-prm", { failures: 4000 }],
@@ -30,36 +46,38 @@ async function picture(page) {
 for (const [size, options] of Object.entries({ desktop: DESK, phone: PHONE })) {
   for (const [scene, algorithm, settings] of RUNS) {
     const skip = size === "phone" && algorithm !== "rrt" && !isDeep;
-    test(`an iteration of ${algorithm} looks the same however one comes to it, ${size}`, { skip }, () => onPausedPage(async (page) => {
-      await chooseScene(page, scene);
-      await unfold(page, "view");
-      await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
-      await choosePlanner(page, algorithm, Object.keys(settings)[0]);
-      await page.click("#more summary");
-      for (const [name, value] of Object.entries(settings)) await setParameter(page, name, String(value));
-      await atRest(page);
-      // Step by step to an iteration, and on to the end.
-      for (let i = 0; i < 7; i++) await page.click("#step-100");
-      const { iterations } = await click(page, "#step-10");
-      const stepped = await picture(page);
-      const end = await finish(page);
-      assert.ok(end.iterations > iterations + 500, `${end.iterations} iterations`);
-      const ended = await picture(page);
-      assert.notDeepEqual(ended, stepped);
-      // Back from the end, back to nothing, and forth in one leap.
-      await seek(page, iterations);
-      assert.deepEqual(await picture(page), stepped, "back from the end");
-      await seek(page, 1);
-      await seek(page, end.iterations - 3);
-      await seek(page, iterations);
-      assert.deepEqual(await picture(page), stepped, "there and back");
-      await seek(page, 0);
-      await seek(page, end.iterations);
-      assert.deepEqual(await picture(page), ended, "the end in one leap");
-      // A fresh run.
-      await page.click("#reset");
-      await seek(page, iterations);
-      assert.deepEqual(await picture(page), stepped, "a fresh run");
-    }, options));
+    test(`an iteration of ${algorithm} looks the same however one comes to it, ${size}`, { skip }, () =>
+      onPausedPage(async (page) => {
+        await chooseScene(page, scene);
+        await unfold(page, "view");
+        await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
+        await choosePlanner(page, algorithm, Object.keys(settings)[0]);
+        await page.click("#more summary");
+        for (const [name, value] of Object.entries(settings)) await setParameter(page, name, String(value));
+        await atRest(page);
+        // Step by step to an iteration, and on to the end.
+        for (let i = 0; i < 7; i++) await page.click("#step-100");
+        const { iterations } = await click(page, "#step-10");
+        const stepped = await picture(page);
+        const end = await finish(page);
+        assert.ok(end.iterations > iterations + 500, `${end.iterations} iterations`);
+        const ended = await picture(page);
+        assert.notDeepEqual(ended, stepped);
+        // Back from the end, back to nothing, and forth in one leap.
+        await seek(page, iterations);
+        assert.deepEqual(await picture(page), stepped, "back from the end");
+        await seek(page, 1);
+        await seek(page, end.iterations - 3);
+        await seek(page, iterations);
+        assert.deepEqual(await picture(page), stepped, "there and back");
+        await seek(page, 0);
+        await seek(page, end.iterations);
+        assert.deepEqual(await picture(page), ended, "the end in one leap");
+        // A fresh run.
+        await page.click("#reset");
+        await seek(page, iterations);
+        assert.deepEqual(await picture(page), stepped, "a fresh run");
+      }, options),
+    );
   }
 }

@@ -1,4 +1,7 @@
-/** A reader of WebM files for tests, written apart from the writer: the tree of EBML elements, and the frames in its clusters. */
+/**
+ * A reader of WebM files for tests, written apart from the writer: the tree of EBML elements, and the frames in its
+ * clusters.
+ */
 import assert from "node:assert/strict";
 
 /** Elements with elements in them. */
@@ -46,7 +49,11 @@ export function readWebm(bytes) {
   const at = length.byteOffset - bytes.byteOffset;
   const duration = length.length === 4 ? view.getFloat32(at) : view.getFloat64(at);
   return {
-    kind: text("4282"), codec: text("86"), width: whole("b0"), height: whole("ba"), tracks: found.get("ae")?.length ?? 0,
+    kind: text("4282"),
+    codec: text("86"),
+    width: whole("b0"),
+    height: whole("ba"),
+    tracks: found.get("ae")?.length ?? 0,
     /** Seconds. */
     duration: (duration * whole("2ad7b1")) / 1e9,
     frames: (found.get("a3")?.length ?? 0) + (found.get("a1")?.length ?? 0),

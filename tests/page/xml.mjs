@@ -7,7 +7,11 @@ import assert from "node:assert/strict";
 function plain(text) {
   assert.doesNotMatch(text, /[<>]|&(?!#\d+;|#x[0-9a-f]+;|amp;|lt;|gt;|quot;|apos;)/, "markup within text");
   // eslint-disable-next-line no-control-regex
-  assert.doesNotMatch(text, /[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/, "a character that XML cannot hold");
+  assert.doesNotMatch(
+    text,
+    /[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/,
+    "a character that XML cannot hold",
+  );
   return text.replace(/&#(\d+);/g, (_, code) => String.fromCodePoint(Number(code)));
 }
 
@@ -54,7 +58,12 @@ export function readXml(text) {
   return root;
 }
 
-/** All elements of a name, at any depth, each with the attributes that it has from those around it. @param {Element} root @param {string} name @returns {Element[]} */
+/**
+ * All elements of a name, at any depth, each with the attributes that it has from those around it.
+ * @param {Element} root
+ * @param {string} name
+ * @returns {Element[]}
+ */
 export function allOf(root, name) {
   /** @type {Element[]} */
   const found = [];
@@ -63,7 +72,8 @@ export function allOf(root, name) {
     const attributes = { ...inherited, ...element.attributes };
     if (element.name === name) found.push({ ...element, attributes });
     if (element.name === "clipPath" || element.name === "pattern") return;
-    for (const child of element.children) if (typeof child !== "string") walk(child, element === root ? {} : attributes);
+    for (const child of element.children)
+      if (typeof child !== "string") walk(child, element === root ? {} : attributes);
   };
   walk(root, {});
   return found;

@@ -1,8 +1,8 @@
 /**
  * The shell of a page: it loads the core and the worker, runs one loop of frames, and shows messages and errors.
  *
- * For tests: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing moves, no reply
- * of the worker is pending and everything is drawn).
+ * For tests: `body` carries `data-state` ("loading", "ready", "failed") and `data-settled` ("true" while nothing moves,
+ * no reply of the worker is pending and everything is drawn).
  */
 import * as library from "planarium";
 import { byId, write } from "./dom.js";
@@ -20,13 +20,20 @@ import { connect } from "./worker-client.js";
 /** Milliseconds between two announcements, at least. */
 const PAUSE = 1000;
 
-/** @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true until it ends */
+/**
+ * @typedef {(now: number) => boolean | void} Animation   milliseconds as of performance.now(); returns true until it
+ *   ends
+ */
 
 export class App {
   constructor() {
     this.notice = new Notice();
     /** For screen readers. */
-    this.announcer = { say: paced(PAUSE, (/** @type {string} */ text) => { byId("announcer", HTMLElement).textContent = text; }) };
+    this.announcer = {
+      say: paced(PAUSE, (/** @type {string} */ text) => {
+        byId("announcer", HTMLElement).textContent = text;
+      }),
+    };
     this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Animation[]} */
     this.animations = [];
@@ -36,7 +43,10 @@ export class App {
     this.themeListeners = [];
     /** The compiled WebAssembly. @type {WebAssembly.Module | undefined} */
     this.core = undefined;
-    /** Starts one more worker like that of the page; its commands reject if it could not be loaded. @type {() => unknown} */
+    /**
+     * Starts one more worker like that of the page; its commands reject if it could not be loaded.
+     * @type {() => unknown}
+     */
     this.hire = () => null;
     /** Rebuilds the objects of the core after a panic of the core. @type {() => void} */
     this.rebuild = () => {};
@@ -74,7 +84,9 @@ export class App {
     try {
       const loading = loadCore();
       const make = await workerMaker(script);
-      const worker = connect(make(), room, loading, (error) => { if (dataset.state !== "failed") this.fail(error); });
+      const worker = connect(make(), room, loading, (error) => {
+        if (dataset.state !== "failed") this.fail(error);
+      });
       this.hire = () => connect(make(), room, loading, () => {});
       this.core = await loading;
       await library.default(this.core);
@@ -86,19 +98,28 @@ export class App {
       return true;
     } catch (error) {
       dataset.state = "failed";
-      this.notice.show("Planarium could not start. It needs a browser with WebAssembly and the other files of this site.", error);
+      this.notice.show(
+        "Planarium could not start. It needs a browser with WebAssembly and the other files of this site.",
+        error,
+      );
       return false;
     }
   }
 
   /** Runs in each frame, before drawing. @param {Animation} animate */
-  onFrame(animate) { this.animations.push(animate); }
+  onFrame(animate) {
+    this.animations.push(animate);
+  }
 
   /** Runs at the end of each frame. @param {() => void} draw */
-  onDraw(draw) { this.drawings.push(draw); }
+  onDraw(draw) {
+    this.drawings.push(draw);
+  }
 
   /** Runs when colours or the pixel ratio change. @param {() => void} listener */
-  onTheme(listener) { this.themeListeners.push(listener); }
+  onTheme(listener) {
+    this.themeListeners.push(listener);
+  }
 
   requestFrame() {
     document.body.dataset.settled = "false";
@@ -152,7 +173,11 @@ export class App {
     }
   }
 
-  /** Shows an error; after a panic of the core, starts the core again. @param {unknown} error @param {string} [title] */
+  /**
+   * Shows an error; after a panic of the core, starts the core again.
+   * @param {unknown} error
+   * @param {string} [title]
+   */
   fail(error, title = "Something went wrong.") {
     if (errorInfo(error).code !== "internal") {
       this.notice.show(title, error);
@@ -160,11 +185,16 @@ export class App {
     }
     if (this.core) library.initSync(this.core);
     this.rebuild();
-    const message = "Planarium\u2019s core stopped because of an internal error. It was restarted, and any run starts again.";
+    const message =
+      "Planarium\u2019s core stopped because of an internal error. It was restarted, and any run starts again.";
     this.notice.show(title, Object.assign(new Error(message), { code: "internal" }));
   }
 
-  /** Shows a sentence above the figures and announces it. @param {string} text @param {{ isBad?: boolean, isSilent?: boolean }} [options] */
+  /**
+   * Shows a sentence above the figures and announces it.
+   * @param {string} text
+   * @param {{ isBad?: boolean, isSilent?: boolean }} [options]
+   */
   say(text, { isBad = false, isSilent = false } = {}) {
     const story = byId("story", HTMLElement);
     write(story, text);
@@ -174,7 +204,9 @@ export class App {
   }
 
   /** Writes texts into elements by their ids. @param {Record<string, string>} texts */
-  write(texts) { for (const [id, text] of Object.entries(texts)) write(byId(id, HTMLElement), text); }
+  write(texts) {
+    for (const [id, text] of Object.entries(texts)) write(byId(id, HTMLElement), text);
+  }
 
   /** How to draw. */
   get look() {
@@ -188,9 +220,13 @@ export class App {
   }
 
   watchPixelRatio() {
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
-      this.setTheme();
-      this.watchPixelRatio();
-    }, { once: true });
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+      "change",
+      () => {
+        this.setTheme();
+        this.watchPixelRatio();
+      },
+      { once: true },
+    );
   }
 }

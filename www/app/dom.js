@@ -10,7 +10,10 @@ export function byId(id, kind) {
   return element;
 }
 
-/** @template {keyof HTMLElementTagNameMap} T @typedef {Omit<Partial<HTMLElementTagNameMap[T]>, "dataset"> & { dataset?: Record<string, unknown> }} Properties */
+/**
+ * @template {keyof HTMLElementTagNameMap} T
+ * @typedef {Omit<Partial<HTMLElementTagNameMap[T]>, "dataset"> & { dataset?: Record<string, unknown> }} Properties
+ */
 
 /**
  * A new element with properties, data attributes and children.
@@ -39,11 +42,18 @@ export function makeSvg(tag, attributes, ...children) {
   return element;
 }
 
-/** A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms. @param {number} count */
-export function grouped(count) { return String(count).replace(/\B(?=(\d{3})+$)/g, ","); }
+/**
+ * A whole number with commas between thousands. The first `Intl.NumberFormat` of a page takes 26 ms.
+ * @param {number} count
+ */
+export function grouped(count) {
+  return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
+}
 
 /** A number of things in words. @param {number} count @param {string} one @param {string} [many] */
-export function counted(count, one, many = `${one}s`) { return `${grouped(count)} ${count === 1 ? one : many}`; }
+export function counted(count, one, many = `${one}s`) {
+  return `${grouped(count)} ${count === 1 ? one : many}`;
+}
 
 /** @param {HTMLElement} element @param {string} text */
 export function write(element, text) {

@@ -24,7 +24,9 @@ export function watchFiles(app, onFile) {
     event.preventDefault();
     veil.hidden = false;
   });
-  addEventListener("dragleave", (event) => { if (!event.relatedTarget) veil.hidden = true; });
+  addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) veil.hidden = true;
+  });
   addEventListener("drop", (event) => {
     veil.hidden = true;
     const file = event.dataTransfer?.files[0];
@@ -36,11 +38,15 @@ export function watchFiles(app, onFile) {
   /** @param {File} file */
   async function open(file) {
     if (file.size > MOST) {
-      throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), { code: "too-large" });
+      throw Object.assign(new Error(`The file is ${(file.size / 1048576).toFixed(1)} MB; the limit is 10 MB.`), {
+        code: "too-large",
+      });
     }
     onFile(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 }
 
 /** Whether a file is a NumPy array, by its name or its first byte. @param {string} name @param {Uint8Array} bytes */
-export function isArray(name, bytes) { return /\.npy$/i.test(name) || bytes[0] === 0x93; }
+export function isArray(name, bytes) {
+  return /\.npy$/i.test(name) || bytes[0] === 0x93;
+}

@@ -9,4 +9,6 @@ export function save(blob, name) {
 }
 
 /** Plain data as a JSON file. @param {object} value */
-export function json(value) { return new Blob([documentText(JSON.parse(JSON.stringify(value)))], { type: "application/json" }); }
+export function json(value) {
+  return new Blob([documentText(JSON.parse(JSON.stringify(value)))], { type: "application/json" });
+}

@@ -15,13 +15,17 @@ export class LazyFeature {
 
   /** Uses the feature; a failure to load it is shown. @param {(part: T) => unknown} [then] */
   use(then = () => {}) {
-    this.get().then(then).catch((error) => this.notice.show("This part of the page could not be loaded.", error));
+    this.get()
+      .then(then)
+      .catch((error) => this.notice.show("This part of the page could not be loaded.", error));
   }
 
   /** Loads it when a fold is opened. @param {string} id @returns {this} */
   inFold(id) {
     const fold = byId(id, HTMLDetailsElement);
-    fold.addEventListener("toggle", () => { if (fold.open) this.use(); });
+    fold.addEventListener("toggle", () => {
+      if (fold.open) this.use();
+    });
     if (fold.open) this.use();
     return this;
   }

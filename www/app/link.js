@@ -1,6 +1,6 @@
 /**
- * The share link: the fragment of the address stores the state of the page, and a button gives the address. Each page describes
- * its state by one rule, with defaults for entries that a link leaves out.
+ * The share link: the fragment of the address stores the state of the page, and a button gives the address. Each page
+ * describes its state by one rule, with defaults for entries that a link leaves out.
  */
 import { byId, make } from "./dom.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
@@ -15,12 +15,21 @@ const LIMITS = { characters: 2048, bytes: 16_384 };
 /** Milliseconds for which a message stays. */
 const READING = 6000;
 
-/** @param {object} state  plain data that the rule allows @param {StateRule} rule @returns {Promise<string>}  without `#` @throws {Error} in words */
+/**
+ * @param {object} state  plain data that the rule allows
+ * @param {StateRule} rule
+ * @returns {Promise<string>}  without `#`
+ * @throws {Error} in words
+ */
 export async function encodeState(state, rule) {
   rule(state, "state");
   const { defaults = {}, limits = LIMITS } = rule;
-  const isDefault = (/** @type {string} */ key, /** @type {unknown} */ value) => JSON.stringify(value) === JSON.stringify(defaults[key]);
-  return encodeFragment(Object.fromEntries(Object.entries(state).filter(([key, value]) => !isDefault(key, value))), limits);
+  const isDefault = (/** @type {string} */ key, /** @type {unknown} */ value) =>
+    JSON.stringify(value) === JSON.stringify(defaults[key]);
+  return encodeFragment(
+    Object.fromEntries(Object.entries(state).filter(([key, value]) => !isDefault(key, value))),
+    limits,
+  );
 }
 
 /**
@@ -34,13 +43,21 @@ export async function decodeState(fragment, rule) {
 
 /**
  * Makes the message beside the button `#link`.
- * @param {App} app @param {() => Promise<string>} encode  the fragment, without `#` @param {() => string} contents  of a link, in words
+ * @param {App} app
+ * @param {() => Promise<string>} encode  the fragment, without `#`
+ * @param {() => string} contents  of a link, in words
  * @returns {() => Promise<void>} copies the link, or shows it where the page may not use the clipboard
  */
 export function makeShare(app, encode, contents) {
   let timer = 0;
   const words = make("span", {});
-  const field = make("input", { type: "text", readOnly: true, ariaLabel: "Link", hidden: true, onblur: () => show("") });
+  const field = make("input", {
+    type: "text",
+    readOnly: true,
+    ariaLabel: "Link",
+    hidden: true,
+    onblur: () => show(""),
+  });
   const message = make("div", { id: "link-told", className: "told", role: "status" }, words, field);
   byId("tools", HTMLElement).append(message);
   message.addEventListener("keydown", ({ key }) => {
@@ -88,8 +105,9 @@ export function setAddress(fragment) {
 /**
  * Makes the share button, and opens the state in the address, now and whenever the address changes.
  * @param {App} app @param {StateRule} rule
- * @param {{ save: () => object, spare?: string, open: (state: any) => unknown, contents: string | ((isWhole: boolean) => string) }} page  `spare`: an entry that is
- *   left out of a link that would be too long with it, which then is not whole; `open` gets null where the address has no state, and may throw
+ * @param {{ save: () => object, spare?: string, open: (state: any) => unknown, contents: string | ((isWhole: boolean)
+ *   => string) }} page  `spare`: an entry that is left out of a link that would be too long with it, which then is not
+ *   whole; `open` gets null where the address has no state, and may throw
  */
 export async function useLink(app, rule, { save, spare = "", open, contents }) {
   let isWhole = true;
@@ -106,11 +124,13 @@ export async function useLink(app, rule, { save, spare = "", open, contents }) {
   };
   const share = makeShare(app, encode, () => (typeof contents === "string" ? contents : contents(isWhole)));
   byId("link", HTMLElement).addEventListener("click", () => void share());
-  addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
+  addEventListener("hashchange", () => {
+    if (location.hash) void app.track(openAddress());
+  });
   await openAddress();
 
   async function openAddress() {
-    if (location.hash.length < 2) return void await open(null);
+    if (location.hash.length < 2) return void (await open(null));
     const { state, fault } = await decodeState(location.hash, rule);
     try {
       if (state) app.notice.hide();

@@ -20,12 +20,20 @@ export class Notice {
     this.hide();
     return new Promise((resolve) => {
       const buttons = [...choices, /** @type {const} */ (["", "Cancel"])].map(([choice, word]) => {
-        return make("button", { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice), dataset: { choice } }, word);
+        return make(
+          "button",
+          { type: "button", className: choice ? "" : "quiet", onclick: () => this.answer(choice), dataset: { choice } },
+          word,
+        );
       });
-      this.element.replaceChildren(make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)));
+      this.element.replaceChildren(
+        make("div", {}, make("strong", {}, question), make("div", { className: "choices" }, ...buttons)),
+      );
       this.element.classList.add("question");
       this.element.hidden = false;
-      this.element.onkeydown = ({ key }) => { if (key === "Escape") this.answer(""); };
+      this.element.onkeydown = ({ key }) => {
+        if (key === "Escape") this.answer("");
+      };
       this.answer = (choice) => {
         this.answer = () => {};
         this.hide();
@@ -48,7 +56,17 @@ export class Notice {
     const where = make("p", { className: "where" });
     if (code) where.append("code ", make("code", {}, code));
     if (pointer) where.append(" at ", make("code", {}, pointer));
-    this.element.replaceChildren(make("div", {}, make("strong", {}, title), " ", make("span", {}, capitalized(message)), code || pointer ? where : ""), close);
+    this.element.replaceChildren(
+      make(
+        "div",
+        {},
+        make("strong", {}, title),
+        " ",
+        make("span", {}, capitalized(message)),
+        code || pointer ? where : "",
+      ),
+      close,
+    );
     this.element.hidden = false;
   }
 
@@ -64,4 +82,6 @@ export class Notice {
 }
 
 /** Capitalizes the first word, unless it is a name. @param {string} message */
-function capitalized(message) { return message.replace(/^(?:this|the|there|an?|it|no) /, (word) => word[0].toUpperCase() + word.slice(1)); }
+function capitalized(message) {
+  return message.replace(/^(?:this|the|there|an?|it|no) /, (word) => word[0].toUpperCase() + word.slice(1));
+}

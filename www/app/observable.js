@@ -12,7 +12,9 @@ export class Observable {
   }
 
   /** @param {(change: C) => void} listener */
-  onChange(listener) { this.listeners.push(listener); }
+  onChange(listener) {
+    this.listeners.push(listener);
+  }
 
   /** @param {C} change */
   update(change) {

@@ -1,6 +1,6 @@
 /**
- * The service worker: it stores all files of the pages for use without a network, but the pictures of the gallery only when they are seen.
- * With a network, files are fetched.
+ * The service worker: it stores all files of the pages for use without a network, but the pictures of the gallery only
+ * when they are seen. With a network, files are fetched.
  */
 
 /** The version of the build, and its files. */
@@ -13,11 +13,21 @@ const NAME = `planarium-${VERSION}`;
 /** Pictures of the gallery. */
 const PICTURE = /\/gallery\/[^/]+\.svg$/;
 
-addEventListener("install", (event) => /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))));
+addEventListener("install", (event) =>
+  /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES))),
+);
 
-addEventListener("activate", (event) => /** @type {ExtendableEvent} */ (event).waitUntil(
-  caches.keys().then((names) => Promise.all(names.filter((name) => name.startsWith("planarium-") && name !== NAME).map((name) => caches.delete(name)))),
-));
+addEventListener("activate", (event) =>
+  /** @type {ExtendableEvent} */ (event).waitUntil(
+    caches
+      .keys()
+      .then((names) =>
+        Promise.all(
+          names.filter((name) => name.startsWith("planarium-") && name !== NAME).map((name) => caches.delete(name)),
+        ),
+      ),
+  ),
+);
 
 addEventListener("fetch", (event) => {
   const { request, respondWith } = /** @type {FetchEvent} */ (event);
@@ -26,13 +36,21 @@ addEventListener("fetch", (event) => {
     if (response.ok && PICTURE.test(request.url)) {
       const copy = response.clone();
       // Where there is no room, the picture is shown all the same.
-      /** @type {ExtendableEvent} */ (event).waitUntil(caches.open(NAME).then((cache) => cache.put(request, copy)).catch(() => {}));
+      /** @type {ExtendableEvent} */ (event).waitUntil(
+        caches
+          .open(NAME)
+          .then((cache) => cache.put(request, copy))
+          .catch(() => {}),
+      );
     }
     return response;
   });
-  respondWith.call(event, fetched.catch(async (error) => {
-    const stored = await caches.match(request, { ignoreSearch: true });
-    if (stored) return stored;
-    throw error;
-  }));
+  respondWith.call(
+    event,
+    fetched.catch(async (error) => {
+      const stored = await caches.match(request, { ignoreSearch: true });
+      if (stored) return stored;
+      throw error;
+    }),
+  );
 });

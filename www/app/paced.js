@@ -11,10 +11,13 @@ export function paced(pause, act) {
   let timer;
   return (...args) => {
     clearTimeout(timer);
-    timer = setTimeout(() => {
-      last = performance.now();
-      act(...args);
-    }, Math.max(0, last + pause - performance.now()));
+    timer = setTimeout(
+      () => {
+        last = performance.now();
+        act(...args);
+      },
+      Math.max(0, last + pause - performance.now()),
+    );
   };
 }
 

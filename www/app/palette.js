@@ -1,16 +1,40 @@
 /**
- * The colours of the stage, from the custom properties of `style.css`. A hidden element resolves them, so that the style sheet decides
- * between light and dark.
+ * The colours of the stage, from the custom properties of `style.css`. A hidden element resolves them, so that the
+ * style sheet decides between light and dark.
  */
 const NAMES = /** @type {const} */ ([
-  "stage", "ink", "quiet", "line", "obstacle", "obstacleEdge", "robot", "robotEdge", "start", "goal",
-  "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
+  "stage",
+  "ink",
+  "quiet",
+  "line",
+  "obstacle",
+  "obstacleEdge",
+  "robot",
+  "robotEdge",
+  "start",
+  "goal",
+  "growth",
+  "newest",
+  "halo",
+  "path",
+  "unproven",
+  "rejected",
+  "collision",
 ]);
 
 /** @typedef {Record<typeof NAMES[number], string>} Palette */
 
 /** The colours of the series of a chart, in their order. */
-export const SERIES = /** @type {const} */ (["start", "path", "goal", "unproven", "rejected", "growth", "newest", "collision"]);
+export const SERIES = /** @type {const} */ ([
+  "start",
+  "path",
+  "goal",
+  "unproven",
+  "rejected",
+  "growth",
+  "newest",
+  "collision",
+]);
 
 /** @param {HTMLElement} root @returns {Palette} */
 export function readPalette(root) {
@@ -26,7 +50,9 @@ export function readPalette(root) {
   host.append(...probes);
   root.append(host);
   // Styles are computed once for all of them.
-  const palette = /** @type {Palette} */ (Object.fromEntries(probes.map((probe, i) => [NAMES[i], getComputedStyle(probe).color])));
+  const palette = /** @type {Palette} */ (
+    Object.fromEntries(probes.map((probe, i) => [NAMES[i], getComputedStyle(probe).color]))
+  );
   host.remove();
   return palette;
 }

@@ -4,16 +4,26 @@ import { byId, make } from "./dom.js";
 const CLASS = "projector";
 
 /** Whether projector mode is on. */
-export function isProjected() { return document.documentElement.classList.contains(CLASS); }
+export function isProjected() {
+  return document.documentElement.classList.contains(CLASS);
+}
 
 export class Projector {
   /** @param {() => void} onChange */
   constructor(onChange) {
     this.onChange = onChange;
-    this.button = make("button", {
-      type: "button", id: "projector", className: "quiet", ariaPressed: "false", title: "Large text and bold lines for a lecture; Escape exits",
-      onclick: () => this.turn(!isProjected()),
-    }, "Projector");
+    this.button = make(
+      "button",
+      {
+        type: "button",
+        id: "projector",
+        className: "quiet",
+        ariaPressed: "false",
+        title: "Large text and bold lines for a lecture; Escape exits",
+        onclick: () => this.turn(!isProjected()),
+      },
+      "Projector",
+    );
     byId("tools", HTMLElement).append(this.button);
     addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !event.defaultPrevented && isProjected()) this.turn(false);

@@ -1,10 +1,12 @@
 /**
- * The resources of the page: files beside it, or in a single-file page `<script type="text/plain" id="inline-NAME">` elements, of which
- * the large ones are gzip in base64.
+ * The resources of the page: files beside it, or in a single-file page `<script type="text/plain" id="inline-NAME">`
+ * elements, of which the large ones are gzip in base64.
  */
 
 /** @param {string} name */
-function inline(name) { return document.getElementById(`inline-${name}`)?.textContent ?? null; }
+function inline(name) {
+  return document.getElementById(`inline-${name}`)?.textContent ?? null;
+}
 
 /** What makes workers. @param {string} script  their address, unless it is inline @returns {Promise<() => Worker>} */
 export async function workerMaker(script) {
@@ -23,7 +25,8 @@ export async function loadCore() {
   const response = await fetch(href);
   if (!response.ok) throw new Error(`${response.url} returned ${response.status} ${response.statusText}`.trimEnd());
   // Streaming needs the right content type.
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  if (response.headers.get("content-type")?.startsWith("application/wasm"))
+    return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
 

@@ -1,4 +1,7 @@
-/** The theme, light or dark: that of the system unless the reader chooses one, which is stored where the browser allows it. */
+/**
+ * The theme, light or dark: that of the system unless the reader chooses one, which is stored where the browser allows
+ * it.
+ */
 import { byId } from "./dom.js";
 
 const KEY = "planarium-theme";
@@ -11,7 +14,9 @@ export function watchTheme(onChange) {
   if (stored === "light" || stored === "dark") root.dataset.theme = stored;
   const button = byId("theme", HTMLButtonElement);
   const other = () => ((root.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark" ? "light" : "dark");
-  const name = () => { button.ariaLabel = `Switch to ${other()} colours`; };
+  const name = () => {
+    button.ariaLabel = `Switch to ${other()} colours`;
+  };
   const update = () => {
     name();
     onChange();

@@ -1,17 +1,23 @@
-/** The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id, fault }`. */
+/**
+ * The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id,
+ * fault }`.
+ */
 import * as library from "planarium";
 import { errorInfo } from "./error-info.js";
 
 /**
- * The commands of a room. Typed arrays and images in a result are transferred; a command returns copies of those that it stores.
+ * The commands of a room. Typed arrays and images in a result are transferred; a command returns copies of those that
+ * it stores.
  * @typedef {Record<string, (...args: any[]) => unknown>} Commands
  */
 
-const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (/** @type {unknown} */ (self));
+const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[]): void }} */ (
+  /** @type {unknown} */ (self)
+);
 
 /**
- * @param {Record<string, { commands: Commands, reset?: () => void }>} rooms   `reset` is called after a panic of the core, which
- *   loses everything in it
+ * @param {Record<string, { commands: Commands, reset?: () => void }>} rooms   `reset` is called after a panic of the
+ *   core, which loses everything in it
  */
 export function serve(rooms) {
   /** @type {Promise<unknown>} */
@@ -34,7 +40,12 @@ export function serve(rooms) {
   });
 }
 
-/** The memory of the typed arrays and pictures in a value. @param {unknown} value @param {Set<Transferable>} [buffers] @returns {Set<Transferable>} */
+/**
+ * The memory of the typed arrays and pictures in a value.
+ * @param {unknown} value
+ * @param {Set<Transferable>} [buffers]
+ * @returns {Set<Transferable>}
+ */
 function buffersOf(value, buffers = new Set()) {
   if (value instanceof ImageBitmap) buffers.add(value);
   else if (ArrayBuffer.isView(value)) buffers.add(/** @type {ArrayBuffer} */ (value.buffer));

@@ -1,16 +1,29 @@
 /** Names of options: snake_case on pages, in links and in documents, camelCase in the package. */
 
 /** @param {string} name */
-function inCamelCase(name) { return name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()); }
+function inCamelCase(name) {
+  return name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+}
 
 /** @param {string} name */
-function inSnakeCase(name) { return name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`); }
+function inSnakeCase(name) {
+  return name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+}
 
-/** @template T @param {Record<string, T>} fields @param {(name: string) => string} rename @returns {Record<string, T>} */
-function renamed(fields, rename) { return Object.fromEntries(Object.entries(fields).map(([name, value]) => [rename(name), value])); }
+/**
+ * @template T
+ * @param {Record<string, T>} fields
+ * @param {(name: string) => string} rename
+ * @returns {Record<string, T>}
+ */
+function renamed(fields, rename) {
+  return Object.fromEntries(Object.entries(fields).map(([name, value]) => [rename(name), value]));
+}
 
 /** Settings of the package under the names of documents. @template T @param {Record<string, T>} options */
-export function namesOfDocuments(options) { return renamed(options, inSnakeCase); }
+export function namesOfDocuments(options) {
+  return renamed(options, inSnakeCase);
+}
 
 /**
  * Calls the package with settings under its names; the pointer of an error gets the page's name.

@@ -1,12 +1,18 @@
 /**
- * What the planner's page and the gallery plan with where nothing is set: a run that is watched comes to an end soon, and a roadmap has a
- * known number of samples.
+ * What the planner's page and the gallery plan with where nothing is set: a run that is watched comes to an end soon,
+ * and a roadmap has a known number of samples.
  */
 
 /** @import { PlannerInfo, Settings } from "./types.js" */
 
 /** @type {Record<string, Record<string, number>>} */
-const OWN = { prm: { samples: 2000 }, "prm-star": { samples: 2000 }, "lazy-prm": { samples: 2000 }, "fmt-star": { samples: 1000 }, "visibility-prm": { failures: 400 } };
+const OWN = {
+  prm: { samples: 2000 },
+  "prm-star": { samples: 2000 },
+  "lazy-prm": { samples: 2000 },
+  "fmt-star": { samples: 1000 },
+  "visibility-prm": { failures: 400 },
+};
 const ALL = { max_iterations: 100_000 };
 
 /**
@@ -27,7 +33,9 @@ export function planned(algorithm, settings) {
 export function withPageDefaults(infos) {
   return infos.map((info) => {
     const own = planned(info.id, {});
-    const parameters = info.parameters.map((given) => (own[given.name] === undefined ? given : { ...given, default: own[given.name], default_meaning: null }));
+    const parameters = info.parameters.map((given) =>
+      own[given.name] === undefined ? given : { ...given, default: own[given.name], default_meaning: null },
+    );
     return { ...info, parameters };
   });
 }

@@ -1,6 +1,6 @@
 /**
- * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at constant speed in the
- * metric of the path. Corners that have blends are rounded.
+ * Plays a path: first the line is drawn, then the robot moves to the goal and back again and again, with pauses, at
+ * constant speed in the metric of the path. Corners that have blends are rounded.
  */
 import { blendedPath } from "planarium/draw";
 import { rowsOf, sizeOf, turnsAlong } from "./coordinates.js";
@@ -10,7 +10,10 @@ import { firstIndex } from "./search.js";
 /** @import { RunLog } from "../planner/run-log/run-log.js" */
 /** @import { Check, ResultDocument, Scenario } from "./types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
-/** @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the configuration and its check */
+/**
+ * @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the
+ *   configuration and its check
+ */
 
 /** Seconds in which the line is drawn. */
 const DRAWING = 1.4;
@@ -25,8 +28,10 @@ export class PathPlayback {
   /**
    * @param {Scenario} scenario
    * @param {Float64Array} path  rows of `dimension`, at least one
-   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }} [kind]  whether motions are proven
-   *   collision-free; whether the path ends short of the goal; the path before shortcutting; the motions between waypoints, unless straight
+   * @param {{ isProven?: boolean, isMiss?: boolean, raw?: Float64Array | null, course?: Course | null }}
+   *   [kind]  whether motions are proven
+   *   collision-free; whether the path ends short of the goal; the path before shortcutting; the motions between
+   *   waypoints, unless straight
    */
   constructor(scenario, path, { isProven = true, isMiss = false, raw = null, course = null } = {}) {
     this.scenario = scenario;
@@ -38,10 +43,18 @@ export class PathPlayback {
     /** Distance from the start to each waypoint. */
     this.reached = [0];
     for (let i = 1; i < this.waypoints.length; i++) {
-      this.reached.push(this.reached[i - 1] + (course ? course.placed.lengthOf(course.motions[i - 1]) : scenario.distance(this.waypoints[i - 1], this.waypoints[i])));
+      this.reached.push(
+        this.reached[i - 1] +
+          (course
+            ? course.placed.lengthOf(course.motions[i - 1])
+            : scenario.distance(this.waypoints[i - 1], this.waypoints[i])),
+      );
     }
     this.length = this.reached[this.reached.length - 1];
-    /** How far each joint of an arm turns from the start to the end of the path, radians, counter-clockwise above 0, or slides, metres. */
+    /**
+     * How far each joint of an arm turns from the start to the end of the path, radians, counter-clockwise above 0, or
+     * slides, metres.
+     */
     this.turns = scenario.robot === "arm" ? turnsAlong(this.waypoints, scenario.circles()) : null;
     const speed = scenario.robot === "arm" ? 1.5 : sizeOf(scenario) / 4;
     this.duration = Math.min(DRIVE.most, Math.max(DRIVE.least, this.length / speed));
@@ -56,7 +69,10 @@ export class PathPlayback {
     this.flaw = isProven ? null : this.firstFlaw();
   }
 
-  /** The first collision. A motion that is not proven need not collide: it may only pass too near. @returns {Flaw | null} */
+  /**
+   * The first collision. A motion that is not proven need not collide: it may only pass too near.
+   * @returns {Flaw | null}
+   */
   firstFlaw() {
     for (const at of this.looks()) {
       const pose = this.configuration(at);
@@ -66,14 +82,19 @@ export class PathPlayback {
     return null;
   }
 
-  /** Where to look for a collision, 0 to 1: all along arcs, and along straight motions from the end of their proven part. */
+  /**
+   * Where to look for a collision, 0 to 1: all along arcs, and along straight motions from the end of their proven
+   * part.
+   */
   looks() {
     const { scenario, waypoints, reached, length, course } = this;
     if (course) return parts(waypoints.length * 20);
     return waypoints.slice(1).flatMap((to, i) => {
       const hit = scenario.firstHit(waypoints[i], to);
       if (hit === null) return [];
-      return parts(LOOKS).map((part) => (reached[i] + (hit + (1 - hit) * part) * (reached[i + 1] - reached[i])) / length);
+      return parts(LOOKS).map(
+        (part) => (reached[i] + (hit + (1 - hit) * part) * (reached[i + 1] - reached[i])) / length,
+      );
     });
   }
 
@@ -90,10 +111,14 @@ export class PathPlayback {
   }
 
   /** The waypoint before a distance from the start. @param {number} target */
-  stretch(target) { return firstIndex(1, this.waypoints.length - 1, (i) => this.reached[i] > target) - 1; }
+  stretch(target) {
+    return firstIndex(1, this.waypoints.length - 1, (i) => this.reached[i] > target) - 1;
+  }
 
   /** The steering angle at the robot's position. */
-  get steering() { return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0; }
+  get steering() {
+    return this.course?.motions[this.stretch(this.at * this.length)]?.[1] ?? 0;
+  }
 
   /** Configurations along the path, for drawing: equally spaced ones and all waypoints. @param {number} count */
   sample(count) {
@@ -132,7 +157,9 @@ export class PathPlayback {
 }
 
 /** Equally spaced parts from 0 to 1. @param {number} count  one less than there are */
-function parts(count) { return Array.from({ length: count + 1 }, (_, i) => i / count); }
+function parts(count) {
+  return Array.from({ length: count + 1 }, (_, i) => i / count);
+}
 
 /**
  * The playback of a run: its path once solved, or of a tree that failed the path to the vertex nearest to the goal.
@@ -144,24 +171,39 @@ export function playbackOf(scenario, run, placed = null) {
   const { isProven } = run;
   if (run.status === "solved") {
     const raw = run.rawLength > run.result.length ? run.rawPath : null;
-    return new PathPlayback(scenario, rowsAlong(scenario, run.result), { isProven, raw, course: courseOf(run.result, placed) });
+    return new PathPlayback(scenario, rowsAlong(scenario, run.result), {
+      isProven,
+      raw,
+      course: courseOf(run.result, placed),
+    });
   }
   const { approximate } = run.result;
   // A tree whose root is nearest to the goal has no path to show.
   if (!approximate || approximate.path.length < 2) return null;
-  return new PathPlayback(scenario, rowsAlong(scenario, approximate), { isProven, isMiss: true, course: courseOf(approximate, placed) });
+  return new PathPlayback(scenario, rowsAlong(scenario, approximate), {
+    isProven,
+    isMiss: true,
+    course: courseOf(approximate, placed),
+  });
 }
 
 /**
  * The playback of a further query of a roadmap; null without a path.
- * @param {Scenario} scenario @param {boolean} isProven @param {ResultDocument} result @param {Placed | null} placed   of a body or a car
+ * @param {Scenario} scenario
+ * @param {boolean} isProven
+ * @param {ResultDocument} result
+ * @param {Placed | null} placed   of a body or a car
  */
 export function playbackOfResult(scenario, isProven, result, placed) {
-  return result.path.length > 0 ? new PathPlayback(scenario, rowsAlong(scenario, result), { isProven, course: courseOf(result, placed) }) : null;
+  return result.path.length > 0
+    ? new PathPlayback(scenario, rowsAlong(scenario, result), { isProven, course: courseOf(result, placed) })
+    : null;
 }
 
 /** @param {Scenario} scenario @param {Pick<ResultDocument, "path" | "blends">} result */
-function rowsAlong(scenario, result) { return Float64Array.from(blendedPath(scenario, result).flat()); }
+function rowsAlong(scenario, result) {
+  return Float64Array.from(blendedPath(scenario, result).flat());
+}
 
 /** @param {Pick<ResultDocument, "motions">} result @param {Placed | null} placed @returns {Course | null} */
 function courseOf({ motions }, placed) {

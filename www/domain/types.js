@@ -39,7 +39,8 @@
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *
- * @typedef {import("../app/app.js").App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for lines and dots
+ * @typedef {import("../app/app.js").App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for
+ *   lines and dots
  *
  * @typedef {object} Pointer
  * @property {string} pane

@@ -1,6 +1,6 @@
 /**
- * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same picture
- * continues beyond each cut and shows how the angles wrap.
+ * The configuration space of two coordinates as a square. A circle is cut open at its ends; a faint strip of the same
+ * picture continues beyond each cut and shows how the angles wrap.
  */
 import { View } from "planarium/draw";
 import { MARGIN, drawAxes } from "./angles.js";
@@ -29,21 +29,41 @@ export class AngleSquare {
   }
 
   /** Stores the obstacles as the core gives them. @param {Uint8Array} bytes @param {number} side  cells */
-  setCells(bytes, side) { this.cells = { side, mask: soften(bytes, side) }; }
+  setCells(bytes, side) {
+    this.cells = { side, mask: soften(bytes, side) };
+  }
 
-  /** Draws obstacles, borders and axes. @param {Brush} brush @param {Coordinate[]} coordinates @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles */
+  /**
+   * Draws obstacles, borders and axes.
+   * @param {Brush} brush
+   * @param {Coordinate[]} coordinates
+   * @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles
+   */
   drawGround({ context, palette, width, height, ratio }, coordinates, imageOf = () => null) {
     this.coordinates = coordinates;
     const [low, high] = /** @type {const} */ (["low", "high"]).map((end) => coordinates.map((one) => one[end]));
     const strips = coordinates.map(({ isCircle }) => (isCircle ? STRIP : 0));
-    const view = this.view = new View({ min: [low[0] - strips[0], low[1] - strips[1]], max: [high[0] + strips[0], high[1] + strips[1]] }, width, height, MARGIN, true);
-    const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({ x: view.x(x0), y: view.y(y1), width: (x1 - x0) * view.scaleX, height: (y1 - y0) * view.scaleY });
-    const inner = this.inner = box(low, high);
-    const outer = this.outer = box(view.box.min, view.box.max);
+    const view = (this.view = new View(
+      { min: [low[0] - strips[0], low[1] - strips[1]], max: [high[0] + strips[0], high[1] + strips[1]] },
+      width,
+      height,
+      MARGIN,
+      true,
+    ));
+    const box = (/** @type {number[]} */ [x0, y0], /** @type {number[]} */ [x1, y1]) => ({
+      x: view.x(x0),
+      y: view.y(y1),
+      width: (x1 - x0) * view.scaleX,
+      height: (y1 - y0) * view.scaleY,
+    });
+    const inner = (this.inner = box(low, high));
+    const outer = (this.outer = box(view.box.min, view.box.max));
     const { cells } = this;
     // The picture of the obstacles is no finer than its cells.
     const scale = cells ? Math.min(ratio, (PIXELS * cells.side) / Math.max(inner.width, inner.height)) : 0;
-    const obstacles = cells && paint(cells.mask, cells.side, Math.round(inner.width * scale), Math.round(inner.height * scale), palette);
+    const obstacles =
+      cells &&
+      paint(cells.mask, cells.side, Math.round(inner.width * scale), Math.round(inner.height * scale), palette);
     const images = [obstacles, imageOf()];
     this.repeat(context, (isCopy) => {
       context.globalAlpha = isCopy ? 0.4 : 1;
@@ -62,7 +82,11 @@ export class AngleSquare {
     drawAxes(context, view, outer, coordinates);
   }
 
-  /** Draws the same in the square and, a turn further, in the strips. @param {CanvasRenderingContext2D} context @param {(isCopy: boolean) => void} draw */
+  /**
+   * Draws the same in the square and, a turn further, in the strips.
+   * @param {CanvasRenderingContext2D} context
+   * @param {(isCopy: boolean) => void} draw
+   */
   repeat(context, draw) {
     const { inner, outer } = this;
     const [across, up] = this.coordinates.map(({ isCircle }) => (isCircle ? [-1, 0, 1] : [0]));
@@ -86,7 +110,12 @@ export class AngleSquare {
     return this.view.place(this.coordinates.map(({ isCircle }, i) => (isCircle ? folded(q[i]) : q[i])));
   }
 
-  /** A straight motion from a configuration, by the difference of each coordinate. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} from @param {ArrayLike<number>} difference */
+  /**
+   * A straight motion from a configuration, by the difference of each coordinate.
+   * @param {CanvasRenderingContext2D} context
+   * @param {ArrayLike<number>} from
+   * @param {ArrayLike<number>} difference
+   */
   strokeMotion(context, from, difference) {
     const [x, y] = this.place(from);
     drawLine(context, x, y, x + this.view.scaleX * difference[0], y - this.view.scaleY * difference[1]);

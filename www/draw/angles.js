@@ -8,9 +8,18 @@ import { drawLine } from "./marks.js";
 export const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 
 /** @param {Coordinate} coordinate */
-export function titleOf({ name, unit }) { return unit === "m" ? `${name} (m)` : name; }
+export function titleOf({ name, unit }) {
+  return unit === "m" ? `${name} (m)` : name;
+}
 
-/** Draws the marks and names of both coordinates. @param {CanvasRenderingContext2D} context @param {View} view @param {{ x: number, y: number, width: number, height: number }} square  CSS pixels @param {Coordinate[]} coordinates  across and up @param {number} [scale]  of the words */
+/**
+ * Draws the marks and names of both coordinates.
+ * @param {CanvasRenderingContext2D} context
+ * @param {View} view
+ * @param {{ x: number, y: number, width: number, height: number }} square  CSS pixels
+ * @param {Coordinate[]} coordinates  across and up
+ * @param {number} [scale]  of the words
+ */
 export function drawAxes(context, view, { x, y, height }, [across, up], scale = 1) {
   const bottom = y + height;
   context.lineWidth = 1;
@@ -37,7 +46,10 @@ export function drawAxes(context, view, { x, y, height }, [across, up], scale = 
   }
 }
 
-/** The middle of the widest gap between marks, where the name of the coordinate is written. @param {Coordinate} coordinate */
+/**
+ * The middle of the widest gap between marks, where the name of the coordinate is written.
+ * @param {Coordinate} coordinate
+ */
 function roomiest(coordinate) {
   const stops = [coordinate.low, ...ticks(coordinate).map(({ value }) => value), coordinate.high];
   const gaps = stops.slice(1).map((stop, i) => stop - stops[i]);
@@ -45,14 +57,24 @@ function roomiest(coordinate) {
   return (stops[at] + stops[at + 1]) / 2;
 }
 
-/** Multiples of a quarter or half turn within a range of angles; of lengths, both ends and the middle where it is round. @param {Coordinate} coordinate */
+/**
+ * Multiples of a quarter or half turn within a range of angles; of lengths, both ends and the middle where it is round.
+ * @param {Coordinate} coordinate
+ */
 export function ticks({ low, high, unit: measure }) {
-  if (measure === "m") return [low, (low + high) / 2, high].map((value) => ({ value, text: Number(value.toPrecision(3)).toString().replace("-", "\u2212") }));
+  if (measure === "m")
+    return [low, (low + high) / 2, high].map((value) => ({
+      value,
+      text: Number(value.toPrecision(3)).toString().replace("-", "\u2212"),
+    }));
   const unit = high - low > 4 * Math.PI + 0.01 ? 2 * Math.PI : Math.PI;
   const first = Math.ceil(low / unit - 1e-9);
   return Array.from({ length: Math.floor(high / unit + 1e-9) - first + 1 }, (_, i) => {
     const value = (first + i) * unit;
     const turns = value / Math.PI;
-    return { value, text: turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0` };
+    return {
+      value,
+      text: turns === 0 ? "0" : `${turns < 0 ? "\u2212" : ""}${Math.abs(turns) === 1 ? "" : Math.abs(turns)}\u03c0`,
+    };
   });
 }

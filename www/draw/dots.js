@@ -9,7 +9,8 @@ const MANY = 4000;
 
 /**
  * @param {Float64Array} places  x and y in turn, CSS pixels
- * @param {{ width: number, height: number, ratio: number, colour: string, size: number }} style  CSS pixels; `size`: of a dot
+ * @param {{ width: number, height: number, ratio: number, colour: string, size: number }} style  CSS pixels; `size`: of
+ *   a dot
  */
 export function dotsImage(places, { width, height, ratio, colour, size }) {
   const canvas = new OffscreenCanvas(Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio)));

@@ -14,7 +14,13 @@ const CAPTION = 22;
 /** Pixels of an image at most: browsers limit the size of canvases. */
 const MOST_PIXELS = 48e6;
 
-/** @param {number} width @param {number} height @param {number} ratio @param {string} advice @throws {Error} `too-large` */
+/**
+ * @param {number} width
+ * @param {number} height
+ * @param {number} ratio
+ * @param {string} advice
+ * @throws {Error} `too-large`
+ */
 export function requireSize(width, height, ratio, advice) {
   if (width * height * ratio * ratio <= MOST_PIXELS) return;
   const message = `An image of ${Math.round(width * ratio)} x ${Math.round(height * ratio)} pixels is too large; ${advice}.`;
@@ -43,9 +49,16 @@ function writeCaption(context, { figure, x, y }) {
   context.fillText(figure.caption.textContent ?? "", x, y - 8);
 }
 
-/** Draws the figures side by side. @param {Context} context  of the whole image @param {ReturnType<typeof layoutOf>} layout @param {number} ratio  pixels a CSS pixel */
+/**
+ * Draws the figures side by side.
+ * @param {Context} context  of the whole image
+ * @param {ReturnType<typeof layoutOf>} layout
+ * @param {number} ratio  pixels a CSS pixel
+ */
 function compose(context, { places, ground }, ratio) {
-  const { canvas: { width, height } } = context;
+  const {
+    canvas: { width, height },
+  } = context;
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.fillStyle = ground;
   context.fillRect(0, 0, width, height);
@@ -59,7 +72,12 @@ function compose(context, { places, ground }, ratio) {
   }
 }
 
-/** @param {Figure[]} figures @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} @throws {Error} it would be too large */
+/**
+ * @param {Figure[]} figures
+ * @param {number} ratio  pixels a CSS pixel
+ * @returns {Promise<Blob>}
+ * @throws {Error} it would be too large
+ */
 export async function pngOf(figures, ratio) {
   const layout = layoutOf(figures);
   const { width, height } = layout;
@@ -72,18 +90,26 @@ export async function pngOf(figures, ratio) {
 /**
  * A film of figures, in the colours and sizes that they have now.
  * @param {Figure[]} figures @param {number} width  pixels @param {number} seconds
- * @param {(drawings: any[], part: number) => void} place   changes copies of the drawings, in the order of the figures, so that they show a part, 0 to 1
+ * @param {(drawings: any[], part: number) => void} place   changes copies of the drawings, in the order of the figures,
+ *   so that they show a part, 0 to 1
  * @returns {Film}
  */
 export function filmOf(figures, width, seconds, place) {
   const drawings = figures.map(({ drawing }) => Object.create(drawing));
-  const copies = figures.map((figure, i) => Object.create(figure, {
-    drawing: { value: drawings[i] }, palette: { value: figure.palette }, width: { value: figure.width }, height: { value: figure.height },
-  }));
+  const copies = figures.map((figure, i) =>
+    Object.create(figure, {
+      drawing: { value: drawings[i] },
+      palette: { value: figure.palette },
+      width: { value: figure.width },
+      height: { value: figure.height },
+    }),
+  );
   const layout = layoutOf(copies);
   const ratio = width / layout.width;
   return {
-    width, height: even(layout.height * ratio), seconds,
+    width,
+    height: even(layout.height * ratio),
+    seconds,
     draw(context, part) {
       place(drawings, part);
       compose(/** @type {Context} */ (/** @type {unknown} */ (context)), layout, ratio);
@@ -96,10 +122,12 @@ export async function svgOf(figures, title) {
   const { places, width, height, ground } = layoutOf(figures);
   const whole = new SvgContext(width, height);
   for (const place of places) writeCaption(/** @type {Context} */ (/** @type {unknown} */ (whole)), place);
-  const elements = await Promise.all(places.map(({ figure, x, y }, i) => {
-    const layer = new SvgLayer(Math.ceil(figure.width), Math.ceil(figure.height));
-    figure.drawWith(/** @type {Context} */ (/** @type {unknown} */ (layer)), IMAGES, stripes);
-    return layer.element(`s${i}`, Math.round(x), Math.round(y));
-  }));
+  const elements = await Promise.all(
+    places.map(({ figure, x, y }, i) => {
+      const layer = new SvgLayer(Math.ceil(figure.width), Math.ceil(figure.height));
+      figure.drawWith(/** @type {Context} */ (/** @type {unknown} */ (layer)), IMAGES, stripes);
+      return layer.element(`s${i}`, Math.round(x), Math.round(y));
+    }),
+  );
   return svgFile(whole, elements, { background: ground, title });
 }

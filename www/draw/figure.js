@@ -1,6 +1,6 @@
 /**
- * A figure: a caption and two canvases in the resolution of the screen. The ground is drawn when the scene changes, the top when
- * something moves, each at most once a frame. The same drawing can be exported as PNG or SVG.
+ * A figure: a caption and two canvases in the resolution of the screen. The ground is drawn when the scene changes, the
+ * top when something moves, each at most once a frame. The same drawing can be exported as PNG or SVG.
  */
 import { View } from "planarium/draw";
 import { make } from "../app/dom.js";
@@ -34,7 +34,8 @@ export class Figure {
   /**
    * @param {App} app
    * @param {HTMLElement} host   the figure is appended
-   * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such as "workspace"
+   * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such
+   *   as "workspace"
    * @param {D} drawing
    */
   constructor(app, host, { id, kind, caption, note = "" }, drawing) {
@@ -45,7 +46,12 @@ export class Figure {
     const ground = make("canvas", { ariaHidden: "true", dataset: { layer: "ground" } });
     const top = make("canvas", { role: "img", ariaLabel: caption, dataset: { layer: "top" } });
     this.box = make("div", { className: "sheet" }, ground, top);
-    this.element = make("figure", { className: `pane ${kind}`, id }, make("figcaption", {}, this.caption, " ", this.note), this.box);
+    this.element = make(
+      "figure",
+      { className: `pane ${kind}`, id },
+      make("figcaption", {}, this.caption, " ", this.note),
+      this.box,
+    );
     this.layers = { ground: new Layer(ground), top: new Layer(top) };
     /** Receives pointer events. */
     this.canvas = top;
@@ -67,15 +73,20 @@ export class Figure {
   }
 
   /** Sets the description for screen readers. @param {string} text */
-  describe(text) { if (this.canvas.ariaLabel !== text) this.canvas.ariaLabel = text; }
+  describe(text) {
+    if (this.canvas.ariaLabel !== text) this.canvas.ariaLabel = text;
+  }
 
   /** Measures the canvases, in whole pixels: a canvas stretched by a fraction of one is blurred. */
   measure() {
     const box = this.box.getBoundingClientRect();
-    const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
+    const [width, height] = [box.width, box.height].map(
+      (side) => Math.round(side * devicePixelRatio) / devicePixelRatio,
+    );
     if (width < 1 || height < 1 || (width === this.width && height === this.height)) return;
     Object.assign(this, { width, height });
-    for (const canvas of this.box.querySelectorAll("canvas")) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+    for (const canvas of this.box.querySelectorAll("canvas"))
+      Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
     this.fit();
     this.app.requestFrame();
   }
@@ -103,7 +114,10 @@ export class Figure {
 
   /**
    * Draws layers with a context, which may be that of an SVG.
-   * @param {CanvasRenderingContext2D} context @param {number} ratio @param {(colour: string) => CanvasPattern | Stripes | null} hatchOf @param {readonly ("ground" | "top")[]} [layers]
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} ratio
+   * @param {(colour: string) => CanvasPattern | Stripes | null} hatchOf
+   * @param {readonly ("ground" | "top")[]} [layers]
    */
   drawWith(context, ratio, hatchOf, layers = LAYERS) {
     const { palette, width, height } = this;

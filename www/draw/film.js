@@ -1,6 +1,6 @@
 /**
- * Films: frames drawn on one canvas, as a GIF or, where the browser has a video encoder, as a WebM. A film is made in slices, so that the
- * page can be used meanwhile.
+ * Films: frames drawn on one canvas, as a GIF or, where the browser has a video encoder, as a WebM. A film is made in
+ * slices, so that the page can be used meanwhile.
  */
 import { GifWriter, paletteOf } from "../formats/gif.js";
 
@@ -13,11 +13,16 @@ import { GifWriter, paletteOf } from "../formats/gif.js";
  * @property {number} height
  * @property {number} seconds   without the rest on the last frame
  * @property {number} [frames]  at least 2; where absent as many as fit the format
- * @property {(context: Context, part: number) => Iterable<unknown> | void} draw   draws all of the frame at a part, 0 to 1; what it yields is ignored, it may be interrupted there
+ * @property {(context: Context, part: number) => Iterable<unknown> | void} draw   draws all of the frame at a part, 0
+ *   to 1; what it yields is ignored, it may be interrupted there
  * @property {() => void} [close]   called once the film is made, or not made
  */
 
-/** What takes the frames. @typedef {{ add: (context: Context, seconds: number) => void | Promise<void>, finish: () => Blob | Promise<Blob>, close?: () => void }} Writer */
+/**
+ * What takes the frames.
+ * @typedef {{ add: (context: Context, seconds: number) => void | Promise<void>, finish: () => Blob | Promise<Blob>,
+ *   close?: () => void }} Writer
+ */
 
 /** Frames a second. */
 const RATES = { gif: 20, webm: 30 };
@@ -33,9 +38,18 @@ export function whyNoWebm() {
 }
 
 /** Lengths as pixels that every encoder takes: even, and at least 2. @param {number} length */
-export function even(length) { return Math.max(2, 2 * Math.round(length / 2)); }
+export function even(length) {
+  return Math.max(2, 2 * Math.round(length / 2));
+}
 
-/** A canvas of a film or of a part of it. @param {number} width @param {number} height @param {boolean} [isRead]  pixel by pixel @returns {Context} @throws {Error} `no-canvas` */
+/**
+ * A canvas of a film or of a part of it.
+ * @param {number} width
+ * @param {number} height
+ * @param {boolean} [isRead]  pixel by pixel
+ * @returns {Context}
+ * @throws {Error} `no-canvas`
+ */
 export function contextOf(width, height, isRead = false) {
   const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: isRead });
   if (!context) throw Object.assign(new Error("The browser cannot create another canvas."), { code: "no-canvas" });
@@ -49,7 +63,11 @@ export function contextOf(width, height, isRead = false) {
  * @returns {Promise<Blob | null>} null where it was cancelled
  * @throws {Error} `no-canvas`, `no-encoder`, and whatever drawing throws
  */
-export async function makeFilm(format, { width, height, seconds, frames = Math.max(2, Math.round(seconds * RATES[format])), draw, close }, onProgress) {
+export async function makeFilm(
+  format,
+  { width, height, seconds, frames = Math.max(2, Math.round(seconds * RATES[format])), draw, close },
+  onProgress,
+) {
   const context = contextOf(width, height, format === "gif");
   /** @type {Writer | undefined} */
   let writer;
@@ -92,7 +110,9 @@ export async function makeFilm(format, { width, height, seconds, frames = Math.m
 }
 
 /** @param {Context} context */
-function pixelsOf(context) { return context.getImageData(0, 0, context.canvas.width, context.canvas.height).data; }
+function pixelsOf(context) {
+  return context.getImageData(0, 0, context.canvas.width, context.canvas.height).data;
+}
 
 /** @param {number} width @param {number} height @param {Uint8Array} palette @returns {Writer} */
 function gifWriter(width, height, palette) {

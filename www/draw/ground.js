@@ -9,7 +9,13 @@ import { disc, ring, setStroke } from "./marks.js";
 /** @import { Brush } from "./figure.js" */
 /** @typedef {CanvasRenderingContext2D} Context */
 
-/** The ground of a figure. @param {Brush} brush @param {Scenario} scenario @param {ScenarioDocument} document @returns {View} */
+/**
+ * The ground of a figure.
+ * @param {Brush} brush
+ * @param {Scenario} scenario
+ * @param {ScenarioDocument} document
+ * @returns {View}
+ */
 export function drawWorkspace({ context, palette, width, height }, scenario, document) {
   const view = new View(scenario.extent(), width, height);
   drawGround(context, view, document, palette);
@@ -17,14 +23,23 @@ export function drawWorkspace({ context, palette, width, height }, scenario, doc
   return view;
 }
 
-/** A round spacing for a grid, metres: the least of 1, 2, 5 times a power of ten that is at least 46 pixels. @param {View} view */
+/**
+ * A round spacing for a grid, metres: the least of 1, 2, 5 times a power of ten that is at least 46 pixels.
+ * @param {View} view
+ */
 export function gridOf({ scaleX }) {
   const least = 46 / scaleX;
   const power = 10 ** Math.floor(Math.log10(least));
-  return (([1, 2, 5].find((factor) => factor * power >= least)) ?? 10) * power;
+  return ([1, 2, 5].find((factor) => factor * power >= least) ?? 10) * power;
 }
 
-/** Grid, bounds or the reach of an arm, and obstacles. @param {Context} context @param {View} view @param {ScenarioDocument} document @param {Palette} palette */
+/**
+ * Grid, bounds or the reach of an arm, and obstacles.
+ * @param {Context} context
+ * @param {View} view
+ * @param {ScenarioDocument} document
+ * @param {Palette} palette
+ */
 export function drawGround(context, view, document, palette) {
   const { world, robot } = document;
   drawGrid(context, view, palette);
@@ -45,7 +60,13 @@ function drawGrid(context, view, palette) {
   }
 }
 
-/** The circle that contains an arm in every configuration. @param {Context} context @param {View} view @param {ArmRobot} arm @param {Palette} palette */
+/**
+ * The circle that contains an arm in every configuration.
+ * @param {Context} context
+ * @param {View} view
+ * @param {ArmRobot} arm
+ * @param {Palette} palette
+ */
 function drawReach(context, view, arm, palette) {
   const reach = longestOf(arm).reduce((sum, link) => sum + link, arm.radius ?? 0);
   setStroke(context, palette.line, 1, [2, 5]);
@@ -53,7 +74,13 @@ function drawReach(context, view, arm, palette) {
   context.setLineDash([]);
 }
 
-/** The base of an arm. @param {Context} context @param {View} view @param {ArrayLike<number>} base @param {Palette} palette */
+/**
+ * The base of an arm.
+ * @param {Context} context
+ * @param {View} view
+ * @param {ArrayLike<number>} base
+ * @param {Palette} palette
+ */
 export function drawBase(context, view, base, palette) {
   context.fillStyle = palette.ink;
   setStroke(context, palette.ink, 1);

@@ -1,7 +1,7 @@
 /**
- * A canvas of a pane: its backing store has device pixels, its coordinates are CSS pixels. A pane has five: the ground, drawn once per
- * layout; edges, vertices and marks, append-only in the order of the log, so that the picture does not depend on how drawing was divided
- * into frames; the top, redrawn each frame.
+ * A canvas of a pane: its backing store has device pixels, its coordinates are CSS pixels. A pane has five: the ground,
+ * drawn once per layout; edges, vertices and marks, append-only in the order of the log, so that the picture does not
+ * depend on how drawing was divided into frames; the top, redrawn each frame.
  */
 
 /** From the lowest to the highest. */
@@ -12,9 +12,13 @@ export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "mar
 export class Layer {
   #context;
 
-  /** @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then on */
+  /**
+   * @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then
+   *   on
+   */
   constructor(canvas) {
-    // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when they changed.
+    // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when
+    // they changed.
     this.canvas = "transferControlToOffscreen" in canvas ? canvas.transferControlToOffscreen() : canvas;
     const context = this.canvas.getContext("2d");
     if (!context) throw new Error("This browser gives no 2d canvas.");
@@ -35,19 +39,29 @@ export class Layer {
     return this.#context;
   }
 
-  /** Sets the size and empties the layer. @param {number} width @param {number} height @param {number} ratio  device pixels per CSS pixel */
+  /**
+   * Sets the size and empties the layer.
+   * @param {number} width
+   * @param {number} height
+   * @param {number} ratio  device pixels per CSS pixel
+   */
   fit(width, height, ratio) {
     Object.assign(this, { width, height, ratio, clip: null });
     if (this.isReady) this.resize();
   }
 
   /** Sizes the canvas, unless that is done. */
-  prepare() { if (!this.isReady) this.resize(); }
+  prepare() {
+    if (!this.isReady) this.resize();
+  }
 
   /** Sizes the canvas. */
   resize() {
     const { canvas, ratio } = this;
-    const size = { width: Math.max(1, Math.round(this.width * ratio)), height: Math.max(1, Math.round(this.height * ratio)) };
+    const size = {
+      width: Math.max(1, Math.round(this.width * ratio)),
+      height: Math.max(1, Math.round(this.height * ratio)),
+    };
     // A canvas of the same size keeps its memory.
     if (canvas.width === size.width && canvas.height === size.height) this.#context.reset();
     else Object.assign(canvas, size);
@@ -64,7 +78,10 @@ export class Layer {
     clip(this.#context);
   }
 
-  /** Replaces the content by a copy of this layer, pixel by pixel, or by nothing. @param {OffscreenCanvas | null} copy */
+  /**
+   * Replaces the content by a copy of this layer, pixel by pixel, or by nothing.
+   * @param {OffscreenCanvas | null} copy
+   */
   paste(copy) {
     if (!copy && !this.isReady) return;
     const { context, clip, canvas } = this;
@@ -77,5 +94,7 @@ export class Layer {
     if (clip) this.enclose(clip);
   }
 
-  clear() { if (this.isReady) this.#context.clearRect(0, 0, this.width, this.height); }
+  clear() {
+    if (this.isReady) this.#context.clearRect(0, 0, this.width, this.height);
+  }
 }

@@ -1,10 +1,19 @@
-/** Small marks on a canvas, at a point in CSS pixels: each has its own shape, so that it does not differ by its colour alone. */
+/**
+ * Small marks on a canvas, at a point in CSS pixels: each has its own shape, so that it does not differ by its colour
+ * alone.
+ */
 
 /** @import { Palette } from "../app/palette.js" */
 
 const TURN = 2 * Math.PI;
 
-/** Sets how lines are drawn. @param {CanvasRenderingContext2D} context @param {string} colour @param {number} width @param {number[]} [dash] */
+/**
+ * Sets how lines are drawn.
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} colour
+ * @param {number} width
+ * @param {number[]} [dash]
+ */
 export function setStroke(context, colour, width, dash = []) {
   context.strokeStyle = colour;
   context.lineWidth = width;
@@ -25,33 +34,64 @@ export function ring(context, x, y, radius) {
   context.stroke();
 }
 
-/** Adds a line to the path. @param {CanvasRenderingContext2D} context @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+/**
+ * Adds a line to the path.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x0
+ * @param {number} y0
+ * @param {number} x1
+ * @param {number} y1
+ */
 export function addLine(context, x0, y0, x1, y1) {
   context.moveTo(x0, y0);
   context.lineTo(x1, y1);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x0
+ * @param {number} y0
+ * @param {number} x1
+ * @param {number} y1
+ */
 export function drawLine(context, x0, y0, x1, y1) {
   context.beginPath();
   addLine(context, x0, y0, x1, y1);
   context.stroke();
 }
 
-/** Adds a diagonal cross to the path. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} arm  half of its width */
+/**
+ * Adds a diagonal cross to the path.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {number} arm  half of its width
+ */
 export function addCross(context, x, y, arm) {
   addLine(context, x - arm, y - arm, x + arm, y + arm);
   addLine(context, x - arm, y + arm, x + arm, y - arm);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} arm  half of its width */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {number} arm  half of its width
+ */
 export function cross(context, x, y, arm) {
   context.beginPath();
   addCross(context, x, y, arm);
   context.stroke();
 }
 
-/** A configuration as a disc with a rim. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+/**
+ * A configuration as a disc with a rim.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {string} colour
+ * @param {Palette} palette
+ */
 export function drawDot(context, x, y, colour, palette) {
   context.fillStyle = colour;
   setStroke(context, palette.stage, 2);
@@ -59,7 +99,13 @@ export function drawDot(context, x, y, colour, palette) {
   context.stroke();
 }
 
-/** A reference point: a small dot with a rim. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Palette} palette */
+/**
+ * A reference point: a small dot with a rim.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {Palette} palette
+ */
 export function drawReference(context, x, y, palette) {
   context.fillStyle = palette.stage;
   disc(context, x, y, 4.4);
@@ -67,7 +113,14 @@ export function drawReference(context, x, y, palette) {
   disc(context, x, y, 3);
 }
 
-/** A ring to drag. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+/**
+ * A ring to drag.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {string} colour
+ * @param {Palette} palette
+ */
 export function drawHandle(context, x, y, colour, palette) {
   context.fillStyle = palette.stage;
   disc(context, x, y, 8);
@@ -77,7 +130,15 @@ export function drawHandle(context, x, y, colour, palette) {
   disc(context, x, y, 2.4);
 }
 
-/** An upright cross with a halo. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} colour @param {Palette} palette @param {number} size */
+/**
+ * An upright cross with a halo.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {string} colour
+ * @param {Palette} palette
+ * @param {number} size
+ */
 export function drawCross(context, x, y, colour, palette, size) {
   strokeWithHalo(context, [5.5, 2.2], colour, palette, () => {
     addLine(context, x - size, y, x + size, y);
@@ -87,11 +148,18 @@ export function drawCross(context, x, y, colour, palette, size) {
 
 /**
  * Strokes a path twice, wide in the colour of the stage and then narrow, so that it can be seen on anything.
- * @param {CanvasRenderingContext2D} context @param {[wide: number, narrow: number]} widths @param {string} colour @param {Palette} palette @param {() => void} trace  adds to the path
+ * @param {CanvasRenderingContext2D} context
+ * @param {[wide: number, narrow: number]} widths
+ * @param {string} colour
+ * @param {Palette} palette
+ * @param {() => void} trace  adds to the path
  */
 export function strokeWithHalo(context, [wide, narrow], colour, palette, trace) {
   context.lineCap = "round";
-  for (const [width, style] of /** @type {[number, string][]} */ ([[wide, palette.stage], [narrow, colour]])) {
+  for (const [width, style] of /** @type {[number, string][]} */ ([
+    [wide, palette.stage],
+    [narrow, colour],
+  ])) {
     setStroke(context, style, width);
     context.beginPath();
     trace();

@@ -2,7 +2,11 @@
 
 /** @import { Palette } from "../app/palette.js" */
 
-/** Smooths a mask of cells: each becomes the weighted mean of its neighbourhood. @param {Uint8Array} bytes @param {number} side */
+/**
+ * Smooths a mask of cells: each becomes the weighted mean of its neighbourhood.
+ * @param {Uint8Array} bytes
+ * @param {number} side
+ */
 export function soften(bytes, side) {
   // Each pass averages along the rows and transposes; two make a square neighbourhood.
   const pass = (/** @type {ArrayLike<number>} */ cells) => {

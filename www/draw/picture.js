@@ -1,7 +1,12 @@
 /** An SVG element of the page as a file of its own, SVG or PNG. */
 import { makeSvg } from "../app/dom.js";
 
-/** A copy that stands alone. @param {SVGSVGElement} picture @param {string} ground  the colour behind it @param {string} title */
+/**
+ * A copy that stands alone.
+ * @param {SVGSVGElement} picture
+ * @param {string} ground  the colour behind it
+ * @param {string} title
+ */
 function copyOf(picture, ground, title) {
   const copy = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
@@ -13,9 +18,17 @@ function copyOf(picture, ground, title) {
 }
 
 /** @param {SVGSVGElement} picture @param {string} ground @param {string} title */
-export function svgPicture(picture, ground, title) { return new Blob([copyOf(picture, ground, title).text], { type: "image/svg+xml" }); }
+export function svgPicture(picture, ground, title) {
+  return new Blob([copyOf(picture, ground, title).text], { type: "image/svg+xml" });
+}
 
-/** @param {SVGSVGElement} picture @param {string} ground @param {string} title @param {number} ratio  pixels a CSS pixel @returns {Promise<Blob>} */
+/**
+ * @param {SVGSVGElement} picture
+ * @param {string} ground
+ * @param {string} title
+ * @param {number} ratio  pixels a CSS pixel
+ * @returns {Promise<Blob>}
+ */
 export async function pngPicture(picture, ground, title, ratio) {
   const { text, width, height } = copyOf(picture, ground, title);
   const image = new Image();

@@ -24,7 +24,13 @@ export function obstacleMiddle(obstacle) {
   return [middle(obstacle.vertices.map(([x]) => x)), middle(obstacle.vertices.map(([, y]) => y))];
 }
 
-/** A configuration as an outline. @param {Context} context @param {View} view @param {Part[]} parts @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style */
+/**
+ * A configuration as an outline.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Part[]} parts
+ * @param {{ colour: string, fill: number, stroke: number, dash: number[], width: number }} style
+ */
 export function drawGhost(context, view, parts, { colour, fill, stroke, dash, width }) {
   context.save();
   context.lineCap = "round";
@@ -38,7 +44,14 @@ export function drawGhost(context, view, parts, { colour, fill, stroke, dash, wi
   context.restore();
 }
 
-/** Parts in collision, red and hatched. @param {Context} context @param {View} view @param {Part[]} parts @param {Palette} palette @param {CanvasPattern | null} hatch */
+/**
+ * Parts in collision, red and hatched.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Part[]} parts
+ * @param {Palette} palette
+ * @param {CanvasPattern | null} hatch
+ */
 export function drawTouchingParts(context, view, parts, palette, hatch) {
   context.save();
   context.lineCap = "round";
@@ -55,7 +68,12 @@ export function drawTouchingParts(context, view, parts, palette, hatch) {
   context.restore();
 }
 
-/** Fills the path with a colour, or with a pattern where the browser has made one. @param {Context} context @param {string | CanvasPattern | null} style @param {number} [alpha] */
+/**
+ * Fills the path with a colour, or with a pattern where the browser has made one.
+ * @param {Context} context
+ * @param {string | CanvasPattern | null} style
+ * @param {number} [alpha]
+ */
 export function fillWith(context, style, alpha = 1) {
   if (!style) return;
   context.globalAlpha = alpha;
@@ -72,7 +90,13 @@ export function drawStart(context, x, y, palette) {
   });
 }
 
-/** The end of a motion that ends elsewhere than at its goal. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+/**
+ * The end of a motion that ends elsewhere than at its goal.
+ * @param {Context} context
+ * @param {number} x
+ * @param {number} y
+ * @param {Palette} palette
+ */
 export function drawEndsHere(context, x, y, palette) {
   strokeWithHalo(context, [5.5, 2.4], palette.rejected, palette, () => addCross(context, x, y, 6));
   drawLabel(context, "ends here", x, y + 19, palette.rejected, palette);
@@ -83,12 +107,24 @@ export function drawGoal(context, x, y, palette) {
   drawEnd(context, palette.goal, palette, (isInner) => {
     const radius = isInner ? 3 : 8.2;
     context.beginPath();
-    for (const [dx, dy] of [[0, -1], [1, 0], [0, 1], [-1, 0]]) context.lineTo(x + radius * dx, y + radius * dy);
+    for (const [dx, dy] of [
+      [0, -1],
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+    ])
+      context.lineTo(x + radius * dx, y + radius * dy);
     context.closePath();
   });
 }
 
-/** An outline with a dot of the same shape in it. @param {Context} context @param {string} colour @param {Palette} palette @param {(isInner: boolean) => void} trace */
+/**
+ * An outline with a dot of the same shape in it.
+ * @param {Context} context
+ * @param {string} colour
+ * @param {Palette} palette
+ * @param {(isInner: boolean) => void} trace
+ */
 function drawEnd(context, colour, palette, trace) {
   context.save();
   context.lineJoin = "round";
@@ -103,7 +139,13 @@ function drawEnd(context, colour, palette, trace) {
   context.restore();
 }
 
-/** The first collision of a motion, a cross in a ring. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+/**
+ * The first collision of a motion, a cross in a ring.
+ * @param {Context} context
+ * @param {number} x
+ * @param {number} y
+ * @param {Palette} palette
+ */
 export function drawHit(context, x, y, palette) {
   context.save();
   strokeWithHalo(context, [6, 2.4], palette.collision, palette, () => {
@@ -115,19 +157,38 @@ export function drawHit(context, x, y, palette) {
 
 /**
  * The target of an end effector, a ring with four strokes and a line in the direction of the last link.
- * @param {Context} context @param {number} x @param {number} y @param {number | undefined} orientation @param {Palette} palette
+ * @param {Context} context
+ * @param {number} x
+ * @param {number} y
+ * @param {number | undefined} orientation
+ * @param {Palette} palette
  */
 export function drawTarget(context, x, y, orientation, palette) {
   context.save();
   strokeWithHalo(context, [5, 2], palette.goal, palette, () => {
     context.arc(x, y, 12, 0, 2 * Math.PI);
-    for (const [dx, dy] of [[1, 0], [0, 1], [-1, 0], [0, -1]]) addLine(context, x + 9 * dx, y + 9 * dy, x + 17 * dx, y + 17 * dy);
-    if (orientation !== undefined) addLine(context, x, y, x + 32 * Math.cos(orientation), y - 32 * Math.sin(orientation));
+    for (const [dx, dy] of [
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+      [0, -1],
+    ])
+      addLine(context, x + 9 * dx, y + 9 * dy, x + 17 * dx, y + 17 * dy);
+    if (orientation !== undefined)
+      addLine(context, x, y, x + 32 * Math.cos(orientation), y - 32 * Math.sin(orientation));
   });
   context.restore();
 }
 
-/** A word with a halo. @param {Context} context @param {string} text @param {number} x @param {number} y @param {string} colour @param {Palette} palette */
+/**
+ * A word with a halo.
+ * @param {Context} context
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y
+ * @param {string} colour
+ * @param {Palette} palette
+ */
 export function drawLabel(context, text, x, y, colour, palette) {
   context.save();
   context.font = "600 13px system-ui, sans-serif";

@@ -1,6 +1,6 @@
 /**
- * A layer of a sheet that writes SVG in place of pixels. It takes the place of a canvas and is its own context; coordinates are CSS
- * pixels at any pixel ratio, which only its images have.
+ * A layer of a sheet that writes SVG in place of pixels. It takes the place of a canvas and is its own context;
+ * coordinates are CSS pixels at any pixel ratio, which only its images have.
  */
 import { SvgContext } from "../formats/svg.js";
 import { bytesOf } from "./mask.js";
@@ -23,19 +23,36 @@ export class SvgLayer extends SvgContext {
     this.images = [];
   }
 
-  // It is its own canvas. There are no device pixels, it is fitted while it is empty, and stripes take the place of a pattern.
-  getContext() { return this; }
+  // It is its own canvas. There are no device pixels, it is fitted while it is empty, and stripes take the place of a
+  // pattern.
+  getContext() {
+    return this;
+  }
   setTransform() {}
   reset() {}
-  createPattern() { return null; }
+  createPattern() {
+    return null;
+  }
 
-  /** @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image @param {number} x @param {number} y @param {number} width @param {number} height @override */
+  /**
+   * @param {OffscreenCanvas | ImageBitmap | { toDataURL(): string }} image
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height @override
+   */
   drawImage(image, x, y, width, height) {
     this.images.push(/** @type {OffscreenCanvas | ImageBitmap} */ (image));
     super.drawImage({ toDataURL: () => `${LATER}${this.images.length - 1};` }, x, y, width, height);
   }
 
-  /** The figure as an element of another one. @param {string} name  begins its ids @param {number} x @param {number} y @returns {Promise<string>} */
+  /**
+   * The figure as an element of another one.
+   * @param {string} name  begins its ids
+   * @param {number} x
+   * @param {number} y
+   * @returns {Promise<string>}
+   */
   async element(name, x, y) {
     const urls = await Promise.all(this.images.map(dataUrl));
     return this.toString()
@@ -46,13 +63,22 @@ export class SvgLayer extends SvgContext {
   }
 }
 
-/** A drawing with further elements on top, as a file. @param {SvgContext} drawing @param {string[]} elements @param {{ background: string, title: string }} style */
+/**
+ * A drawing with further elements on top, as a file.
+ * @param {SvgContext} drawing
+ * @param {string[]} elements
+ * @param {{ background: string, title: string }} style
+ */
 export function svgFile(drawing, elements, style) {
-  return new Blob([drawing.toString(style).replace("</svg>", () => `${elements.join("")}</svg>`)], { type: "image/svg+xml" });
+  return new Blob([drawing.toString(style).replace("</svg>", () => `${elements.join("")}</svg>`)], {
+    type: "image/svg+xml",
+  });
 }
 
 /** A colour as stripes. @param {string} colour @returns {Stripes} */
-export function stripes(colour) { return { colour }; }
+export function stripes(colour) {
+  return { colour };
+}
 
 /** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */
 async function dataUrl(image) {
@@ -63,4 +89,3 @@ async function dataUrl(image) {
   for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
   return `data:image/png;base64,${btoa(text)}`;
 }
-

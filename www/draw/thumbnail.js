@@ -19,7 +19,14 @@ export function drawThumbnail(scenario, side, { palette, ratio }) {
   if (target) drawTarget(context, ...view.place(target.point), target.orientation, palette);
   for (const end of /** @type {const} */ (["goal", "start"])) {
     const pose = queries[0]?.[end];
-    if (pose) drawGhost(context, view, scenario.footprint(pose), { colour: palette[end], fill: 0.9, stroke: 1, dash: [], width: 1.6 });
+    if (pose)
+      drawGhost(context, view, scenario.footprint(pose), {
+        colour: palette[end],
+        fill: 0.9,
+        stroke: 1,
+        dash: [],
+        width: 1.6,
+      });
   }
   return canvas.transferToImageBitmap();
 }

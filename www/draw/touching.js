@@ -7,19 +7,32 @@ import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle } from
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
 /** @import { View } from "planarium/draw" */
-/** @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null, onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles */
+/**
+ * @typedef {{ context: CanvasRenderingContext2D, view: View, palette: Palette, onPart: CanvasPattern | null,
+ *   onObstacle: CanvasPattern | null }} Brush   with hatches for parts and for obstacles
+ */
 /** @typedef {ScenarioDocument["world"]} World */
 
 /** Parts named one by one, at most. */
 const MOST_NAMES = 3;
 
-/** @param {Brush} brush @param {{ scenario: Scenario, world: World, parts: Part[], touching: Check["touching"] }} shown @param {() => void} draw  the robot */
+/**
+ * @param {Brush} brush
+ * @param {{ scenario: Scenario, world: World, parts: Part[], touching: Check["touching"] }} shown
+ * @param {() => void} draw  the robot
+ */
 export function drawTouching(brush, { scenario, world, parts, touching }, draw) {
   const { context, view, palette, onPart } = brush;
   for (const { obstacle } of touching) drawTouched(brush, world, obstacle);
   draw();
   const hit = new Set(touching.map(({ part }) => part));
-  drawTouchingParts(context, view, parts.filter((_, i) => hit.has(i)), palette, onPart);
+  drawTouchingParts(
+    context,
+    view,
+    parts.filter((_, i) => hit.has(i)),
+    palette,
+    onPart,
+  );
   // Names of many links would overlap: only the first and the last are named.
   for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit) {
     const [x, y] = labelPlace(view, parts[index]);
@@ -40,7 +53,12 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
   if (obstacle === "bounds") {
     if (bounds) {
       setStroke(context, palette.collision, 3, [8, 5]);
-      context.strokeRect(view.x(bounds.min[0]), view.y(bounds.max[1]), (bounds.max[0] - bounds.min[0]) * view.scaleX, (bounds.max[1] - bounds.min[1]) * view.scaleY);
+      context.strokeRect(
+        view.x(bounds.min[0]),
+        view.y(bounds.max[1]),
+        (bounds.max[0] - bounds.min[0]) * view.scaleX,
+        (bounds.max[1] - bounds.min[1]) * view.scaleY,
+      );
     }
   } else {
     obstaclePath(context, view, obstacles[obstacle]);
@@ -51,7 +69,13 @@ export function drawTouched({ context, view, palette, onObstacle }, { bounds, ob
   context.restore();
 }
 
-/** The place of an obstacle's name: its middle, or if that is outside, below its vertex nearest to the part. @param {View} view @param {Obstacle} obstacle @param {Part} part @returns {[number, number]} */
+/**
+ * The place of an obstacle's name: its middle, or if that is outside, below its vertex nearest to the part.
+ * @param {View} view
+ * @param {Obstacle} obstacle
+ * @param {Part} part
+ * @returns {[number, number]}
+ */
 function obstaclePlace(view, obstacle, part) {
   const [x, y] = obstacleMiddle(obstacle);
   if (obstacle.type === "disc" || contains(obstacle.vertices, x, y)) return view.place([x, y]);
@@ -61,14 +85,23 @@ function obstaclePlace(view, obstacle, part) {
   return [view.x(nearest[0]), view.y(nearest[1]) + 26];
 }
 
-/** The place of a part's name: beside its middle, CSS pixels. @param {View} view @param {Part} part @returns {[number, number]} */
+/**
+ * The place of a part's name: beside its middle, CSS pixels.
+ * @param {View} view
+ * @param {Part} part
+ * @returns {[number, number]}
+ */
 function labelPlace(view, part) {
-  if (part.type === "polygon") return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
+  if (part.type === "polygon")
+    return [view.x(obstacleMiddle(part)[0]), view.y(Math.max(...part.vertices.map(([, y]) => y))) - 14];
   const clear = part.radius * view.scaleX + 16;
   if (part.type === "disc") return [view.x(part.center[0]), view.y(part.center[1]) - clear];
   const dx = view.x(part.b[0]) - view.x(part.a[0]);
   const dy = view.y(part.b[1]) - view.y(part.a[1]);
   const length = Math.hypot(dx, dy);
   const side = dx >= 0 ? 1 : -1;
-  return [view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length, view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length];
+  return [
+    view.x(part.a[0]) + dx / 2 + (side * dy * clear * 1.5) / length,
+    view.y(part.a[1]) + dy / 2 - (side * dx * clear) / length,
+  ];
 }

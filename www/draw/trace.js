@@ -1,14 +1,19 @@
-/** A straight motion between two configurations as straight lines, one for each copy of the unrolled torus, in configuration space. */
+/**
+ * A straight motion between two configurations as straight lines, one for each copy of the unrolled torus, in
+ * configuration space.
+ */
 import { difference, wrap } from "planarium/draw";
 
 const TURN = 2 * Math.PI;
 
 /** The same angle between -pi (without it) and pi. @param {number} angle */
-export function folded(angle) { return Math.abs(angle) > Math.PI ? wrap(angle) : angle; }
+export function folded(angle) {
+  return Math.abs(angle) > Math.PI ? wrap(angle) : angle;
+}
 
 /**
- * A motion of two joints on the square: a straight line, and if it leaves the square copies of it, a whole turn away, that enter on
- * the opposite side. The caller clips them to the square.
+ * A motion of two joints on the square: a straight line, and if it leaves the square copies of it, a whole turn away,
+ * that enter on the opposite side. The caller clips them to the square.
  * @param {ArrayLike<number>} ends  from (2), to (2), starting at `at`
  * @param {number} at
  * @param {boolean[]} circles  the sides of the square that are circles
@@ -26,9 +31,17 @@ export function unrolled(ends, at, circles, short, draw) {
 }
 
 /** None, and the turn that brings an angle back between -pi and pi. @param {number} angle */
-function shifts(angle) { return Math.abs(angle) > Math.PI ? [0, -Math.sign(angle) * TURN] : [0]; }
+function shifts(angle) {
+  return Math.abs(angle) > Math.PI ? [0, -Math.sign(angle) * TURN] : [0];
+}
 
-/** The distance of a point to a segment. @param {number} x @param {number} y @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+/**
+ * The distance of a point to a segment.
+ * @param {number} x
+ * @param {number} y
+ * @param {ArrayLike<number>} a
+ * @param {ArrayLike<number>} b
+ */
 export function distanceToSegment(x, y, a, b) {
   const dx = b[0] - a[0];
   const dy = b[1] - a[1];

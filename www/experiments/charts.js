@@ -1,5 +1,6 @@
 /**
- * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of it in words.
+ * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of
+ * it in words.
  */
 import { grouped } from "../app/dom.js";
 import { labelOf } from "./factors.js";
@@ -40,9 +41,22 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
 const DOTS = 2000;
 
 /** The kinds of charts, with their names. @type {Record<NonNullable<View["chart"]>, string>} */
-export const KINDS = { success: "Success", box: "Boxes", line: "Line", ecdf: "Distribution", cost: "Cost and work", heat: "Heat map" };
+export const KINDS = {
+  success: "Success",
+  box: "Boxes",
+  line: "Line",
+  ecdf: "Distribution",
+  cost: "Cost and work",
+  heat: "Heat map",
+};
 
-/** What is shown where a view leaves it out, or has what is not there. @param {View} view @param {Factor[]} factors @param {string[]} asked  measures of the document @param {string[]} all  measures */
+/**
+ * What is shown where a view leaves it out, or has what is not there.
+ * @param {View} view
+ * @param {Factor[]} factors
+ * @param {string[]} asked  measures of the document
+ * @param {string[]} all  measures
+ */
 export function completed(view, factors, asked, all) {
   const one = (/** @type {string | undefined} */ id) => (id !== undefined && all.includes(id) ? id : undefined);
   const numeric = factors.filter(({ isNumeric }) => isNumeric);
@@ -51,46 +65,90 @@ export function completed(view, factors, asked, all) {
   // What is across is not up, too.
   const second = [known(view.second), ...numeric, ...factors].find((factor) => factor !== undefined && factor !== axis);
   const usualKind = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
-  const kind = view.chart === "heat" && !second ? "success" : view.chart ?? usualKind;
-  const measure = one(view.measure) ?? (kind === "success" || kind === "line" || kind === "heat" ? SOLVED : asked[0] ?? "length");
-  const work = one(isShare(view.work ?? "") ? undefined : view.work) ?? asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ?? "clearance_evaluations";
+  const kind = view.chart === "heat" && !second ? "success" : (view.chart ?? usualKind);
+  const measure =
+    one(view.measure) ?? (kind === "success" || kind === "line" || kind === "heat" ? SOLVED : (asked[0] ?? "length"));
+  const work =
+    one(isShare(view.work ?? "") ? undefined : view.work) ??
+    asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ??
+    "clearance_evaluations";
   // Some charts are of shares, others of values.
-  const [fits, usual] = kind === "success" ? [isShare(measure), SOLVED] : [kind === "line" || kind === "heat" || !isShare(measure), "length"];
+  const [fits, usual] =
+    kind === "success"
+      ? [isShare(measure), SOLVED]
+      : [kind === "line" || kind === "heat" || !isShare(measure), "length"];
   return { kind, axis, second, measure: fits ? measure : usual, work, isLog: view.isLog ?? false };
 }
 
-/** @param {Rows} rows @param {Factor[]} factors @param {View} view @param {string[]} asked @param {string} lengthUnit @returns {ChartData} */
+/**
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {View} view
+ * @param {string[]} asked
+ * @param {string} lengthUnit
+ * @returns {ChartData}
+ */
 export function chartOf(rows, factors, view, asked, lengthUnit) {
   const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, allMeasures(rows.columns));
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
   /** @param {Factor | undefined} factor @returns {Scale} */
-  const discrete = (factor) => ({ title: factor ? titled(factor) : "", isNumeric: factor?.isNumeric ?? false, values: factor?.values ?? [null], words: factor?.words });
+  const discrete = (factor) => ({
+    title: factor ? titled(factor) : "",
+    isNumeric: factor?.isNumeric ?? false,
+    values: factor?.values ?? [null],
+    words: factor?.words,
+  });
   /** @param {string} id @param {boolean} canBeLog @returns {Scale} */
-  const continuous = (id, canBeLog) => ({ title: title(id), isNumeric: true, values: [], isLog: canBeLog && isLog && !isShare(id) });
+  const continuous = (id, canBeLog) => ({
+    title: title(id),
+    isNumeric: true,
+    values: [],
+    isLog: canBeLog && isLog && !isShare(id),
+  });
   const by = kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) ? undefined : axis;
   const others = factors.filter((factor) => factor !== by);
   /** @type {ChartData} */
   const chart = {
-    kind, title: title(measure), across: discrete(axis), up: continuous(measure, true), series: [], isOrdered: false, summaries: [], distributions: [],
-    points: [], bins: [], reported: view.reported ?? [], columns: [], rows: () => [], words: "",
+    kind,
+    title: title(measure),
+    across: discrete(axis),
+    up: continuous(measure, true),
+    series: [],
+    isOrdered: false,
+    summaries: [],
+    distributions: [],
+    points: [],
+    bins: [],
+    reported: view.reported ?? [],
+    columns: [],
+    rows: () => [],
+    words: "",
   };
   if (kind === "ecdf") {
-    const all = chart.distributions = distributions(rows, factors, work);
+    const all = (chart.distributions = distributions(rows, factors, work));
     chart.title = `Share of trials solved, by ${title(work)}`;
-    [chart.across, chart.up] = [continuous(work, true), { ...continuous(SOLVED, false), title: "share of trials solved, %" }];
+    [chart.across, chart.up] = [
+      continuous(work, true),
+      { ...continuous(SOLVED, false), title: "share of trials solved, %" },
+    ];
     chart.columns = ["series", work, "share_percent"];
-    chart.rows = () => all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));
-    chart.words = describe(all, ({ series, n, missing }) => `${series || "all trials"}: ${grouped(n)} of ${grouped(n + missing)} solved`);
+    chart.rows = () =>
+      all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));
+    chart.words = describe(
+      all,
+      ({ series, n, missing }) => `${series || "all trials"}: ${grouped(n)} of ${grouped(n + missing)} solved`,
+    );
   } else if (kind === "cost") {
     chart.title = `${title(measure)} against ${title(work)}`;
     [chart.across, chart.up] = [continuous(work, true), continuous(measure, false)];
     chart.points = points(rows, factors, by, measure, work, DOTS);
     chart.bins = bins(rows, factors, by, measure, work);
     chart.columns = ["series", "trials", work, "lower_quartile", "median", "upper_quartile"];
-    chart.rows = () => chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]);
+    chart.rows = () =>
+      chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]);
     chart.words = `${grouped(rows.done)} trials`;
   } else if (kind === "heat" && axis && second) {
-    const all = chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null);
+    const all = (chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null));
     chart.up = discrete(second);
     chart.columns = [axis.column, second.column, "trials", "missing", ...statistics(measure)];
     chart.rows = () => all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, measure)]);
@@ -101,10 +159,17 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
     chart.summaries = isLevel ? [...all.filter(({ x }) => x !== null), ...levels(all, axis)] : all;
     if (kind === "box") chart.points = points(rows, factors, axis, measure, "iterations", DOTS);
     chart.columns = [...(axis ? [axis.column] : []), "series", "trials", "missing", ...statistics(measure)];
-    chart.rows = () => all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, measure)]);
-    chart.words = describe(all, (one) => `${[axis ? labelOf([axis], [one.x]) : "", one.series].filter(Boolean).join(", ") || "all trials"}: ${rounded(one.middle)}`);
+    chart.rows = () =>
+      all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, measure)]);
+    chart.words = describe(
+      all,
+      (one) =>
+        `${[axis ? labelOf([axis], [one.x]) : "", one.series].filter(Boolean).join(", ") || "all trials"}: ${rounded(one.middle)}`,
+    );
   }
-  chart.series = [...new Set([...chart.summaries, ...chart.distributions, ...chart.points].map(({ series }) => series))];
+  chart.series = [
+    ...new Set([...chart.summaries, ...chart.distributions, ...chart.points].map(({ series }) => series)),
+  ];
   chart.isOrdered = chart.series.length > 4 && others.length === 1 && others[0].isNumeric;
   return withReported(chart);
 }
@@ -112,22 +177,36 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
 /** The table also has the numbers to compare with. @param {ChartData} chart @returns {ChartData} */
 function withReported(chart) {
   const { columns, rows, reported } = chart;
-  const more = reported.map(({ x, value, label }) => columns.map((column, i) => {
-    if (column === "series") return `reported: ${label}`;
-    return ["median", "percent", "share_percent"].includes(column) ? value : i === 0 || !columns.includes("series") ? x : null;
-  }));
+  const more = reported.map(({ x, value, label }) =>
+    columns.map((column, i) => {
+      if (column === "series") return `reported: ${label}`;
+      return ["median", "percent", "share_percent"].includes(column)
+        ? value
+        : i === 0 || !columns.includes("series")
+          ? x
+          : null;
+    }),
+  );
   return { ...chart, rows: () => [...rows(), ...more] };
 }
 
-/** Settings without the parameter across, at both ends of the axis: a level line. @param {Summary[]} all @param {Factor} axis */
+/**
+ * Settings without the parameter across, at both ends of the axis: a level line.
+ * @param {Summary[]} all
+ * @param {Factor} axis
+ */
 function levels(all, { values }) {
   const numeric = values.filter((value) => value !== null);
-  return all.filter(({ x }) => x === null).flatMap((one) => [numeric[0], numeric[numeric.length - 1]].map((x) => ({ ...one, x })));
+  return all
+    .filter(({ x }) => x === null)
+    .flatMap((one) => [numeric[0], numeric[numeric.length - 1]].map((x) => ({ ...one, x })));
 }
 
 /** @param {string} measure */
 function statistics(measure) {
-  return isShare(measure) ? ["percent", "low", "high"] : ["least", "lower_quartile", "median", "upper_quartile", "most"];
+  return isShare(measure)
+    ? ["percent", "low", "high"]
+    : ["least", "lower_quartile", "median", "upper_quartile", "most"];
 }
 
 /** @param {Summary} one @param {string} measure @returns {Cell[]} */
@@ -142,4 +221,6 @@ function describe(all, sentence) {
 }
 
 /** @param {number | null} value */
-export function rounded(value) { return value === null ? "no value" : String(Number(value.toPrecision(3))); }
+export function rounded(value) {
+  return value === null ? "no value" : String(Number(value.toPrecision(3)));
+}

@@ -13,7 +13,11 @@ let next = 0;
 let end = 0;
 
 export const commands = {
-  /** Replaces the experiment. @param {ExperimentDocument} document @throws {Error} with code and pointer: it is refused, and there is none */
+  /**
+   * Replaces the experiment.
+   * @param {ExperimentDocument} document
+   * @throws {Error} with code and pointer: it is refused, and there is none
+   */
   open(document) {
     reset();
     experiment = Experiment.parse(document);
@@ -24,8 +28,8 @@ export const commands = {
   /**
    * Goes on with a job for about some time: trials from the first up to, but not including, the last.
    * @param {[number, number] | null} job  a new one, or null @param {number} milliseconds
-   * @returns {{ first: number, rows: Cell[][], seconds: Float64Array, isDone: boolean }}  the rows of trials that ended, from the first of
-   *   them on; two times of each
+   * @returns {{ first: number, rows: Cell[][], seconds: Float64Array, isDone: boolean }}  the rows of trials that
+   *   ended, from the first of them on; two times of each
    */
   advance(job, milliseconds) {
     if (!experiment) throw new Error("No experiment is open.");

@@ -1,6 +1,6 @@
 /**
- * What the trials of an experiment differ in beside their seeds: worlds, queries, planners, and the parameters that vary. Trials that
- * differ in seeds alone are a group.
+ * What the trials of an experiment differ in beside their seeds: worlds, queries, planners, and the parameters that
+ * vary. Trials that differ in seeds alone are a group.
  */
 
 import { planners as plannerInfos } from "planarium/full";
@@ -8,29 +8,54 @@ import { planners as plannerInfos } from "planarium/full";
 /** @import { ExperimentAxis, ExperimentDocument } from "planarium/full" */
 /** @import { Cell, Rows } from "./rows.js" */
 
-/** A column with its values in order; null where it does not apply. @typedef {{ column: string, title: string, unit: string, values: Cell[], isNumeric: boolean, words?: Words }} Factor */
+/**
+ * A column with its values in order; null where it does not apply.
+ * @typedef {{ column: string, title: string, unit: string, values: Cell[], isNumeric: boolean, words?: Words }} Factor
+ */
 /** What values are called, where that is not their text. @typedef {Map<Cell, string>} Words */
-/** Trials that have ended, by number. @typedef {{ values: Cell[], trials: number[] }} Group   `values`: one for each factor */
-/** The title and the unit of an option, by its column. @typedef {(column: string) => { title: string, unit: string }} Naming */
+/**
+ * Trials that have ended, by number.
+ * @typedef {{ values: Cell[], trials: number[] }} Group   `values`: one for each factor
+ */
+/**
+ * The title and the unit of an option, by its column.
+ * @typedef {(column: string) => { title: string, unit: string }} Naming
+ */
 
 /** The values of an axis. @param {ExperimentAxis} axis @returns {Cell[]} */
 export function valuesOf(axis) {
   if (Array.isArray(axis)) return axis;
   const { from, to, step } = axis;
   // Rounded as in the core.
-  return Array.from({ length: Math.floor((to - from) / step + 1e-9) + 1 }, (_, i) => Math.round((from + i * step) * 1e9) / 1e9);
+  return Array.from(
+    { length: Math.floor((to - from) / step + 1e-9) + 1 },
+    (_, i) => Math.round((from + i * step) * 1e9) / 1e9,
+  );
 }
 
 /** The name of a world or a planner in rows. @param {any} entry */
-export function nameOf({ name, scenario, generate, algorithm }) { return name ?? scenario?.name ?? generate ?? algorithm; }
+export function nameOf({ name, scenario, generate, algorithm }) {
+  return name ?? scenario?.name ?? generate ?? algorithm;
+}
 
-/** The name of a planner in words: its own, or the title of its algorithm. @param {{ name?: string, algorithm: string }} planner */
-export function plannerTitle({ name, algorithm }) { return name ?? plannerInfos().find(({ id }) => id === algorithm)?.title ?? algorithm; }
+/**
+ * The name of a planner in words: its own, or the title of its algorithm.
+ * @param {{ name?: string, algorithm: string }} planner
+ */
+export function plannerTitle({ name, algorithm }) {
+  return name ?? plannerInfos().find(({ id }) => id === algorithm)?.title ?? algorithm;
+}
 
 /** A value in words. @param {Cell} value @param {Words} [words] */
-export function wordOf(value, words) { return words?.get(value) ?? String(value ?? "\u2013"); }
+export function wordOf(value, words) {
+  return words?.get(value) ?? String(value ?? "\u2013");
+}
 
-/** @param {ExperimentDocument} document  that the core has accepted @param {Naming} naming @returns {Factor[]}  those with more than one value */
+/**
+ * @param {ExperimentDocument} document  that the core has accepted
+ * @param {Naming} naming
+ * @returns {Factor[]}  those with more than one value
+ */
 export function factorsOf({ worlds, planners }, naming) {
   const queries = worlds.flatMap((world) => world.queries ?? []);
   /** @param {string} column @param {string} title @param {Cell[]} values */
@@ -47,18 +72,36 @@ export function factorsOf({ worlds, planners }, naming) {
     });
   };
   return [
-    { ...plain("planner", "planner", planners.map(nameOf)), words: new Map(planners.map((entry) => [nameOf(entry), plannerTitle(entry)])) }, ...varied("planner", planners),
-    plain("world", "world", worlds.map(nameOf)), ...varied("world", worlds.map((world) => ("generate" in world ? world : {}))),
+    {
+      ...plain("planner", "planner", planners.map(nameOf)),
+      words: new Map(planners.map((entry) => [nameOf(entry), plannerTitle(entry)])),
+    },
+    ...varied("planner", planners),
+    plain("world", "world", worlds.map(nameOf)),
+    ...varied(
+      "world",
+      worlds.map((world) => ("generate" in world ? world : {})),
+    ),
     plain("query", "query", [...new Set(queries)]),
   ].filter(({ values }) => values.length > 1);
 }
 
-/** The groups with a trial that has ended, in the order of the values. @param {Rows} rows @param {Factor[]} factors @returns {Group[]} */
+/**
+ * The groups with a trial that has ended, in the order of the values.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @returns {Group[]}
+ */
 export function groupsOf(rows, factors) {
   /** @type {Map<number, Group>} */
   const groups = new Map();
   // The place of each value of the rows among those of the factor.
-  const columns = factors.map((factor) => ({ factor, codes: rows.codes.get(factor.column), known: rows.values.get(factor.column) ?? [], places: /** @type {number[]} */ ([]) }));
+  const columns = factors.map((factor) => ({
+    factor,
+    codes: rows.codes.get(factor.column),
+    known: rows.values.get(factor.column) ?? [],
+    places: /** @type {number[]} */ ([]),
+  }));
   for (const trial of rows.ended()) {
     let key = 0;
     for (const { factor, codes, known, places } of columns) {
@@ -80,13 +123,19 @@ function placeOf({ values }, value) {
 }
 
 /** The parameter in a column. @param {string} column */
-export function nameOfColumn(column) { return column.replace(/^\w+\./, "").replaceAll("_", " "); }
+export function nameOfColumn(column) {
+  return column.replace(/^\w+\./, "").replaceAll("_", " ");
+}
 
 /** The values of some factors in words. @param {Factor[]} factors @param {Cell[]} values */
 export function labelOf(factors, values) {
-  return factors.flatMap(({ column, unit, words }, i) => {
-    const value = values[i];
-    if (value === null) return [];
-    return column.includes(".") ? [`${nameOfColumn(column)} = ${value}${unit && ` ${unit}`}`] : [wordOf(value, words)];
-  }).join(", ");
+  return factors
+    .flatMap(({ column, unit, words }, i) => {
+      const value = values[i];
+      if (value === null) return [];
+      return column.includes(".")
+        ? [`${nameOfColumn(column)} = ${value}${unit && ` ${unit}`}`]
+        : [wordOf(value, words)];
+    })
+    .join(", ");
 }

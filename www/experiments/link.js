@@ -1,8 +1,8 @@
 /**
  * A link stores an experiment: its document, and how its rows are shown. The fragment is that of the other rooms, with
- * `{ document, view }` as its state. A world of the document is as in `planarium-experiment-1`, or a built-in scene by name:
- * `{ "scene": "stones", "name": ..., "queries": ... }`. A `scenario` may also be the name of a file of this site, relative to
- * `experiments/documents/`.
+ * `{ document, view }` as its state. A world of the document is as in `planarium-experiment-1`, or a built-in scene by
+ * name: `{ "scene": "stones", "name": ..., "queries": ... }`. A `scenario` may also be the name of a file of this site,
+ * relative to `experiments/documents/`.
  */
 import { decodeState, encodeState } from "../app/link.js";
 import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
@@ -10,8 +10,14 @@ import { flag, json, list, name, number, oneOf, record, rule, text, whole, withD
 /** @import { Allowed, Rule } from "../formats/rules.js" */
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
 
-/** @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] } | { scenario: string, name?: string, queries?: string[] }} LinkedWorld */
-/** @typedef {Omit<ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   a document whose worlds may be scenes by name */
+/**
+ * @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] } | { scenario: string, name?: string,
+ *   queries?: string[] }} LinkedWorld
+ */
+/**
+ * @typedef {Omit<ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   a document whose worlds
+ *   may be scenes by name
+ */
 /** @typedef {Allowed<typeof viewRule>} View */
 
 /** The kinds of charts. */
@@ -25,27 +31,54 @@ const viewRule = record({
   // The measure across, of the charts over work.
   work: name,
   // The columns across and, on the heat map, up, such as "planner.k" or "world".
-  axis: text, second: text,
+  axis: text,
+  second: text,
   isLog: flag,
   // The name of the setting that all others are compared with.
   baseline: text,
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */
-  reported: list(record({ x: rule((value) => typeof value === "string" ? value.length <= 256 : Number.isFinite(value)), value: number, label: text }), 0, 200),
+  reported: list(
+    record({
+      x: rule((value) => (typeof value === "string" ? value.length <= 256 : Number.isFinite(value))),
+      value: number,
+      label: text,
+    }),
+    0,
+    200,
+  ),
   // The first row of the table of trials.
   row: whole(1e8),
 });
 
-export const stateRule = Object.assign(withDefaults({
-  document: /** @type {Rule<LinkedDocument>} */ (record({}, json(16))), view: viewRule,
-}, { view: /** @type {View} */ ({}) }), {
-  // Those of the planner's page: a document may contain a scenario of the reader's own.
-  limits: { characters: 65_535, bytes: 1 << 20 },
-});
+export const stateRule = Object.assign(
+  withDefaults(
+    {
+      document: /** @type {Rule<LinkedDocument>} */ (record({}, json(16))),
+      view: viewRule,
+    },
+    { view: /** @type {View} */ ({}) },
+  ),
+  {
+    // Those of the planner's page: a document may contain a scenario of the reader's own.
+    limits: { characters: 65_535, bytes: 1 << 20 },
+  },
+);
 
 /** @typedef {{ document: LinkedDocument, view: View }} ExperimentState */
 
-/** @param {{ document: LinkedDocument, view?: View }} experiment @returns {Promise<string>}  the fragment of `experiments.html`, without `#` @throws {Error} in words */
-export function encodeExperiment(experiment) { return encodeState(experiment, stateRule); }
+/**
+ * @param {{ document: LinkedDocument, view?: View }} experiment
+ * @returns {Promise<string>}  the fragment of `experiments.html`, without `#`
+ * @throws {Error} in words
+ */
+export function encodeExperiment(experiment) {
+  return encodeState(experiment, stateRule);
+}
 
-/** @param {string} fragment @returns {Promise<{ state: ExperimentState, fault: "" } | { state: null, fault: string }>}  never rejects */
-export function decodeExperiment(fragment) { return /** @type {Promise<any>} */ (decodeState(fragment, stateRule)); }
+/**
+ * @param {string} fragment
+ * @returns {Promise<{ state: ExperimentState, fault: "" } | { state: null, fault: string }>}  never rejects
+ */
+export function decodeExperiment(fragment) {
+  return /** @type {Promise<any>} */ (decodeState(fragment, stateRule));
+}

@@ -1,8 +1,9 @@
 /**
  * The page of experiments: it makes the session, the form, the chart and the table of trials.
  *
- * For tests, beside what app.js says: `body` carries `data-phase` (a phase of session.js), `data-done` and `data-count` (trials),
- * `data-fingerprint` (of the experiment), `data-chart` (its kind, once it is drawn) and `data-drawn` (trials in the chart).
+ * For tests, beside what app.js says: `body` carries `data-phase` (a phase of session.js), `data-done` and `data-count`
+ * (trials), `data-fingerprint` (of the experiment), `data-chart` (its kind, once it is drawn) and `data-drawn` (trials
+ * in the chart).
  */
 import { Experiment } from "planarium/full";
 import { App } from "../app/app.js";
@@ -33,7 +34,10 @@ import { openTrial, watchTrials } from "./trials.js";
 /** @import { ExperimentWorker } from "./pool.js" */
 /** @import { Change } from "./session.js" */
 
-/** Milliseconds between two drawings while trials end: at least this number, and this many times as long as a drawing takes. */
+/**
+ * Milliseconds between two drawings while trials end: at least this number, and this many times as long as a drawing
+ * takes.
+ */
 const PAUSE = 400;
 const REST = 8;
 /** Rows of the table of the chart, at most. */
@@ -89,24 +93,85 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   });
 
   const ready = byId("ready", HTMLSelectElement);
-  ready.append(make("option", { value: "", disabled: true }, "of your own"), ...READY.map(({ id, title }) => make("option", { value: id }, title)));
+  ready.append(
+    make("option", { value: "", disabled: true }, "of your own"),
+    ...READY.map(({ id, title }) => make("option", { value: id }, title)),
+  );
   ready.addEventListener("change", () => void app.track(openReady(ready.value)));
   watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
 
-  const name = () => (session.info?.title || "experiment").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 40);
+  const name = () =>
+    (session.info?.title || "experiment")
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, "-")
+      .replace(/^-+|-+$/g, "")
+      .slice(0, 40);
   const chartName = () => `${name()}-${chart?.kind ?? "chart"}`;
   const shown = () => {
     if (!picture || !chart) throw new Error("There is no chart yet.");
     return { picture, chart, ground: app.look.palette.stage };
   };
   showFiles(app, name, [
-    { id: "png", title: "Chart", format: "PNG", meaning: "The chart as shown.", name: chartName, content: () => pngPicture(shown().picture, shown().ground, shown().chart.title, SCALE) },
-    { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The chart as shown, sharp at any size.", name: chartName, content: () => svgPicture(shown().picture, shown().ground, shown().chart.title) },
-    { id: "table", title: "Table of the chart", format: "CSV", meaning: "The numbers behind the chart.", name: chartName, content: () => csvFile(shown().chart.columns, shown().chart.rows().map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)))) },
-    { id: "rows", title: "Rows of all trials", format: "CSV", meaning: "The rows of \u201cplanarium sweep\u201d.", content: () => session.rows.csv() },
-    { id: "times", title: "Times of all trials", format: "CSV", meaning: "Seconds on this machine.", name: () => `${name()}.times`, content: () => session.rows.timesCsv() },
-    { id: "summary", title: "Summary", format: "JSON", meaning: "Statistics and comparisons, as \u201cplanarium sweep\u201d prints them.", name: () => `${name()}.summary`, content: summary },
-    { id: "document", title: "Experiment", format: "JSON", meaning: "The document, for this page and for \u201cplanarium sweep\u201d.", content: () => json(session.resolved ?? session.document) },
+    {
+      id: "png",
+      title: "Chart",
+      format: "PNG",
+      meaning: "The chart as shown.",
+      name: chartName,
+      content: () => pngPicture(shown().picture, shown().ground, shown().chart.title, SCALE),
+    },
+    {
+      id: "svg",
+      title: "Vector graphic",
+      format: "SVG",
+      meaning: "The chart as shown, sharp at any size.",
+      name: chartName,
+      content: () => svgPicture(shown().picture, shown().ground, shown().chart.title),
+    },
+    {
+      id: "table",
+      title: "Table of the chart",
+      format: "CSV",
+      meaning: "The numbers behind the chart.",
+      name: chartName,
+      content: () =>
+        csvFile(
+          shown().chart.columns,
+          shown()
+            .chart.rows()
+            .map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell))),
+        ),
+    },
+    {
+      id: "rows",
+      title: "Rows of all trials",
+      format: "CSV",
+      meaning: "The rows of \u201cplanarium sweep\u201d.",
+      content: () => session.rows.csv(),
+    },
+    {
+      id: "times",
+      title: "Times of all trials",
+      format: "CSV",
+      meaning: "Seconds on this machine.",
+      name: () => `${name()}.times`,
+      content: () => session.rows.timesCsv(),
+    },
+    {
+      id: "summary",
+      title: "Summary",
+      format: "JSON",
+      meaning: "Statistics and comparisons, as \u201cplanarium sweep\u201d prints them.",
+      name: () => `${name()}.summary`,
+      content: summary,
+    },
+    {
+      id: "document",
+      title: "Experiment",
+      format: "JSON",
+      meaning: "The document, for this page and for \u201cplanarium sweep\u201d.",
+      content: () => json(session.resolved ?? session.document),
+    },
   ]);
 
   await useLink(app, stateRule, {
@@ -130,9 +195,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   }
 
   /** @param {string} id */
-  async function openReady(id) { await open(await loadReady(id), id); }
+  async function openReady(id) {
+    await open(await loadReady(id), id);
+  }
 
-  /** Opens an experiment, and runs it if it is small. @param {ExperimentState} state @param {string} id  of a ready one, or empty */
+  /**
+   * Opens an experiment, and runs it if it is small.
+   * @param {ExperimentState} state
+   * @param {string} id  of a ready one, or empty
+   */
   async function open(state, id) {
     app.notice.hide();
     ready.value = id;
@@ -148,10 +219,17 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const isScenario = read.format === "planarium-scenario-1";
     const { document } = session;
     const title = fileName.replace(/\.json$/, "");
-    await open(isScenario ? { document: { ...document, title, worlds: [{ scenario: read }] }, view: {} } : { document: read, view: {} }, "");
+    await open(
+      isScenario
+        ? { document: { ...document, title, worlds: [{ scenario: read }] }, view: {} }
+        : { document: read, view: {} },
+      "",
+    );
   }
 
-  function start() { void app.track(session.start(), "A trial could not be run."); }
+  function start() {
+    void app.track(session.start(), "A trial could not be run.");
+  }
 
   function toggle() {
     if (run.disabled) return;
@@ -163,15 +241,32 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   /** @param {Change} change */
   function show(change) {
     const { phase, rows, info, refusal, pool } = session;
-    Object.assign(document.body.dataset, { phase, done: rows.done, count: rows.count, fingerprint: info?.fingerprint ?? "" });
-    run.textContent = phase === "running" || phase === "pausing" ? "Pause" : phase === "done" ? "Run again" : rows.done > 0 ? "Go on" : "Run";
+    Object.assign(document.body.dataset, {
+      phase,
+      done: rows.done,
+      count: rows.count,
+      fingerprint: info?.fingerprint ?? "",
+    });
+    run.textContent =
+      phase === "running" || phase === "pausing"
+        ? "Pause"
+        : phase === "done"
+          ? "Run again"
+          : rows.done > 0
+            ? "Go on"
+            : "Run";
     // What cannot be read in the form does not run.
-    run.disabled = !["ready", "running", "paused", "failed", "done"].includes(phase) || (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
+    run.disabled =
+      !["ready", "running", "paused", "failed", "done"].includes(phase) ||
+      (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
     cancel.disabled = !["running", "paused", "failed"].includes(phase);
     progress.value = rows.count > 0 ? rows.done / rows.count : 0;
     byId("progress-text", HTMLElement).textContent = progressText();
     if (change === "checked" && phase === "refused" && refusal) {
-      app.notice.show("The experiment is refused.", Object.assign(new Error(), refusal, { message: sentenceOf(refusal.message) }));
+      app.notice.show(
+        "The experiment is refused.",
+        Object.assign(new Error(), refusal, { message: sentenceOf(refusal.message) }),
+      );
       app.notice.element.scrollIntoView({ block: "nearest" });
     } else if (change === "checked") app.notice.hide();
     if (session.document !== opened) ready.value = "";
@@ -181,14 +276,24 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   }
 
   function sentence() {
-    const { phase, info, rows, document: { title }, refusal } = session;
-    const about = (/** @type {string} */ end) => (title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : end} ` : "");
+    const {
+      phase,
+      info,
+      rows,
+      document: { title },
+      refusal,
+    } = session;
+    const about = (/** @type {string} */ end) =>
+      title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : end} ` : "";
     const begin = about(":");
-    if (phase === "refused" || phase === "failed") return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
+    if (phase === "refused" || phase === "failed")
+      return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
     if (!info) return `${begin}Checking the experiment\u2026`;
     const { worlds, planners } = session.document;
-    if (rows.done === 0 && phase === "ready") return `${begin}${grouped(info.trialCount)} trials of ${counted(planners.length, "planner")} in ${counted(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
-    if (phase !== "done") return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
+    if (rows.done === 0 && phase === "ready")
+      return `${begin}${grouped(info.trialCount)} trials of ${counted(planners.length, "planner")} in ${counted(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
+    if (phase !== "done")
+      return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
     const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
     return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.`;
   }
@@ -197,7 +302,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const { rows, phase, runtime } = session;
     if (rows.count === 0) return "";
     const left = rows.done > 0 && session.isBusy ? (runtime / rows.done) * (rows.count - rows.done) : 0;
-    const seconds = phase === "done" ? `, ${(runtime / 1000).toFixed(1)} s` : left > 0 ? `, ${timeText(left)} left` : "";
+    const seconds =
+      phase === "done" ? `, ${(runtime / 1000).toFixed(1)} s` : left > 0 ? `, ${timeText(left)} left` : "";
     return `${grouped(rows.done)} of ${grouped(rows.count)}${seconds}`;
   }
 
@@ -226,7 +332,14 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const { look } = app;
     chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit) : null;
     const width = Math.max(280, Math.floor(chartHost.clientWidth));
-    picture = chart && drawChart(chart, { width, height: Math.round(Math.min(480, Math.max(300, 0.55 * width))), palette: look.palette, bold: look.bold });
+    picture =
+      chart &&
+      drawChart(chart, {
+        width,
+        height: Math.round(Math.min(480, Math.max(300, 0.55 * width))),
+        palette: look.palette,
+        bold: look.bold,
+      });
     if (picture) chartHost.replaceChildren(picture);
     else chartHost.replaceChildren(...waiting());
     byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
@@ -244,8 +357,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const { phase, info } = session;
     if (!info) return [];
     if (phase !== "ready") return [make("p", { className: "hint" }, "The chart grows as trials end.")];
-    const why = app.reducedMotion ? "With reduced motion trials do not start by themselves." : info.trialCount > AT_ONCE ? `More than ${grouped(AT_ONCE)} trials do not start by themselves.` : "No trial has run.";
-    return [make("p", { className: "hint" }, why), make("button", { type: "button", onclick: toggle }, `Run ${counted(info.trialCount, "trial")}`)];
+    const why = app.reducedMotion
+      ? "With reduced motion trials do not start by themselves."
+      : info.trialCount > AT_ONCE
+        ? `More than ${grouped(AT_ONCE)} trials do not start by themselves.`
+        : "No trial has run.";
+    return [
+      make("p", { className: "hint" }, why),
+      make("button", { type: "button", onclick: toggle }, `Run ${counted(info.trialCount, "trial")}`),
+    ];
   }
 
   /** The comparisons, while no trial runs. */
@@ -253,7 +373,12 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (!wordsFold.open || session.isBusy) return;
     const { rows, factors, view, asked, measures } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
-    const { about, sentences, names, baseline } = comparisons(rows, factors, kind === "ecdf" ? work : measure, view.baseline);
+    const { about, sentences, names, baseline } = comparisons(
+      rows,
+      factors,
+      kind === "ecdf" ? work : measure,
+      view.baseline,
+    );
     byId("baseline-row", HTMLElement).hidden = names.length < 2;
     baselines.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
     baselines.value = baseline;
@@ -265,10 +390,29 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (!tableFold.open || !chart) return;
     const [{ columns }, rows] = [chart, chart.rows()];
     const cut = rows.slice(0, MOST_ROWS);
-    tableHost.replaceChildren(make("table", { className: "standings" },
-      make("caption", {}, `${chart.title}${cut.length < rows.length ? `: ${cut.length} of ${grouped(rows.length)} rows; the export has all` : ""}`),
-      make("thead", {}, make("tr", {}, ...columns.map((column) => make("th", { scope: "col" }, column.replaceAll("_", " "))))),
-      make("tbody", {}, ...cut.map((row) => make("tr", {}, ...row.map((cell) => make("td", { dataset: { value: cell } }, cellText(cell))))))));
+    tableHost.replaceChildren(
+      make(
+        "table",
+        { className: "standings" },
+        make(
+          "caption",
+          {},
+          `${chart.title}${cut.length < rows.length ? `: ${cut.length} of ${grouped(rows.length)} rows; the export has all` : ""}`,
+        ),
+        make(
+          "thead",
+          {},
+          make("tr", {}, ...columns.map((column) => make("th", { scope: "col" }, column.replaceAll("_", " ")))),
+        ),
+        make(
+          "tbody",
+          {},
+          ...cut.map((row) =>
+            make("tr", {}, ...row.map((cell) => make("td", { dataset: { value: cell } }, cellText(cell)))),
+          ),
+        ),
+      ),
+    );
   }
 });
 
@@ -276,21 +420,36 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 function remark({ kind, up, across, points }) {
   const of = up.title.endsWith("%") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
   const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
-  const share = up.title.startsWith("valid") ? "share of paths that the verifier accepts" : "share of trials with a path";
-  const whole = "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
+  const share = up.title.startsWith("valid")
+    ? "share of paths that the verifier accepts"
+    : "share of trials with a path";
+  const whole =
+    "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
   if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
   if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
-  if (kind === "ecdf") return `Share of all trials that had found a path, by work. Trials without a path stay in the denominator. ${whole}`;
-  if (kind === "cost") return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
-  if (kind === "heat") return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
+  if (kind === "ecdf")
+    return `Share of all trials that had found a path, by work. Trials without a path stay in the denominator. ${whole}`;
+  if (kind === "cost")
+    return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
+  if (kind === "heat")
+    return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
   const [marks, intervals] = across.isNumeric ? ["Line", "band"] : ["Dots", "lines"];
   return `${marks}: ${of.startsWith("W") ? share : "median"}; ${intervals}: ${of}.`;
 }
 
 /** @param {import("./rows.js").Cell} cell */
-function cellText(cell) { return cell === null ? "\u2013" : typeof cell === "number" && !Number.isInteger(cell) ? String(Number(cell.toPrecision(5))) : String(cell); }
+function cellText(cell) {
+  return cell === null
+    ? "\u2013"
+    : typeof cell === "number" && !Number.isInteger(cell)
+      ? String(Number(cell.toPrecision(5)))
+      : String(cell);
+}
 
-/** A message as a sentence, with the title of the planner that it begins with; names of parameters stay as they are. @param {string} message */
+/**
+ * A message as a sentence, with the title of the planner that it begins with; names of parameters stay as they are.
+ * @param {string} message
+ */
 function sentenceOf(message) {
   const named = message.replace(/^[a-z-]+/, (algorithm) => plannerTitle({ algorithm }));
   return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(named) ? capital(named) : named;
@@ -299,5 +458,9 @@ function sentenceOf(message) {
 /** @param {number} milliseconds */
 function timeText(milliseconds) {
   const seconds = Math.ceil(milliseconds / 1000);
-  return seconds < 60 ? `${seconds} s` : seconds < 3600 ? `${Math.round(seconds / 60)} min` : `${(seconds / 3600).toFixed(1)} h`;
+  return seconds < 60
+    ? `${seconds} s`
+    : seconds < 3600
+      ? `${Math.round(seconds / 60)} min`
+      : `${(seconds / 3600).toFixed(1)} h`;
 }

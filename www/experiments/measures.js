@@ -9,20 +9,38 @@ export const SOLVED = "solved";
 const VALID = "valid";
 
 /** Whether a measure is a share. @param {string} id */
-export function isShare(id) { return id === SOLVED || id === VALID; }
+export function isShare(id) {
+  return id === SOLVED || id === VALID;
+}
 
 /** All measures of rows with these columns, shares first. @param {string[]} columns */
-export function allMeasures(columns) { return [SOLVED, ...columns.filter((column) => column === VALID), ...measuresOf(columns)]; }
+export function allMeasures(columns) {
+  return [SOLVED, ...columns.filter((column) => column === VALID), ...measuresOf(columns)];
+}
 
 /** @type {Record<string, [title: string, unit: string]>} */
 const TITLES = {
-  [SOLVED]: ["trials solved", "%"], [VALID]: ["valid paths", "%"], iterations: ["iterations", ""], vertices: ["vertices", ""], edges: ["edges", ""],
-  waypoints: ["waypoints of the path", ""], length: ["path length", ""], chord_length: ["weighted length by chords", ""],
-  rejected_samples: ["samples in collision", ""], goal_samples: ["samples at the goal", ""], configuration_checks: ["configurations tested", ""],
-  motion_checks: ["motions tested", ""], unchecked_edges: ["edges never tested", ""], nearest_queries: ["queries of neighbours", ""], visited: ["vertices visited by the search", ""],
+  [SOLVED]: ["trials solved", "%"],
+  [VALID]: ["valid paths", "%"],
+  iterations: ["iterations", ""],
+  vertices: ["vertices", ""],
+  edges: ["edges", ""],
+  waypoints: ["waypoints of the path", ""],
+  length: ["path length", ""],
+  chord_length: ["weighted length by chords", ""],
+  rejected_samples: ["samples in collision", ""],
+  goal_samples: ["samples at the goal", ""],
+  configuration_checks: ["configurations tested", ""],
+  motion_checks: ["motions tested", ""],
+  unchecked_edges: ["edges never tested", ""],
+  nearest_queries: ["queries of neighbours", ""],
+  visited: ["vertices visited by the search", ""],
   reopened: ["vertices expanded again", ""],
-  clearance_evaluations: ["clearance evaluations", ""], unproven_motions: ["motions without a proof", ""], work: ["work", ""],
-  build_seconds: ["time to build", "ms"], search_seconds: ["time to search", "ms"],
+  clearance_evaluations: ["clearance evaluations", ""],
+  unproven_motions: ["motions without a proof", ""],
+  work: ["work", ""],
+  build_seconds: ["time to build", "ms"],
+  search_seconds: ["time to search", "ms"],
 };
 
 /** Measures of a path, not of work. */
@@ -37,7 +55,11 @@ export function measureInfo(id, lengthUnit) {
 }
 
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */
-export function scaleOf(id) { return id.endsWith("_seconds") ? 1000 : isShare(id) ? 100 : 1; }
+export function scaleOf(id) {
+  return id.endsWith("_seconds") ? 1000 : isShare(id) ? 100 : 1;
+}
 
 /** A title with its unit, for an axis. @param {{ title: string, unit: string }} info */
-export function titled({ title, unit }) { return unit ? `${title}, ${unit}` : title; }
+export function titled({ title, unit }) {
+  return unit ? `${title}, ${unit}` : title;
+}

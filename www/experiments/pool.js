@@ -1,6 +1,7 @@
 /**
- * The workers that run trials: as many as there are processors beside the page's. Trials are handed out in runs of neighbours, which
- * share a world. What a trial gives depends on nothing but its number, so neither does its row depend on who runs it, or when.
+ * The workers that run trials: as many as there are processors beside the page's. Trials are handed out in runs of
+ * neighbours, which share a world. What a trial gives depends on nothing but its number, so neither does its row depend
+ * on who runs it, or when.
  */
 import { errorInfo } from "../app/error-info.js";
 import { Rows } from "./rows.js";
@@ -39,7 +40,12 @@ export class Pool {
     this.document = null;
   }
 
-  /** Replaces the experiment; whatever ran is stopped. @param {ExperimentDocument} document @returns {Promise<Info | null>}  null: another one came since @throws {Error} it is refused */
+  /**
+   * Replaces the experiment; whatever ran is stopped.
+   * @param {ExperimentDocument} document
+   * @returns {Promise<Info | null>}  null: another one came since
+   * @throws {Error} it is refused
+   */
   async open(document) {
     const epoch = ++this.epoch;
     this.isRunning = false;
@@ -128,7 +134,11 @@ export class Pool {
 
   /** @returns {Job | undefined} */
   nextJob() {
-    const { rows: { count }, next, left } = this;
+    const {
+      rows: { count },
+      next,
+      left,
+    } = this;
     if (left.length > 0 || next >= count) return left.pop();
     // Jobs become smaller towards the end, so that all workers end together.
     const size = Math.max(1, Math.min(LARGEST, Math.ceil((count - next) / (4 * this.most))));

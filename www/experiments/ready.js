@@ -5,7 +5,10 @@ import { resolved } from "./worlds.js";
 
 /** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
 
-/** The names of the files and the titles of their documents: the build writes them. @type {{ id: string, title: string }[]} */
+/**
+ * The names of the files and the titles of their documents: the build writes them.
+ * @type {{ id: string, title: string }[]}
+ */
 const DOCUMENTS = /** @type {any} */ (globalThis).EXPERIMENTS;
 
 /** The views, and at the same time the order of the first ones. @type {Record<string, View>} */
@@ -45,21 +48,39 @@ export async function loadReady(id) {
   return { document: /** @type {LinkedDocument} */ (await response.json()), view: VIEWS[id] ?? {} };
 }
 
-/** The ready experiment with the same document, or empty; its view may differ. @param {LinkedDocument} document @returns {Promise<string>} */
+/**
+ * The ready experiment with the same document, or empty; its view may differ.
+ * @param {LinkedDocument} document
+ * @returns {Promise<string>}
+ */
 export async function readyOf(document) {
   const id = READY.find(({ title }) => title === document.title)?.id;
   if (!id) return "";
   // A link holds the scenarios that a file names.
-  const texts = await Promise.all([document, (await loadReady(id)).document].map(async (one) => JSON.stringify(await resolved(one).catch(() => null))));
+  const texts = await Promise.all(
+    [document, (await loadReady(id)).document].map(async (one) =>
+      JSON.stringify(await resolved(one).catch(() => null)),
+    ),
+  );
   return texts[0] === texts[1] ? id : "";
 }
 
-/** The title of a changed document: that of a ready experiment becomes one of the planners' names; one of the reader's own stays. @param {LinkedDocument} before @param {LinkedDocument} after @returns {string | undefined} */
+/**
+ * The title of a changed document: that of a ready experiment becomes one of the planners' names; one of the reader's
+ * own stays.
+ * @param {LinkedDocument} before
+ * @param {LinkedDocument} after
+ * @returns {string | undefined}
+ */
 export function retitled({ title, planners: before }, { planners: after }) {
   return !title || title === namesOf(before) || READY.some((ready) => ready.title === title) ? namesOf(after) : title;
 }
 
-/** "RRT against RRT*". @param {LinkedDocument["planners"]} planners @returns {string | undefined}  undefined: it has not the shape of a document */
+/**
+ * "RRT against RRT*".
+ * @param {LinkedDocument["planners"]} planners
+ * @returns {string | undefined}  undefined: it has not the shape of a document
+ */
 function namesOf(planners) {
   if (!Array.isArray(planners)) return undefined;
   const names = planners.map(plannerTitle);

@@ -1,6 +1,7 @@
 /**
- * The rows of an experiment, by the number of the trial: a typed array for each column, reserved at once, so that memory does not
- * grow with the trials that end. Columns of few values, such as words and parameters, are places in a list.
+ * The rows of an experiment, by the number of the trial: a typed array for each column, reserved at once, so that
+ * memory does not grow with the trials that end. Columns of few values, such as words and parameters, are places in a
+ * list.
  */
 
 /** A cell of a row. @typedef {number | string | boolean | null} Cell */
@@ -15,11 +16,20 @@ const SEEDS = ["world_seed", "seed"];
 
 /** The measures among the columns of rows, and times. @param {string[]} columns */
 export function measuresOf(columns) {
-  return [...columns.slice(columns.indexOf("status") + 1).filter((column) => !["valid", "reason", "fingerprint"].includes(column)), ...TIMES];
+  return [
+    ...columns
+      .slice(columns.indexOf("status") + 1)
+      .filter((column) => !["valid", "reason", "fingerprint"].includes(column)),
+    ...TIMES,
+  ];
 }
 
 export class Rows {
-  /** @param {string[]} columns  of the core's rows @param {number} count  of trials @param {string} [fingerprint]  of the experiment */
+  /**
+   * @param {string[]} columns  of the core's rows
+   * @param {number} count  of trials
+   * @param {string} [fingerprint]  of the experiment
+   */
   constructor(columns, count, fingerprint = "") {
     this.columns = columns;
     this.count = count;
@@ -47,7 +57,11 @@ export class Rows {
     }
   }
 
-  /** @param {number} trial @param {Cell[]} cells  in the order of the columns @param {ArrayLike<number>} seconds  of building and searching */
+  /**
+   * @param {number} trial
+   * @param {Cell[]} cells  in the order of the columns
+   * @param {ArrayLike<number>} seconds  of building and searching
+   */
   set(trial, cells, seconds) {
     if (!this.isKnown[trial]) this.done++;
     this.isKnown[trial] = 1;
@@ -58,7 +72,9 @@ export class Rows {
       const codes = this.codes.get(column);
       if (codes) codes[trial] = this.code(column, cells[i]);
     });
-    TIMES.forEach((column, i) => { this.of(column)[trial] = seconds[i]; });
+    TIMES.forEach((column, i) => {
+      this.of(column)[trial] = seconds[i];
+    });
   }
 
   /** The number of a value. @param {string} column @param {Cell} value */
@@ -88,23 +104,32 @@ export class Rows {
   }
 
   /** The trials that have ended, in their order. @returns {Generator<number>} */
-  * ended() { for (let trial = 0; trial < this.count; trial++) if (this.isKnown[trial]) yield trial; }
+  *ended() {
+    for (let trial = 0; trial < this.count; trial++) if (this.isKnown[trial]) yield trial;
+  }
 
   /** The rows as records with their times. @returns {Record<string, Cell>[]} */
   records() {
-    return Array.from(this.ended(), (trial) => Object.fromEntries([...this.columns, ...TIMES].map((column) => [column, this.cell(trial, column)])));
+    return Array.from(this.ended(), (trial) =>
+      Object.fromEntries([...this.columns, ...TIMES].map((column) => [column, this.cell(trial, column)])),
+    );
   }
 
   /** The rows as the file that `planarium sweep` writes. */
-  csv() { return this.file(this.columns); }
+  csv() {
+    return this.file(this.columns);
+  }
 
   /** Their times, as the second file of `planarium sweep`. */
-  timesCsv() { return this.file(["trial", ...TIMES]); }
+  timesCsv() {
+    return this.file(["trial", ...TIMES]);
+  }
 
   /** @param {string[]} columns */
   file(columns) {
     const parts = [`${columns.join(",")}\n`];
-    for (const trial of this.ended()) parts.push(`${columns.map((column) => written(this.cell(trial, column))).join(",")}\n`);
+    for (const trial of this.ended())
+      parts.push(`${columns.map((column) => written(this.cell(trial, column))).join(",")}\n`);
     return new Blob(parts, { type: "text/csv" });
   }
 }

@@ -1,6 +1,6 @@
 /**
- * The state of the page: a document, how its rows are shown, what the core says of it, and the rows so far. A changed document is
- * checked by the core before any trial, and begins without rows.
+ * The state of the page: a document, how its rows are shown, what the core says of it, and the rows so far. A changed
+ * document is checked by the core before any trial, and begins without rows.
  */
 import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
@@ -54,7 +54,10 @@ export class ExperimentSession extends Observable {
     /** Milliseconds that trials have run, and when they were started or went on. */
     this.elapsed = 0;
     this.since = 0;
-    const tables = { planner: planners().map(({ parameters }) => parameters), world: generators().map(({ options }) => options) };
+    const tables = {
+      planner: planners().map(({ parameters }) => parameters),
+      world: generators().map(({ options }) => options),
+    };
     /** The title and the unit of a parameter, by its column. @type {import("./factors.js").Naming} */
     this.naming = (column) => {
       const [prefix, name] = column.split(".");
@@ -65,12 +68,18 @@ export class ExperimentSession extends Observable {
   }
 
   /** All measures, shares first. @returns {string[]} */
-  get measures() { return allMeasures(this.info?.columns ?? []); }
+  get measures() {
+    return allMeasures(this.info?.columns ?? []);
+  }
 
   /** The measures that the document asks for. @returns {string[]} */
-  get asked() { return this.document.measures ?? USUAL; }
+  get asked() {
+    return this.document.measures ?? USUAL;
+  }
 
-  get isBusy() { return this.phase === "running" || this.phase === "pausing"; }
+  get isBusy() {
+    return this.phase === "running" || this.phase === "pausing";
+  }
 
   /** Opens an experiment. @param {ExperimentState} state @returns {Promise<boolean>}  whether it is accepted */
   open({ document, view }) {
@@ -80,12 +89,17 @@ export class ExperimentSession extends Observable {
     return this.check();
   }
 
-  /** Changes the document. @param {LinkedDocument} document @param {boolean} [isForm]  whether its form must be made again */
+  /**
+   * Changes the document.
+   * @param {LinkedDocument} document
+   * @param {boolean} [isForm]  whether its form must be made again
+   */
   edit(document, isForm = false) {
     // As it is in a file: without entries that are undefined.
     const text = JSON.stringify(document);
     const isChanged = text !== JSON.stringify(this.document);
-    if (isChanged) this.document = JSON.parse(JSON.stringify({ ...JSON.parse(text), title: retitled(this.document, document) }));
+    if (isChanged)
+      this.document = JSON.parse(JSON.stringify({ ...JSON.parse(text), title: retitled(this.document, document) }));
     if (isForm) this.update("document");
     if (isChanged) void this.app.track(this.check());
   }
@@ -113,7 +127,13 @@ export class ExperimentSession extends Observable {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
       }
-      Object.assign(this, { resolved: document, info, elapsed: 0, unit: lengthUnit(document), factors: factorsOf(document, this.naming) });
+      Object.assign(this, {
+        resolved: document,
+        info,
+        elapsed: 0,
+        unit: lengthUnit(document),
+        factors: factorsOf(document, this.naming),
+      });
       this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
       this.setPhase("ready");
       this.update("checked");
@@ -183,5 +203,7 @@ export class ExperimentSession extends Observable {
   }
 
   /** Milliseconds that trials have run. */
-  get runtime() { return this.elapsed + (this.isBusy ? performance.now() - this.since : 0); }
+  get runtime() {
+    return this.elapsed + (this.isBusy ? performance.now() - this.since : 0);
+  }
 }

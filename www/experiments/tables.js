@@ -1,6 +1,6 @@
 /**
- * The tables behind the charts: statistics of groups of trials, by the core. A measure is that of trials with a path; others count as
- * missing, and in the empirical distribution function as failures.
+ * The tables behind the charts: statistics of groups of trials, by the core. A measure is that of trials with a path;
+ * others count as missing, and in the empirical distribution function as failures.
  */
 import { ecdf, quartiles, share } from "planarium/full";
 import { groupsOf, labelOf } from "./factors.js";
@@ -10,11 +10,12 @@ import { SOLVED, isShare, scaleOf } from "./measures.js";
 /** @import { Cell, Rows } from "./rows.js" */
 
 /**
- * A record of a table. `x`: the value of the factor across; `series`: the others in words; `low` and `high`: the quartiles, or the ends
- * of Wilson's interval.
- * @typedef {{ x: Cell, y?: Cell, series: string, n: number, missing: number, middle: number | null, low: number | null, high: number | null,
- *   least?: number | null, most?: number | null }} Summary
- * @typedef {{ series: string, n: number, missing: number, values: number[], shares: number[] }} Distribution   shares in percent
+ * A record of a table. `x`: the value of the factor across; `series`: the others in words; `low` and `high`: the
+ * quartiles, or the ends of Wilson's interval.
+ * @typedef {{ x: Cell, y?: Cell, series: string, n: number, missing: number, middle: number | null, low: number | null,
+ *   high: number | null, least?: number | null, most?: number | null }} Summary
+ * @typedef {{ series: string, n: number, missing: number, values: number[], shares: number[] }} Distribution   shares
+ *   in percent
  * @typedef {{ trial: number, x: Cell, series: string, work: number, value: number }} Point   a trial with a path
  * @typedef {{ series: string, n: number, work: number, middle: number, low: number, high: number }} Bin
  */
@@ -23,28 +24,54 @@ import { SOLVED, isShare, scaleOf } from "./measures.js";
 const LEAST = 5;
 const BINS = 12;
 
-/** The values of a measure: NaN without a path. @param {Rows} rows @param {ArrayLike<number>} trials @param {string} measure */
+/**
+ * The values of a measure: NaN without a path.
+ * @param {Rows} rows
+ * @param {ArrayLike<number>} trials
+ * @param {string} measure
+ */
 export function sampleOf(rows, trials, measure) {
   const solved = (rows.values.get("status") ?? []).indexOf("solved");
   const status = rows.codes.get("status") ?? new Uint32Array();
   if (measure === SOLVED) return Float64Array.from(trials, (trial) => Number(status[trial] === solved));
-  if (isShare(measure)) return Float64Array.from(trials, (trial) => (status[trial] === solved ? Number(rows.cell(trial, measure)) : NaN));
+  if (isShare(measure))
+    return Float64Array.from(trials, (trial) => (status[trial] === solved ? Number(rows.cell(trial, measure)) : NaN));
   const [numbers, scale] = [rows.of(measure), scaleOf(measure)];
   return Float64Array.from(trials, (trial) => (status[trial] === solved ? scale * numbers[trial] : NaN));
 }
 
-/** The groups by the value of some factors across and the words for the others. @param {Rows} rows @param {Factor[]} factors @param {(Factor | undefined)[]} across */
+/**
+ * The groups by the value of some factors across and the words for the others.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {(Factor | undefined)[]} across
+ */
 function grouped(rows, factors, across) {
   const others = factors.filter((factor) => !across.includes(factor));
   return groupsOf(rows, factors).map(({ values, trials }) => ({
-    trials, series: labelOf(others, others.map((factor) => values[factors.indexOf(factor)])),
+    trials,
+    series: labelOf(
+      others,
+      others.map((factor) => values[factors.indexOf(factor)]),
+    ),
     place: across.map((factor) => (factor ? values[factors.indexOf(factor)] : null)),
   }));
 }
 
-/** Statistics of a measure for each value across and each series. @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @returns {Summary[]} */
+/**
+ * Statistics of a measure for each value across and each series.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {Factor | undefined} axis
+ * @param {string} measure
+ * @returns {Summary[]}
+ */
 export function summaries(rows, factors, axis, measure) {
-  return grouped(rows, factors, [axis]).map(({ trials, series, place: [x] }) => ({ x, series, ...summary(rows, trials, measure) }));
+  return grouped(rows, factors, [axis]).map(({ trials, series, place: [x] }) => ({
+    x,
+    series,
+    ...summary(rows, trials, measure),
+  }));
 }
 
 /** @param {Rows} rows @param {number[]} trials @param {string} measure */
@@ -60,12 +87,30 @@ function summary(rows, trials, measure) {
   return { n, missing, middle, low, high, least, most };
 }
 
-/** A statistic for each pair of values; trials that differ in others are together. @param {Rows} rows @param {Factor} across @param {Factor} up @param {string} measure @returns {Summary[]} */
+/**
+ * A statistic for each pair of values; trials that differ in others are together.
+ * @param {Rows} rows
+ * @param {Factor} across
+ * @param {Factor} up
+ * @param {string} measure
+ * @returns {Summary[]}
+ */
 export function cells(rows, across, up, measure) {
-  return grouped(rows, [across, up], [across, up]).map(({ trials, place: [x, y] }) => ({ x, y, series: "", ...summary(rows, trials, measure) }));
+  return grouped(rows, [across, up], [across, up]).map(({ trials, place: [x, y] }) => ({
+    x,
+    y,
+    series: "",
+    ...summary(rows, trials, measure),
+  }));
 }
 
-/** The share of all trials of a series that have a path, by work. @param {Rows} rows @param {Factor[]} factors @param {string} work @returns {Distribution[]} */
+/**
+ * The share of all trials of a series that have a path, by work.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {string} work
+ * @returns {Distribution[]}
+ */
 export function distributions(rows, factors, work) {
   return grouped(rows, factors, []).map(({ trials, series }) => {
     const { n, missing, values, shares } = ecdf(sampleOf(rows, trials, work));
@@ -73,37 +118,66 @@ export function distributions(rows, factors, work) {
   });
 }
 
-/** Some of the trials with a path, evenly. @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @param {string} work @param {number} most  at most, about @returns {Point[]} */
+/**
+ * Some of the trials with a path, evenly.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {Factor | undefined} axis
+ * @param {string} measure
+ * @param {string} work
+ * @param {number} most  at most, about
+ * @returns {Point[]}
+ */
 export function points(rows, factors, axis, measure, work, most) {
   const each = Math.ceil(rows.done / most);
   return grouped(rows, factors, [axis]).flatMap(({ trials, series, place: [x] }) => {
     const some = trials.filter((_, i) => i % each === 0);
     const [values, works] = [sampleOf(rows, some, measure), sampleOf(rows, some, work)];
-    return some.flatMap((trial, i) => (Number.isNaN(values[i]) ? [] : [{ trial, x, series, work: works[i], value: values[i] }]));
+    return some.flatMap((trial, i) =>
+      Number.isNaN(values[i]) ? [] : [{ trial, x, series, work: works[i], value: values[i] }],
+    );
   });
 }
 
 /**
- * The quartiles of trials with a path and about the same work, by series: those with one value of the axis, or else equally many.
- * @param {Rows} rows @param {Factor[]} factors @param {Factor | undefined} axis @param {string} measure @param {string} work
+ * The quartiles of trials with a path and about the same work, by series: those with one value of the axis, or else
+ * equally many.
+ * @param {Rows} rows
+ * @param {Factor[]} factors
+ * @param {Factor | undefined} axis
+ * @param {string} measure
+ * @param {string} work
  * @returns {Bin[]}  by rising work
  */
 export function bins(rows, factors, axis, measure, work) {
-  return grouped(rows, factors, [axis]).flatMap(({ trials, series, place: [x] }) => {
-    const values = sampleOf(rows, trials, measure);
-    const solved = trials.filter((_, i) => !Number.isNaN(values[i]));
-    const works = sampleOf(rows, solved, work);
-    const parts = x !== null ? [solved] : equal(solved.map((trial, i) => ({ trial, work: works[i] })));
-    return parts.filter(({ length }) => length > 0).map((part) => {
-      const [at, of] = [work, measure].map((column) => quartiles(sampleOf(rows, part, column)).values ?? []);
-      return { series, n: part.length, work: Number(at[2]), low: Number(of[1]), middle: Number(of[2]), high: Number(of[3]) };
-    });
-  }).sort((a, b) => a.work - b.work);
+  return grouped(rows, factors, [axis])
+    .flatMap(({ trials, series, place: [x] }) => {
+      const values = sampleOf(rows, trials, measure);
+      const solved = trials.filter((_, i) => !Number.isNaN(values[i]));
+      const works = sampleOf(rows, solved, work);
+      const parts = x !== null ? [solved] : equal(solved.map((trial, i) => ({ trial, work: works[i] })));
+      return parts
+        .filter(({ length }) => length > 0)
+        .map((part) => {
+          const [at, of] = [work, measure].map((column) => quartiles(sampleOf(rows, part, column)).values ?? []);
+          return {
+            series,
+            n: part.length,
+            work: Number(at[2]),
+            low: Number(of[1]),
+            middle: Number(of[2]),
+            high: Number(of[3]),
+          };
+        });
+    })
+    .sort((a, b) => a.work - b.work);
 }
 
 /** Equally many trials with about the same work. @param {{ trial: number, work: number }[]} all */
 function equal(all) {
   const sorted = all.sort((a, b) => a.work - b.work).map(({ trial }) => trial);
   const count = Math.min(BINS, Math.floor(sorted.length / LEAST));
-  return Array.from({ length: count }, (_, i) => sorted.slice(Math.floor((i * sorted.length) / count), Math.floor(((i + 1) * sorted.length) / count)));
+  return Array.from({ length: count }, (_, i) =>
+    sorted.slice(Math.floor((i * sorted.length) / count), Math.floor(((i + 1) * sorted.length) / count)),
+  );
 }

@@ -8,27 +8,43 @@ import { nameOf } from "./factors.js";
 /** @import { Settings } from "../domain/types.js" */
 
 /**
- * @param {LinkedDocument} document @param {ExperimentDocument} resolved  the same as the core reads it @param {Rows} rows
+ * @param {LinkedDocument} document
+ * @param {ExperimentDocument} resolved  the same as the core reads it
+ * @param {Rows} rows
  * @param {number} trial  that has ended @returns {Promise<string>}  an address
  */
 export async function trialLink(document, resolved, rows, trial) {
   const cell = (/** @type {string} */ column) => rows.cell(trial, column);
-  const varied = (/** @type {string} */ prefix, /** @type {object | undefined} */ axes) => Object.fromEntries(Object.keys(axes ?? {}).map((name) => [name, cell(`${prefix}.${name}`)]));
+  const varied = (/** @type {string} */ prefix, /** @type {object | undefined} */ axes) =>
+    Object.fromEntries(Object.keys(axes ?? {}).map((name) => [name, cell(`${prefix}.${name}`)]));
   const planner = resolved.planners.find((entry) => nameOf(entry) === cell("planner"));
   const at = resolved.worlds.findIndex((entry) => nameOf(entry) === cell("world"));
   const [linked, world] = [document.worlds[at], resolved.worlds[at]];
   if (!planner || !world) throw new Error(`Trial ${trial} is of another experiment.`);
   const { budget } = resolved;
   const limit = budget && "iterations" in budget ? { max_iterations: budget.iterations } : {};
-  const settings = /** @type {Settings} */ ({ ...planner.set, ...varied("planner", planner.vary), ...limit, seed: cell("seed") });
+  const settings = /** @type {Settings} */ ({
+    ...planner.set,
+    ...varied("planner", planner.vary),
+    ...limit,
+    seed: cell("seed"),
+  });
   /** @type {import("../planner/link/codec.js").Experiment} */
   const experiment = {
-    version: 1, query: String(cell("query")), lanes: [{ algorithm: planner.algorithm, settings }], iteration: Number(cell("iterations")), view: {},
+    version: 1,
+    query: String(cell("query")),
+    lanes: [{ algorithm: planner.algorithm, settings }],
+    iteration: Number(cell("iterations")),
+    view: {},
   };
   if ("scene" in linked) experiment.scene = linked.scene;
   else if ("generate" in world) {
     experiment.scene = `make-${world.generate}`;
-    experiment.options = /** @type {Settings} */ ({ ...world.set, ...varied("world", world.vary), seed: cell("world_seed") });
+    experiment.options = /** @type {Settings} */ ({
+      ...world.set,
+      ...varied("world", world.vary),
+      seed: cell("world_seed"),
+    });
   } else experiment.document = { ...world.scenario };
   return `./#${await encodeLink(experiment)}`;
 }

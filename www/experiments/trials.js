@@ -27,34 +27,75 @@ export function watchTrials(session) {
   fold.addEventListener("toggle", draw);
   return draw;
 
-  function first() { return Math.min(session.view.row ?? 0, Math.max(0, session.rows.count - 1)); }
+  function first() {
+    return Math.min(session.view.row ?? 0, Math.max(0, session.rows.count - 1));
+  }
 
   function draw() {
     const { rows, factors, asked, unit, view, info } = session;
     const from = first();
     const trials = [];
-    for (let trial = from; trial < Math.min(rows.count, from + PAGE); trial++) if (rows.isKnown[trial]) trials.push(trial);
+    for (let trial = from; trial < Math.min(rows.count, from + PAGE); trial++)
+      if (rows.isKnown[trial]) trials.push(trial);
     const key = `${info?.fingerprint} ${JSON.stringify(asked)} ${from} ${trials} ${rows.count} ${view.measure}`;
     if (!fold.open || key === drawn) return;
     drawn = key;
     back.disabled = from === 0;
     on.disabled = from + PAGE >= rows.count;
-    const columns = ["seed", ...(rows.columns.includes("world_seed") ? ["world_seed"] : []), ...factors.map(({ column }) => column), "status"];
-    const named = (/** @type {string} */ column, /** @type {Cell} */ value) => factors.find((factor) => factor.column === column)?.words?.get(value) ?? value;
-    const heads = [...columns.map(nameOfColumn), ...asked.map((id) => {
-      const { title, unit: words } = measureInfo(id, unit);
-      return `${title}${words && `, ${words}`}`;
-    })];
+    const columns = [
+      "seed",
+      ...(rows.columns.includes("world_seed") ? ["world_seed"] : []),
+      ...factors.map(({ column }) => column),
+      "status",
+    ];
+    const named = (/** @type {string} */ column, /** @type {Cell} */ value) =>
+      factors.find((factor) => factor.column === column)?.words?.get(value) ?? value;
+    const heads = [
+      ...columns.map(nameOfColumn),
+      ...asked.map((id) => {
+        const { title, unit: words } = measureInfo(id, unit);
+        return `${title}${words && `, ${words}`}`;
+      }),
+    ];
     table.replaceChildren(
-      make("caption", {}, rows.count === 0 ? "No trials" : `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`),
-      make("thead", {}, make("tr", {}, ...["trial", ...heads].map((title) => make("th", { scope: "col" }, capital(title))))),
-      make("tbody", {}, ...trials.map((trial) => {
-        const values = [...columns.map((column) => named(column, rows.cell(trial, column))), ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id)))];
-        const link = make("a", { target: "_blank", rel: "noopener" }, String(trial));
-        // A scenario may be too large for a link.
-        address(trial).then((href) => { link.href = href; }, (error) => { link.title = errorInfo(error).message; });
-        return make("tr", { dataset: { trial } }, make("th", { scope: "row" }, link), ...values.map((value) => make("td", {}, value === null ? "\u2013" : String(value))));
-      })),
+      make(
+        "caption",
+        {},
+        rows.count === 0
+          ? "No trials"
+          : `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`,
+      ),
+      make(
+        "thead",
+        {},
+        make("tr", {}, ...["trial", ...heads].map((title) => make("th", { scope: "col" }, capital(title)))),
+      ),
+      make(
+        "tbody",
+        {},
+        ...trials.map((trial) => {
+          const values = [
+            ...columns.map((column) => named(column, rows.cell(trial, column))),
+            ...asked.map((id) => scaled(rows.cell(trial, id), scaleOf(id))),
+          ];
+          const link = make("a", { target: "_blank", rel: "noopener" }, String(trial));
+          // A scenario may be too large for a link.
+          address(trial).then(
+            (href) => {
+              link.href = href;
+            },
+            (error) => {
+              link.title = errorInfo(error).message;
+            },
+          );
+          return make(
+            "tr",
+            { dataset: { trial } },
+            make("th", { scope: "row" }, link),
+            ...values.map((value) => make("td", {}, value === null ? "\u2013" : String(value))),
+          );
+        }),
+      ),
     );
   }
 
@@ -66,7 +107,9 @@ export function watchTrials(session) {
 }
 
 /** A number with few digits. @param {Cell} value @param {number} scale */
-function scaled(value, scale) { return typeof value === "number" && !Number.isInteger(value) ? Number((scale * value).toPrecision(4)) : value; }
+function scaled(value, scale) {
+  return typeof value === "number" && !Number.isInteger(value) ? Number((scale * value).toPrecision(4)) : value;
+}
 
 /** Opens the run of a trial on the planner's page. @param {ExperimentSession} session @param {number} trial */
 export async function openTrial({ document, resolved, rows }, trial) {

@@ -10,7 +10,12 @@ import { valuesOf } from "./factors.js";
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
 /** @typedef {Scenario["robot"]} Robot */
 
-/** A document that the core reads. @param {LinkedDocument} document @returns {Promise<ExperimentDocument>} @throws {Error} a scene is unknown */
+/**
+ * A document that the core reads.
+ * @param {LinkedDocument} document
+ * @returns {Promise<ExperimentDocument>}
+ * @throws {Error} a scene is unknown
+ */
 export async function resolved(document) {
   // The core says what is wrong with anything else.
   if (!Array.isArray(document.worlds)) return /** @type {any} */ (document);
@@ -20,7 +25,8 @@ export async function resolved(document) {
 /** @param {LinkedWorld} world @param {number} i @returns {Promise<ExperimentWorld>} */
 async function worldOf(world, i) {
   if (typeof world !== "object" || world === null) return /** @type {any} */ (world);
-  if ("scenario" in world && typeof world.scenario === "string") return { ...world, scenario: await fetched(world.scenario, i) };
+  if ("scenario" in world && typeof world.scenario === "string")
+    return { ...world, scenario: await fetched(world.scenario, i) };
   if (!("scene" in world)) return /** @type {ExperimentWorld} */ (world);
   const { scene, ...rest } = world;
   const entry = SCENES.find(({ id }) => id === scene);
@@ -28,13 +34,22 @@ async function worldOf(world, i) {
     const { seed = 0, ...set } = entry.generate.options;
     return { name: scene, ...rest, generate: entry.generate.kind, set, seeds: [Number(seed)] };
   }
-  if (!entry) throw Object.assign(new Error(`There is no scene "${scene}".`), { code: "unknown-scene", pointer: `/worlds/${i}/scene` });
+  if (!entry)
+    throw Object.assign(new Error(`There is no scene "${scene}".`), {
+      code: "unknown-scene",
+      pointer: `/worlds/${i}/scene`,
+    });
   return { name: scene, ...rest, scenario: JSON.parse(await loadScene(scene)) };
 }
 
-/** The scenario in a file of this site, relative to the ready experiments, as on the command line. @param {string} path @param {number} i */
+/**
+ * The scenario in a file of this site, relative to the ready experiments, as on the command line.
+ * @param {string} path
+ * @param {number} i
+ */
 async function fetched(path, i) {
-  const wrong = (/** @type {string} */ reason) => Object.assign(new Error(`The file "${path}" ${reason}.`), { code: "file", pointer: `/worlds/${i}/scenario` });
+  const wrong = (/** @type {string} */ reason) =>
+    Object.assign(new Error(`The file "${path}" ${reason}.`), { code: "file", pointer: `/worlds/${i}/scenario` });
   if (!/^[\w-.]+(\/[\w-.]+)*\.json$/.test(path)) throw wrong("is not a file of this site");
   const response = await fetch(new URL(path, new URL("experiments/documents/", location.href)));
   if (!response.ok) throw wrong("cannot be read");
@@ -47,27 +62,48 @@ export function titleOf(world) {
   if (world.name) return world.name;
   if ("generate" in world) return world.generate;
   const { scenario } = world;
-  return typeof scenario === "string" ? scenario.replace(/^.*\/|\.json$/g, "") : scenario?.title || scenario?.name || "world";
+  return typeof scenario === "string"
+    ? scenario.replace(/^.*\/|\.json$/g, "")
+    : scenario?.title || scenario?.name || "world";
 }
 
-/** The types of robots of all worlds. @param {ExperimentDocument} document @returns {Robot[]}  empty: a world has a fault, which the core names */
-export function robotsOf(document) { return ofWorlds(document, ({ robot }) => robot); }
+/**
+ * The types of robots of all worlds.
+ * @param {ExperimentDocument} document
+ * @returns {Robot[]}  empty: a world has a fault, which the core names
+ */
+export function robotsOf(document) {
+  return ofWorlds(document, ({ robot }) => robot);
+}
 
-/** The unit of path lengths; empty where it differs, or where metres and radians are added. @param {ExperimentDocument} document */
+/**
+ * The unit of path lengths; empty where it differs, or where metres and radians are added.
+ * @param {ExperimentDocument} document
+ */
 export function lengthUnit(document) {
   const units = ofWorlds(document, (scenario) => unitOf(scenario.document().robot));
   return units.length === 1 ? units[0] : "";
 }
 
-/** What there is in all worlds, each once; nothing if a world has a fault. @template T @param {ExperimentDocument} document @param {(scenario: Scenario) => T} read @returns {T[]} */
+/**
+ * What there is in all worlds, each once; nothing if a world has a fault.
+ * @template T
+ * @param {ExperimentDocument} document
+ * @param {(scenario: Scenario) => T} read
+ * @returns {T[]}
+ */
 function ofWorlds({ worlds }, read) {
   try {
-    return [...new Set(worlds.map((world) => {
-      const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
-      const found = read(scenario);
-      scenario.free();
-      return found;
-    }))];
+    return [
+      ...new Set(
+        worlds.map((world) => {
+          const scenario = "scenario" in world ? Scenario.parse(world.scenario) : generated(world);
+          const found = read(scenario);
+          scenario.free();
+          return found;
+        }),
+      ),
+    ];
   } catch {
     return [];
   }

@@ -1,4 +1,6 @@
-/** The commands of this page, which its worker runs: the fleet, its conflicts, and the newest planner, which is stepped. */
+/**
+ * The commands of this page, which its worker runs: the fleet, its conflicts, and the newest planner, which is stepped.
+ */
 import { Fleet } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 
@@ -16,40 +18,67 @@ let fleet = null;
 let planner = null;
 /** Another number for each planner. */
 let id = 0;
-/** How much of the planner the page has. @type {{ order: string, planned: number, roadmaps: { vertices: number, edges: number }[] }} */
+/**
+ * How much of the planner the page has.
+ * @type {{ order: string, planned: number, roadmaps: { vertices: number, edges: number }[] }}
+ */
 let sent = { order: "", planned: 0, roadmaps: [] };
 
 export const commands = {
   /** @param {Generated | { document: object | string }} source @throws {Error} it is refused, and nothing changes */
   open(source) {
-    const opened = "kind" in source ? withOptions(source.options, (/** @type {GenerateFleetOptions} */ options) => Fleet.generate(source.kind, options))
-      : Fleet.parse(/** @type {string} */ (source.document));
+    const opened =
+      "kind" in source
+        ? withOptions(source.options, (/** @type {GenerateFleetOptions} */ options) =>
+            Fleet.generate(source.kind, options),
+          )
+        : Fleet.parse(/** @type {string} */ (source.document));
     fleet?.free();
     fleet = opened;
     return { document: opened.toJSON(), title: opened.title, conflicts: opened.straightConflicts() };
   },
 
-  /** Begins to plan. @param {FleetPlannerId} algorithm @param {Settings} settings @param {string[] | null} order  names of all robots @throws {Error} it is refused, and nothing changes */
+  /**
+   * Begins to plan.
+   * @param {FleetPlannerId} algorithm
+   * @param {Settings} settings
+   * @param {string[] | null} order  names of all robots
+   * @throws {Error} it is refused, and nothing changes
+   */
   begin(algorithm, settings, order) {
     if (!fleet) throw new Error("No fleet has been opened.");
     const opened = fleet;
-    const begun = withOptions(settings, (options) => opened.planner({ ...options, algorithm, ...(order && { order }) }));
+    const begun = withOptions(settings, (options) =>
+      opened.planner({ ...options, algorithm, ...(order && { order }) }),
+    );
     planner?.free();
     planner = begun;
     sent = { order: "", planned: 0, roadmaps: [] };
     return ++id;
   },
 
-  /** Makes at most this number of iterations, fewer where they take long (`isLate`); null if another planner has begun since. @param {number} mine  of the planner @param {number} count */
+  /**
+   * Makes at most this number of iterations, fewer where they take long (`isLate`); null if another planner has begun
+   * since.
+   * @param {number} mine  of the planner
+   * @param {number} count
+   */
   advance(mine, count) {
     if (mine !== id || !planner) return null;
     const end = performance.now() + LONGEST;
-    for (let made = 0; made < count && planner.status === "running" && performance.now() < end; made += AT_ONCE) planner.step(Math.min(AT_ONCE, count - made));
-    return { ...growthOf(planner), isLate: performance.now() >= end, result: planner.status === "running" ? null : planner.result() };
+    for (let made = 0; made < count && planner.status === "running" && performance.now() < end; made += AT_ONCE)
+      planner.step(Math.min(AT_ONCE, count - made));
+    return {
+      ...growthOf(planner),
+      isLate: performance.now() >= end,
+      result: planner.status === "running" ? null : planner.result(),
+    };
   },
 
   /** Verifies the solved plan. @param {number} mine */
-  verify(mine) { return mine === id && planner ? fleet?.verify(planner.result()) ?? null : null; },
+  verify(mine) {
+    return mine === id && planner ? (fleet?.verify(planner.result()) ?? null) : null;
+  },
 };
 
 /** @typedef {typeof commands} Commands */
@@ -73,10 +102,21 @@ function growthOf(run) {
     return { vertices: run.verticesSince(i, vertices), edges: run.edgesSince(i, edges) };
   });
   sent = {
-    order: order.join(), planned,
+    order: order.join(),
+    planned,
     roadmaps: roadmaps.map(({ vertices, edges }, i) => ({
-      vertices: (sent.roadmaps[i]?.vertices ?? 0) + vertices.length / 3, edges: (sent.roadmaps[i]?.edges ?? 0) + edges.length / 2,
+      vertices: (sent.roadmaps[i]?.vertices ?? 0) + vertices.length / 3,
+      edges: (sent.roadmaps[i]?.edges ?? 0) + edges.length / 2,
     })),
   };
-  return { status, iterations, planned, order: [...order], blocked: [...run.blocked()], isAnew, trajectories, roadmaps };
+  return {
+    status,
+    iterations,
+    planned,
+    order: [...order],
+    blocked: [...run.blocked()],
+    isAnew,
+    trajectories,
+    roadmaps,
+  };
 }

@@ -1,4 +1,7 @@
-/** If all drove straight to their goals at once: a switch that shows it, and the pairs that would touch, each with its time. */
+/**
+ * If all drove straight to their goals at once: a switch that shows it, and the pairs that would touch, each with its
+ * time.
+ */
 import { byId, counted, make } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
 import { num } from "../widgets/format.js";
@@ -20,9 +23,20 @@ export function showConflicts(session, setStraight) {
     toggle.checked = session.isStraight;
     if (change !== "fleet") return;
     const { conflicts } = session;
-    session.app.write({ "conflicts-told": conflicts.length === 0 ? "No two robots would touch." : `${counted(conflicts.length, "pair")} would touch${conflicts.length > MOST ? `; the first ${MOST}` : ""}:` });
-    list.replaceChildren(...conflicts.slice(0, MOST).map(({ robots: [a, b], from }) => {
-      return make("li", {}, button("", `${a + 1} and ${b + 1} at ${num(from, 1)} s`, () => setStraight(true, from)));
-    }));
+    session.app.write({
+      "conflicts-told":
+        conflicts.length === 0
+          ? "No two robots would touch."
+          : `${counted(conflicts.length, "pair")} would touch${conflicts.length > MOST ? `; the first ${MOST}` : ""}:`,
+    });
+    list.replaceChildren(
+      ...conflicts.slice(0, MOST).map(({ robots: [a, b], from }) => {
+        return make(
+          "li",
+          {},
+          button("", `${a + 1} and ${b + 1} at ${num(from, 1)} s`, () => setStraight(true, from)),
+        );
+      }),
+    );
   }
 }

@@ -12,16 +12,21 @@ const LONGEST = 12;
 
 /** @param {FleetSession} session @param {Figure<Floor>} figure @returns {Subject[]} */
 export function filmsOf(session, figure) {
-  return [{
-    id: "robots", title: "The robots", meaning: "The robots from their starts to their goals.",
-    lack: () => (session.end > 0 && (session.isStraight || session.run.status !== "running") ? "" : "No robot has a plan yet."),
-    open: (width) => {
-      const { end } = session;
-      const then = Object.create(session, { selected: { value: null } });
-      return filmOf([figure], width, Math.min(LONGEST, Math.max(SHORTEST, end)), ([floor], part) => {
-        then.time = part * end;
-        floor.session = then;
-      });
+  return [
+    {
+      id: "robots",
+      title: "The robots",
+      meaning: "The robots from their starts to their goals.",
+      lack: () =>
+        session.end > 0 && (session.isStraight || session.run.status !== "running") ? "" : "No robot has a plan yet.",
+      open: (width) => {
+        const { end } = session;
+        const then = Object.create(session, { selected: { value: null } });
+        return filmOf([figure], width, Math.min(LONGEST, Math.max(SHORTEST, end)), ([floor], part) => {
+          then.time = part * end;
+          floor.session = then;
+        });
+      },
     },
-  }];
+  ];
 }

@@ -1,6 +1,7 @@
 /**
- * The floor: the world, the roadmaps as they grow, and every robot's way below; on top the robots at the time shown, each with its number and
- * a tail, and what is special of some: it waits, finds no way, is in the way, or touches another one.
+ * The floor: the world, the roadmaps as they grow, and every robot's way below; on top the robots at the time shown,
+ * each with its number and a tail, and what is special of some: it waits, finds no way, is in the way, or touches
+ * another one.
  */
 import { View, drawObstacles, partPath } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
@@ -38,18 +39,31 @@ export class Floor {
   }
 
   /** Gives every robot its colour. @param {Palette} palette */
-  recolour(palette) { this.colours = robotColours(this.session.robots.length, palette); }
+  recolour(palette) {
+    this.colours = robotColours(this.session.robots.length, palette);
+  }
 
   /** The parts of a robot at the time shown. @param {number} robot */
-  partsOf(robot) { return partsAt(this.session.robots[robot].robot, this.session.poseAt(robot)); }
+  partsOf(robot) {
+    return partsAt(this.session.robots[robot].robot, this.session.poseAt(robot));
+  }
 
   /** The radius of a robot's number, CSS pixels. @param {number} robot */
-  roomOf(robot) { return roomOf(this.session.robots[robot].robot) * this.view.scaleX; }
+  roomOf(robot) {
+    return roomOf(this.session.robots[robot].robot) * this.view.scaleX;
+  }
 
   /** Whether a robot in which no number fits is long enough for one on top of it. @param {number} robot */
-  isLong(robot) { return reachOf(this.session.robots[robot].robot) * this.view.scaleX >= 2 * READABLE; }
+  isLong(robot) {
+    return reachOf(this.session.robots[robot].robot) * this.view.scaleX >= 2 * READABLE;
+  }
 
-  /** The robot at a place of the canvas, or null. @param {number} x @param {number} y @param {number} near  CSS pixels */
+  /**
+   * The robot at a place of the canvas, or null.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} near  CSS pixels
+   */
   robotAt(x, y, near) {
     const distances = this.session.robots.map((_, i) => {
       const [px, py] = this.view.place(this.session.poseAt(i));
@@ -66,7 +80,12 @@ export class Floor {
     if (!document) return;
     const { context, palette, width, height } = brush;
     this.view = new View(boundsOf(document), width, height);
-    drawGround(context, this.view, /** @type {ScenarioDocument} */ (/** @type {unknown} */ ({ ...document, robot: robots[0].robot })), palette);
+    drawGround(
+      context,
+      this.view,
+      /** @type {ScenarioDocument} */ (/** @type {unknown} */ ({ ...document, robot: robots[0].robot })),
+      palette,
+    );
     this.drawn = [];
     if (hasRoadmap && !isStraight) this.append(brush);
     this.drawEnds(context, palette);
@@ -83,7 +102,10 @@ export class Floor {
     context.save();
     run.roadmaps.forEach((roadmap, i) => {
       const colour = isOrdered ? palette.growth : this.colours[i];
-      const { vertices, edges: { length } } = roadmap;
+      const {
+        vertices,
+        edges: { length },
+      } = roadmap;
       const drawn = this.drawn[i] ?? { vertices: 0, edges: 0 };
       setStroke(context, colour, 1);
       context.globalAlpha = isRunning ? (edges > MANY_EDGES ? 0.15 : 0.4) : 0.08;
@@ -117,18 +139,37 @@ export class Floor {
     context.stroke();
   }
 
-  /** The start of every robot, a ring, and its goal, a diamond within its outline there. @param {Context} context @param {Palette} palette */
+  /**
+   * The start of every robot, a ring, and its goal, a diamond within its outline there.
+   * @param {Context} context
+   * @param {Palette} palette
+   */
   drawEnds(context, palette) {
-    const { view, session: { robots } } = this;
+    const {
+      view,
+      session: { robots },
+    } = this;
     const isMany = robots.length > MANY_ROBOTS;
     robots.forEach(({ robot, start, goal }, i) => {
       const colour = this.colours[i];
       const size = Math.min(5, Math.max(2.4, 0.45 * this.roomOf(i)));
       const [gx, gy] = view.place(goal);
-      drawGhost(context, view, partsAt(robot, poseOf(goal)), { colour, fill: isMany ? 0.06 : 0.12, stroke: isMany ? 0.35 : 0.7, dash: [3, 3], width: 1.2 });
+      drawGhost(context, view, partsAt(robot, poseOf(goal)), {
+        colour,
+        fill: isMany ? 0.06 : 0.12,
+        stroke: isMany ? 0.35 : 0.7,
+        dash: [3, 3],
+        width: 1.2,
+      });
       context.fillStyle = colour;
       context.beginPath();
-      for (const [dx, dy] of [[0, -1], [1, 0], [0, 1], [-1, 0]]) context.lineTo(gx + 1.3 * size * dx, gy + 1.3 * size * dy);
+      for (const [dx, dy] of [
+        [0, -1],
+        [1, 0],
+        [0, 1],
+        [-1, 0],
+      ])
+        context.lineTo(gx + 1.3 * size * dx, gy + 1.3 * size * dy);
       context.closePath();
       context.fill();
       context.fillStyle = palette.stage;
@@ -147,7 +188,10 @@ export class Floor {
     shown.forEach((way, i) => {
       if (!way) return;
       setStroke(context, this.colours[i], 1.3);
-      this.strokeLine(context, Array.from({ length: way.count }, (_, row) => way.pointOf(row)));
+      this.strokeLine(
+        context,
+        Array.from({ length: way.count }, (_, row) => way.pointOf(row)),
+      );
     });
     context.restore();
   }
@@ -190,7 +234,13 @@ export class Floor {
     if (selected !== null) this.drawSelected(context, selected, palette);
   }
 
-  /** The robot in its colour, within a thick red outline if it is in the way of another one. @param {Context} context @param {number} i @param {Palette} palette @param {boolean} isInTheWay */
+  /**
+   * The robot in its colour, within a thick red outline if it is in the way of another one.
+   * @param {Context} context
+   * @param {number} i
+   * @param {Palette} palette
+   * @param {boolean} isInTheWay
+   */
   drawBody(context, i, palette, isInTheWay) {
     context.fillStyle = this.colours[i];
     for (const part of this.partsOf(i)) {
@@ -205,9 +255,18 @@ export class Floor {
     }
   }
 
-  /** The number of a robot, and bars while it waits. @param {Context} context @param {number} i @param {Palette} palette @param {boolean} isHit */
+  /**
+   * The number of a robot, and bars while it waits.
+   * @param {Context} context
+   * @param {number} i
+   * @param {Palette} palette
+   * @param {boolean} isHit
+   */
   drawSigns(context, i, palette, isHit) {
-    const { session: { shown, time, end, robots }, view } = this;
+    const {
+      session: { shown, time, end, robots },
+      view,
+    } = this;
     const room = this.roomOf(i);
     const [x, y] = view.place(this.session.poseAt(i));
     if (room >= READABLE) {
@@ -221,12 +280,22 @@ export class Floor {
         context.fillStyle = palette.ink;
       } else context.fillStyle = palette.stage;
       context.fillText(text, x, y);
-    }
-    else if (this.isLong(i)) drawLabel(context, String(i + 1), x, y, palette.ink, palette);
-    if (time < end && shown[i]?.isWaiting(time)) drawWait(context, x + 0.75 * reachOf(robots[i].robot) * view.scaleX + 3, y - 0.75 * reachOf(robots[i].robot) * view.scaleX - 3, palette);
+    } else if (this.isLong(i)) drawLabel(context, String(i + 1), x, y, palette.ink, palette);
+    if (time < end && shown[i]?.isWaiting(time))
+      drawWait(
+        context,
+        x + 0.75 * reachOf(robots[i].robot) * view.scaleX + 3,
+        y - 0.75 * reachOf(robots[i].robot) * view.scaleX - 3,
+        palette,
+      );
   }
 
-  /** Lines from the robot that finds no way to those in its way. @param {Context} context @param {number[]} blocked @param {Palette} palette */
+  /**
+   * Lines from the robot that finds no way to those in its way.
+   * @param {Context} context
+   * @param {number[]} blocked
+   * @param {Palette} palette
+   */
   drawLinks(context, [robot, ...others], palette) {
     const [from, ...ends] = [robot, ...others].map((i) => this.view.place(this.session.poseAt(i)));
     setStroke(context, palette.collision, 1.4, [2, 4]);
@@ -242,7 +311,12 @@ export class Floor {
     this.strokeLine(context, way.between(time, Math.max(time, way.arrival)));
   }
 
-  /** A ring with a cross around the robot that finds no way. @param {Context} context @param {number} robot @param {Palette} palette */
+  /**
+   * A ring with a cross around the robot that finds no way.
+   * @param {Context} context
+   * @param {number} robot
+   * @param {Palette} palette
+   */
   drawBlocked(context, robot, palette) {
     const [x, y] = this.view.place(this.session.poseAt(robot));
     const radius = reachOf(this.session.robots[robot].robot) * this.view.scaleX + 5;
@@ -254,39 +328,61 @@ export class Floor {
 
   /** An outline around the chosen robot. @param {Context} context @param {number} i @param {Palette} palette */
   drawSelected(context, i, palette) {
-    const { session: { robots }, view } = this;
+    const {
+      session: { robots },
+      view,
+    } = this;
     const [x, y] = view.place(this.session.poseAt(i));
     const radius = reachOf(robots[i].robot) * view.scaleX + 4;
     context.lineJoin = "round";
     for (const part of this.partsOf(i)) {
-      if (part.type === "disc") strokeWithHalo(context, [5, 2.4], palette.ink, palette, () => context.arc(x, y, radius, 0, 2 * Math.PI));
+      if (part.type === "disc")
+        strokeWithHalo(context, [5, 2.4], palette.ink, palette, () => context.arc(x, y, radius, 0, 2 * Math.PI));
       else {
         setStroke(context, palette.ink, 2.8);
         partPath(context, view, part);
         context.stroke();
       }
     }
-    if (this.roomOf(i) < READABLE && !this.isLong(i)) drawLabel(context, String(i + 1), x, y - radius - 9, this.colours[i], palette);
+    if (this.roomOf(i) < READABLE && !this.isLong(i))
+      drawLabel(context, String(i + 1), x, y - radius - 9, this.colours[i], palette);
   }
 }
 
-/** The sign of a robot that waits: two bars. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
+/**
+ * The sign of a robot that waits: two bars.
+ * @param {Context} context
+ * @param {number} x
+ * @param {number} y
+ * @param {Palette} palette
+ */
 function drawWait(context, x, y, palette) {
   strokeWithHalo(context, [5, 2], palette.ink, palette, () => {
     for (const shift of [-2.2, 2.2]) addLine(context, x + shift, y - 3.2, x + shift, y + 3.2);
   });
 }
 
-/** The distance of a robot's farthest point from its reference point, metres. @param {FleetDocument["robots"][number]["robot"]} robot */
+/**
+ * The distance of a robot's farthest point from its reference point, metres.
+ * @param {FleetDocument["robots"][number]["robot"]} robot
+ */
 function reachOf(robot) {
   if (robot.type === "disc") return robot.radius;
   return robot.type === "rigid_body" ? Math.max(...robot.shape.vertices.map(([x, y]) => Math.hypot(x, y))) : 0;
 }
 
 /** @param {FleetDocument} document */
-function boundsOf({ world: { bounds } }) { return bounds ?? { min: [0, 0], max: [1, 1] }; }
+function boundsOf({ world: { bounds } }) {
+  return bounds ?? { min: [0, 0], max: [1, 1] };
+}
 
-/** A small picture of a fleet: obstacles, robots at their starts, outlines at their goals. @param {FleetDocument} document @param {number} side  CSS pixels @param {{ palette: Palette, ratio: number }} look @returns {ImageBitmap} */
+/**
+ * A small picture of a fleet: obstacles, robots at their starts, outlines at their goals.
+ * @param {FleetDocument} document
+ * @param {number} side  CSS pixels
+ * @param {{ palette: Palette, ratio: number }} look
+ * @returns {ImageBitmap}
+ */
 export function fleetThumbnail(document, side, { palette, ratio }) {
   const canvas = new OffscreenCanvas(Math.round(side * ratio), Math.round(side * ratio));
   const context = /** @type {Context} */ (/** @type {unknown} */ (canvas.getContext("2d")));
@@ -296,8 +392,20 @@ export function fleetThumbnail(document, side, { palette, ratio }) {
   drawObstacles(context, view, world.obstacles, { ...palette, obstacleEdge: palette.obstacle });
   const colours = robotColours(robots.length, palette);
   robots.forEach(({ robot, start, goal }, i) => {
-    drawGhost(context, view, partsAt(robot, poseOf(goal)), { colour: colours[i], fill: 0, stroke: 0.5, dash: [], width: 1 });
-    drawGhost(context, view, partsAt(robot, poseOf(start)), { colour: colours[i], fill: 1, stroke: 1, dash: [], width: 0.5 });
+    drawGhost(context, view, partsAt(robot, poseOf(goal)), {
+      colour: colours[i],
+      fill: 0,
+      stroke: 0.5,
+      dash: [],
+      width: 1,
+    });
+    drawGhost(context, view, partsAt(robot, poseOf(start)), {
+      colour: colours[i],
+      fill: 1,
+      stroke: 1,
+      dash: [],
+      width: 0.5,
+    });
   });
   return canvas.transferToImageBitmap();
 }

@@ -1,10 +1,10 @@
 /**
  * The page of several robots: it makes the session, the figure, the list of robots and the panels.
  *
- * For tests, beside what app.js says: `#stage` carries `data-status` ("none", "running", "solved", "exhausted"), `data-planner`, `data-robots`,
- * `data-planned`, `data-order` and `data-blocked` (robots from 1), `data-plans` (plans begun), `data-vertices`, `data-time`, `data-end`,
- * `data-straight`, `data-waiting` and `data-touching` (robots from 1, at the time shown); once a plan has ended `data-fingerprint`, and
- * `data-verified` once it has been verified.
+ * For tests, beside what app.js says: `#stage` carries `data-status` ("none", "running", "solved", "exhausted"),
+ * `data-planner`, `data-robots`, `data-planned`, `data-order` and `data-blocked` (robots from 1), `data-plans` (plans
+ * begun), `data-vertices`, `data-time`, `data-end`, `data-straight`, `data-waiting` and `data-touching` (robots from 1,
+ * at the time shown); once a plan has ended `data-fingerprint`, and `data-verified` once it has been verified.
  */
 import { App } from "../app/app.js";
 import { byId, counted, grouped, make } from "../app/dom.js";
@@ -44,28 +44,55 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   const floor = new Floor(session);
   const figure = new Figure(app, stage, { id: "floor", kind: "workspace", caption: "Floor" }, floor);
   stage.append(byId("offer", HTMLElement));
-  const slider = make("input", { type: "range", id: "time", className: "timeline", min: "0", max: "1", step: "any", value: "0", ariaLabel: "Time" });
+  const slider = make("input", {
+    type: "range",
+    id: "time",
+    className: "timeline",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: "0",
+    ariaLabel: "Time",
+  });
   slider.addEventListener("input", () => scrub(Number(slider.value)));
-  const transport = new Transport(app, byId("course", HTMLElement), {
-    name: "course", label: "Transport", unit: "seconds", steps: [0.1, 1], slowest: 0.1, fastest: 20, pace: 1.5, isWhole: false,
-    advance: (seconds) => {
-      session.setTime(session.time + seconds);
-      return session.time < session.end;
+  const transport = new Transport(
+    app,
+    byId("course", HTMLElement),
+    {
+      name: "course",
+      label: "Transport",
+      unit: "seconds",
+      steps: [0.1, 1],
+      slowest: 0.1,
+      fastest: 20,
+      pace: 1.5,
+      isWhole: false,
+      advance: (seconds) => {
+        session.setTime(session.time + seconds);
+        return session.time < session.end;
+      },
+      reset: () => session.setTime(0),
+      paceText: (pace) => `${pace.toFixed(1)}\u00d7`,
     },
-    reset: () => session.setTime(0),
-    paceText: (pace) => `${pace.toFixed(1)}\u00d7`,
-  }, [stage]);
+    [stage],
+  );
   transport.bar.prepend(slider);
   // From its end it starts again.
-  const rewind = () => { if (transport.isPlaying && session.time >= session.end) session.setTime(0); };
+  const rewind = () => {
+    if (transport.isPlaying && session.time >= session.end) session.setTime(0);
+  };
   transport.play.addEventListener("click", rewind);
-  stage.addEventListener("keydown", ({ key }) => { if (key === " ") rewind(); });
+  stage.addEventListener("keydown", ({ key }) => {
+    if (key === " ") rewind();
+  });
   watchArrows(stage, (coordinate, direction, factor) => {
     if (coordinate !== 0 || session.end === 0) return false;
     scrub(session.time + direction * factor * STEP);
     return true;
   });
-  figure.canvas.addEventListener("click", ({ offsetX, offsetY }) => session.select(floor.robotAt(offsetX, offsetY, 16)));
+  figure.canvas.addEventListener("click", ({ offsetX, offsetY }) =>
+    session.select(floor.robotAt(offsetX, offsetY, 16)),
+  );
 
   const list = new RobotList(session, floor, { scrub, reorder: (order) => void attempt(session.reorder(order)) });
   showPanel(session, {
@@ -85,18 +112,42 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   });
   watchFiles(app, (name, bytes) => {
     app.notice.hide();
-    void app.track(session.load({ name, document: new TextDecoder().decode(bytes) }), `${name} could not be opened.`).then(playOnce);
+    void app
+      .track(session.load({ name, document: new TextDecoder().decode(bytes) }), `${name} could not be opened.`)
+      .then(playOnce);
   });
   const names = { name: () => `fleet-${session.document?.name ?? ""}`, title: () => session.title };
-  showDownloads(app, [figure], names, [
-    { id: "document", title: "Fleet", format: "JSON", meaning: "The world and the robots, as the command line reads them.", content: () => json(session.document ?? {}) },
-    { id: "result", title: "Plan", format: "JSON", meaning: "The result: the trajectory of every robot.", content: () => json(session.run.result ?? {}), name: () => `${names.name()}-${session.algorithm}` },
-  ], filmsOf(session, figure));
+  showDownloads(
+    app,
+    [figure],
+    names,
+    [
+      {
+        id: "document",
+        title: "Fleet",
+        format: "JSON",
+        meaning: "The world and the robots, as the command line reads them.",
+        content: () => json(session.document ?? {}),
+      },
+      {
+        id: "result",
+        title: "Plan",
+        format: "JSON",
+        meaning: "The result: the trajectory of every robot.",
+        content: () => json(session.run.result ?? {}),
+        name: () => `${names.name()}-${session.algorithm}`,
+      },
+    ],
+    filmsOf(session, figure),
+  );
   const exportResult = byId("export-result", HTMLButtonElement);
 
   app.onDraw(() => {
     // Edges are drawn on top of the others, unless all are redrawn.
-    const { palette, layers: { ground } } = figure;
+    const {
+      palette,
+      layers: { ground },
+    } = figure;
     if (!figure.dirty.has("ground") && session.document) floor.append({ context: ground.context, palette });
   });
   session.onChange(show);
@@ -116,12 +167,18 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     },
   });
 
-  /** Awaits a plan; what is refused is said beside its field, or above the figure. @param {Promise<boolean>} promise @param {Refusal} [onRefused] */
+  /**
+   * Awaits a plan; what is refused is said beside its field, or above the figure.
+   * @param {Promise<boolean>} promise
+   * @param {Refusal} [onRefused]
+   */
   function attempt(promise, onRefused = () => false) {
-    return app.track(promise.catch((error) => {
-      if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
-      return false;
-    }));
+    return app.track(
+      promise.catch((error) => {
+        if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
+        return false;
+      }),
+    );
   }
 
   /** @param {Source} source @param {Refusal} [onRefused] */
@@ -131,7 +188,10 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   }
 
   /** Plays a plan that has just been found, unless less motion is wanted. @param {boolean | undefined} isDone */
-  function playOnce(isDone) { if (isDone && session.end > 0 && !session.isStraight && session.run.status === "solved" && !app.reducedMotion) transport.setPlaying(true); }
+  function playOnce(isDone) {
+    if (isDone && session.end > 0 && !session.isStraight && session.run.status === "solved" && !app.reducedMotion)
+      transport.setPlaying(true);
+  }
 
   /** @param {number} time */
   function scrub(time) {
@@ -168,10 +228,21 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     const waiting = shown.flatMap((way, i) => (way && time < end && way.isWaiting(time) ? [i + 1] : []));
     const { result, verification } = run;
     Object.assign(stage.dataset, {
-      status: run.status, planner: session.algorithm, robots: robots.length, planned: run.planned, order: numbers(run.order), blocked: numbers(run.blocked), plans: session.plans,
-      vertices: run.roadmaps.reduce((sum, { vertices }) => sum + vertices.length / 3, 0), time: time.toFixed(3), end: end.toFixed(3), straight: isStraight,
-      waiting: waiting.join(), touching: [...new Set(touching.flatMap((one) => one.robots))].map((i) => i + 1).join(),
-      fingerprint: result?.fingerprint ?? "", verified: verification ? verification.valid : "",
+      status: run.status,
+      planner: session.algorithm,
+      robots: robots.length,
+      planned: run.planned,
+      order: numbers(run.order),
+      blocked: numbers(run.blocked),
+      plans: session.plans,
+      vertices: run.roadmaps.reduce((sum, { vertices }) => sum + vertices.length / 3, 0),
+      time: time.toFixed(3),
+      end: end.toFixed(3),
+      straight: isStraight,
+      waiting: waiting.join(),
+      touching: [...new Set(touching.flatMap((one) => one.robots))].map((i) => i + 1).join(),
+      fingerprint: result?.fingerprint ?? "",
+      verified: verification ? verification.valid : "",
     });
     exportResult.disabled = !result;
     const isSolved = run.status === "solved" && result !== null;
@@ -180,30 +251,70 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     app.write({
       where: `${session.title} \u00b7 ${counted(robots.length, "robot")}`,
       "fact-time": `${num(time, 1)} s`,
-      "fact-makespan": isSolved || isStraight ? `${num(end, 2)} s` : "\u2013", "fact-sum": isSolved || isStraight ? `${num(sum, 1)} s` : "\u2013",
-      "fact-waits": isSolved || isStraight ? `${num(waits, 1)} s` : "\u2013", "fact-waiting": waiting.length > 6 ? grouped(waiting.length) : waiting.join(", ") || "none",
-      "fact-iterations": grouped(run.iterations), "fact-fingerprint": result?.fingerprint ?? "\u2013",
-      "fact-verified": isStraight ? "not a plan" : !verification ? "\u2013" : verification.valid ? "\u2713 no conflict" : "\u2717 refused",
+      "fact-makespan": isSolved || isStraight ? `${num(end, 2)} s` : "\u2013",
+      "fact-sum": isSolved || isStraight ? `${num(sum, 1)} s` : "\u2013",
+      "fact-waits": isSolved || isStraight ? `${num(waits, 1)} s` : "\u2013",
+      "fact-waiting": waiting.length > 6 ? grouped(waiting.length) : waiting.join(", ") || "none",
+      "fact-iterations": grouped(run.iterations),
+      "fact-fingerprint": result?.fingerprint ?? "\u2013",
+      "fact-verified": isStraight
+        ? "not a plan"
+        : !verification
+          ? "\u2013"
+          : verification.valid
+            ? "\u2713 no conflict"
+            : "\u2717 refused",
     });
-    byId("fact-verified", HTMLElement).dataset.valid = String(isStraight ? "" : verification?.valid ?? "");
+    byId("fact-verified", HTMLElement).dataset.valid = String(isStraight ? "" : (verification?.valid ?? ""));
     const text = sentenceOf(session);
-    app.say(text, { isBad: !isStraight && run.status === "exhausted", isSilent: change === "growth" || change === "time" });
+    app.say(text, {
+      isBad: !isStraight && run.status === "exhausted",
+      isSilent: change === "growth" || change === "time",
+    });
     figure.describe(`${counted(robots.length, "robot")} at ${num(time, 1)} s. ${text}`);
   }
 
   /** Offers what may help where an order fails. */
   function offer() {
-    const { run: { status, blocked: [robot, ...others], order }, canCompose, isOrdered } = session;
+    const {
+      run: {
+        status,
+        blocked: [robot, ...others],
+        order,
+      },
+      canCompose,
+      isOrdered,
+    } = session;
     const isFailed = status === "exhausted";
     const buttons = [];
-    if (isFailed && isOrdered && session.algorithm !== DEFAULT) buttons.push(button("try-default", "Let the planner decide", () => void attempt(session.reorder(null)).then(playOnce), { className: "primary" }));
-    if (isFailed && isOrdered && canCompose) buttons.push(button("try-composite", "Try the composite planner", () => void attempt(session.use("composite")).then(playOnce)));
+    if (isFailed && isOrdered && session.algorithm !== DEFAULT)
+      buttons.push(
+        button("try-default", "Let the planner decide", () => void attempt(session.reorder(null)).then(playOnce), {
+          className: "primary",
+        }),
+      );
+    if (isFailed && isOrdered && canCompose)
+      buttons.push(
+        button(
+          "try-composite",
+          "Try the composite planner",
+          () => void attempt(session.use("composite")).then(playOnce),
+        ),
+      );
     if (isFailed && isOrdered && others.length > 0 && order[0] !== robot) {
-      buttons.push(button("plan-first", `Plan ${nameOf(session, robot)} first`, () => void attempt(session.reorder([robot, ...order.filter((i) => i !== robot)])).then(playOnce)));
+      buttons.push(
+        button(
+          "plan-first",
+          `Plan ${nameOf(session, robot)} first`,
+          () => void attempt(session.reorder([robot, ...order.filter((i) => i !== robot)])).then(playOnce),
+        ),
+      );
     }
     byId("offer", HTMLElement).replaceChildren(...buttons);
   }
 });
 
 /** Robots as numbers from 1. @param {number[]} robots */
-function numbers(robots) { return robots.map((i) => i + 1).join(); }
+function numbers(robots) {
+  return robots.map((i) => i + 1).join();
+}

@@ -1,4 +1,7 @@
-/** The settings: a ready fleet, a generator with its options, a planner with its options. The forms are built from the core's tables. */
+/**
+ * The settings: a ready fleet, a generator with its options, a planner with its options. The forms are built from the
+ * core's tables.
+ */
 import { Fleet, fleetGenerators, fleetPlanners, randomSeed } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { withOptions } from "../domain/option-names.js";
@@ -18,7 +21,11 @@ const SEEDS = 100_000;
 /** Options of a planner that are not folded away. */
 const SHOWN = ["seed"];
 
-/** @param {FleetSession} session @param {{ choose: (entry: Entry) => void, load: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void }} actions */
+/**
+ * @param {FleetSession} session
+ * @param {{ choose: (entry: Entry) => void, load: (source: Source, onRefused?: Refusal) => void, plan: (onRefused:
+ *   Refusal) => void }} actions
+ */
 export function showPanel(session, actions) {
   const { app } = session;
   const generators = fleetGenerators();
@@ -36,7 +43,9 @@ export function showPanel(session, actions) {
   let options = null;
   app.onTheme(drawAll);
   drawAll();
-  kind.addEventListener("change", () => actions.load({ kind: /** @type {FleetGeneratorId} */ (kind.value), options: {} }));
+  kind.addEventListener("change", () =>
+    actions.load({ kind: /** @type {FleetGeneratorId} */ (kind.value), options: {} }),
+  );
   planner.addEventListener("change", () => {
     session.algorithm = /** @type {FleetPlannerId} */ (planner.value);
     buildPlan();
@@ -53,7 +62,9 @@ export function showPanel(session, actions) {
 
   /** @param {Generated} generated */
   function thumbnailOf(generated) {
-    const fleet = withOptions(generated.options, (/** @type {GenerateFleetOptions} */ named) => Fleet.generate(generated.kind, named));
+    const fleet = withOptions(generated.options, (/** @type {GenerateFleetOptions} */ named) =>
+      Fleet.generate(generated.kind, named),
+    );
     const document = fleet.toJSON();
     fleet.free();
     return fleetThumbnail(document, SIDE, app.look);
@@ -68,9 +79,16 @@ export function showPanel(session, actions) {
     const info = generators.find(({ id }) => id === source.kind) ?? generators[0];
     app.write({ "kind-summary": info.summary });
     const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "fleet"));
-    const form = new Options(host, table, source.options, () => {
-      if (form.settings) actions.load({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
-    }, { prefix: "fleet" });
+    const form = new Options(
+      host,
+      table,
+      source.options,
+      () => {
+        if (form.settings)
+          actions.load({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
+      },
+      { prefix: "fleet" },
+    );
     options = form;
   }
 
@@ -79,24 +97,38 @@ export function showPanel(session, actions) {
     planner.value = algorithm;
     const info = planners.find(({ id }) => id === algorithm) ?? planners[0];
     app.write({ "planner-summary": info.summary });
-    const form = new Options(byId("plan-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(info.parameters)), given[algorithm], () => {
-      if (!form.settings) return;
-      given[algorithm] = form.given;
-      actions.plan((pointer, reason) => form.refuse(pointer, reason));
-    }, { prefix: "plan", first: SHOWN });
+    const form = new Options(
+      byId("plan-settings", HTMLElement),
+      /** @type {ParameterInfo[]} */ (withSeed(info.parameters)),
+      given[algorithm],
+      () => {
+        if (!form.settings) return;
+        given[algorithm] = form.given;
+        actions.plan((pointer, reason) => form.refuse(pointer, reason));
+      },
+      { prefix: "plan", first: SHOWN },
+    );
   }
 
   /** @param {Change} change */
   function show(change) {
     if (change !== "fleet" && change !== "plan") return;
     const { source, algorithm, canCompose } = session;
-    const entry = SCENES.find((one) => "kind" in source && one.kind === source.kind && sameOptions(one.options, source.options));
+    const entry = SCENES.find(
+      (one) => "kind" in source && one.kind === source.kind && sameOptions(one.options, source.options),
+    );
     gallery.mark(entry?.id ?? null);
     app.write({ what: entry?.what ?? "" });
     if (change === "fleet") {
       // The form that the change is from keeps its focus.
       const key = "kind" in source ? source.kind : "";
-      if (key !== shown.kind || key === "" || !options || !sameOptions(options.given, /** @type {Generated} */ (source).options)) buildFleet();
+      if (
+        key !== shown.kind ||
+        key === "" ||
+        !options ||
+        !sameOptions(options.given, /** @type {Generated} */ (source).options)
+      )
+        buildFleet();
       shown.kind = key;
     }
     for (const option of planner.options) option.disabled = option.value === "composite" && !canCompose;
@@ -106,7 +138,10 @@ export function showPanel(session, actions) {
   }
 }
 
-/** Shows beside its field why a value is refused. @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field */
+/**
+ * Shows beside its field why a value is refused.
+ * @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field
+ */
 
 /** @param {Settings} a @param {Settings} b */
 function sameOptions(a, b) {

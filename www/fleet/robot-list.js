@@ -1,6 +1,6 @@
 /**
- * The robots in their order of priority, each with its time: when it moves, waits and has arrived. A click or a drag along the times
- * scrubs; a drag of a number, Alt with an arrow key, or the buttons move a robot in the order.
+ * The robots in their order of priority, each with its time: when it moves, waits and has arrived. A click or a drag
+ * along the times scrubs; a drag of a number, Alt with an arrow key, or the buttons move a robot in the order.
  */
 import { byId, make, makeSvg, write } from "../app/dom.js";
 import { num } from "../widgets/format.js";
@@ -10,7 +10,11 @@ import { laneSentence } from "./words.js";
 /** @import { FleetSession, Change } from "./session.js" */
 /** @import { Trajectory } from "./trajectory.js" */
 
-/** A robot's row. @typedef {{ robot: number, element: HTMLLIElement, words: HTMLElement, bar: SVGSVGElement, when: HTMLElement, drawn: string }} Lane */
+/**
+ * A robot's row.
+ * @typedef {{ robot: number, element: HTMLLIElement, words: HTMLElement, bar: SVGSVGElement, when: HTMLElement, drawn:
+ *   string }} Lane
+ */
 
 /** Height of a bar, in its own units. */
 const HIGH = 12;
@@ -18,7 +22,11 @@ const HIGH = 12;
 const EDGE = 24;
 
 export class RobotList {
-  /** @param {FleetSession} session @param {Floor} floor  has the colours @param {{ scrub: (time: number) => void, reorder: (order: number[] | null) => void }} actions */
+  /**
+   * @param {FleetSession} session
+   * @param {Floor} floor  has the colours
+   * @param {{ scrub: (time: number) => void, reorder: (order: number[] | null) => void }} actions
+   */
   constructor(session, floor, actions) {
     this.session = session;
     this.floor = floor;
@@ -33,7 +41,11 @@ export class RobotList {
     this.held = null;
     this.list.addEventListener("keydown", (event) => this.press(event));
     this.list.addEventListener("pointerdown", (event) => this.grab(event));
-    for (const [id, to] of /** @type {const} */ ([["first", -Infinity], ["up", -1], ["down", 1]])) {
+    for (const [id, to] of /** @type {const} */ ([
+      ["first", -Infinity],
+      ["up", -1],
+      ["down", 1],
+    ])) {
       byId(id, HTMLButtonElement).addEventListener("click", () => this.move(to));
     }
     byId("any-order", HTMLButtonElement).addEventListener("click", () => actions.reorder(null));
@@ -51,7 +63,8 @@ export class RobotList {
     }
     if (change === "selected" || change === "fleet") this.mark();
     list.style.setProperty("--now", String(session.end > 0 ? Math.min(1, session.time / session.end) : 0));
-    for (const id of ["first", "up", "down"]) byId(id, HTMLButtonElement).disabled = session.selected === null || !session.isOrdered || this.order.length < 2;
+    for (const id of ["first", "up", "down"])
+      byId(id, HTMLButtonElement).disabled = session.selected === null || !session.isOrdered || this.order.length < 2;
     byId("any-order", HTMLButtonElement).disabled = session.order === null || session.algorithm !== "prioritized";
   }
 
@@ -60,8 +73,19 @@ export class RobotList {
       const words = make("span", { className: "visually-hidden" });
       const bar = makeSvg("svg", { class: "bar", preserveAspectRatio: "none", "aria-hidden": "true" });
       const when = make("span", { className: "when", ariaHidden: "true" });
-      const grip = make("span", { className: "grip", ariaHidden: "true" }, make("span", { className: "chip" }, String(robot + 1)));
-      const element = make("li", { id: `robot-${robot + 1}`, className: "lane", role: "option", dataset: { robot } }, words, grip, bar, when);
+      const grip = make(
+        "span",
+        { className: "grip", ariaHidden: "true" },
+        make("span", { className: "chip" }, String(robot + 1)),
+      );
+      const element = make(
+        "li",
+        { id: `robot-${robot + 1}`, className: "lane", role: "option", dataset: { robot } },
+        words,
+        grip,
+        bar,
+        when,
+      );
       return { robot, element, words, bar, when, drawn: "" };
     });
     this.order = [];
@@ -69,7 +93,8 @@ export class RobotList {
 
   /** Gives the rows the colours of their robots. */
   colour() {
-    for (const { robot, element } of this.lanes) element.style.setProperty("--robot-colour", this.floor.colours[robot] ?? "");
+    for (const { robot, element } of this.lanes)
+      element.style.setProperty("--robot-colour", this.floor.colours[robot] ?? "");
   }
 
   /** Puts the rows into an order. @param {number[]} order */
@@ -83,28 +108,66 @@ export class RobotList {
   drawLane(lane) {
     const { session } = this;
     const { robot, element, words, bar, when } = lane;
-    const { run: { blocked, status }, isStraight, shown, end } = session;
+    const {
+      run: { blocked, status },
+      isStraight,
+      shown,
+      end,
+    } = session;
     const isFailed = !isStraight && status === "exhausted";
-    const state = isFailed && blocked[0] === robot ? "blocked" : isFailed && blocked.includes(robot) ? "in-the-way" : shown[robot] ? "planned" : "open";
+    const state =
+      isFailed && blocked[0] === robot
+        ? "blocked"
+        : isFailed && blocked.includes(robot)
+          ? "in-the-way"
+          : shown[robot]
+            ? "planned"
+            : "open";
     element.dataset.state = state;
     write(words, laneSentence(session, robot));
-    write(when, state === "blocked" ? "no plan" : state === "in-the-way" ? "in the way" : shown[robot] ? `${num(shown[robot].arrival, 1)} s` : "");
+    write(
+      when,
+      state === "blocked"
+        ? "no plan"
+        : state === "in-the-way"
+          ? "in the way"
+          : shown[robot]
+            ? `${num(shown[robot].arrival, 1)} s`
+            : "",
+    );
     const key = `${end} ${shown[robot]?.count} ${shown[robot]?.arrival} ${shown[robot]?.waits} ${isStraight}`;
     if (key === lane.drawn) return;
     lane.drawn = key;
-    bar.replaceChildren(...(shown[robot] && end > 0 ? shapesOf(shown[robot], end) : []), ...(isStraight ? this.conflictsOf(robot) : []));
+    bar.replaceChildren(
+      ...(shown[robot] && end > 0 ? shapesOf(shown[robot], end) : []),
+      ...(isStraight ? this.conflictsOf(robot) : []),
+    );
     bar.setAttribute("viewBox", `0 0 ${Math.max(end, 1e-9)} ${HIGH}`);
   }
 
   /** When a robot touches another one, if all drive straight. @param {number} robot */
   conflictsOf(robot) {
     const { conflicts, end } = this.session;
-    return conflicts.filter(({ robots }) => robots.includes(robot)).map(({ from, to }) => makeSvg("rect", { class: "conflict", x: from, y: 0, width: Math.max(Math.min(to ?? end, end) - from, 0.006 * end), height: HIGH }));
+    return conflicts
+      .filter(({ robots }) => robots.includes(robot))
+      .map(({ from, to }) =>
+        makeSvg("rect", {
+          class: "conflict",
+          x: from,
+          y: 0,
+          width: Math.max(Math.min(to ?? end, end) - from, 0.006 * end),
+          height: HIGH,
+        }),
+      );
   }
 
   /** Marks the chosen robot. */
   mark() {
-    const { session: { selected }, lanes, list } = this;
+    const {
+      session: { selected },
+      lanes,
+      list,
+    } = this;
     for (const { robot, element } of lanes) element.ariaSelected = String(robot === selected);
     if (selected === null) list.removeAttribute("aria-activedescendant");
     else {
@@ -117,7 +180,8 @@ export class RobotList {
   reveal({ offsetTop, offsetHeight }) {
     const { scroller } = this;
     if (offsetTop < scroller.scrollTop) scroller.scrollTop = offsetTop;
-    else if (offsetTop + offsetHeight > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = offsetTop + offsetHeight - scroller.clientHeight;
+    else if (offsetTop + offsetHeight > scroller.scrollTop + scroller.clientHeight)
+      scroller.scrollTop = offsetTop + offsetHeight - scroller.clientHeight;
   }
 
   /** @param {KeyboardEvent} event */
@@ -126,7 +190,12 @@ export class RobotList {
     const { session, order } = this;
     const at = session.selected === null ? -1 : order.indexOf(session.selected);
     /** @type {Record<string, number>} */
-    const targets = { ArrowUp: Math.max(0, at - 1), ArrowDown: Math.min(order.length - 1, at + 1), Home: 0, End: order.length - 1 };
+    const targets = {
+      ArrowUp: Math.max(0, at - 1),
+      ArrowDown: Math.min(order.length - 1, at + 1),
+      Home: 0,
+      End: order.length - 1,
+    };
     const to = targets[event.key];
     if (to === undefined) return;
     event.preventDefault();
@@ -169,16 +238,25 @@ export class RobotList {
     follow(event);
     addEventListener("pointermove", follow, stop);
     for (const type of ["pointerup", "pointercancel"]) {
-      addEventListener(type, () => {
-        stop.abort();
-        if (isGrip) this.drop(type === "pointerup");
-      }, stop);
+      addEventListener(
+        type,
+        () => {
+          stop.abort();
+          if (isGrip) this.drop(type === "pointerup");
+        },
+        stop,
+      );
     }
-    if (isGrip) addEventListener("keydown", ({ key }) => {
-      if (key !== "Escape") return;
-      stop.abort();
-      this.drop(false);
-    }, stop);
+    if (isGrip)
+      addEventListener(
+        "keydown",
+        ({ key }) => {
+          if (key !== "Escape") return;
+          stop.abort();
+          this.drop(false);
+        },
+        stop,
+      );
   }
 
   /** @param {number} robot @param {HTMLElement} lane @returns {(event: PointerEvent) => void} */
@@ -217,8 +295,13 @@ export class RobotList {
 
 /** Moving is a full bar, waiting a hollow one, having arrived a line. @param {Trajectory} way @param {number} end */
 function shapesOf({ spans, arrival }, end) {
-  const rect = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ y) => `M${from} ${y}H${to}V${HIGH - y}H${from}z`;
-  const path = (/** @type {boolean} */ isWait, /** @type {number} */ y) => spans.filter((span) => span.isWait === isWait).map(({ from, to }) => rect(from, to, y)).join("");
+  const rect = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ y) =>
+    `M${from} ${y}H${to}V${HIGH - y}H${from}z`;
+  const path = (/** @type {boolean} */ isWait, /** @type {number} */ y) =>
+    spans
+      .filter((span) => span.isWait === isWait)
+      .map(({ from, to }) => rect(from, to, y))
+      .join("");
   return [
     makeSvg("path", { class: "moving", d: path(false, 1) }),
     makeSvg("path", { class: "waiting", d: path(true, 3.5) }),

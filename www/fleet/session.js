@@ -1,11 +1,14 @@
 /**
- * The state of the page: a fleet, how it is planned for, the plan as far as it has grown, and the time that is shown. The worker
- * plans; only the newest plan counts.
+ * The state of the page: a fleet, how it is planned for, the plan as far as it has grown, and the time that is shown.
+ * The worker plans; only the newest plan counts.
  */
 import { Observable } from "../app/observable.js";
 import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 
-/** @import { FleetConflict, FleetDocument, FleetPlannerId, FleetResult, FleetVerification, Status } from "planarium/full" */
+/**
+ * @import { FleetConflict, FleetDocument, FleetPlannerId, FleetResult, FleetVerification,
+ *   Status } from "planarium/full"
+ */
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
@@ -13,7 +16,10 @@ import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 /** @import { Generated } from "./scenes.js" */
 /** @import { Pose } from "./trajectory.js" */
 
-/** "growth": the plan grows; "plan": it has ended, or begins anew; "shown": other trajectories are shown. @typedef {"fleet" | "growth" | "plan" | "shown" | "time" | "selected"} Change */
+/**
+ * "growth": the plan grows; "plan": it has ended, or begins anew; "shown": other trajectories are shown.
+ * @typedef {"fleet" | "growth" | "plan" | "shown" | "time" | "selected"} Change
+ */
 /** Where a fleet is from. @typedef {Generated | { name: string, document: object | string }} Source */
 /** x, y, theta of each vertex; two vertices of each edge. @typedef {{ vertices: number[], edges: number[] }} Roadmap */
 
@@ -42,13 +48,23 @@ const COORDINATES = 8;
 export const DEFAULT = "pbs";
 
 /** No options of any planner. @returns {Record<FleetPlannerId, Settings>} */
-export function noOptions() { return { pbs: {}, prioritized: {}, composite: {} }; }
+export function noOptions() {
+  return { pbs: {}, prioritized: {}, composite: {} };
+}
 
 /** @param {number} robots @returns {Run} */
 function nothing(robots) {
   return {
-    status: "none", iterations: 0, planned: 0, order: Array.from({ length: robots }, (_, i) => i), blocked: [], roadmaps: [], isBuilding: true,
-    trajectories: Array.from({ length: robots }, () => null), result: null, verification: null,
+    status: "none",
+    iterations: 0,
+    planned: 0,
+    order: Array.from({ length: robots }, (_, i) => i),
+    blocked: [],
+    roadmaps: [],
+    isBuilding: true,
+    trajectories: Array.from({ length: robots }, () => null),
+    result: null,
+    verification: null,
   };
 }
 
@@ -88,38 +104,59 @@ export class FleetSession extends Observable {
     this.selected = null;
   }
 
-  get robots() { return this.document?.robots ?? []; }
+  get robots() {
+    return this.document?.robots ?? [];
+  }
 
   /** The trajectories that are shown. @returns {(Trajectory | null)[]} */
-  get shown() { return this.isStraight ? this.straight : this.run.trajectories; }
+  get shown() {
+    return this.isStraight ? this.straight : this.run.trajectories;
+  }
 
   /** When the last robot arrives, as far as is known. */
-  get end() { return this.shown.reduce((end, one) => Math.max(end, one?.arrival ?? 0), 0); }
+  get end() {
+    return this.shown.reduce((end, one) => Math.max(end, one?.arrival ?? 0), 0);
+  }
 
   /** Whether the composite can plan for this fleet. */
   get canCompose() {
     const { length } = this.robots;
-    return length >= TOGETHER[0] && length <= TOGETHER[1] && this.robots.reduce((sum, { start }) => sum + start.length, 0) <= COORDINATES;
+    return (
+      length >= TOGETHER[0] &&
+      length <= TOGETHER[1] &&
+      this.robots.reduce((sum, { start }) => sum + start.length, 0) <= COORDINATES
+    );
   }
 
   /** Whether robots can be put into order: `prioritized` then plans for them. */
-  get isOrdered() { return this.algorithm !== "composite"; }
+  get isOrdered() {
+    return this.algorithm !== "composite";
+  }
 
   /** @param {number} robot @param {number} [time] @returns {Pose} */
-  poseAt(robot, time = this.time) { return this.shown[robot]?.at(time) ?? poseOf(this.robots[robot].start); }
+  poseAt(robot, time = this.time) {
+    return this.shown[robot]?.at(time) ?? poseOf(this.robots[robot].start);
+  }
 
   /** The conflicts at the time shown, if all drive straight. */
-  get touching() { return this.isStraight ? this.conflicts.filter(({ from, to }) => from <= this.time && this.time < (to ?? Infinity)) : []; }
+  get touching() {
+    return this.isStraight
+      ? this.conflicts.filter(({ from, to }) => from <= this.time && this.time < (to ?? Infinity))
+      : [];
+  }
 
   /**
    * Opens a fleet and plans for it.
-   * @param {Source} source @param {{ order?: number[] | null, isQuick?: boolean }} [how]  `isQuick`: without showing how it grows
+   * @param {Source} source
+   * @param {{ order?: number[] | null, isQuick?: boolean }} [how]  `isQuick`: without showing how it grows
    * @returns {Promise<boolean>} whether it was not replaced meanwhile
    * @throws {Error} it is refused, and the fleet before stays
    */
   async load(source, { order = null, isQuick = false } = {}) {
     const request = ++this.requests;
-    const opened = await this.worker.open("kind" in source ? { kind: source.kind, options: source.options } : { document: source.document });
+    const opened = await this.worker.open(
+      "kind" in source ? { kind: source.kind, options: source.options } : { document: source.document },
+    );
     if (request !== this.requests) return false;
     this.enter(source, opened, order);
     return this.plan(isQuick);
@@ -128,25 +165,44 @@ export class FleetSession extends Observable {
   /** @param {Source} source @param {Opened} opened @param {number[] | null} order */
   enter(source, { document, title, conflicts }, order) {
     Object.assign(this, {
-      source, document, title, conflicts, order, straight: document.robots.map(straightOf), run: nothing(document.robots.length), current: 0, time: 0, isStraight: false,
+      source,
+      document,
+      title,
+      conflicts,
+      order,
+      straight: document.robots.map(straightOf),
+      run: nothing(document.robots.length),
+      current: 0,
+      time: 0,
+      isStraight: false,
       selected: null,
     });
     if (!this.canCompose && this.algorithm === "composite") this.algorithm = DEFAULT;
     this.update("fleet");
   }
 
-  /** Plans with the planner, its options and the order as they are. @param {boolean} [isQuick] @returns {Promise<boolean>} whether it came to its end @throws {Error} they are refused */
+  /**
+   * Plans with the planner, its options and the order as they are.
+   * @param {boolean} [isQuick]
+   * @returns {Promise<boolean>} whether it came to its end
+   * @throws {Error} they are refused
+   */
   async plan(isQuick = true) {
     const plans = ++this.plans;
     const { algorithm, given, order, robots } = this;
-    const id = await this.worker.begin(algorithm, given[algorithm], order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null);
+    const id = await this.worker.begin(
+      algorithm,
+      given[algorithm],
+      order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null,
+    );
     if (plans !== this.plans) return false;
     this.current = id;
     const isStill = isQuick || this.app.reducedMotion;
     for (let count = FIRST, isFirst = true; this.run.status === "running" || isFirst; count *= MORE, isFirst = false) {
       const progress = await this.worker.advance(id, isStill ? Infinity : Math.ceil(count));
       if (!progress || this.current !== id) return false;
-      if (isFirst) Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
+      if (isFirst)
+        Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
       this.grow(progress);
       this.update(isFirst ? "plan" : "growth");
       // As long as iterations are fast, there are so many in a frame.
@@ -169,7 +225,7 @@ export class FleetSession extends Observable {
     for (const { robot, rows } of trajectories) run.trajectories[robot] = new Trajectory(rows);
     run.isBuilding = roadmaps.some(({ vertices, edges }) => vertices.length + edges.length > 0);
     roadmaps.forEach((grown, i) => {
-      const roadmap = run.roadmaps[i] ??= { vertices: [], edges: [] };
+      const roadmap = (run.roadmaps[i] ??= { vertices: [], edges: [] });
       for (const value of grown.vertices) roadmap.vertices.push(value);
       for (const vertex of grown.edges) roadmap.edges.push(vertex);
     });
@@ -182,7 +238,11 @@ export class FleetSession extends Observable {
     return this.plan(false);
   }
 
-  /** Plans in an order; null: by the planner at first, which decides who gives way. @param {number[] | null} order @returns {Promise<boolean>} */
+  /**
+   * Plans in an order; null: by the planner at first, which decides who gives way.
+   * @param {number[] | null} order
+   * @returns {Promise<boolean>}
+   */
   reorder(order) {
     this.order = order;
     this.algorithm = order ? "prioritized" : DEFAULT;

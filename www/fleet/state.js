@@ -8,14 +8,21 @@ import { flag, json, list, name, number, oneOf, record, settings, whole, withDef
 /** @type {FleetPlannerId[]} */
 const PLANNERS = ["pbs", "prioritized", "composite"];
 
-export const stateRule = withDefaults({
-  // A document, or a generator and its options.
-  document: /** @type {Rule<FleetDocument>} */ (record({}, json(16))), kind: /** @type {Rule<FleetGeneratorId>} */ (name), options: settings,
-  planner: oneOf(PLANNERS), given: settings,
-  // The robots by their indices; empty if no order was asked for.
-  order: list(whole(999), 0, 1000),
-  time: number, straight: flag,
-}, { kind: "ring", options: {}, planner: "prioritized", given: {}, order: [], time: 0, straight: false });
+export const stateRule = withDefaults(
+  {
+    // A document, or a generator and its options.
+    document: /** @type {Rule<FleetDocument>} */ (record({}, json(16))),
+    kind: /** @type {Rule<FleetGeneratorId>} */ (name),
+    options: settings,
+    planner: oneOf(PLANNERS),
+    given: settings,
+    // The robots by their indices; empty if no order was asked for.
+    order: list(whole(999), 0, 1000),
+    time: number,
+    straight: flag,
+  },
+  { kind: "ring", options: {}, planner: "prioritized", given: {}, order: [], time: 0, straight: false },
+);
 
 /** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
@@ -23,14 +30,24 @@ export const stateRule = withDefaults({
 export function stateOf({ source, document, algorithm, given, order, time, isStraight }) {
   const { defaults } = stateRule;
   const from = "kind" in source ? { kind: source.kind, options: source.options } : { document: document ?? undefined };
-  return { .../** @type {any} */ (defaults), ...from, planner: algorithm, given: given[algorithm], order: order ?? [], time: Number(time.toFixed(3)), straight: isStraight };
+  return {
+    .../** @type {any} */ (defaults),
+    ...from,
+    planner: algorithm,
+    given: given[algorithm],
+    order: order ?? [],
+    time: Number(time.toFixed(3)),
+    straight: isStraight,
+  };
 }
 
 /** @param {FleetSession} session @param {State} state @throws {Error} the core refuses it */
 export async function openState(session, { document, kind, options, planner, given, order, time, straight }) {
   const { algorithm: before, given: own } = session;
   /** @type {Source} */
-  const source = document ? { name: document.name, document } : { kind: /** @type {FleetGeneratorId} */ (kind), options };
+  const source = document
+    ? { name: document.name, document }
+    : { kind: /** @type {FleetGeneratorId} */ (kind), options };
   Object.assign(session, { algorithm: planner, given: { ...own, [planner]: given } });
   try {
     await session.load(source, { order: order.length > 0 ? order : null, isQuick: true });

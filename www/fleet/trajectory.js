@@ -5,13 +5,19 @@ import { difference } from "planarium/draw";
 /** @import { Part, Point } from "../domain/types.js" */
 
 /** x, y, theta; theta of a disc is 0. @typedef {[number, number, number]} Pose */
-/** An interval of time in which a robot moves or stands. @typedef {{ from: number, to: number, isWait: boolean }} Span */
+/**
+ * An interval of time in which a robot moves or stands.
+ * @typedef {{ from: number, to: number, isWait: boolean }} Span
+ */
 
 /** Numbers in a row: t, x, y, theta. */
 const WIDTH = 4;
 
 export class Trajectory {
-  /** @param {ArrayLike<number>} rows  linear between rows, angles the short way round; the robot stands at the last for ever */
+  /**
+   * @param {ArrayLike<number>} rows  linear between rows, angles the short way round; the robot stands at the last for
+   *   ever
+   */
   constructor(rows) {
     this.rows = rows;
     this.count = rows.length / WIDTH;
@@ -32,10 +38,14 @@ export class Trajectory {
   }
 
   /** @param {number} row */
-  timeOf(row) { return this.rows[row * WIDTH]; }
+  timeOf(row) {
+    return this.rows[row * WIDTH];
+  }
 
   /** @param {number} row @returns {Point} */
-  pointOf(row) { return [this.rows[row * WIDTH + 1], this.rows[row * WIDTH + 2]]; }
+  pointOf(row) {
+    return [this.rows[row * WIDTH + 1], this.rows[row * WIDTH + 2]];
+  }
 
   /** The last row that is not later than a time. @param {number} time */
   rowAt(time) {
@@ -55,24 +65,33 @@ export class Trajectory {
     if (row === this.count - 1 || time <= t) return [x, y, theta];
     const next = (row + 1) * WIDTH;
     const part = (time - t) / (this.rows[next] - t);
-    return [x + part * (this.rows[next + 1] - x), y + part * (this.rows[next + 2] - y), theta + part * difference(theta, this.rows[next + 3], true)];
+    return [
+      x + part * (this.rows[next + 1] - x),
+      y + part * (this.rows[next + 2] - y),
+      theta + part * difference(theta, this.rows[next + 3], true),
+    ];
   }
 
   /** @param {number} time */
-  isWaiting(time) { return this.spans.some(({ from, to, isWait }) => isWait && from <= time && time < to); }
+  isWaiting(time) {
+    return this.spans.some(({ from, to, isWait }) => isWait && from <= time && time < to);
+  }
 
   /** The points between two times. @param {number} from @param {number} to @returns {Point[]} */
   between(from, to) {
     const [[x0, y0], [x1, y1]] = [this.at(from), this.at(to)];
     /** @type {Point[]} */
     const points = [[x0, y0]];
-    for (let row = this.rowAt(from) + 1; row < this.count && this.timeOf(row) < to; row++) points.push(this.pointOf(row));
+    for (let row = this.rowAt(from) + 1; row < this.count && this.timeOf(row) < to; row++)
+      points.push(this.pointOf(row));
     return [...points, [x1, y1]];
   }
 }
 
 /** A configuration as a pose. @param {ArrayLike<number>} q @returns {Pose} */
-export function poseOf(q) { return [q[0], q[1], q[2] ?? 0]; }
+export function poseOf(q) {
+  return [q[0], q[1], q[2] ?? 0];
+}
 
 /** Straight to the goal, at the speed of the robot, whatever is in the way. @param {FleetRobotDocument} member */
 export function straightOf({ robot, start, goal, speed = 1 }) {
@@ -87,7 +106,14 @@ export function partsAt(robot, [x, y, theta]) {
   if (robot.type === "disc") return [{ type: "disc", center: [x, y], radius: robot.radius }];
   if (robot.type !== "rigid_body") return [];
   const [cos, sin] = [Math.cos(theta), Math.sin(theta)];
-  return [{ type: "polygon", vertices: robot.shape.vertices.map(([a, b]) => /** @type {Point} */ ([x + cos * a - sin * b, y + sin * a + cos * b])) }];
+  return [
+    {
+      type: "polygon",
+      vertices: robot.shape.vertices.map(
+        ([a, b]) => /** @type {Point} */ ([x + cos * a - sin * b, y + sin * a + cos * b]),
+      ),
+    },
+  ];
 }
 
 /** The radius of a circle in a robot, in which its number fits, metres. @param {FleetRobotDocument["robot"]} robot */
@@ -95,8 +121,10 @@ export function roomOf(robot) {
   if (robot.type === "disc") return robot.radius;
   if (robot.type !== "rigid_body") return 0;
   const { vertices } = robot.shape;
-  return Math.min(...vertices.map(([ax, ay], i) => {
-    const [bx, by] = vertices[(i + 1) % vertices.length];
-    return Math.abs(ax * by - ay * bx) / Math.hypot(bx - ax, by - ay);
-  }));
+  return Math.min(
+    ...vertices.map(([ax, ay], i) => {
+      const [bx, by] = vertices[(i + 1) % vertices.length];
+      return Math.abs(ax * by - ay * bx) / Math.hypot(bx - ax, by - ay);
+    }),
+  );
 }

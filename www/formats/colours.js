@@ -1,4 +1,7 @@
-/** A palette for images of many colours: the most frequent ones exactly, the others by splitting groups where they differ most. */
+/**
+ * A palette for images of many colours: the most frequent ones exactly, the others by splitting groups where they
+ * differ most.
+ */
 
 /** Different colours counted, at most; line drawings have far fewer. */
 const COUNTED = 1 << 18;
@@ -7,7 +10,8 @@ const COUNTED = 1 << 18;
 
 /** A group of colours, replaced by its mean. @param {Colour[]} colours  one or more */
 function groupOf(colours) {
-  const sum = (/** @type {(colour: Colour) => number} */ value) => colours.reduce((total, colour) => total + value(colour) * colour[3], 0);
+  const sum = (/** @type {(colour: Colour) => number} */ value) =>
+    colours.reduce((total, colour) => total + value(colour) * colour[3], 0);
   const mean = [0, 1, 2].map((axis) => sum((colour) => colour[axis]) / sum(() => 1));
   const errors = mean.map((middle, axis) => sum((colour) => (colour[axis] - middle) ** 2));
   const error = Math.max(...errors);
@@ -36,14 +40,19 @@ export function paletteOf(frames, most = 255) {
   while (groups.length < most) {
     const [{ colours, mean, error, axis }] = groups.sort((a, b) => b.error - a.error);
     if (error === 0) break;
-    groups.splice(0, 1, ...[true, false].map((isLow) => groupOf(colours.filter((colour) => colour[axis] <= mean[axis] === isLow))));
+    groups.splice(
+      0,
+      1,
+      ...[true, false].map((isLow) => groupOf(colours.filter((colour) => colour[axis] <= mean[axis] === isLow))),
+    );
   }
   return Uint8Array.from(groups.flatMap(({ mean }) => mean.map(Math.round)));
 }
 
 /**
  * @param {Uint8Array} palette
- * @returns {(pixel: number, rgba: Uint8ClampedArray, at: number) => number}  the index of the colour nearest to the one at a place; `pixel` is its four bytes
+ * @returns {(pixel: number, rgba: Uint8ClampedArray, at: number) => number}  the index of the colour nearest to the one
+ *   at a place; `pixel` is its four bytes
  */
 export function nearestIn(palette) {
   /** @type {Map<number, number>} */
@@ -54,7 +63,8 @@ export function nearestIn(palette) {
     best = 0;
     let least = Infinity;
     for (let i = 0; i < palette.length; i += 3) {
-      const distance = (rgba[at] - palette[i]) ** 2 + (rgba[at + 1] - palette[i + 1]) ** 2 + (rgba[at + 2] - palette[i + 2]) ** 2;
+      const distance =
+        (rgba[at] - palette[i]) ** 2 + (rgba[at + 1] - palette[i + 1]) ** 2 + (rgba[at + 2] - palette[i + 2]) ** 2;
       if (distance < least) {
         least = distance;
         best = i / 3;

@@ -3,7 +3,9 @@
 /** Vertices of all polygons of a file, at most. */
 export const MOST_VERTICES = 5000;
 
-export class NpyError extends Error { code = "invalid-npy"; }
+export class NpyError extends Error {
+  code = "invalid-npy";
+}
 
 /** @param {unknown} holds @param {string} [sentence] @returns {asserts holds} */
 export function must(holds, sentence = "The file is damaged.") {
@@ -21,7 +23,17 @@ export const countOf = (shape) => shape.reduce((product, n) => product * n, 1);
 
 /** The types, as a `DataView` calls them. */
 const NAMES = /** @type {const} */ ({
-  b1: "Uint8", i1: "Int8", i2: "Int16", i4: "Int32", i8: "BigInt64", u1: "Uint8", u2: "Uint16", u4: "Uint32", u8: "BigUint64", f4: "Float32", f8: "Float64",
+  b1: "Uint8",
+  i1: "Int8",
+  i2: "Int16",
+  i4: "Int32",
+  i8: "BigInt64",
+  u1: "Uint8",
+  u2: "Uint16",
+  u4: "Uint32",
+  u8: "BigUint64",
+  f4: "Float32",
+  f8: "Float64",
 });
 
 /** An array in a file; its numbers are read on demand. */
@@ -44,7 +56,10 @@ export class NdArray {
     const { shape, type } = this;
     const count = countOf(shape);
     const key = /** @type {keyof typeof NAMES} */ (type.slice(1));
-    must(Object.hasOwn(NAMES, key) && /[<>]|1$/.test(type), `Numbers of type ${type.slice(0, 40)} are not read; use <f8.`);
+    must(
+      Object.hasOwn(NAMES, key) && /[<>]|1$/.test(type),
+      `Numbers of type ${type.slice(0, 40)} are not read; use <f8.`,
+    );
     const size = Number(key[1]);
     const bytes = typeof this.bytes === "string" ? Uint8Array.from(this.bytes, (c) => c.charCodeAt(0)) : this.bytes;
     must(bytes instanceof Uint8Array && bytes.length === count * size, `Shape (${shape}) needs ${count * size} bytes.`);
@@ -75,7 +90,8 @@ export class NdArray {
     /** @type {unknown[]} */
     let values = type[1] === "O" && Array.isArray(bytes) ? bytes : [...this.numbers()];
     must(values.length === count);
-    for (const n of shape.slice(1).reverse()) values = Array.from({ length: values.length / n }, (_, i) => values.slice(i * n, i * n + n));
+    for (const n of shape.slice(1).reverse())
+      values = Array.from({ length: values.length / n }, (_, i) => values.slice(i * n, i * n + n));
     return shape.length > 0 ? values : values[0];
   }
 }

@@ -1,9 +1,19 @@
-/** Plain data as the fragment of an address: a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. */
+/**
+ * Plain data as the fragment of an address: a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON.
+ */
 import { ErrorInfo, must } from "./rules.js";
 
-/** @typedef {{ characters: number, bytes: number }} Limits   the fragment's characters without `#`, and the bytes of its JSON */
+/**
+ * @typedef {{ characters: number, bytes: number }} Limits   the fragment's characters without `#`, and the bytes of its
+ *   JSON
+ */
 
-/** @param {unknown} value  plain data @param {Limits} limits @returns {Promise<string>}  without `#` @throws {ErrorInfo} it is too long */
+/**
+ * @param {unknown} value  plain data
+ * @param {Limits} limits
+ * @returns {Promise<string>}  without `#`
+ * @throws {ErrorInfo} it is too long
+ */
 export async function encodeFragment(value, { characters, bytes }) {
   const json = new TextEncoder().encode(JSON.stringify(value));
   must(json.length <= bytes, "it is too long");
@@ -15,8 +25,11 @@ export async function encodeFragment(value, { characters, bytes }) {
 }
 
 /**
- * @param {string} fragment  with or without `#` @param {Limits} limits @param {(value: unknown) => void} check  throws a fault
- * @returns {Promise<{ value: unknown, fault: "" } | { value: null, fault: string }>}  never rejects; `fault` is a sentence
+ * @param {string} fragment  with or without `#`
+ * @param {Limits} limits
+ * @param {(value: unknown) => void} check  throws a fault
+ * @returns {Promise<{ value: unknown, fault: "" } | { value: null, fault: string }>}  never rejects; `fault` is a
+ *   sentence
  */
 export async function decodeFragment(fragment, { characters, bytes }, check) {
   try {
@@ -24,16 +37,28 @@ export async function decodeFragment(fragment, { characters, bytes }, check) {
     const [, content] = /^#?1([\w-]+)$/.exec(fragment) ?? [];
     must(content, "it is not one of version 1");
     const binary = atob(content.replace(/-/g, "+").replace(/_/g, "/"));
-    const json = await pump(Uint8Array.from(binary, (c) => c.charCodeAt(0)), new DecompressionStream("deflate-raw"), bytes);
+    const json = await pump(
+      Uint8Array.from(binary, (c) => c.charCodeAt(0)),
+      new DecompressionStream("deflate-raw"),
+      bytes,
+    );
     const value = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(json));
     check(value);
     return { value, fault: "" };
   } catch (error) {
-    return { value: null, fault: error instanceof ErrorInfo ? error.message : "This link does not work: it is damaged." };
+    return {
+      value: null,
+      fault: error instanceof ErrorInfo ? error.message : "This link does not work: it is damaged.",
+    };
   }
 }
 
-/** Sends bytes through a transform, and stops reading beyond the limit. @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} transform @param {number} most */
+/**
+ * Sends bytes through a transform, and stops reading beyond the limit.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {CompressionStream | DecompressionStream} transform
+ * @param {number} most
+ */
 async function pump(bytes, transform, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(transform).getReader();
   const parts = [];

@@ -1,6 +1,6 @@
 /**
- * Animations as GIF89a, looped forever. Each frame stores only the rectangle that changed, in which pixels that did not change are
- * transparent.
+ * Animations as GIF89a, looped forever. Each frame stores only the rectangle that changed, in which pixels that did not
+ * change are transparent.
  */
 import { nearestIn, paletteOf } from "./colours.js";
 import { packCodes } from "./lzw.js";
@@ -36,7 +36,8 @@ export class GifWriter {
    * @param {Uint8Array} palette  red, green, blue in turn, 1 to 256 colours (255 leave one for transparency)
    */
   constructor(width, height, palette) {
-    if (!(width > 0 && height > 0 && (width | height) < 65536)) throw new RangeError(`A GIF cannot be ${width} x ${height} pixels.`);
+    if (!(width > 0 && height > 0 && (width | height) < 65536))
+      throw new RangeError(`A GIF cannot be ${width} x ${height} pixels.`);
     this.#width = width;
     this.#height = height;
     this.#nearest = nearestIn(palette);
@@ -45,23 +46,33 @@ export class GifWriter {
     while (1 << this.#bits < Math.min(256, this.#clear + 1)) this.#bits++;
     const colours = new Uint8Array(3 << this.#bits);
     colours.set(palette);
-    this.#write(ascii("GIF89a"), shorts(width, height), [0xef + this.#bits, 0, 0], colours, [0x21, 0xff, 11], ascii("NETSCAPE2.0"), [3, 1, 0, 0, 0]);
+    this.#write(
+      ascii("GIF89a"),
+      shorts(width, height),
+      [0xef + this.#bits, 0, 0],
+      colours,
+      [0x21, 0xff, 11],
+      ascii("NETSCAPE2.0"),
+      [3, 1, 0, 0, 0],
+    );
   }
 
   /**
    * Adds a frame, even if nothing changed.
    * @param {Uint8ClampedArray} rgba  width * height * 4, from the top left; opaque, alpha is ignored
-   * @param {number} delayMs  how long it is shown; up to 655 s; rounded to 10 ms and at least 20, so that the sum stays right
+   * @param {number} delayMs  how long it is shown; up to 655 s; rounded to 10 ms and at least 20, so that the sum stays
+   *   right
    */
   add(rgba, delayMs) {
     const width = this.#width;
     const height = this.#height;
     const shown = this.#shown;
     const before = this.#pixels;
-    if (rgba.length !== 4 * shown.length) throw new RangeError(`${width} x ${height} pixels cannot be ${rgba.length} bytes.`);
+    if (rgba.length !== 4 * shown.length)
+      throw new RangeError(`${width} x ${height} pixels cannot be ${rgba.length} bytes.`);
     const clear = this.#clear;
     const hides = before && clear < 256;
-    const pixels = this.#pixels = new Uint32Array(rgba.slice().buffer);
+    const pixels = (this.#pixels = new Uint32Array(rgba.slice().buffer));
     const frame = new Uint8Array(shown.length);
     let left = before ? width : 0;
     let top = before ? height : 0;
@@ -80,15 +91,21 @@ export class GifWriter {
       }
     }
     // A frame has at least one pixel.
-    if (!right) left = top = 0, right = bottom = 1;
+    if (!right) ((left = top = 0), (right = bottom = 1));
     this.#owed += delayMs / 10;
     const delay = Math.max(2, Math.round(this.#owed));
     this.#owed -= delay;
     const part = new Uint8Array((right - left) * (bottom - top));
-    for (let y = top; y < bottom; y++) part.set(frame.subarray(y * width + left, y * width + right), (y - top) * (right - left));
+    for (let y = top; y < bottom; y++)
+      part.set(frame.subarray(y * width + left, y * width + right), (y - top) * (right - left));
     this.#write(
-      [0x21, 0xf9, 4, hides ? 5 : 4], shorts(delay), [hides ? clear : 0, 0],
-      [0x2c], shorts(left, top, right - left, bottom - top), [0], packCodes(part, this.#bits),
+      [0x21, 0xf9, 4, hides ? 5 : 4],
+      shorts(delay),
+      [hides ? clear : 0, 0],
+      [0x2c],
+      shorts(left, top, right - left, bottom - top),
+      [0],
+      packCodes(part, this.#bits),
     );
   }
 
@@ -106,5 +123,7 @@ export class GifWriter {
   }
 
   /** @param {...ArrayLike<number>} parts */
-  #write(...parts) { for (const part of parts) this.#parts.push(Uint8Array.from(part)); }
+  #write(...parts) {
+    for (const part of parts) this.#parts.push(Uint8Array.from(part));
+  }
 }

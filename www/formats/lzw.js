@@ -1,4 +1,7 @@
-/** The codes of variable width in which a GIF stores an image (T. Welch, A Technique for High-Performance Data Compression, 1984). */
+/**
+ * The codes of variable width in which a GIF stores an image (T. Welch, A Technique for High-Performance Data
+ * Compression, 1984).
+ */
 
 /**
  * @param {Uint8Array} values  one or more, below 2 ** bits

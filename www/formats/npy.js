@@ -1,6 +1,7 @@
 /**
- * NumPy array files, `.npy`: a magic string, a header (a literal of a Python dictionary), and the numbers. Versions 1.0, 2.0 and 3.0
- * are read, 1.0 is written. Polygons may also be an array of objects, which NumPy pickles; `pickle.js` reads it without running code.
+ * NumPy array files, `.npy`: a magic string, a header (a literal of a Python dictionary), and the numbers. Versions
+ * 1.0, 2.0 and 3.0 are read, 1.0 is written. Polygons may also be an array of objects, which NumPy pickles; `pickle.js`
+ * reads it without running code.
  */
 import { countOf, MOST_VERTICES, must, NdArray } from "./dtype.js";
 import { readPickle } from "./pickle.js";
@@ -37,7 +38,12 @@ export function readNpyPolygons(bytes) {
     must(Array.isArray(items) && items.length >= least && items.length <= most, sentence);
     return items;
   };
-  const all = list(array.type === "|O" ? readPickle(/** @type {Uint8Array} */ (array.bytes)) : array, 1, MOST_VERTICES, "There is no list of polygons.");
+  const all = list(
+    array.type === "|O" ? readPickle(/** @type {Uint8Array} */ (array.bytes)) : array,
+    1,
+    MOST_VERTICES,
+    "There is no list of polygons.",
+  );
   const isOne = typeof values(list(all[0], 1, MOST_VERTICES, "There is no list of vertices.")[0]) === "number";
   return (isOne ? [all] : all).map((entry, p) => {
     const polygon = list(entry, 3, MOST_VERTICES, `Polygon ${p} must be three vertices or more.`);
@@ -63,7 +69,9 @@ export function writeNpy(data, shape) {
   if (countOf(shape) !== data.length) throw new RangeError(`Shape (${shape}) does not have ${data.length} numbers.`);
   const literal = `{'descr': '<f8', 'fortran_order': False, 'shape': (${shape.join(", ")}${shape.length === 1 ? "," : ""}), }`;
   const start = Math.ceil((literal.length + 11) / 64) * 64;
-  const head = `${MAGIC}\x01\0${String.fromCharCode((start - 10) & 255, (start - 10) >> 8)}${literal}`.padEnd(start - 1);
+  const head = `${MAGIC}\x01\0${String.fromCharCode((start - 10) & 255, (start - 10) >> 8)}${literal}`.padEnd(
+    start - 1,
+  );
   const bytes = new Uint8Array(start + 8 * data.length);
   bytes.set(Array.from(`${head}\n`, (c) => c.charCodeAt(0)));
   const view = new DataView(bytes.buffer, start);
@@ -75,7 +83,10 @@ export function writeNpy(data, shape) {
 function open(bytes) {
   must(bytes.length <= MOST_BYTES, "The file has more than 10 MB.");
   const version = bytes[6];
-  must(version > 0 && version < 4 && [...MAGIC].every((c, i) => c.charCodeAt(0) === bytes[i]), "The file is not a NumPy array.");
+  must(
+    version > 0 && version < 4 && [...MAGIC].every((c, i) => c.charCodeAt(0) === bytes[i]),
+    "The file is not a NumPy array.",
+  );
   const start = version > 1 ? 12 : 10;
   const end = start + bytes.subarray(8, start).reduceRight((value, byte) => 256 * value + byte, 0);
   const header = new TextDecoder().decode(bytes.subarray(start, Math.min(end, start + 10000)));

@@ -1,7 +1,7 @@
 /**
- * Reads what NumPy pickles when it saves an array of objects: arrays, lists, tuples and numbers, in protocols 2 to 5. A pickle is a
- * program for a stack machine that may call any Python function. This machine replaces the few functions that make arrays by its
- * own; any other function or instruction is refused.
+ * Reads what NumPy pickles when it saves an array of objects: arrays, lists, tuples and numbers, in protocols 2 to 5. A
+ * pickle is a program for a stack machine that may call any Python function. This machine replaces the few functions
+ * that make arrays by its own; any other function or instruction is refused.
  */
 import { existing, must, NdArray } from "./dtype.js";
 
@@ -14,9 +14,19 @@ function textOf(value) {
   return value;
 }
 
-/** @param {unknown} shape @param {unknown} dtype  a list of byte order and type @param {unknown} fortran @param {unknown} bytes */
+/**
+ * @param {unknown} shape
+ * @param {unknown} dtype  a list of byte order and type
+ * @param {unknown} fortran
+ * @param {unknown} bytes
+ */
 function arrayOf(shape, dtype, fortran, bytes) {
-  must(Array.isArray(shape) && shape.length <= 32 && shape.every((n) => Number.isInteger(n) && n >= 0) && Array.isArray(dtype));
+  must(
+    Array.isArray(shape) &&
+      shape.length <= 32 &&
+      shape.every((n) => Number.isInteger(n) && n >= 0) &&
+      Array.isArray(dtype),
+  );
   return new NdArray(shape, textOf(dtype[0]) + textOf(dtype[1]), fortran === true, bytes);
 }
 
@@ -41,7 +51,8 @@ function find(...path) {
 
 /**
  * @param {Uint8Array} bytes
- * @returns {unknown}  numbers (some as arrays without a dimension), text, true, false, null, bytes, lists (also for tuples) and arrays, which may refer to one another
+ * @returns {unknown}  numbers (some as arrays without a dimension), text, true, false, null, bytes, lists (also for
+ *   tuples) and arrays, which may refer to one another
  * @throws {NpyError} code `invalid-npy`
  */
 export function readPickle(bytes) {
@@ -55,7 +66,7 @@ export function readPickle(bytes) {
 
   const raw = (/** @type {number} */ length) => {
     must(length >= 0 && at + length <= bytes.length);
-    return bytes.subarray(at, at += length);
+    return bytes.subarray(at, (at += length));
   };
   const uint = (/** @type {number} */ size) => raw(size).reduceRight((value, byte) => 256 * value + byte, 0);
   /** In two's complement. @param {number} size  bytes, at most 6 to be exact */
@@ -84,13 +95,17 @@ export function readPickle(bytes) {
     must(Array.isArray(list));
     for (const item of items) list.push(item);
   };
-  const put = (/** @type {number} */ key) => { memo.set(key, top()); };
+  const put = (/** @type {number} */ key) => {
+    memo.set(key, top());
+  };
   const get = (/** @type {number} */ key) => existing(memo.get(key));
 
   /** The instructions; what one returns is pushed. @type {Record<string, () => unknown>} */
   const instructions = {
     "\x80": () => must(uint(1) < 6), // PROTO
-    "\x95": () => { raw(8); }, // FRAME
+    "\x95": () => {
+      raw(8);
+    }, // FRAME
     N: () => null,
     "\x88": () => true,
     "\x89": () => false,
@@ -106,7 +121,10 @@ export function readPickle(bytes) {
     "\x96": () => sized(8), // BYTEARRAY8
     "]": () => [],
     ")": () => [],
-    "(": () => { below.push(stack); stack = []; }, // MARK
+    "(": () => {
+      below.push(stack);
+      stack = [];
+    }, // MARK
     t: popToMark, // TUPLE
     "\x85": () => pop(1),
     "\x86": () => pop(2),
@@ -120,12 +138,14 @@ export function readPickle(bytes) {
     j: () => get(uint(4)),
     c: () => find(line(), line()), // GLOBAL
     "\x93": () => find(...pop(2)), // STACK_GLOBAL
-    R: () => { // REDUCE
+    R: () => {
+      // REDUCE
       const [callee, args] = pop(2);
       must(typeof callee === "function" && Array.isArray(args));
       return callee(args);
     },
-    b: () => { // BUILD
+    b: () => {
+      // BUILD
       const [state] = pop(1);
       const object = top();
       must(Array.isArray(state));

@@ -1,9 +1,13 @@
 /**
- * Rules for the state in the fragment of an address, which may come from anyone. Nothing is evaluated; an entry that breaks its rule
- * is refused by its place.
+ * Rules for the state in the fragment of an address, which may come from anyone. Nothing is evaluated; an entry that
+ * breaks its rule is refused by its place.
  */
 
-/** @template [T=any] @typedef {{ (value: unknown, at: string): void, type?: T }} Rule  throws a fault that names `at`; `type` exists only for the compiler */
+/**
+ * @template [T=any]
+ * @typedef {{ (value: unknown, at: string): void, type?: T }} Rule  throws a fault that names `at`; `type` exists only
+ *   for the compiler
+ */
 /** The type of what a rule allows. @template {Rule} R @typedef {NonNullable<R["type"]>} Allowed */
 
 export class ErrorInfo extends Error {}
@@ -17,17 +21,22 @@ export function must(holds, fault) {
 export const rule = (holds) => (value, at) => must(holds(value), `${at} is wrong`);
 
 /** A whole number in a range. @param {number} most @param {number} [least] @returns {Rule<number>} */
-export const whole = (most, least = 0) => rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
+export const whole = (most, least = 0) =>
+  rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most);
 
 /** @template {string | number} T @param {readonly T[]} choices @returns {Rule<T>} */
 export const oneOf = (choices) => rule((value) => choices.some((choice) => choice === value));
 
 /** A name that no object inherits. @type {Rule<string>} */
-export const name = rule((value) => typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype));
+export const name = rule(
+  (value) =>
+    typeof value === "string" && /^[\w-]{1,64}$/.test(value) && value !== "prototype" && !(value in Object.prototype),
+);
 /** @type {Rule<string>} */
 export const text = rule((value) => typeof value === "string" && value.length <= 256);
 /** A text of a form. @param {RegExp} form @param {number} most  characters @returns {Rule<string>} */
-export const formed = (form, most) => rule((value) => typeof value === "string" && value.length <= most && form.test(value));
+export const formed = (form, most) =>
+  rule((value) => typeof value === "string" && value.length <= most && form.test(value));
 /** @type {Rule<boolean>} */
 export const flag = rule((value) => typeof value === "boolean");
 /** @type {Rule<number>} */
@@ -40,7 +49,8 @@ export const list = (item, least, most) => (value, at) => {
 };
 
 /** A text on one line: line breaks and other characters that cannot be seen are written `\u{a}`. @param {string} key */
-const printable = (key) => key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (unseen) => `\\u{${unseen.codePointAt(0)?.toString(16)}}`);
+const printable = (key) =>
+  key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (unseen) => `\\u{${unseen.codePointAt(0)?.toString(16)}}`);
 
 /**
  * A record of at most 64 entries; an undefined one is absent.
@@ -70,7 +80,9 @@ export const record = (rules, others) => (value, at) => {
 export const withDefaults = (rules, defaults) => Object.assign(/** @type {Rule} */ (record(rules)), { defaults });
 
 /** @type {Rule<Record<string, number | string | boolean>>} */
-export const settings = record({}, (value, at) => (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at));
+export const settings = record({}, (value, at) =>
+  (typeof value === "string" ? text : typeof value === "number" ? number : flag)(value, at),
+);
 
 /** Any JSON; the package checks its meaning. @param {number} depth  of nesting, at most @returns {Rule} */
 export const json = (depth) => (value, at) => {

@@ -1,6 +1,7 @@
 /**
- * A 2d context that writes SVG in place of pixels: paths of lines, arcs and rectangles, dashes, clips, words, images, and stripes in
- * place of a pattern. Transforms turn and shift. As on a canvas, coordinates that are not finite are ignored.
+ * A 2d context that writes SVG in place of pixels: paths of lines, arcs and rectangles, dashes, clips, words, images,
+ * and stripes in place of a pattern. Transforms turn and shift. As on a canvas, coordinates that are not finite are
+ * ignored.
  *
  * @typedef {{ colour: string }} Stripes  diagonal lines to fill with
  */
@@ -15,11 +16,14 @@ const ANCHOR = { left: "start", center: "middle", right: "end" };
 const round = (value) => Math.round(value * 100) / 100 || 0;
 
 /** Text for XML; what XML cannot hold is left out. @param {string} text */
-const escaped = (text) => text
-  .replace(/[^\t\n\r -\ufffd]/g, "")
-  .replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+const escaped = (text) => text.replace(/[^\t\n\r -\ufffd]/g, "").replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
-/** The reference of an entry, which is added if it is new. @param {string} name @param {string[]} list @param {string} entry */
+/**
+ * The reference of an entry, which is added if it is new.
+ * @param {string} name
+ * @param {string[]} list
+ * @param {string} entry
+ */
 function reference(name, list, entry) {
   if (!list.includes(entry)) list.push(entry);
   return `url(#${name}${list.indexOf(entry)})`;
@@ -63,9 +67,13 @@ export class SvgContext {
     this.#height = height;
   }
 
-  save() { this.#saved.push({ ...this }); }
+  save() {
+    this.#saved.push({ ...this });
+  }
 
-  restore() { Object.assign(this, this.#saved.pop()); }
+  restore() {
+    Object.assign(this, this.#saved.pop());
+  }
 
   /** @param {number} x @param {number} y */
   translate(x, y) {
@@ -81,31 +89,53 @@ export class SvgContext {
   }
 
   /** @param {readonly number[]} dash */
-  setLineDash(dash) { this.dash = [...dash]; }
+  setLineDash(dash) {
+    this.dash = [...dash];
+  }
 
-  beginPath() { this.#path = ""; }
+  beginPath() {
+    this.#path = "";
+  }
 
-  closePath() { if (this.#path) this.#path += "Z"; }
+  closePath() {
+    if (this.#path) this.#path += "Z";
+  }
 
   /** @param {number} x @param {number} y */
-  moveTo(x, y) { this.#go("M", x, y); }
+  moveTo(x, y) {
+    this.#go("M", x, y);
+  }
 
   /** @param {number} x @param {number} y */
-  lineTo(x, y) { this.#go(this.#path ? "L" : "M", x, y); }
+  lineTo(x, y) {
+    this.#go(this.#path ? "L" : "M", x, y);
+  }
 
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
   rect(x, y, width, height) {
     if (!Number.isFinite(x + y + width + height)) return;
     this.moveTo(x, y);
-    for (const [px, py] of [[x + width, y], [x + width, y + height], [x, y + height]]) this.lineTo(px, py);
+    for (const [px, py] of [
+      [x + width, y],
+      [x + width, y + height],
+      [x, y + height],
+    ])
+      this.lineTo(px, py);
     this.closePath();
   }
 
-  /** @param {number} x @param {number} y @param {number} radius @param {number} from  radians @param {number} to @param {boolean} [back]  the other way round */
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} radius
+   * @param {number} from  radians
+   * @param {number} to
+   * @param {boolean} [back]  the other way round
+   */
   arc(x, y, radius, from, to, back = false) {
     const sign = back ? -1 : 1;
     let sweep = sign * (to - from);
-    if (sweep < 0) sweep = sweep % TURN + TURN;
+    if (sweep < 0) sweep = (sweep % TURN) + TURN;
     sweep = sign * Math.min(sweep, TURN);
     const size = round(radius);
     this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
@@ -121,29 +151,52 @@ export class SvgContext {
     this.clipping = ` clip-path="${id}"`;
   }
 
-  stroke() { this.#put(this.#strokeStyle(), "", this.#path); }
+  stroke() {
+    this.#put(this.#strokeStyle(), "", this.#path);
+  }
 
   // Paths to fill stay apart: where one winds against another, one path of both would have a hole.
-  fill() { this.#put(this.#fillStyle(), `<path d="${this.#path}"/>`); }
+  fill() {
+    this.#put(this.#fillStyle(), `<path d="${this.#path}"/>`);
+  }
 
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
-  strokeRect(x, y, width, height) { this.#aside("stroke", x, y, width, height); }
+  strokeRect(x, y, width, height) {
+    this.#aside("stroke", x, y, width, height);
+  }
 
   /** @param {number} x @param {number} y @param {number} width @param {number} height */
-  fillRect(x, y, width, height) { this.#aside("fill", x, y, width, height); }
+  fillRect(x, y, width, height) {
+    this.#aside("fill", x, y, width, height);
+  }
 
   /** Removes everything: only whole figures are cleared. */
-  clearRect() { this.#elements = []; }
+  clearRect() {
+    this.#elements = [];
+  }
 
   /** @param {string} text @param {number} x @param {number} y */
-  fillText(text, x, y) { this.#word(text, x, y, this.#fillStyle()); }
+  fillText(text, x, y) {
+    this.#word(text, x, y, this.#fillStyle());
+  }
 
   /** @param {string} text @param {number} x @param {number} y */
-  strokeText(text, x, y) { this.#word(text, x, y, this.#strokeStyle()); }
+  strokeText(text, x, y) {
+    this.#word(text, x, y, this.#strokeStyle());
+  }
 
-  /** @param {{ toDataURL(): string }} image  such as a canvas @param {number} x @param {number} y @param {number} width @param {number} height */
+  /**
+   * @param {{ toDataURL(): string }} image  such as a canvas
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
   drawImage(image, x, y, width, height) {
-    this.#put(` opacity="${this.globalAlpha}"`, `<image${this.#place(x, y)} width="${width}" height="${height}" preserveAspectRatio="none" href="${escaped(image.toDataURL())}"/>`);
+    this.#put(
+      ` opacity="${this.globalAlpha}"`,
+      `<image${this.#place(x, y)} width="${width}" height="${height}" preserveAspectRatio="none" href="${escaped(image.toDataURL())}"/>`,
+    );
   }
 
   /** @param {number} x @param {number} y */
@@ -164,7 +217,14 @@ export class SvgContext {
     return a === 1 && b === 0 ? ` x="${px}" y="${py}"` : ` transform="matrix(${a} ${b} ${-b} ${a} ${px} ${py})"`;
   }
 
-  /** Draws a rectangle and leaves the path as it was. @param {"stroke" | "fill"} draw @param {number} x @param {number} y @param {number} width @param {number} height */
+  /**
+   * Draws a rectangle and leaves the path as it was.
+   * @param {"stroke" | "fill"} draw
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
   #aside(draw, x, y, width, height) {
     const path = this.#path;
     this.#path = "";
@@ -175,7 +235,10 @@ export class SvgContext {
 
   /** @param {string} text @param {number} x @param {number} y @param {string} style */
   #word(text, x, y, style) {
-    this.#put(`${style} style="font:${escaped(this.font)}" text-anchor="${ANCHOR[this.textAlign] ?? this.textAlign}"`, `<text${this.#place(x, y)} dy="${DROP[this.textBaseline] ?? 0}em">${escaped(text)}</text>`);
+    this.#put(
+      `${style} style="font:${escaped(this.font)}" text-anchor="${ANCHOR[this.textAlign] ?? this.textAlign}"`,
+      `<text${this.#place(x, y)} dy="${DROP[this.textBaseline] ?? 0}em">${escaped(text)}</text>`,
+    );
   }
 
   /** A colour, with its alpha as opacity. @param {string} name  fill or stroke @param {string} colour */
@@ -187,21 +250,40 @@ export class SvgContext {
   #fillStyle() {
     const style = this.fillStyle;
     if (typeof style === "string") return this.#paint("fill", style);
-    return this.#paint("fill", reference("stripes", this.#stripes, ` width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M2.5 0V5" stroke="${escaped(style.colour)}" stroke-width="1.5"/>`));
+    return this.#paint(
+      "fill",
+      reference(
+        "stripes",
+        this.#stripes,
+        ` width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M2.5 0V5" stroke="${escaped(style.colour)}" stroke-width="1.5"/>`,
+      ),
+    );
   }
 
   #strokeStyle() {
     return ` fill="none"${this.#paint("stroke", this.strokeStyle)} stroke-width="${round(this.lineWidth)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}" stroke-dasharray="${this.dash.map(round).join(" ")}"`;
   }
 
-  /** Adds an element; a path continues the path before it if both have the same opaque style. @param {string} style @param {string} text @param {string} [path] */
+  /**
+   * Adds an element; a path continues the path before it if both have the same opaque style.
+   * @param {string} style
+   * @param {string} text
+   * @param {string} [path]
+   */
   #put(style, text, path = "") {
     // Defaults are left out.
     style = style.replace(/ [a-z-]+="(1|butt|miter|start)?"/g, "");
     const { clipping } = this;
     const last = this.#elements.at(-1);
     // Alpha may also be a part of the colour: after a slash, in eight digits, or by name.
-    if (path && last?.path && last.style === style && last.clipping === clipping && !/opacity|\/|hsla|transparent|#(\w{4}|\w{8})"/.test(style)) last.path += path;
+    if (
+      path &&
+      last?.path &&
+      last.style === style &&
+      last.clipping === clipping &&
+      !/opacity|\/|hsla|transparent|#(\w{4}|\w{8})"/.test(style)
+    )
+      last.path += path;
     else this.#elements.push({ clipping, style, path, text });
   }
 

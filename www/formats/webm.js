@@ -1,6 +1,6 @@
 /**
- * WebM: the browser's video encoder (WebCodecs) compresses frames, and mediabunny writes them into the container. Loaded with the first
- * film, as the container's code is large.
+ * WebM: the browser's video encoder (WebCodecs) compresses frames, and mediabunny writes them into the container.
+ * Loaded with the first film, as the container's code is large.
  */
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Output, WebMOutputFormat } from "mediabunny";
 
@@ -29,9 +29,13 @@ export async function webmWriter(width, height) {
   let written = Promise.resolve();
   /** @type {unknown} */
   let failure;
-  const fail = (/** @type {unknown} */ error) => { failure ??= error; };
+  const fail = (/** @type {unknown} */ error) => {
+    failure ??= error;
+  };
   const encoder = new VideoEncoder({
-    output: (chunk, meta) => { written = written.then(() => source.add(EncodedPacket.fromEncodedChunk(chunk), meta)).catch(fail); },
+    output: (chunk, meta) => {
+      written = written.then(() => source.add(EncodedPacket.fromEncodedChunk(chunk), meta)).catch(fail);
+    },
     error: fail,
   });
   encoder.configure(config);
@@ -40,7 +44,8 @@ export async function webmWriter(width, height) {
   return {
     /** Adds the canvas as it is now. @param {OffscreenCanvasRenderingContext2D} context @param {number} seconds */
     async add({ canvas }, seconds) {
-      while (encoder.encodeQueueSize > MOST_WAITING) await new Promise((resolve) => encoder.addEventListener("dequeue", resolve, { once: true }));
+      while (encoder.encodeQueueSize > MOST_WAITING)
+        await new Promise((resolve) => encoder.addEventListener("dequeue", resolve, { once: true }));
       if (failure) throw failure;
       const duration = Math.round(1e6 * seconds);
       const frame = new VideoFrame(canvas, { timestamp, duration });
@@ -65,7 +70,10 @@ export async function webmWriter(width, height) {
 /** VP9 if the browser encodes it, else VP8. @param {number} width @param {number} height */
 async function chooseCodec(width, height) {
   const level = width * height <= LEVEL_3 ? "31" : "50";
-  for (const [codec, name] of /** @type {const} */ ([[`vp09.00.${level}.08`, "vp9"], ["vp8", "vp8"]])) {
+  for (const [codec, name] of /** @type {const} */ ([
+    [`vp09.00.${level}.08`, "vp9"],
+    ["vp8", "vp8"],
+  ])) {
     const config = { codec, width, height, bitrate: BITS * width * height };
     if ((await VideoEncoder.isConfigSupported(config)).supported) return { config, name };
   }

@@ -1,23 +1,27 @@
 /**
  * The gallery of the course reports: its data, and how to add to it.
  *
- * `report-1.js` to `report-5.js` each export a report: its rows and its entries. A row is one thing that the report has, be it a figure, an
- * algorithm or a claim; the 161 rows are numbered from 1 through all reports, in the order of the texts. An entry is a picture that can be
- * opened: a page and the state that its link holds. A row names its entries by their ids; a row without one says where it is found.
+ * `report-1.js` to `report-5.js` each export a report: its rows and its entries. A row is one thing that the report
+ * has, be it a figure, an algorithm or a claim; the 161 rows are numbered from 1 through all reports, in the order of
+ * the texts. An entry is a picture that can be opened: a page and the state that its link holds. A row names its
+ * entries by their ids; a row without one says where it is found.
  *
  * To add an entry:
- * 1. Choose an id: the report's number, a hyphen, and a name in lower case, such as `3-fig-8`. It is the address `gallery.html#3-fig-8`.
- * 2. Choose the page, and the `state` that the page's own rule allows (see `States`); defaults are left out. A world that no page has is a
- *    scenario in `worlds/NAME.json`, with `name` NAME and a `title`, and the entry's `world` is NAME: it becomes a part of the state.
- *    On the planner's page an entry without an `iteration` opens at the end of its run, as does a race. `reports.js` sets `direct=false`
- *    wherever it applies, as in the reports.
- * 3. Say what the picture must show (`expect`), and write its texts: a sentence each, four at most. Name the report as "the report".
- *    A number that the page shows is in `shows`, and in the text by its name: `{visited}`, or of the second planner of a race `{visited B}`.
- *    Every other number in `see` is one of the entry's settings.
+ * 1. Choose an id: the report's number, a hyphen, and a name in lower case, such as `3-fig-8`. It is the address
+ * `gallery.html#3-fig-8`. 2. Choose the page, and the `state` that the page's own rule allows (see `States`); defaults
+ * are left out. A world that no page has is a
+ *    scenario in `worlds/NAME.json`, with `name` NAME and a `title`, and the entry's `world` is NAME: it becomes a part
+ *    of the state. On the planner's page an entry without an `iteration` opens at the end of its run, as does a race.
+ *    `reports.js` sets `direct=false` wherever it applies, as in the reports.
+ * 3. Say what the picture must show (`expect`), and write its texts: a sentence each, four at most. Name the report as
+ * "the report".
+ *    A number that the page shows is in `shows`, and in the text by its name: `{visited}`, or of the second planner of
+ *    a race `{visited B}`. Every other number in `see` is one of the entry's settings.
  * 4. Add its id to the rows that it is about.
  *
- * The build makes the links, the pictures and the page from this data: see `build/`. `tests/page/gallery.test.mjs` checks
- * that all rows are there, that every state is valid, and that every entry opens and shows what it should, to the numbers in `shows`.
+ * The build makes the links, the pictures and the page from this data: see `build/`. `tests/page/gallery.test.mjs`
+ * checks that all rows are there, that every state is valid, and that every entry opens and shows what it should, to
+ * the numbers in `shows`.
  *
  * Texts are plain: `code` between backticks is the only markup.
  */
@@ -30,8 +34,14 @@
 /** @import { State as LearnedState } from "../prm-rl/state.js" */
 
 /** Whether Planarium has it. @typedef {"yes" | "partly" | "no"} Verdict */
-/** Whether the report is right; "unclear" where its text does not say enough to tell. @typedef {Verdict | "unclear"} Holds */
-/** @typedef {"figure" | "table" | "animation" | "experiment" | "system" | "function" | "algorithm" | "claim" | "interaction" | "other"} Kind */
+/**
+ * Whether the report is right; "unclear" where its text does not say enough to tell.
+ * @typedef {Verdict | "unclear"} Holds
+ */
+/**
+ * @typedef {"figure" | "table" | "animation" | "experiment" | "system" | "function" | "algorithm" | "claim" |
+ *   "interaction" | "other"} Kind
+ */
 /** What is planned for, or drawn. @typedef {"arm" | "point" | "body" | "car" | "drive" | "particle"} Robot */
 
 /**
@@ -42,23 +52,27 @@
  * @property {Partial<NeighboursState>} neighbours
  * @property {Partial<TrajectoriesState>} trajectories
  * @property {Partial<LearnedState>} prm-rl
- * @property {{ document: string, worlds?: string[], view?: View }} experiments   the name of a document in `www/experiments/documents`, the
- *   names of those of its scenarios that are kept, all by default, and what is shown of its rows
+ * @property {{ document: string, worlds?: string[], view?: View }} experiments   the name of a document in
+ *   `www/experiments/documents`, the names of those of its scenarios that are kept, all by default, and what is shown
+ *   of its rows
  */
 /** @typedef {keyof States} PageName */
 
 /**
  * What an entry's page must show, once it is open:
- * - of the planner's page "solved", "exhausted" or "running" for the first planner at the iteration; "flawed" for a path that collides;
+ * - of the planner's page "solved", "exhausted" or "running" for the first planner at the iteration; "flawed" for a
+ * path that collides;
  *   "refused" where planning is refused, as the start or the goal is in collision;
  * - of Reach "free" or "in collision", the configuration shown;
- * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories and PRM-RL "solved" or "exhausted", of Experiments "open".
- * @typedef {"solved" | "exhausted" | "running" | "flawed" | "refused" | "free" | "in collision" | "found" | "drawn" | "open"} Expect
+ * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories and PRM-RL "solved" or "exhausted",
+ * of Experiments "open".
+ * @typedef {"solved" | "exhausted" | "running" | "flawed" | "refused" | "free" | "in collision" | "found" | "drawn" |
+ *   "open"} Expect
  */
 
 /**
- * Numbers that the page shows once an entry is open, each with as many digits as the text has; of a race a list, one for each planner, or
- * null where it shows none.
+ * Numbers that the page shows once an entry is open, each with as many digits as the text has; of a race a list, one
+ * for each planner, or null where it shows none.
  * @typedef {object} Of
  * @property {number | (number | null)[]} iterations
  * @property {number | (number | null)[]} vertices
@@ -114,9 +128,19 @@
  * @property {string} [why]      not, only in part, or not to be told
  */
 
-/** @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: Entry[] }} Report   `about`: what it is about, a sentence */
+/**
+ * @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: Entry[] }} Report   `about`: what it is
+ *   about, a sentence
+ */
 
 /** Whether a report holds, in words. @type {Record<Holds, string>} */
 export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold", unclear: "cannot be told" };
 /** The pages, as the links to them are called. @type {Record<PageName, string>} */
-export const PAGES = { planner: "Plan", reach: "Reach", neighbours: "Neighbours", trajectories: "Trajectories", "prm-rl": "PRM-RL", experiments: "Experiments" };
+export const PAGES = {
+  planner: "Plan",
+  reach: "Reach",
+  neighbours: "Neighbours",
+  trajectories: "Trajectories",
+  "prm-rl": "PRM-RL",
+  experiments: "Experiments",
+};

@@ -1,7 +1,8 @@
 /**
  * The gallery: filters, keys and downloads for the HTML that the build has written.
  *
- * For tests: `body` carries `data-state` and `data-settled`, and `data-shown`, the number of entries that the filters leave.
+ * For tests: `body` carries `data-state` and `data-settled`, and `data-shown`, the number of entries that the filters
+ * leave.
  */
 import { byId, make } from "../app/dom.js";
 import { makeShare } from "../app/link.js";
@@ -11,7 +12,10 @@ import { HOLDS, PAGES } from "./format.js";
 
 /** @import { App } from "../app/app.js" */
 
-/** The filters: the attribute of an entry, the title, and values that are not called by their own names. @type {[key: string, title: string, names: Record<string, string>][]} */
+/**
+ * The filters: the attribute of an entry, the title, and values that are not called by their own names.
+ * @type {[key: string, title: string, names: Record<string, string>][]}
+ */
 const FILTERS = [
   ["report", "Report", {}],
   ["holds", "Holds", HOLDS],
@@ -27,21 +31,43 @@ const sections = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".r
 const all = byId("all", HTMLButtonElement);
 
 watchTheme(() => {});
-const share = makeShare(/** @type {App} */ ({ fail: (error, title) => notice.show(title ?? "", error) }), async () => location.hash.slice(1), () => (location.hash ? "the open entry" : "the gallery"));
+const share = makeShare(
+  /** @type {App} */ ({ fail: (error, title) => notice.show(title ?? "", error) }),
+  async () => location.hash.slice(1),
+  () => (location.hash ? "the open entry" : "the gallery"),
+);
 byId("link", HTMLElement).addEventListener("click", () => void share());
 
 const selects = FILTERS.map(([key, title, names]) => {
   const values = [...new Set(entries.flatMap((entry) => valuesOf(entry, key)))].sort();
-  const select = make("select", { id: `filter-${key}`, onchange: show }, make("option", { value: "any" }, "any"), ...values.map((value) => make("option", { value }, names[value] ?? value)));
-  byId("filters", HTMLElement).append(make("label", { className: "row", htmlFor: select.id }, make("span", { className: "name" }, title), select));
+  const select = make(
+    "select",
+    { id: `filter-${key}`, onchange: show },
+    make("option", { value: "any" }, "any"),
+    ...values.map((value) => make("option", { value }, names[value] ?? value)),
+  );
+  byId("filters", HTMLElement).append(
+    make("label", { className: "row", htmlFor: select.id }, make("span", { className: "name" }, title), select),
+  );
   return { key, select };
 });
 all.addEventListener("click", () => {
   for (const { select } of selects) select.value = "any";
   show();
 });
-byId("export", HTMLElement).append(...[["CSV", "rows.csv", "All rows with their verdicts"], ["JSON", "reports.json", "Rows and entries with their links"]].map(([format, file, meaning]) =>
-  make("p", { className: "row" }, make("span", { className: "name hint" }, meaning), make("a", { href: `gallery/${file}`, download: file }, format))));
+byId("export", HTMLElement).append(
+  ...[
+    ["CSV", "rows.csv", "All rows with their verdicts"],
+    ["JSON", "reports.json", "Rows and entries with their links"],
+  ].map(([format, file, meaning]) =>
+    make(
+      "p",
+      { className: "row" },
+      make("span", { className: "name hint" }, meaning),
+      make("a", { href: `gallery/${file}`, download: file }, format),
+    ),
+  ),
+);
 
 addEventListener("keydown", ({ key, altKey, ctrlKey, metaKey, target }) => {
   // Arrows also choose, move the cursor, and scroll the table.
@@ -57,20 +83,25 @@ Object.assign(document.body.dataset, { state: "ready", settled: "true" });
 if (location.protocol.startsWith("http")) navigator.serviceWorker?.register("offline.js").catch(() => {});
 
 /** An entry's values of a filter. @param {HTMLElement} entry @param {string} key */
-function valuesOf({ dataset }, key) { return (dataset[key] ?? "").split(" "); }
+function valuesOf({ dataset }, key) {
+  return (dataset[key] ?? "").split(" ");
+}
 
 /** Shows the entries that the filters leave. */
 function show() {
   let count = 0;
   for (const entry of entries) {
-    entry.hidden = !selects.every(({ key, select: { value } }) => value === "any" || valuesOf(entry, key).includes(value));
+    entry.hidden = !selects.every(
+      ({ key, select: { value } }) => value === "any" || valuesOf(entry, key).includes(value),
+    );
     if (!entry.hidden) count++;
   }
   for (const section of sections) section.hidden = section.querySelector(".entry:not([hidden])") === null;
   all.disabled = selects.every(({ select }) => select.value === "any");
-  byId("story", HTMLElement).textContent = count === entries.length
-    ? `Every figure, table and animation of five course reports, as ${count} runs to open and change.`
-    : `${count} of ${entries.length} entries.`;
+  byId("story", HTMLElement).textContent =
+    count === entries.length
+      ? `Every figure, table and animation of five course reports, as ${count} runs to open and change.`
+      : `${count} of ${entries.length} entries.`;
   document.body.dataset.shown = String(count);
 }
 

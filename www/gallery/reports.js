@@ -15,21 +15,40 @@ const INDIRECT = ["prm", "prm-star", "rrt"];
 const LETTERS = "ABCD";
 
 /** @type {Report[]} */
-export const REPORTS = [REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].map((report) => ({ ...report, entries: report.entries.map((entry) => withNumbers(asReported(entry))) }));
+export const REPORTS = [REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].map((report) => ({
+  ...report,
+  entries: report.entries.map((entry) => withNumbers(asReported(entry))),
+}));
 
-/** In the reports no tree and no roadmap tries the straight motion from start to goal first. @param {Entry} entry @returns {Entry} */
+/**
+ * In the reports no tree and no roadmap tries the straight motion from start to goal first.
+ * @param {Entry} entry
+ * @returns {Entry}
+ */
 function asReported(entry) {
   if (entry.page !== "planner") return entry;
-  const lanes = entry.state.lanes.map((plan) => (INDIRECT.includes(plan.algorithm ?? "") ? { ...plan, settings: { direct: false, ...plan.settings } } : plan));
+  const lanes = entry.state.lanes.map((plan) =>
+    INDIRECT.includes(plan.algorithm ?? "") ? { ...plan, settings: { direct: false, ...plan.settings } } : plan,
+  );
   return { ...entry, state: { ...entry.state, lanes } };
 }
 
 /** An entry with its numbers in the place of their names. @param {Entry} entry @returns {Entry} */
 function withNumbers(entry) {
-  return Object.assign({ ...entry }, ...TEXTS.map((field) => (entry[field] === undefined ? {} : { [field]: filled(entry[field], entry.shows ?? {}, entry.id) })));
+  return Object.assign(
+    { ...entry },
+    ...TEXTS.map((field) =>
+      entry[field] === undefined ? {} : { [field]: filled(entry[field], entry.shows ?? {}, entry.id) },
+    ),
+  );
 }
 
-/** A text with `{visited}`, or of a race `{visited B}`, replaced by the number. @param {string} text @param {Shows} shows @param {string} id */
+/**
+ * A text with `{visited}`, or of a race `{visited B}`, replaced by the number.
+ * @param {string} text
+ * @param {Shows} shows
+ * @param {string} id
+ */
 function filled(text, shows, id) {
   return text.replace(/\{(\w+)(?: ([A-D]))?\}/g, (whole, name, letter) => {
     const value = shows[/** @type {keyof Shows} */ (name)];

@@ -1,4 +1,6 @@
-/** The commands of this page, which its worker runs: the newest list of configurations, indexes on it, and their times. */
+/**
+ * The commands of this page, which its worker runs: the newest list of configurations, indexes on it, and their times.
+ */
 import { Scenario } from "planarium";
 import { Measurement } from "./measurement.js";
 import { readList } from "./read-list.js";
@@ -49,9 +51,16 @@ export const commands = {
   },
 
   /** Opens the same list for the same robot with another metric. @param {ScenarioDocument} document */
-  reopen(document) { return store(Scenario.parse(document), rows); },
+  reopen(document) {
+    return store(Scenario.parse(document), rows);
+  },
 
-  /** Reads JSON or a NumPy array; if it is refused, the list before stays. @param {ScenarioDocument} document @param {string} name @param {Uint8Array} bytes */
+  /**
+   * Reads JSON or a NumPy array; if it is refused, the list before stays.
+   * @param {ScenarioDocument} document
+   * @param {string} name
+   * @param {Uint8Array} bytes
+   */
   read(document, name, bytes) {
     const opened = Scenario.parse(document);
     // An index refuses what is not a configuration.
@@ -70,23 +79,38 @@ export const commands = {
 
   /**
    * The neighbours, and those by exact search with angles that wrap; null if the list is another by now.
-   * @param {{ version: number, q: Float64Array, k: number, index: IndexId, given: Settings }} query  `given`: options of the index
+   * @param {{ version: number, q: Float64Array, k: number, index: IndexId, given: Settings }} query  `given`: options
+   *   of the index
    */
   search({ version: asked, q, k, index, given }) {
     if (!scenario || asked !== version) return null;
     const { metric } = given;
-    const exact = indexOf(scenario, { index: "kd-tree", ...(metric === undefined || metric === "naive" ? {} : { metric }) });
+    const exact = indexOf(scenario, {
+      index: "kd-tree",
+      ...(metric === undefined || metric === "naive" ? {} : { metric }),
+    });
     return { found: indexOf(scenario, { index, ...given }).nearest(q, k), exact: exact.nearest(q, k) };
   },
 
-  /** Begins to measure. @param {ScenarioDocument} document @param {number} k @param {Settings} given  options of the indexes */
+  /**
+   * Begins to measure.
+   * @param {ScenarioDocument} document
+   * @param {number} k
+   * @param {Settings} given  options of the indexes
+   */
   beginMeasurement(document, k, given) {
     measurement?.free();
     measurement = new Measurement(document, k, given);
   },
 
-  /** Measures on n configurations; what there is no time for is left out. @param {number} n @param {number} milliseconds */
-  measure(n, milliseconds) { return measurement?.measure(n, milliseconds) ?? []; },
+  /**
+   * Measures on n configurations; what there is no time for is left out.
+   * @param {number} n
+   * @param {number} milliseconds
+   */
+  measure(n, milliseconds) {
+    return measurement?.measure(n, milliseconds) ?? [];
+  },
 
   endMeasurement() {
     measurement?.free();

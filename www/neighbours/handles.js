@@ -11,7 +11,11 @@ import { watchArrows, watchDrag } from "../draw/drag.js";
 /** The step of an arrow key, as a part of the coordinate's range. */
 const STEP = 0.005;
 
-/** @param {NeighbourSession} session @param {HTMLElement} stage   receives keys @param {{ workspace: Figure<Workspace>, square: Figure<Square> }} figures */
+/**
+ * @param {NeighbourSession} session
+ * @param {HTMLElement} stage   receives keys
+ * @param {{ workspace: Figure<Workspace>, square: Figure<Square> }} figures
+ */
 export function watchHandles(session, stage, { workspace, square }) {
   watchDrag(session.app, workspace.canvas, ({ x, y, near }) => {
     if (!session.isAsking) return null;
@@ -20,7 +24,9 @@ export function watchHandles(session, stage, { workspace, square }) {
     const least = Math.min(...distances);
     return least > near ? null : (place) => moveHandle(distances.indexOf(least), ...view.toPlane(place.x, place.y));
   });
-  watchDrag(session.app, square.canvas, () => (session.isAsking ? (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y)) : null));
+  watchDrag(session.app, square.canvas, () =>
+    session.isAsking ? (place) => session.moveTo(square.drawing.view.toPlane(place.x, place.y)) : null,
+  );
   watchArrows(stage, (coordinate, direction, factor) => {
     if (coordinate >= session.dimension || !session.isAsking) return false;
     const { low, high } = session.coordinates[coordinate];
@@ -28,7 +34,12 @@ export function watchHandles(session, stage, { workspace, square }) {
     return true;
   });
 
-  /** Turns or slides a link towards a point, moves a body, or turns it. @param {number} handle @param {number} x @param {number} y */
+  /**
+   * Turns or slides a link towards a point, moves a body, or turns it.
+   * @param {number} handle
+   * @param {number} x
+   * @param {number} y
+   */
   function moveHandle(handle, x, y) {
     const { q, isArm, scenario } = session;
     const part = isArm ? scenario.footprint(q)[handle] : null;

@@ -1,9 +1,10 @@
 /**
  * The page of nearest neighbours: it makes the session, the figures and the panels.
  *
- * For tests, beside what app.js says: `body` carries `data-robot` (an id of robots.js, of a scene, or "file"), `data-n`, `data-source` ("drawn" or "file"),
- * `data-q`, `data-k`, `data-index`, `data-metric`, `data-ask` (whether target and neighbours are shown), `data-weights`, and of the result `data-found` (the indices of the neighbours, in their order),
- * `data-missed` and `data-visited`.
+ * For tests, beside what app.js says: `body` carries `data-robot` (an id of robots.js, of a scene, or "file"),
+ * `data-n`, `data-source` ("drawn" or "file"), `data-q`, `data-k`, `data-index`, `data-metric`, `data-ask` (whether
+ * target and neighbours are shown), `data-weights`, and of the result `data-found` (the indices of the neighbours, in
+ * their order), `data-missed` and `data-visited`.
  */
 import { neighbourIndexes } from "planarium";
 import { App } from "../app/app.js";
@@ -39,8 +40,18 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const indexes = neighbourIndexes();
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space" }, new Square(session)),
+    workspace: new Figure(
+      app,
+      stage,
+      { id: "workspace", kind: "workspace", caption: "Workspace" },
+      new Workspace(session),
+    ),
+    square: new Figure(
+      app,
+      stage,
+      { id: "cspace", kind: "cspace", caption: "Configuration space" },
+      new Square(session),
+    ),
   };
   const all = Object.values(figures);
   const robotOf = (/** @type {string} */ id) => ROBOTS.find((entry) => entry.id === id);
@@ -49,10 +60,28 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   let wanted = "";
   showPanel(session, indexes);
   const timingsCsv = watchTiming(session, indexes);
-  showDownloads(app, all, { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title }, [
-    { id: "csv", title: "Neighbours", format: "CSV", meaning: "Rank, index, distance and configuration.", content: neighboursCsv },
-    { id: "timings", title: "Timings", format: "CSV", meaning: "All measurements.", content: timingsCsv, name: () => `timings-${session.entry.id}` },
-  ]);
+  showDownloads(
+    app,
+    all,
+    { name: () => `neighbours-${session.entry.id}-${session.count}-k${session.k}`, title: () => session.entry.title },
+    [
+      {
+        id: "csv",
+        title: "Neighbours",
+        format: "CSV",
+        meaning: "Rank, index, distance and configuration.",
+        content: neighboursCsv,
+      },
+      {
+        id: "timings",
+        title: "Timings",
+        format: "CSV",
+        meaning: "All measurements.",
+        content: timingsCsv,
+        name: () => `timings-${session.entry.id}`,
+      },
+    ],
+  );
   watchHandles(session, stage, figures);
   watchFiles(app, (name, bytes) => {
     app.notice.hide();
@@ -62,12 +91,16 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     else void session.read(name, bytes);
   });
   session.onChange(show);
-  app.rebuild = () => session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights, list: session.ownList });
+  app.rebuild = () =>
+    session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights, list: session.ownList });
   await useLink(app, stateRule, {
-    save: () => stateOf(session), spare: "list",
+    save: () => stateOf(session),
+    spare: "list",
     contents: (isWhole) => {
       if (session.file === null) return "the scenario, the sampling, the target and the query";
-      return isWhole ? "the scenario, your list, the target and the query" : "the scenario, the target and the query. Your list is too long for a link and is not included";
+      return isWhole
+        ? "the scenario, your list, the target and the query"
+        : "the scenario, the target and the query. Your list is too long for a link and is not included";
     },
     open: async (/** @type {State | null} */ state) => {
       if (state) await openState(session, state);
@@ -81,10 +114,13 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     return robot ? { ...robot.document, queries: [{ name: "q", start: robot.q, goal: robot.q }] } : sceneDocument(id);
   }
 
-  /** Opens a robot of this page or a scene of the planner's, unless another one is chosen while it is loaded. @param {string} id */
+  /**
+   * Opens a robot of this page or a scene of the planner's, unless another one is chosen while it is loaded.
+   * @param {string} id
+   */
   async function openScene(id) {
     wanted = id;
-    const entry = robotOf(id) ?? await app.track(sceneDocument(id).then((document) => entryOf(document, id)));
+    const entry = robotOf(id) ?? (await app.track(sceneDocument(id).then((document) => entryOf(document, id))));
     if (entry && wanted === id) await session.open(entry);
   }
 
@@ -92,8 +128,19 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   function show(change) {
     const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar, isAsking } = session;
     const { dataset } = document.body;
-    Object.assign(dataset, { robot: entry.id, n: count, source: file === null ? "drawn" : "file", q: [...q].join(), k, index, metric: given.metric ?? "", ask: isAsking, weights: session.weights.join() });
-    if (change === "result") Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
+    Object.assign(dataset, {
+      robot: entry.id,
+      n: count,
+      source: file === null ? "drawn" : "file",
+      q: [...q].join(),
+      k,
+      index,
+      metric: given.metric ?? "",
+      ask: isAsking,
+      weights: session.weights.join(),
+    });
+    if (change === "result")
+      Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
     figures.square.element.hidden = !isPlanar;
     stage.classList.toggle("single", !isPlanar);
@@ -101,30 +148,50 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     if (change === "robot") gallery.mark(entry.id);
     app.write({
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,
-      "list-told": file === null ? "Sampled uniformly: the same seed gives the same list." : `${file}: ${grouped(count)} configurations, in the order of the file.`,
+      "list-told":
+        file === null
+          ? "Sampled uniformly: the same seed gives the same list."
+          : `${file}: ${grouped(count)} configurations, in the order of the file.`,
     });
-    figures.workspace.note.textContent = count > DRAWN && entry.document.robot.type !== "disc" ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}` : "";
-    figures.square.note.textContent = session.coordinates.every(({ isCircle }) => isCircle) ? "one dot per configuration; borders wrap" : "one dot per configuration";
+    figures.workspace.note.textContent =
+      count > DRAWN && entry.document.robot.type !== "disc"
+        ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}`
+        : "";
+    figures.square.note.textContent = session.coordinates.every(({ isCircle }) => isCircle)
+      ? "one dot per configuration; borders wrap"
+      : "one dot per configuration";
     if (change === "result" || change === "robot") showNeighbours(session);
     if (change === "list" && count === 0) app.say(sentenceOf(session));
     if (change !== "result") return;
     const { length } = found.indices;
-    const distanceText = (/** @type {number | undefined} */ distance) => (distance === undefined ? "\u2013" : num(distance, DIGITS));
+    const distanceText = (/** @type {number | undefined} */ distance) =>
+      distance === undefined ? "\u2013" : num(distance, DIGITS);
     const text = sentenceOf(session);
     app.say(text, { isBad: isAsking && missed.length > 0 });
     app.write({
-      "fact-target": tuple(q, DIGITS), "fact-nearest": distanceText(found.distances[0]), "fact-farthest": distanceText(found.distances[length - 1]),
-      "fact-visited": `${grouped(found.visited)} of ${grouped(count)}`, "fact-recall": `${length - missed.length} of ${length}`,
+      "fact-target": tuple(q, DIGITS),
+      "fact-nearest": distanceText(found.distances[0]),
+      "fact-farthest": distanceText(found.distances[length - 1]),
+      "fact-visited": `${grouped(found.visited)} of ${grouped(count)}`,
+      "fact-recall": `${length - missed.length} of ${length}`,
     });
     const asked = isAsking ? `the ${length} configurations nearest to ${tuple(q, DIGITS)}, of ${count}. ` : "";
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${asked}${text}`);
   }
 
   function neighboursCsv() {
-    const { found: { indices, distances }, coordinates } = session;
-    return csvFile(["rank", "number", "distance", ...coordinates.map(({ name }) => name)], Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]));
+    const {
+      found: { indices, distances },
+      coordinates,
+    } = session;
+    return csvFile(
+      ["rank", "number", "distance", ...coordinates.map(({ name }) => name)],
+      Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]),
+    );
   }
 });
 
 /** Whether a file is a scenario, and not a list of configurations. @param {string} text */
-function isScenario(text) { return /^\s*\{[^]*"format"\s*:/.test(text); }
+function isScenario(text) {
+  return /^\s*\{[^]*"format"\s*:/.test(text);
+}

@@ -1,6 +1,6 @@
 /**
- * Times for building and querying scan, kd-tree and forest on more and more configurations. The clock of a browser is coarse, so
- * queries are timed in batches, and their median counts.
+ * Times for building and querying scan, kd-tree and forest on more and more configurations. The clock of a browser is
+ * coarse, so queries are timed in batches, and their median counts.
  */
 import { Scenario } from "planarium";
 import { rowsOf } from "../domain/coordinates.js";
@@ -29,20 +29,31 @@ export class Measurement {
     this.scenario = Scenario.parse(document);
     this.k = k;
     this.rows = this.scenario.sampleConfigurations(MOST, { seed: SEEDS.rows });
-    this.targets = rowsOf(this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets }), this.scenario.dimension);
+    this.targets = rowsOf(
+      this.scenario.sampleConfigurations(TARGETS, { seed: SEEDS.targets }),
+      this.scenario.dimension,
+    );
     /** The indexes, and the milliseconds that they took to build. */
     this.candidates = KINDS.map((kind) => {
-      const options = { index: kind, ...(metric === undefined ? {} : { metric }), ...(kind === "forest" ? forest : {}) };
+      const options = {
+        index: kind,
+        ...(metric === undefined ? {} : { metric }),
+        ...(kind === "forest" ? forest : {}),
+      };
       return { kind, index: this.scenario.neighbours(/** @type {NeighboursOptions} */ (options)), build: 0 };
     });
   }
 
   /**
-   * Times in seconds, the mean number of nodes visited, and the mean part of the true nearest neighbours that were found.
+   * Times in seconds, the mean number of nodes visited, and the mean part of the true nearest neighbours that were
+   * found.
    * @param {number} n  more than before @param {number} milliseconds  that may be spent
    */
   measure(n, milliseconds) {
-    const { scenario: { dimension }, rows } = this;
+    const {
+      scenario: { dimension },
+      rows,
+    } = this;
     const end = performance.now() + milliseconds;
     const measured = [];
     /** The true neighbours of each target. @type {Set<number>[]} */
@@ -56,10 +67,16 @@ export class Measurement {
       if (performance.now() > end) break;
       const results = this.targets.map((q) => index.nearest(q, this.k));
       if (kind === "kd-tree") truth = results.map(({ indices }) => new Set(indices));
-      const recalls = results.map(({ indices }, i) => (truth[i]?.size ? indices.filter((one) => truth[i].has(one)).length / truth[i].size : 1));
+      const recalls = results.map(({ indices }, i) =>
+        truth[i]?.size ? indices.filter((one) => truth[i].has(one)).length / truth[i].size : 1,
+      );
       measured.push({
-        index: kind, n, build: candidate.build / 1000, query: this.time(index) / 1000,
-        visited: mean(results.map(({ visited }) => visited)), recall: kind === "forest" ? mean(recalls) : 1,
+        index: kind,
+        n,
+        build: candidate.build / 1000,
+        query: this.time(index) / 1000,
+        visited: mean(results.map(({ visited }) => visited)),
+        recall: kind === "forest" ? mean(recalls) : 1,
       });
     }
     return measured;
@@ -87,4 +104,6 @@ export class Measurement {
 }
 
 /** @param {number[]} values */
-function mean(values) { return values.reduce((sum, value) => sum + value, 0) / values.length; }
+function mean(values) {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}

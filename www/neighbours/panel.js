@@ -1,4 +1,7 @@
-/** The settings: how the list is sampled, the target and the query. Options of the indexes are built from the core's table. */
+/**
+ * The settings: how the list is sampled, the target and the query. Options of the indexes are built from the core's
+ * table.
+ */
 import { byId, make } from "../app/dom.js";
 import { tuple } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
@@ -8,13 +11,24 @@ import { Slider } from "../widgets/slider.js";
 /** @import { NeighbourSession, Change, Weights } from "./session.js" */
 
 /** Weights of a metre and a radian in the course reports. @type {Weights[]} */
-const PAIRS = [[0.7, 0.3], [0.7, 0.15]];
+const PAIRS = [
+  [0.7, 0.3],
+  [0.7, 0.15],
+];
 
 /** @param {NeighbourSession} session @param {IndexInfo[]} table */
 export function showPanel(session, table) {
   const { n, seed } = session.sampling;
-  const counts = new Slider({ name: "count", title: "Count", min: 1, max: 100_000, kind: "integer", isLog: true }, n, (count) => void session.sample({ n: count }));
-  const seeds = new Slider({ name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" }, seed, (value) => void session.sample({ seed: value }));
+  const counts = new Slider(
+    { name: "count", title: "Count", min: 1, max: 100_000, kind: "integer", isLog: true },
+    n,
+    (count) => void session.sample({ n: count }),
+  );
+  const seeds = new Slider(
+    { name: "seed", title: "Seed", min: 0, max: 999, kind: "integer" },
+    seed,
+    (value) => void session.sample({ seed: value }),
+  );
   const free = byId("free", HTMLInputElement);
   free.addEventListener("change", () => void session.sample({ free: free.checked }));
   byId("list-settings", HTMLElement).prepend(counts.element, seeds.element);
@@ -25,15 +39,25 @@ export function showPanel(session, table) {
   });
   /** @type {Slider[]} */
   let target = [];
-  const neighbours = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) => session.setQuery({ k }));
+  const neighbours = new Slider({ name: "k", title: "k", min: 1, max: 500, kind: "integer" }, session.k, (k) =>
+    session.setQuery({ k }),
+  );
   byId("query-settings", HTMLElement).prepend(neighbours.element);
-  const weights = /** @type {const} */ (["metre", "radian"]).map((unit, i) => new Slider({ name: unit, title: unit, min: 0.01, max: 1, step: 0.01 }, 1, (value) => {
-    weigh(/** @type {Weights} */ (session.weights.with(i, value)));
-  }));
+  const weights = /** @type {const} */ (["metre", "radian"]).map(
+    (unit, i) =>
+      new Slider({ name: unit, title: unit, min: 0.01, max: 1, step: 0.01 }, 1, (value) => {
+        weigh(/** @type {Weights} */ (session.weights.with(i, value)));
+      }),
+  );
   byId("weights", HTMLElement).append(...weights.map(({ element }) => element));
   const pairs = byId("pairs", HTMLSelectElement);
-  pairs.append(make("option", { value: "" }, "\u2013"), ...PAIRS.map((pair) => make("option", { value: pair.join() }, pair.join(" and "))));
-  pairs.addEventListener("change", () => { if (pairs.value) weigh(/** @type {Weights} */ (pairs.value.split(",").map(Number))); });
+  pairs.append(
+    make("option", { value: "" }, "\u2013"),
+    ...PAIRS.map((pair) => make("option", { value: pair.join() }, pair.join(" and "))),
+  );
+  pairs.addEventListener("change", () => {
+    if (pairs.value) weigh(/** @type {Weights} */ (pairs.value.split(",").map(Number)));
+  });
   const asking = byId("ask", HTMLInputElement);
   asking.addEventListener("change", () => session.setQuery({ isAsking: asking.checked }));
   const index = byId("index", HTMLSelectElement);
@@ -45,25 +69,47 @@ export function showPanel(session, table) {
   session.onChange(show);
 
   /** @param {Weights} pair */
-  function weigh(pair) { session.app.guard(() => void session.weigh(pair)); }
+  function weigh(pair) {
+    session.app.guard(() => void session.weigh(pair));
+  }
 
   /** The options of the index; only an arm has a choice of metrics. */
   function buildOptions() {
     const info = table.find(({ id }) => id === session.index) ?? table[0];
     session.app.write({ "index-summary": info.summary });
-    const options = new Options(byId("index-settings", HTMLElement), info.parameters.filter(({ name }) => name !== "metric" || session.isArm), session.given, () => {
-      // The options of other indexes stay for later.
-      if (options.settings) session.setQuery({ given: { ...session.given, ...options.settings } });
-    });
+    const options = new Options(
+      byId("index-settings", HTMLElement),
+      info.parameters.filter(({ name }) => name !== "metric" || session.isArm),
+      session.given,
+      () => {
+        // The options of other indexes stay for later.
+        if (options.settings) session.setQuery({ given: { ...session.given, ...options.settings } });
+      },
+    );
   }
 
   /** @param {Change} change */
   function show(change) {
-    const { entry: { presets }, coordinates, sampling, q, k, isAsking } = session;
+    const {
+      entry: { presets },
+      coordinates,
+      sampling,
+      q,
+      k,
+      isAsking,
+    } = session;
     if (change === "result") return;
     if (change === "robot") {
-      preset.replaceChildren(make("option", { value: "" }, "\u2013"), ...presets.map(([at, count], i) => make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`)));
-      target = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) => session.setCoordinate(i, value)));
+      preset.replaceChildren(
+        make("option", { value: "" }, "\u2013"),
+        ...presets.map(([at, count], i) => make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`)),
+      );
+      target = coordinates.map(
+        ({ name, low, high, unit }, i) =>
+          new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) =>
+            session.setCoordinate(i, value),
+          ),
+      );
       byId("target", HTMLElement).replaceChildren(...target.map(({ element }) => element));
       buildOptions();
     }
@@ -82,7 +128,9 @@ export function showPanel(session, table) {
     pairs.value = session.weights.join();
     if (pairs.selectedIndex < 0) pairs.value = "";
     index.value = session.index;
-    const chosen = presets.findIndex(([at, count]) => count === k && session.scenario.distance(session.fitted(at), q) < 1e-9);
+    const chosen = presets.findIndex(
+      ([at, count]) => count === k && session.scenario.distance(session.fitted(at), q) < 1e-9,
+    );
     preset.value = chosen < 0 ? "" : String(chosen);
   }
 }

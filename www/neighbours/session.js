@@ -1,6 +1,6 @@
 /**
- * The state of the page: a robot, a list of its configurations, a target and a query. Lists and results come from the worker; only
- * the newest query counts.
+ * The state of the page: a robot, a list of its configurations, a target and a query. Lists and results come from the
+ * worker; only the newest query counts.
  */
 import { Scenario } from "planarium";
 import { wrap } from "planarium/draw";
@@ -17,7 +17,10 @@ import { isPlaced } from "../domain/names.js";
 
 /** @typedef {"robot" | "list" | "query" | "result"} Change */
 /** @typedef {{ name: string, rows: number[][] }} OwnList   from a file: its name, and configurations */
-/** @typedef {[translation: number, rotation: number]} Weights   of a metre and of a radian in the distance of two placements */
+/**
+ * @typedef {[translation: number, rotation: number]} Weights   of a metre and of a radian in the distance of two
+ *   placements
+ */
 
 /** Robots drawn, at most; and up to how many each has its outline and its reference point. */
 export const DRAWN = 400;
@@ -66,25 +69,47 @@ export class NeighbourSession extends Observable {
     this.requests = 0;
   }
 
-  get dimension() { return this.coordinates.length; }
-  get count() { return this.list.rows.length / this.dimension; }
-  get isArm() { return this.document.robot.type === "arm"; }
-  get isPlanar() { return this.isArm && this.dimension === 2; }
-  /** The angle at which the query cuts circles open: 0 in the naive metric, pi in a kd-tree that does not wrap; null if angles wrap. @returns {number | null} */
+  get dimension() {
+    return this.coordinates.length;
+  }
+  get count() {
+    return this.list.rows.length / this.dimension;
+  }
+  get isArm() {
+    return this.document.robot.type === "arm";
+  }
+  get isPlanar() {
+    return this.isArm && this.dimension === 2;
+  }
+  /**
+   * The angle at which the query cuts circles open: 0 in the naive metric, pi in a kd-tree that does not wrap; null if
+   * angles wrap.
+   * @returns {number | null}
+   */
   get cut() {
     if (this.given.metric === "naive") return 0;
     return this.index === "kd-tree-unwrapped" && this.coordinates.some(({ isCircle }) => isCircle) ? Math.PI : null;
   }
-  get isPlaced() { return isPlaced(this.scenario.robot); }
+  get isPlaced() {
+    return isPlaced(this.scenario.robot);
+  }
 
   /** The weights of the metric of a body or a car. @returns {Weights} */
-  get weights() { return this.ownWeights ?? weightsOf(this.document) ?? USUAL; }
+  get weights() {
+    return this.ownWeights ?? weightsOf(this.document) ?? USUAL;
+  }
 
   /** The list, if it is from a file. @returns {OwnList | null} */
-  get ownList() { return this.file === null ? null : { name: this.file, rows: Array.from({ length: this.count }, (_, i) => [...this.row(i)]) }; }
+  get ownList() {
+    return this.file === null
+      ? null
+      : { name: this.file, rows: Array.from({ length: this.count }, (_, i) => [...this.row(i)]) };
+  }
 
   /** A configuration of the list. @param {number} i */
-  row(i) { return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension); }
+  row(i) {
+    return this.list.rows.subarray(i * this.dimension, (i + 1) * this.dimension);
+  }
 
   /** True neighbours that were not found. @returns {number[]} */
   get missed() {
@@ -92,7 +117,12 @@ export class NeighbourSession extends Observable {
     return [...this.exact].filter((i) => !found.has(i));
   }
 
-  /** @param {RobotEntry} entry @param {{ q?: ArrayLike<number>, k?: number, weights?: Weights | null, list?: OwnList | null }} [query] @returns {Promise<void>} @throws {Error} the core refuses the scenario or the weights */
+  /**
+   * @param {RobotEntry} entry
+   * @param {{ q?: ArrayLike<number>, k?: number, weights?: Weights | null, list?: OwnList | null }} [query]
+   * @returns {Promise<void>}
+   * @throws {Error} the core refuses the scenario or the weights
+   */
   open(entry, { q = entry.q, k = entry.k, weights = null, list = null } = {}) {
     this.setWorld(entry, weights);
     Object.assign(this, { k, coordinates: coordinatesOf(this) });
@@ -112,7 +142,11 @@ export class NeighbourSession extends Observable {
     if (this.file === null && request === this.requests) await this.sample();
   }
 
-  /** @param {RobotEntry} entry @param {Weights | null} weights @throws {Error} the core refuses them, and nothing changes */
+  /**
+   * @param {RobotEntry} entry
+   * @param {Weights | null} weights
+   * @throws {Error} the core refuses them, and nothing changes
+   */
   setWorld(entry, weights) {
     const document = weights ? weighted(entry.document, weights) : entry.document;
     const scenario = Scenario.parse(document);
@@ -120,7 +154,11 @@ export class NeighbourSession extends Observable {
     Object.assign(this, { scenario, entry, document, ownWeights: weights });
   }
 
-  /** Weighs metres and radians, for the same list. @param {Weights} weights @throws {Error} the core refuses them, and nothing changes */
+  /**
+   * Weighs metres and radians, for the same list.
+   * @param {Weights} weights
+   * @throws {Error} the core refuses them, and nothing changes
+   */
   weigh(weights) {
     this.setWorld(this.entry, weights);
     return this.list.version < 1 ? this.sample() : this.receive(this.worker.reopen(this.document), this.file);
@@ -135,7 +173,11 @@ export class NeighbourSession extends Observable {
 
   /** Reads a list from a file. @param {string} name @param {Uint8Array} bytes */
   read(name, bytes) {
-    return this.receive(this.worker.read(this.document, name, bytes), name, `${name} could not be read as a list of configurations.`);
+    return this.receive(
+      this.worker.read(this.document, name, bytes),
+      name,
+      `${name} could not be read as a list of configurations.`,
+    );
   }
 
   /** @param {Promise<List>} promise @param {string | null} file @param {string} [title]  of an error */
@@ -157,17 +199,25 @@ export class NeighbourSession extends Observable {
     this.list = list;
     this.found = NOTHING;
     this.exact = new Set();
-    this.footprints = Array.from({ length: Math.min(DRAWN, this.count) }, (_, i) => this.scenario.footprint(this.row(i)));
+    this.footprints = Array.from({ length: Math.min(DRAWN, this.count) }, (_, i) =>
+      this.scenario.footprint(this.row(i)),
+    );
   }
 
   /** @param {ArrayLike<number>} q */
-  fitted(q) { return fitted(q, this.coordinates); }
+  fitted(q) {
+    return fitted(q, this.coordinates);
+  }
 
   /** Moves the target. @param {ArrayLike<number>} q */
-  moveTo(q) { this.setQuery({ q: this.fitted(q) }); }
+  moveTo(q) {
+    this.setQuery({ q: this.fitted(q) });
+  }
 
   /** Changes one coordinate of the target. @param {number} i @param {number} value */
-  setCoordinate(i, value) { this.moveTo(this.q.map((old, j) => (j !== i ? old : this.coordinates[i].isCircle ? wrap(value) : value))); }
+  setCoordinate(i, value) {
+    this.moveTo(this.q.map((old, j) => (j !== i ? old : this.coordinates[i].isCircle ? wrap(value) : value)));
+  }
 
   /** @param {Partial<Pick<NeighbourSession, "q" | "k" | "index" | "given" | "isAsking">>} changes */
   setQuery(changes) {
@@ -181,7 +231,13 @@ export class NeighbourSession extends Observable {
     this.isStale = this.isBusy;
     if (this.isBusy || this.list.version < 1) return;
     this.isBusy = true;
-    const { list: { version }, q, k, index, given } = this;
+    const {
+      list: { version },
+      q,
+      k,
+      index,
+      given,
+    } = this;
     // Only a forest has options beside the metric.
     const options = index === "forest" ? given : given.metric === undefined ? {} : { metric: given.metric };
     const result = await this.app.track(this.worker.search({ version, q, k, index, given: options }));
@@ -196,7 +252,9 @@ export class NeighbourSession extends Observable {
 }
 
 /** The weights that a document gives, if any. @param {ScenarioDocument} document @returns {Weights | null} */
-function weightsOf({ robot }) { return "metric" in robot && robot.metric ? [robot.metric.translation, robot.metric.rotation] : null; }
+function weightsOf({ robot }) {
+  return "metric" in robot && robot.metric ? [robot.metric.translation, robot.metric.rotation] : null;
+}
 
 /** @param {ScenarioDocument} document  of a body or a car @param {Weights} weights @returns {ScenarioDocument} */
 function weighted({ robot, ...rest }, [translation, rotation]) {

@@ -1,6 +1,7 @@
 /**
- * The configuration space of an arm of two joints: the list as dots, and straight motions from the target to its neighbours. The
- * naive metric cuts both circles at 0, a kd-tree that does not wrap at pi; their motions never cross that cut, which is drawn.
+ * The configuration space of an arm of two joints: the list as dots, and straight motions from the target to its
+ * neighbours. The naive metric cuts both circles at 0, a kd-tree that does not wrap at pi; their motions never cross
+ * that cut, which is drawn.
  */
 import { difference, wrap } from "planarium/draw";
 import { AngleSquare } from "../draw/angle-square.js";
@@ -20,7 +21,10 @@ export class Square extends AngleSquare {
   constructor(session) {
     super();
     this.session = session;
-    session.onChange((change) => { if (change === "robot" && session.isPlanar) this.setCells(session.scenario.cspace({ width: CELLS, height: CELLS }), CELLS); });
+    session.onChange((change) => {
+      if (change === "robot" && session.isPlanar)
+        this.setCells(session.scenario.cspace({ width: CELLS, height: CELLS }), CELLS);
+    });
   }
 
   /** @param {Brush} brush */
@@ -38,7 +42,9 @@ export class Square extends AngleSquare {
 
   /** The list as one image. @param {Brush} brush */
   dots({ ratio, palette }) {
-    const { list: { rows } } = this.session;
+    const {
+      list: { rows },
+    } = this.session;
     const { x, y, width, height } = this.inner;
     const places = new Float64Array(rows.length);
     for (let i = 0; i < rows.length; i += 2) {
@@ -52,7 +58,12 @@ export class Square extends AngleSquare {
   top({ context, palette }) {
     const { session, view, inner } = this;
     if (!session.isAsking) return;
-    const { found: { indices }, missed, cut, q } = session;
+    const {
+      found: { indices },
+      missed,
+      cut,
+      q,
+    } = session;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
       if (cut !== null) {
@@ -77,13 +88,31 @@ export class Square extends AngleSquare {
     });
   }
 
-  /** The motion from the target to a configuration. @param {CanvasRenderingContext2D} context @param {number} i @param {number | null} cut */
+  /**
+   * The motion from the target to a configuration.
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} i
+   * @param {number | null} cut
+   */
   drawMotion(context, i, cut) {
-    const { session: { q }, session } = this;
+    const {
+      session: { q },
+      session,
+    } = this;
     const row = session.row(i);
-    this.strokeMotion(context, q, this.coordinates.map(({ isCircle }, axis) => (cut === null || !isCircle ? difference(q[axis], row[axis], isCircle) : plain(row[axis], cut) - plain(q[axis], cut))));
+    this.strokeMotion(
+      context,
+      q,
+      this.coordinates.map(({ isCircle }, axis) =>
+        cut === null || !isCircle
+          ? difference(q[axis], row[axis], isCircle)
+          : plain(row[axis], cut) - plain(q[axis], cut),
+      ),
+    );
   }
 }
 
 /** An angle as it is read where the circle is cut at an angle, 0 or pi. @param {number} angle @param {number} cut */
-function plain(angle, cut) { return cut === 0 ? ((angle % TURN) + TURN) % TURN : wrap(angle); }
+function plain(angle, cut) {
+  return cut === 0 ? ((angle % TURN) + TURN) % TURN : wrap(angle);
+}

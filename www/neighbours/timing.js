@@ -1,6 +1,6 @@
 /**
- * Times of scan, tree and forest on more and more configurations, as a table and a chart. Measuring stops within two seconds and
- * can be continued.
+ * Times of scan, tree and forest on more and more configurations, as a table and a chart. Measuring stops within two
+ * seconds and can be continued.
  *
  * For tests: `#timing` carries `data-timing` ("none", "running", "done") and `data-seconds`.
  */
@@ -18,7 +18,10 @@ const SIZES = [100, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000];
 /** Milliseconds of all measurements; the last one may take a little longer. */
 const MOST = 1500;
 
-/** The columns of the table, each for some indexes. @type {{ id: "query" | "build" | "visited" | "recall", kinds: readonly Kind[], text: (one: Measured) => string }[]} */
+/**
+ * The columns of the table, each for some indexes.
+ * @type {{ id: "query" | "build" | "visited" | "recall", kinds: readonly Kind[], text: (one: Measured) => string }[]}
+ */
 const COLUMNS = [
   { id: "query", kinds: KINDS, text: ({ query }) => duration(query) },
   { id: "build", kinds: KINDS, text: ({ build }) => duration(build) },
@@ -40,7 +43,9 @@ export function watchTiming(session, table) {
   /** Whether it was stopped before its end. */
   let isCut = false;
   button.addEventListener("click", () => void run());
-  session.onChange((change) => { if (change === "robot" || change === "query") explain(); });
+  session.onChange((change) => {
+    if (change === "robot" || change === "query") explain();
+  });
   setState("none");
   return csv;
 
@@ -52,17 +57,27 @@ export function watchTiming(session, table) {
   }
 
   /** The settings that would be measured. */
-  function wanted() { return JSON.stringify([session.entry.id, session.k, session.given]); }
+  function wanted() {
+    return JSON.stringify([session.entry.id, session.k, session.given]);
+  }
 
   /** Whether the measurement can be continued. */
-  function isPaused() { return isCut && key === wanted(); }
+  function isPaused() {
+    return isCut && key === wanted();
+  }
 
   function explain() {
-    const { entry, given: { metric }, k } = session;
+    const {
+      entry,
+      given: { metric },
+      k,
+    } = session;
     const what = `${entry.title.toLowerCase()}, k = ${k}${metric ? `, ${metric} metric` : ""}`;
     button.textContent = isPaused() ? "Measure the rest" : "Measure";
-    const note = isPaused() ? `Paused at ${grouped(measured.at(-1)?.n ?? 0)} configurations after ${MOST / 1000} s. \u201cMeasure the rest\u201d may take several seconds.`
-      : measured.length > 0 && key !== wanted() ? `Measured with other settings; measure again for ${what}.`
+    const note = isPaused()
+      ? `Paused at ${grouped(measured.at(-1)?.n ?? 0)} configurations after ${MOST / 1000} s. \u201cMeasure the rest\u201d may take several seconds.`
+      : measured.length > 0 && key !== wanted()
+        ? `Measured with other settings; measure again for ${what}.`
         : `Up to 100,000 configurations (${what}). Median of several batches, including the JavaScript call.`;
     app.write({ measured: note });
   }
@@ -78,7 +93,7 @@ export function watchTiming(session, table) {
     await app.track(worker.beginMeasurement(session.document, session.k, session.given));
     for (const n of SIZES.filter((size) => !isComplete(size))) {
       const left = most - (performance.now() - began);
-      const some = (left > 0 && await app.track(worker.measure(n, left))) || [];
+      const some = (left > 0 && (await app.track(worker.measure(n, left)))) || [];
       isCut = some.length < KINDS.length;
       if (some.length === 0) break;
       measured.push(...some);
@@ -91,30 +106,49 @@ export function watchTiming(session, table) {
   }
 
   function show() {
-    byId("timings", HTMLTableElement).tBodies[0].replaceChildren(...[...new Set(measured.map(({ n }) => n))].map((n) => {
-      const cells = COLUMNS.flatMap(({ id, kinds, text }) => kinds.map((kind) => {
-        const one = measured.find(({ index, n: other }) => index === kind && other === n);
-        return make("td", { dataset: { index: kind, of: id, value: one?.[id] ?? "" } }, one ? text(one) : "\u2013");
-      }));
-      return make("tr", { dataset: { n } }, make("th", { scope: "row" }, grouped(n)), ...cells);
-    }));
+    byId("timings", HTMLTableElement).tBodies[0].replaceChildren(
+      ...[...new Set(measured.map(({ n }) => n))].map((n) => {
+        const cells = COLUMNS.flatMap(({ id, kinds, text }) =>
+          kinds.map((kind) => {
+            const one = measured.find(({ index, n: other }) => index === kind && other === n);
+            return make("td", { dataset: { index: kind, of: id, value: one?.[id] ?? "" } }, one ? text(one) : "\u2013");
+          }),
+        );
+        return make("tr", { dataset: { n } }, make("th", { scope: "row" }, grouped(n)), ...cells);
+      }),
+    );
     byId("timing-results", HTMLElement).hidden = false;
     const lines = KINDS.map((kind) => ({
-      label: kind, className: kind, points: measured.filter(({ index }) => index === kind).map(({ n, query }) => /** @type {[number, number]} */ ([n, 1e6 * query])),
+      label: kind,
+      className: kind,
+      points: measured
+        .filter(({ index }) => index === kind)
+        .map(({ n, query }) => /** @type {[number, number]} */ ([n, 1e6 * query])),
     }));
     chart.draw(lines, { title: "configurations", isLog: true }, { title: "microseconds", isLog: true }, summary());
   }
 
   function csv() {
-    const rows = measured.map(({ n, index, build, query, visited, recall }) => [n, index, build, query, visited, recall]);
+    const rows = measured.map(({ n, index, build, query, visited, recall }) => [
+      n,
+      index,
+      build,
+      query,
+      visited,
+      recall,
+    ]);
     return csvFile(["n", "index", "build_seconds", "query_seconds", "visited", "recall"], rows);
   }
 
   /** The largest measurement in words. */
   function summary() {
     const last = measured.at(-1)?.n ?? 0;
-    const times = measured.filter(({ n }) => n === last).map(({ index, query }) => `${table.find(({ id }) => id === index)?.title} ${duration(query)}`);
-    return times.length === 0 ? "Nothing was measured." : `Query time with ${grouped(last)} configurations: ${times.join(", ")}.`;
+    const times = measured
+      .filter(({ n }) => n === last)
+      .map(({ index, query }) => `${table.find(({ id }) => id === index)?.title} ${duration(query)}`);
+    return times.length === 0
+      ? "Nothing was measured."
+      : `Query time with ${grouped(last)} configurations: ${times.join(", ")}.`;
   }
 }
 

@@ -24,19 +24,27 @@ export class Workspace {
     this.view = NO_VIEW;
   }
 
-  /** The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body. @returns {Point[]} */
+  /**
+   * The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body.
+   * @returns {Point[]}
+   */
   get handles() {
     const { scenario, q, isArm, isPlaced } = this.session;
     const parts = scenario.footprint(q);
-    if (isArm) return parts.map((part) => /** @type {Point} */ (part.type === "capsule" ? part.b : [0, 0]));
+    if (isArm) return parts.map((part) => (/** @type {Point} */ (part.type === "capsule" ? part.b : [0, 0])));
     return isPlaced ? placedHandles(parts, q) : [[q[0], q[1]]];
   }
 
   /** @param {Brush} brush */
   ground(brush) {
-    const { document, scenario, footprints, list: { tips } } = this.session;
+    const {
+      document,
+      scenario,
+      footprints,
+      list: { tips },
+    } = this.session;
     const { context, palette, width, height, ratio } = brush;
-    const view = this.view = drawWorkspace(brush, scenario, document);
+    const view = (this.view = drawWorkspace(brush, scenario, document));
     if (footprints.length <= FEW) return this.drawFew(brush);
     context.save();
     setStroke(context, palette.growth, 1);
@@ -52,13 +60,26 @@ export class Workspace {
     }
     context.restore();
     const places = tips.map((value, i) => (i % 2 === 0 ? view.x(value) : view.y(value)));
-    context.drawImage(dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.2 }), 0, 0, width, height);
+    context.drawImage(
+      dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.2 }),
+      0,
+      0,
+      width,
+      height,
+    );
   }
 
   /** Each robot with its outline and its reference point, of an arm the tip. @param {Brush} brush */
   drawFew({ context, palette }) {
-    const { view, session: { footprints, list: { tips } } } = this;
-    for (const parts of footprints) drawGhost(context, view, parts, { colour: palette.growth, fill: 0.16, stroke: 0.9, dash: [], width: 1.6 });
+    const {
+      view,
+      session: {
+        footprints,
+        list: { tips },
+      },
+    } = this;
+    for (const parts of footprints)
+      drawGhost(context, view, parts, { colour: palette.growth, fill: 0.16, stroke: 0.9, dash: [], width: 1.6 });
     for (let i = 0; i < tips.length; i += 2) drawReference(context, ...view.place(tips.subarray(i)), palette);
   }
 
@@ -66,7 +87,14 @@ export class Workspace {
   top({ context, palette }) {
     const { session, view } = this;
     if (!session.isAsking) return;
-    const { scenario, missed, q, list: { tips }, found: { indices }, document: { robot } } = session;
+    const {
+      scenario,
+      missed,
+      q,
+      list: { tips },
+      found: { indices },
+      document: { robot },
+    } = session;
     const isDot = robot.type === "disc" && robot.radius === 0;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     const tipOf = (/** @type {number} */ i) => view.place(tips.subarray(2 * i));
@@ -76,13 +104,27 @@ export class Workspace {
     setStroke(context, palette.rejected, 1.6);
     for (const i of missed) {
       if (missed.length > MOST || isDot) ring(context, ...tipOf(i), 4.4);
-      else drawGhost(context, view, footprintOf(i), { colour: palette.rejected, fill: 0, stroke: 0.9, dash: [4, 4], width: 1.4 });
+      else
+        drawGhost(context, view, footprintOf(i), {
+          colour: palette.rejected,
+          fill: 0,
+          stroke: 0.9,
+          dash: [4, 4],
+          width: 1.4,
+        });
     }
     for (const [rank, i] of ranked) {
       const near = 1 - rank / Math.max(1, indices.length - 1);
       context.fillStyle = colourOf(i);
       if (rank >= MOST || isDot) disc(context, ...tipOf(i), 3.6);
-      else drawGhost(context, view, footprintOf(i), { colour: colourOf(i), fill: 0.05 + 0.08 * near, stroke: 0.55 + 0.4 * near, dash: [], width: 1 + 1.2 * near });
+      else
+        drawGhost(context, view, footprintOf(i), {
+          colour: colourOf(i),
+          fill: 0.05 + 0.08 * near,
+          stroke: 0.55 + 0.4 * near,
+          dash: [],
+          width: 1 + 1.2 * near,
+        });
     }
     drawRobot(context, view, scenario.footprint(q), palette);
     for (const [rank, i] of indices.length <= RANKED ? ranked : []) {

@@ -13,10 +13,15 @@ export function watchAnnouncements(page) {
     last[kind] = text;
   };
   page.onState((state) => {
-    const found = state.clock.isRace ? letters(state.lanes.flatMap(({ standing }, i) => (standing.found === null ? [] : [i]))) : "";
+    const found = state.clock.isRace
+      ? letters(state.lanes.flatMap(({ standing }, i) => (standing.found === null ? [] : [i])))
+      : "";
     if (found.length > finders.length) page.app.announcer.say(`${found} found a path.`);
     finders = found;
-    const isOver = state.settled && !state.inHand && state.lanes.every(({ status }) => status === "solved" || status === "exhausted");
+    const isOver =
+      state.settled &&
+      !state.inHand &&
+      state.lanes.every(({ status }) => status === "solved" || status === "exhausted");
     announce("end", isOver ? state.sentence : "");
     announce("touch", state.arrived ? state.sentence : state.touching.text);
   });

@@ -1,6 +1,6 @@
 /**
- * A roadmap that stands is asked for another path: from or to the robot as it is posed by hand, or for another query of the scene.
- * Nothing is planned anew.
+ * A roadmap that stands is asked for another path: from or to the robot as it is posed by hand, or for another query of
+ * the scene. Nothing is planned anew.
  */
 import { byId, make, write } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
@@ -25,13 +25,22 @@ export function watchAsking(page) {
     const query = session.shown?.document.queries.find((one) => one.name === queries.value);
     if (!query) page.act(() => session.forget());
     else if (query.goal) ask(query.start, query.goal, query.name);
-    else fail(Object.assign(new Error(`the query "${query.name}" has a target, and a roadmap is asked for the path to a configuration`), { code: "unsupported" }));
+    else
+      fail(
+        Object.assign(
+          new Error(`the query "${query.name}" has a target, and a roadmap is asked for the path to a configuration`),
+          { code: "unsupported" },
+        ),
+      );
   });
   page.onOpen(offer);
   page.onState(reflect);
 
   function offer() {
-    queries.replaceChildren(make("option", { value: "" }, "choose a query"), ...Array.from(page.panel.query.options, ({ value, text }) => make("option", { value }, text)));
+    queries.replaceChildren(
+      make("option", { value: "" }, "choose a query"),
+      ...Array.from(page.panel.query.options, ({ value, text }) => make("option", { value }, text)),
+    );
   }
 
   /** @param {State} state */
@@ -45,13 +54,21 @@ export function watchAsking(page) {
     for (const element of [name, ...byHand]) element.hidden = !inHand;
     back.hidden = asked === null || inHand;
     // A control that is hidden loses the focus.
-    if (group.contains(activeElement) && !activeElement?.checkVisibility()) (back.checkVisibility() ? back : byId("stage", HTMLElement)).focus();
+    if (group.contains(activeElement) && !activeElement?.checkVisibility())
+      (back.checkVisibility() ? back : byId("stage", HTMLElement)).focus();
   }
 
   /** The configuration posed by hand. @returns {Configuration | null} */
-  function hand() { return session.shown?.hand ? Array.from(session.shown.hand) : null; }
+  function hand() {
+    return session.shown?.hand ? Array.from(session.shown.hand) : null;
+  }
 
-  /** Asks for a path; an end that is null stays as it is shown. @param {Configuration | null} start @param {Configuration | null} goal @param {string} [query]  its name */
+  /**
+   * Asks for a path; an end that is null stays as it is shown.
+   * @param {Configuration | null} start
+   * @param {Configuration | null} goal
+   * @param {string} [query]  its name
+   */
   function ask(start, goal, query = "") {
     const { shown } = session;
     const [from, to] = [start ?? shown?.start, goal ?? shown?.goals[0]];

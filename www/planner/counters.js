@@ -11,22 +11,67 @@ export class Counters {
     // On a desktop all counters are in one line; on a phone some are folded away.
     const more = byId("more-counters", HTMLDetailsElement);
     const desktop = matchMedia("(min-width: 77.5rem)");
-    const unfold = () => { more.open = desktop.matches; };
+    const unfold = () => {
+      more.open = desktop.matches;
+    };
     desktop.addEventListener("change", unfold);
     unfold();
   }
 
   /** Shows a run. @param {LaneState} lane @param {boolean} settled */
-  show({ status, reason, phase, iteration, vertices, edges, checks, rejected, motions, evaluations, visited, stats, length, gap, optimum, unit, waypoints, fingerprint }, settled) {
-    this.mark({ status, phase, iterations: iteration, vertices, edges, settled, fingerprint: fingerprint || null, length });
+  show(
+    {
+      status,
+      reason,
+      phase,
+      iteration,
+      vertices,
+      edges,
+      checks,
+      rejected,
+      motions,
+      evaluations,
+      visited,
+      stats,
+      length,
+      gap,
+      optimum,
+      unit,
+      waypoints,
+      fingerprint,
+    },
+    settled,
+  ) {
+    this.mark({
+      status,
+      phase,
+      iterations: iteration,
+      vertices,
+      edges,
+      settled,
+      fingerprint: fingerprint || null,
+      length,
+    });
     byId("gap", HTMLElement).hidden = optimum === null;
     this.write({
-      phase: status === "running" ? phase : status === "none" ? "not started" : status === "exhausted" ? endText(reason) : status,
-      iterations: grouped(iteration), vertices: grouped(vertices), edges: grouped(edges),
+      phase:
+        status === "running"
+          ? phase
+          : status === "none"
+            ? "not started"
+            : status === "exhausted"
+              ? endText(reason)
+              : status,
+      iterations: grouped(iteration),
+      vertices: grouped(vertices),
+      edges: grouped(edges),
       length: length === null ? "" : `${length.toFixed(2)} ${unit}`,
       gap: gap === null ? "" : percent(gap),
       waypoints: waypoints === null ? "" : grouped(waypoints),
-      checks: short(checks), rejected: short(rejected), motions: short(motions), evaluations: short(evaluations),
+      checks: short(checks),
+      rejected: short(rejected),
+      motions: short(motions),
+      evaluations: short(evaluations),
       nearest: stats ? short(stats.nearest) : "",
       visited: visited === null ? "" : short(visited),
       build: stats ? duration(stats.build) : "",
@@ -50,7 +95,9 @@ export class Counters {
   }
 
   /** Declares the counters out of date. */
-  unsettle() { this.mark({ settled: false, fingerprint: null, length: null }); }
+  unsettle() {
+    this.mark({ settled: false, fingerprint: null, length: null });
+  }
 
   /** Shows that the page could not start. */
   fail() {

@@ -1,6 +1,7 @@
 /**
- * Charts of the number of vertices and the path length against iterations, or in a race against clearance evaluations, and of the gap to
- * the shortest path where that is known. They have few points, so that a long run costs no more than a short one.
+ * Charts of the number of vertices and the path length against iterations, or in a race against clearance evaluations,
+ * and of the gap to the shortest path where that is known. They have few points, so that a long run costs no more than
+ * a short one.
  */
 import { gapOf } from "./optimum.js";
 import { letter } from "./race/standings.js";
@@ -33,7 +34,10 @@ export function watchCurves(page) {
   const table = make("table", { className: "standings" });
   const scroll = labelled("region", "Curves as a table", make("div", { className: "scroll", tabIndex: 0 }, table));
   const numbers = make("details", {}, make("summary", {}, "As a table"), scroll);
-  byId("curves", HTMLElement).append(make("div", { className: "charts" }, vertices.element, cost.element, gap.element), numbers);
+  byId("curves", HTMLElement).append(
+    make("div", { className: "charts" }, vertices.element, cost.element, gap.element),
+    numbers,
+  );
 
   /** Identifies the drawn curves. */
   let drawn = "";
@@ -46,7 +50,10 @@ export function watchCurves(page) {
 
   /** Draws the curves if they have changed, at rest or after a pause. */
   function update() {
-    const { state, session: { plannings, clock, lanes } } = page;
+    const {
+      state,
+      session: { plannings, clock, lanes },
+    } = page;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
     const key = `${plannings} ${clock.head} ${lanes.map(({ run, optimum }) => [run?.ended, optimum?.length])}`;
@@ -66,28 +73,79 @@ export function watchCurves(page) {
     const time = isRace ? "clearance evaluations" : "iterations";
     const unit = state.lanes[0].unit;
     const label = (/** @type {number} */ i) => (isRace ? letter(i) : "");
-    const [grown, costs] = [1, 2].map((which) => lanes.map((rows, i) => ({ label: label(i), points: column(rows, which) })));
+    const [grown, costs] = [1, 2].map((which) =>
+      lanes.map((rows, i) => ({ label: label(i), points: column(rows, which) })),
+    );
     const optima = session.lanes.map(({ optimum }) => optimum);
     const [optimum] = optima;
     const isExact = optima.every((one) => one?.isExact !== false);
-    const gapsOf = (/** @type {typeof lanes} */ all) => all.map((rows, i) => ({ label: label(i), points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))) }));
+    const gapsOf = (/** @type {typeof lanes} */ all) =>
+      all.map((rows, i) => ({
+        label: label(i),
+        points: column(rows, 2).flatMap(([at, length]) => pairOf(at, gapOf(length, optima[i]))),
+      }));
     const gaps = gapsOf(thinned(runs, clock, head, true));
     cost.title.textContent = unit ? `Path length, ${unit}` : "Path cost";
     const across = { title: time, low: 0, high: Math.max(1, head) };
-    vertices.draw(grown, across, { title: "vertices", low: 0 }, `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`);
+    vertices.draw(
+      grown,
+      across,
+      { title: "vertices", low: 0 },
+      `Vertices against ${time}, up to ${words(head)}. ${summaryOf(grown, names, time)}`,
+    );
     /** @type {Line[]} */
-    const truth = optimum && optima.every((one) => one?.length === optimum.length)
-      ? [{ label: isExact ? "shortest" : "reference", points: [[0, optimum.length], [across.high, optimum.length]], isLevel: true, className: "optimum" }] : [];
-    cost.draw([...costs, ...truth], across, { title: "path length" }, `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`);
+    const truth =
+      optimum && optima.every((one) => one?.length === optimum.length)
+        ? [
+            {
+              label: isExact ? "shortest" : "reference",
+              points: [
+                [0, optimum.length],
+                [across.high, optimum.length],
+              ],
+              isLevel: true,
+              className: "optimum",
+            },
+          ]
+        : [];
+    cost.draw(
+      [...costs, ...truth],
+      across,
+      { title: "path length" },
+      `Length of the best path against ${time}, up to ${words(head)}. ${summaryOf(costs, names, time)}${truth.length > 0 ? ` The ${isExact ? "shortest path" : "reference"} has length ${words(truth[0].points[0][1])}.` : ""}`,
+    );
     gap.element.hidden = optima.every((one) => !one);
     gap.title.textContent = `Gap to the ${isExact ? "shortest path" : "reference"}, %`;
-    const drawn = gaps.map(({ label, points }) => ({ label, points: points.map(([at, percent]) => /** @type {[number, number]} */ ([at, Math.max(LEAST, percent)])) }));
-    if (!gap.element.hidden) gap.draw(drawn, { title: time, isLog: true, low: Math.max(1, head), high: Math.max(2, head) }, { title: "gap", isLog: true }, `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`);
+    const drawn = gaps.map(({ label, points }) => ({
+      label,
+      points: points.map(([at, percent]) => /** @type {[number, number]} */ ([at, Math.max(LEAST, percent)])),
+    }));
+    if (!gap.element.hidden)
+      gap.draw(
+        drawn,
+        { title: time, isLog: true, low: Math.max(1, head), high: Math.max(2, head) },
+        { title: "gap", isLog: true },
+        `Gap of the best path in percent against ${time}, both logarithmic. ${summaryOf(gaps, names, time)}`,
+      );
     for (const chart of charts) chart.show(state.clock.now);
-    if (numbers.open) list([["vertices", grown], ["path length", costs], ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gapsOf(lanes)])])], names, time);
+    if (numbers.open)
+      list(
+        [
+          ["vertices", grown],
+          ["path length", costs],
+          ...(gap.element.hidden ? [] : [/** @type {[string, Line[]]} */ (["gap, %", gapsOf(lanes)])]),
+        ],
+        names,
+        time,
+      );
   }
 
-  /** The same as a table, at some times, with those of all first paths. @param {[string, Line[]][]} curves @param {string[]} names @param {string} time */
+  /**
+   * The same as a table, at some times, with those of all first paths.
+   * @param {[string, Line[]][]} curves
+   * @param {string[]} names
+   * @param {string} time
+   */
   function list(curves, names, time) {
     const [[, grown], [, costs]] = curves;
     const all = [...new Set(grown.flatMap(({ points }) => points.map(([at]) => at)))].sort((a, b) => a - b);
@@ -98,8 +156,18 @@ export function watchCurves(page) {
     table.replaceChildren(
       make("caption", {}, "Vertices and path length"),
       make("thead", {}, make("tr", {}, ...[time, ...heads].map((title) => make("th", { scope: "col" }, title)))),
-      make("tbody", {}, ...times.map((at) => make("tr", {}, make("th", { scope: "row" }, words(at)),
-        ...names.flatMap((_, i) => curves.map(([, lines]) => make("td", {}, valueAt(lines[i], at))))))),
+      make(
+        "tbody",
+        {},
+        ...times.map((at) =>
+          make(
+            "tr",
+            {},
+            make("th", { scope: "row" }, words(at)),
+            ...names.flatMap((_, i) => curves.map(([, lines]) => make("td", {}, valueAt(lines[i], at)))),
+          ),
+        ),
+      ),
     );
   }
 }
@@ -113,7 +181,9 @@ function column(rows, which) {
 }
 
 /** A point, if its value is known. @param {number} at @param {number | null} value @returns {[number, number][]} */
-function pairOf(at, value) { return value === null ? [] : [[at, value]]; }
+function pairOf(at, value) {
+  return value === null ? [] : [[at, value]];
+}
 
 /** @param {Line} line @param {number} at */
 function valueAt({ points }, at) {
@@ -123,9 +193,11 @@ function valueAt({ points }, at) {
 
 /** The curves in words. @param {Line[]} lines @param {string[]} names @param {string} time */
 function summaryOf(lines, names, time) {
-  return lines.map(({ points }, i) => {
-    if (points.length === 0) return `${names[i]}: none yet.`;
-    const [first, last] = [points[0], points[points.length - 1]];
-    return `${names[i]}: ${words(first[1])} at ${words(first[0])} ${time}, ${words(last[1])} at ${words(last[0])}.`;
-  }).join(" ");
+  return lines
+    .map(({ points }, i) => {
+      if (points.length === 0) return `${names[i]}: none yet.`;
+      const [first, last] = [points[0], points[points.length - 1]];
+      return `${names[i]}: ${words(first[1])} at ${words(first[0])} ${time}, ${words(last[1])} at ${words(last[0])}.`;
+    })
+    .join(" ");
 }

@@ -12,12 +12,30 @@ import { SCENES } from "./scenes/scenes.js";
 /** Milliseconds between two states that are posted. */
 const PAUSE = 100;
 
-/** @typedef {{ planarium: string, id?: unknown, scene?: string, document?: object, algorithm?: string, settings?: Settings, query?: string, iteration?: number, play?: boolean, count?: number }} Order */
+/**
+ * @typedef {{ planarium: string, id?: unknown, scene?: string, document?: object, algorithm?: string, settings?:
+ *   Settings, query?: string, iteration?: number, play?: boolean, count?: number }} Order
+ */
 
-/** The fields of each order beside `planarium` and `id`, with their types. @type {Record<string, Record<string, "string" | "object" | "boolean" | "whole">>} */
+/**
+ * The fields of each order beside `planarium` and `id`, with their types.
+ * @type {Record<string, Record<string, "string" | "object" | "boolean" | "whole">>}
+ */
 const ORDERS = {
-  load: { scene: "string", document: "object", algorithm: "string", settings: "object", query: "string", iteration: "whole", play: "boolean" },
-  play: {}, pause: {}, step: { count: "whole" }, seek: { iteration: "whole" }, state: {},
+  load: {
+    scene: "string",
+    document: "object",
+    algorithm: "string",
+    settings: "object",
+    query: "string",
+    iteration: "whole",
+    play: "boolean",
+  },
+  play: {},
+  pause: {},
+  step: { count: "whole" },
+  seek: { iteration: "whole" },
+  state: {},
 };
 
 /** @param {State | null} state */
@@ -32,39 +50,58 @@ const fault = (code, pointer, message) => Object.assign(new Error(message), { co
 
 /** Refuses an order that is unknown, or has a field that is unknown or of another type. @param {Order} order */
 function check(order) {
-  if (!Object.hasOwn(ORDERS, order.planarium)) throw fault("unknown-order", "/planarium", `There is no order "${order.planarium}".`);
+  if (!Object.hasOwn(ORDERS, order.planarium))
+    throw fault("unknown-order", "/planarium", `There is no order "${order.planarium}".`);
   const fields = ORDERS[order.planarium];
   for (const [name, value] of Object.entries(order)) {
     if (name === "planarium" || name === "id" || value === undefined) continue;
-    if (!Object.hasOwn(fields, name)) throw fault("unknown-field", `/${name}`, `The order "${order.planarium}" has no field "${name}".`);
+    if (!Object.hasOwn(fields, name))
+      throw fault("unknown-field", `/${name}`, `The order "${order.planarium}" has no field "${name}".`);
     const type = fields[name];
-    const [isRight, wanted] = type === "whole" ? [Number.isSafeInteger(value), "a whole number"]
-      : type === "object" ? [typeof value === "object" && value !== null && !Array.isArray(value), "an object"]
-        : [typeof value === type, `a ${type}`];
+    const [isRight, wanted] =
+      type === "whole"
+        ? [Number.isSafeInteger(value), "a whole number"]
+        : type === "object"
+          ? [typeof value === "object" && value !== null && !Array.isArray(value), "an object"]
+          : [typeof value === type, `a ${type}`];
     if (!isRight) throw fault("wrong-type", `/${name}`, `"${name}" must be ${wanted}, not ${JSON.stringify(value)}.`);
   }
-  if (typeof order.iteration === "number" && order.iteration < 0) throw fault("out-of-range", "/iteration", `"iteration" must be at least 0, not ${order.iteration}.`);
-  if (order.planarium === "seek" && order.iteration === undefined) throw fault("missing-field", "/iteration", `The order "seek" needs an "iteration".`);
+  if (typeof order.iteration === "number" && order.iteration < 0)
+    throw fault("out-of-range", "/iteration", `"iteration" must be at least 0, not ${order.iteration}.`);
+  if (order.planarium === "seek" && order.iteration === undefined)
+    throw fault("missing-field", "/iteration", `The order "seek" needs an "iteration".`);
 }
 
 /** Answers the messages of the parent. @param {Page} page */
 export function watchParent(page) {
   /** What is loaded, checked as far as it can be before the open scene is left. @param {Order} order */
   function wantedOf({ scene, document, algorithm, settings, query, iteration, play }) {
-    if (scene !== undefined && document !== undefined) throw fault("duplicate-field", "/document", "An order loads a scene or a document, not both.");
+    if (scene !== undefined && document !== undefined)
+      throw fault("duplicate-field", "/document", "An order loads a scene or a document, not both.");
     const entry = SCENES.find(({ id }) => id === scene);
-    if (!entry && document === undefined) throw fault("unknown-scene", "/scene", `There is no scene "${String(scene)}".`);
+    if (!entry && document === undefined)
+      throw fault("unknown-scene", "/scene", `There is no scene "${String(scene)}".`);
     return { entry, document: document ?? {}, plans: plansOf(entry, algorithm, settings), query, iteration, play };
   }
 
-  /** The settings are those of the planner that is named, or change those of the scene. @param {SceneEntry | undefined} entry @param {string | undefined} algorithm @param {Settings | undefined} settings */
+  /**
+   * The settings are those of the planner that is named, or change those of the scene.
+   * @param {SceneEntry | undefined} entry
+   * @param {string | undefined} algorithm
+   * @param {Settings | undefined} settings
+   */
   function plansOf(entry, algorithm, settings) {
     if (algorithm === undefined && settings === undefined) return undefined;
     const chosen = algorithm ?? entry?.algorithm ?? page.panel.algorithm;
     const known = page.panel.parametersOf(chosen).map(({ name }) => name);
     if (known.length === 0) throw fault("unknown-planner", "/algorithm", `There is no planner "${chosen}".`);
     const unknown = Object.keys(settings ?? {}).find((name) => !known.includes(name));
-    if (unknown !== undefined) throw fault("unknown-parameter", `/settings/${unknown}`, `The planner "${chosen}" has no setting "${unknown}"; it has ${known.join(", ")}.`);
+    if (unknown !== undefined)
+      throw fault(
+        "unknown-parameter",
+        `/settings/${unknown}`,
+        `The planner "${chosen}" has no setting "${unknown}"; it has ${known.join(", ")}.`,
+      );
     return [{ algorithm: chosen, settings: { ...(algorithm === undefined ? entry?.settings : {}), ...settings } }];
   }
 
@@ -77,7 +114,8 @@ export function watchParent(page) {
       const scenario = page.session.read(source);
       const names = scenario.document().queries.map(({ name }) => name);
       scenario.free();
-      if (!names.includes(query)) throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${names.join(", ")}.`);
+      if (!names.includes(query))
+        throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${names.join(", ")}.`);
     }
     await page.open(source, { entry, ...opening });
     await page.arrived();
@@ -85,7 +123,11 @@ export function watchParent(page) {
     return planned(Object.keys(order.settings ?? {}));
   }
 
-  /** The state once everything is shown. @param {string[]} [settings]  the names of those that were loaded @throws {Error} if the run was refused */
+  /**
+   * The state once everything is shown.
+   * @param {string[]} [settings]  the names of those that were loaded
+   * @throws {Error} if the run was refused
+   */
   async function planned(settings = []) {
     const state = await page.arrived();
     if (!state?.refusal) return numbersOf(state);
@@ -109,7 +151,8 @@ export function watchParent(page) {
   }
 
   addEventListener("message", async ({ source, origin, data }) => {
-    if (source !== window.parent || typeof data !== "object" || data === null || typeof data.planarium !== "string") return;
+    if (source !== window.parent || typeof data !== "object" || data === null || typeof data.planarium !== "string")
+      return;
     const target = origin === "null" ? "*" : origin;
     const { id } = /** @type {Order} */ (data);
     try {
@@ -120,7 +163,9 @@ export function watchParent(page) {
     }
   });
 
-  page.onState(paced(PAUSE, () => window.parent.postMessage({ planarium: "state", state: numbersOf(page.state) }, "*")));
+  page.onState(
+    paced(PAUSE, () => window.parent.postMessage({ planarium: "state", state: numbersOf(page.state) }, "*")),
+  );
 
   // Escape returns the focus to the parent.
   if (document.documentElement.classList.contains("embed")) {

@@ -50,7 +50,8 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @typedef {object} Beside   Euler's steps beside an exact arc
  * @property {Float64Array} poses           rows of x, y, theta
  * @property {number} dt                    the step, in seconds
- * @property {number | null} apart          metres between both ends; null if Euler's path touches something before its end
+ * @property {number | null} apart          metres between both ends; null if Euler's path touches something before its
+ *   end
  */
 
 /**
@@ -63,7 +64,10 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {Float64Array} [motions]   along that edge: rows of speed, steering angle and duration
  */
 
-/** @typedef {Answer & { query: string, isProven: boolean, playback: PathPlayback | null }} Asked   `query`: its name, empty if it is none of the scenario's */
+/**
+ * @typedef {Answer & { query: string, isProven: boolean, playback: PathPlayback | null }} Asked   `query`: its name,
+ *   empty if it is none of the scenario's
+ */
 
 export class Lane {
   /** @param {Shown} shown @param {Plan} plan */
@@ -82,9 +86,14 @@ export class Lane {
     this.still = false;
   }
 
-  get scenario() { return this.shown.scenario; }
+  get scenario() {
+    return this.shown.scenario;
+  }
 
-  /** The playback of a run that is shown at its end, or of a further query of its roadmap. @returns {PathPlayback | null} */
+  /**
+   * The playback of a run that is shown at its end, or of a further query of its roadmap.
+   * @returns {PathPlayback | null}
+   */
   get playback() {
     if (!this.run || this.run.status === "running") return null;
     return this.asked ? this.asked.playback : this.end;
@@ -93,7 +102,12 @@ export class Lane {
   /** Shows a further query of the roadmap. @param {Answer} answer @param {string} query   its name, or empty */
   answer(answer, query) {
     const isProven = Boolean(this.run?.isProven);
-    this.asked = { ...answer, query, isProven, playback: playbackOfResult(this.scenario, isProven, answer.result, this.shown.placed) };
+    this.asked = {
+      ...answer,
+      query,
+      isProven,
+      playback: playbackOfResult(this.scenario, isProven, answer.result, this.shown.placed),
+    };
   }
 
   /** The plan for a query. @param {string | undefined} query @returns {Plan} */
@@ -102,7 +116,12 @@ export class Lane {
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 
-  /** Begins a run. @param {string | undefined} query @param {Catalogue} catalogue @throws {Error} the core refuses the plan */
+  /**
+   * Begins a run.
+   * @param {string | undefined} query
+   * @param {Catalogue} catalogue
+   * @throws {Error} the core refuses the plan
+   */
   start(query, catalogue) {
     this.free();
     const { algorithm, settings } = this.planOf(query);
@@ -110,7 +129,11 @@ export class Lane {
   }
 
   /** The metric of its costs. @returns {Metric} */
-  get metric() { return this.scenario.robot === "arm" ? /** @type {Metric | undefined} */ (this.plan.settings.metric) ?? "sum" : "euclidean"; }
+  get metric() {
+    return this.scenario.robot === "arm"
+      ? (/** @type {Metric | undefined} */ (this.plan.settings.metric) ?? "sum")
+      : "euclidean";
+  }
 
   /** Its standing in a race. @returns {Standing} */
   get standing() {
@@ -133,7 +156,9 @@ export class Lane {
   }
 
   /** The steering angle of a car. */
-  get steering() { return this.shown.driven?.steering ?? (this.shown.hand ? 0 : this.playback?.steering ?? 0); }
+  get steering() {
+    return this.shown.driven?.steering ?? (this.shown.hand ? 0 : (this.playback?.steering ?? 0));
+  }
 
   /** Makes the playback of a run that has ended. @returns {boolean} whether it is new */
   arrive() {

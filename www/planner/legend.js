@@ -15,19 +15,30 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
   const samples = some(({ hasRejected }) => hasRejected);
   const motions = some(({ hasRefused }) => hasRefused);
   const seen = {
-    guard: some(({ hasGuards }) => hasGuards), newest: flashes || waits, waiting: some(({ waiting }) => waiting > 0),
+    guard: some(({ hasGuards }) => hasGuards),
+    newest: flashes || waits,
+    waiting: some(({ waiting }) => waiting > 0),
     // Rejected elements are shown by the view option, or flash while the graph grows.
-    rejected: (view.refused || flashes || waits) && (samples || motions), path: hasPath || hasBest, poses: hasPath && view.strobe,
-    informed: some(({ isInformed }) => isInformed), piece: some(({ isApart }) => isApart), searched: some(({ isSearched }) => isSearched),
+    rejected: (view.refused || flashes || waits) && (samples || motions),
+    path: hasPath || hasBest,
+    poses: hasPath && view.strobe,
+    informed: some(({ isInformed }) => isInformed),
+    piece: some(({ isApart }) => isApart),
+    searched: some(({ isSearched }) => isSearched),
     optimum: view.optimum && some(({ optimum }) => optimum !== null),
-    blocked: certificate !== null, free: certificate !== null,
-    raw: view.raw && some(({ raw }) => raw !== null), touching: !touching.free || hover?.free === false || isBad,
+    blocked: certificate !== null,
+    free: certificate !== null,
+    raw: view.raw && some(({ raw }) => raw !== null),
+    touching: !touching.free || hover?.free === false || isBad,
   };
   for (const [name, isSeen] of Object.entries(seen)) byId(`legend-${name}`, HTMLElement).hidden = !isSeen;
   byId("legend-rejected", HTMLElement).dataset.kinds = `${samples ? "samples " : ""}${motions ? "motions" : ""}`;
   byId("legend-growth-row", HTMLElement).dataset.kind = lanes[0].kind;
   write(byId("legend-growth", HTMLElement), [...new Set(lanes.map(({ kind }) => kind))].join(", "));
-  write(byId("legend-optimum-name", HTMLElement), some(({ optimum }) => optimum === "reference") ? "reference" : "shortest path");
+  write(
+    byId("legend-optimum-name", HTMLElement),
+    some(({ optimum }) => optimum === "reference") ? "reference" : "shortest path",
+  );
   const path = byId("legend-path", HTMLElement);
   const isProven = some((lane) => lane.isProven);
   const isMiss = lanes.every((lane) => lane.isMiss);

@@ -3,19 +3,26 @@
  *
  * For tests, beside the attributes listed in app.js:
  * - `#counters` carries `data-status` ("loading", "failed", "none", "running", "solved", "exhausted"), `data-phase`,
- *   `data-iterations`, `data-vertices`, `data-edges` of the iteration shown, `data-settled` ("true" while nothing moves and everything
- *   is drawn), and once the newest iteration is shown and its result is known `data-fingerprint` and, once solved, `data-length`.
- * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete` once no scene
+ *   `data-iterations`, `data-vertices`, `data-edges` of the iteration shown, `data-settled` ("true" while nothing moves
+ *   and everything is drawn), and once the newest iteration is shown and its result is known `data-fingerprint` and,
+ *   once solved, `data-length`.
+ * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete`
+ * once no scene
  *   needs the network any more.
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
- * - `#readout` carries `data-vertex`, the vertex under the pointer or "-1" for a mere configuration, and `data-free`; neither
+ * - `#readout` carries `data-vertex`, the vertex under the pointer or "-1" for a mere configuration, and `data-free`;
+ * neither
  *   while the pointer is on nothing.
  * - `#touching` carries `data-free` and names the parts in collision.
- * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of the selection, `data-undo`, `data-redo`, `data-changes`,
- *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or goal in collision.
- * - `#certify` carries `data-on`, whether it is shown if a path exists, and then `data-verdict`, empty before it is decided.
+ * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of the selection, `data-undo`,
+ * `data-redo`, `data-changes`,
+ *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or
+ *   goal in collision.
+ * - `#certify` carries `data-on`, whether it is shown if a path exists, and then `data-verdict`, empty before it is
+ * decided.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
- * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration, `data-fingerprint`.
+ * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration,
+ * `data-fingerprint`.
  * - The work of each frame in which the graph grew is a `performance.measure` called "planarium-frame".
  */
 import * as library from "planarium";
@@ -55,116 +62,148 @@ const app = new App();
 const { notice } = app;
 const counters = new Counters();
 
-const isOpen = await app.open("planner", async (/** @type {PlannerWorker} */ worker) => {
-  const session = new Session(app, library, worker);
-  const turn = byId("your-turn", HTMLButtonElement);
-  const stage = byId("stage", HTMLElement);
-  const readout = byId("readout", HTMLOutputElement);
-  const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
-  const panel = new Panel(session.catalogue.planners, () => library.randomSeed() % SEEDS, () => page.plan(), () => page.setQuery());
-  const page = new Page(app, session, panel);
-  const sheets = new Sheets(page);
-  const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
-  const gallery = makeGallery(SCENES, (entry) => {
-    void app.track(page.openScene(entry), `The scene "${entry.title}" could not be loaded.`);
-  });
-  const transport = new Transport(page);
-  watchKeys([stage, transport.bar], {
-    " ": () => page.act(({ timeline }) => timeline.toggle()),
-    ".": () => page.act(({ timeline }) => timeline.step(1)),
-    ",": () => page.act(({ timeline }) => timeline.step(-1)),
-    e: () => page.act(({ timeline }) => timeline.finish()),
-    r: () => page.act(() => session.reset()),
-    n: () => panel.reseed(),
-  });
-  watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
-  watchAnnouncements(page);
-  watchAsking(page);
-  offerCertificate(page, worker);
-  showPseudocode(page);
-  watchPrint(page);
-  const projector = new Projector(() => app.setTheme());
-
-  const options = new LazyFeature(notice, async () => (await import("./scenes/options.js")).showSceneOptions(page, library.generators())).inFold("make-fold");
-  page.onOpen((_, entry) => { if (entry?.sliders) options.use(); });
-  const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold("race-fold");
-  page.loadRace = () => race.get();
-  new LazyFeature(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
-  new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
-  new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page)).inFold("editor-fold").byButton("edit", (editor) => editor.begin());
-  const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
-  page.loadDrive = () => drive.get();
-  const lessons = new LazyFeature(notice, async () => new (await import("./lessons/lessons.js")).Lessons(page)).inFold("lessons-fold");
-  new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
-  const link = new LazyFeature(notice, async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector)).byButton("link", ({ share }) => share());
-  if (window.parent !== window) (await import("./embed.js")).watchParent(page);
-  addEventListener("hashchange", () => { if (location.hash) void app.track(openAddress()); });
-
-  page.onOpen((facts, entry) => {
-    if (!page.race?.arrange()) sheets.arrange(facts);
-    pose.build(facts);
-    gallery.mark(entry?.id ?? null);
-  });
-  page.onState((state) => {
-    counters.show(state.lanes[0], state.settled);
-    showLegend(page, state);
-    const { hover } = state;
-    write(readout, hover ? hover.text : hint);
-    if (hover) Object.assign(readout.dataset, { vertex: hover.vertex, free: hover.free });
-    else for (const name of ["vertex", "free"]) delete readout.dataset[name];
-    app.say(state.sentence, { isBad: state.isBad, isSilent: true });
-    app.write({
-      "your-turn": state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn",
-      where: `${page.title} \u00b7 ${page.names.join(" against ")}`,
+const isOpen = await app.open(
+  "planner",
+  async (/** @type {PlannerWorker} */ worker) => {
+    const session = new Session(app, library, worker);
+    const turn = byId("your-turn", HTMLButtonElement);
+    const stage = byId("stage", HTMLElement);
+    const readout = byId("readout", HTMLOutputElement);
+    const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
+    const panel = new Panel(
+      session.catalogue.planners,
+      () => library.randomSeed() % SEEDS,
+      () => page.plan(),
+      () => page.setQuery(),
+    );
+    const page = new Page(app, session, panel);
+    const sheets = new Sheets(page);
+    const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
+    const gallery = makeGallery(SCENES, (entry) => {
+      void app.track(page.openScene(entry), `The scene "${entry.title}" could not be loaded.`);
     });
-    stage.classList.toggle("in-hand", state.inHand);
-    pose.reflect(state);
-    sheets.showAxes(state, page.facts);
-    sheets.describe(state);
-  });
-  session.onDirty = () => counters.unsettle();
-  turn.addEventListener("click", (event) => {
-    if (page.facts?.robot === "car") {
-      drive.use((controls) => controls.toggle());
-      return;
+    const transport = new Transport(page);
+    watchKeys([stage, transport.bar], {
+      " ": () => page.act(({ timeline }) => timeline.toggle()),
+      ".": () => page.act(({ timeline }) => timeline.step(1)),
+      ",": () => page.act(({ timeline }) => timeline.step(-1)),
+      e: () => page.act(({ timeline }) => timeline.finish()),
+      r: () => page.act(() => session.reset()),
+      n: () => panel.reseed(),
+    });
+    watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
+    watchAnnouncements(page);
+    watchAsking(page);
+    offerCertificate(page, worker);
+    showPseudocode(page);
+    watchPrint(page);
+    const projector = new Projector(() => app.setTheme());
+
+    const options = new LazyFeature(notice, async () =>
+      (await import("./scenes/options.js")).showSceneOptions(page, library.generators()),
+    ).inFold("make-fold");
+    page.onOpen((_, entry) => {
+      if (entry?.sliders) options.use();
+    });
+    const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold(
+      "race-fold",
+    );
+    page.loadRace = () => race.get();
+    new LazyFeature(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
+    new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
+    new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page))
+      .inFold("editor-fold")
+      .byButton("edit", (editor) => editor.begin());
+    const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
+    page.loadDrive = () => drive.get();
+    const lessons = new LazyFeature(
+      notice,
+      async () => new (await import("./lessons/lessons.js")).Lessons(page),
+    ).inFold("lessons-fold");
+    new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
+    const link = new LazyFeature(
+      notice,
+      async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector),
+    ).byButton("link", ({ share }) => share());
+    if (window.parent !== window) (await import("./embed.js")).watchParent(page);
+    addEventListener("hashchange", () => {
+      if (location.hash) void app.track(openAddress());
+    });
+
+    page.onOpen((facts, entry) => {
+      if (!page.race?.arrange()) sheets.arrange(facts);
+      pose.build(facts);
+      gallery.mark(entry?.id ?? null);
+    });
+    page.onState((state) => {
+      counters.show(state.lanes[0], state.settled);
+      showLegend(page, state);
+      const { hover } = state;
+      write(readout, hover ? hover.text : hint);
+      if (hover) Object.assign(readout.dataset, { vertex: hover.vertex, free: hover.free });
+      else for (const name of ["vertex", "free"]) delete readout.dataset[name];
+      app.say(state.sentence, { isBad: state.isBad, isSilent: true });
+      app.write({
+        "your-turn": state.inHand ? "Watch again" : page.facts?.robot === "car" ? "Drive" : "Your turn",
+        where: `${page.title} \u00b7 ${page.names.join(" against ")}`,
+      });
+      stage.classList.toggle("in-hand", state.inHand);
+      pose.reflect(state);
+      sheets.showAxes(state, page.facts);
+      sheets.describe(state);
+    });
+    session.onDirty = () => counters.unsettle();
+    turn.addEventListener("click", (event) => {
+      if (page.facts?.robot === "car") {
+        drive.use((controls) => controls.toggle());
+        return;
+      }
+      if (event.detail === 0) pose.awaitsFocus = true;
+      page.act(({ byHand }) => byHand.change());
+    });
+    turn.disabled = false;
+
+    app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
+    app.setTheme();
+    if (location.hash) await openAddress();
+    else await page.openScene(SCENES[0]);
+    app.onTheme(() => void app.track(drawThumbnails()));
+    setTimeout(() => {
+      session.stage.prepare();
+      void app.track(drawThumbnails());
+    }, THUMBNAILS);
+
+    /** Opens the experiment or the step of a lesson in the address. */
+    async function openAddress() {
+      await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash);
     }
-    if (event.detail === 0) pose.awaitsFocus = true;
-    page.act(({ byHand }) => byHand.change());
-  });
-  turn.disabled = false;
 
-  app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
-  app.setTheme();
-  if (location.hash) await openAddress();
-  else await page.openScene(SCENES[0]);
-  app.onTheme(() => void app.track(drawThumbnails()));
-  setTimeout(() => {
-    session.stage.prepare();
-    void app.track(drawThumbnails());
-  }, THUMBNAILS);
-
-  /** Opens the experiment or the step of a lesson in the address. */
-  async function openAddress() { await (await (location.hash.startsWith("#lesson=") ? lessons : link).get()).open(location.hash); }
-
-  /** Opens a file; one that is refused leaves the open scene in place. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
-  async function openFile(name, bytes) {
-    if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
-    else await page.open({ document: new TextDecoder().decode(bytes) });
-  }
-
-  async function drawThumbnails() {
-    for (const entry of SCENES) gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
-    setTimeout(() => void loadModules(), MODULES);
-  }
-
-  /** Loads the modules that other scenes need, for when there is no network. */
-  async function loadModules() {
-    try {
-      await Promise.all([options.get(), placed()]);
-      document.body.dataset.complete = "true";
-    } catch {
-      // There is no network any more: the next use tries again, and reports the error.
+    /**
+     * Opens a file; one that is refused leaves the open scene in place.
+     * @param {string} name
+     * @param {Uint8Array<ArrayBuffer>} bytes
+     */
+    async function openFile(name, bytes) {
+      if (isArray(name, bytes)) await (await import("./export/arrays.js")).openArray(page, name, bytes);
+      else await page.open({ document: new TextDecoder().decode(bytes) });
     }
-  }
-}, "worker.js");
+
+    async function drawThumbnails() {
+      for (const entry of SCENES)
+        gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
+      setTimeout(() => void loadModules(), MODULES);
+    }
+
+    /** Loads the modules that other scenes need, for when there is no network. */
+    async function loadModules() {
+      try {
+        await Promise.all([options.get(), placed()]);
+        document.body.dataset.complete = "true";
+      } catch {
+        // There is no network any more: the next use tries again, and reports the error.
+      }
+    }
+  },
+  "worker.js",
+);
 if (!isOpen) counters.fail();

@@ -1,6 +1,6 @@
 /**
- * The shortest path of the query, beside the runs: it is asked for once something shows it, in a worker of its own, so that no planner
- * waits for it.
+ * The shortest path of the query, beside the runs: it is asked for once something shows it, in a worker of its own, so
+ * that no planner waits for it.
  */
 import { errorInfo } from "../app/error-info.js";
 
@@ -10,12 +10,24 @@ import { errorInfo } from "../app/error-info.js";
 /** @import { PlannerWorker } from "./worker/worker.js" */
 
 /** @typedef {NonNullable<import("planarium").OptimumOptions["metric"]>} Metric */
-/** @typedef {{ length: number, rows: Float64Array, isExact: boolean }} Optimum   `rows` of configurations; not exact: a reference, which a run may surpass */
+/**
+ * @typedef {{ length: number, rows: Float64Array, isExact: boolean }} Optimum   `rows` of configurations; not exact: a
+ *   reference, which a run may surpass
+ */
 
-/** Whether the shortest path of such a robot is known, or a reference. @param {{ robot: string, dimension: number }} scenario */
-export function hasOptimum({ robot, dimension }) { return robot === "disc" || (robot === "arm" && dimension === 2); }
+/**
+ * Whether the shortest path of such a robot is known, or a reference.
+ * @param {{ robot: string, dimension: number }} scenario
+ */
+export function hasOptimum({ robot, dimension }) {
+  return robot === "disc" || (robot === "arm" && dimension === 2);
+}
 
-/** By how much a path is longer, in percent; null if either is unknown. @param {number} cost @param {Optimum | null} optimum */
+/**
+ * By how much a path is longer, in percent; null if either is unknown.
+ * @param {number} cost
+ * @param {Optimum | null} optimum
+ */
 export function gapOf(cost, optimum) {
   return optimum && optimum.length > 0 && cost < Infinity ? 100 * (cost / optimum.length - 1) : null;
 }

@@ -1,6 +1,6 @@
 /**
- * The page as its features see it: the open scene, the state of the last frame, and events. Features register listeners for scenes
- * and states; none of them knows the others.
+ * The page as its features see it: the open scene, the state of the last frame, and events. Features register listeners
+ * for scenes and states; none of them knows the others.
  */
 import { nameAll } from "./race/names.js";
 import { loadScene } from "../app/resources.js";
@@ -13,7 +13,10 @@ import { robotName } from "../domain/names.js";
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Plan, ScenarioDocument, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
-/** @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how to open a scenario */
+/**
+ * @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how
+ *   to open a scenario
+ */
 
 /** Iterations a second of a scenario from a file. */
 const PACE = 60;
@@ -35,7 +38,10 @@ export class Page {
     /** The open scene, where it is a built-in one. @type {SceneEntry | null} */
     this.entry = null;
     this.name = "";
-    /** Iterations a second that the scene was opened with; undefined keeps the previous speed. @type {number | undefined} */
+    /**
+     * Iterations a second that the scene was opened with; undefined keeps the previous speed.
+     * @type {number | undefined}
+     */
     this.pace = undefined;
     /** The plans of the current runs: first the panel's, then its rivals'. @type {Plan[]} */
     this.current = [];
@@ -60,7 +66,10 @@ export class Page {
     session.onState = (state) => this.reflect(state);
   }
 
-  /** Runs with the open scenario, and whenever another one was opened. @param {(facts: SceneFacts, entry: SceneEntry | null) => void} listener */
+  /**
+   * Runs with the open scenario, and whenever another one was opened.
+   * @param {(facts: SceneFacts, entry: SceneEntry | null) => void} listener
+   */
   onOpen(listener) {
     this.openListeners.push(listener);
     if (this.facts) listener(this.facts, this.entry);
@@ -93,7 +102,8 @@ export class Page {
   }
 
   /**
-   * Opens a scenario, a built-in one with its own planner and parameters. One that cannot be read leaves the open one in place.
+   * Opens a scenario, a built-in one with its own planner and parameters. One that cannot be read leaves the open one
+   * in place.
    * @param {Source} source @param {Opening} [opening]
    * @throws {Error} with `code` and `pointer`
    */
@@ -102,7 +112,7 @@ export class Page {
     const request = ++this.request;
     if (plans && plans.length > 1) await this.loadRace();
     // A scene that is opened again keeps the current speed.
-    const pace = entry && entry === this.entry ? undefined : entry?.pace ?? PACE;
+    const pace = entry && entry === this.entry ? undefined : (entry?.pace ?? PACE);
     const given = plans?.[0] ?? entry;
     const scenario = session.read(source);
     const placed = await session.placedOf(scenario);
@@ -113,17 +123,38 @@ export class Page {
     // Planners and parameters for other robots would be refused.
     panel.offer(scenario.robot);
     if (!given) panel.form.build();
-    const plan = given ? panel.planFrom(given.algorithm, given.settings) : panel.plan ?? { algorithm: panel.algorithm, settings: {} };
+    const plan = given
+      ? panel.planFrom(given.algorithm, given.settings)
+      : (panel.plan ?? { algorithm: panel.algorithm, settings: {} });
     const dropped = this.race?.offer() ?? [];
     // With their defaults, so that their names say what they differ in.
-    const wanted = plans?.slice(1).map(({ algorithm, settings }) => panel.planFrom(algorithm, settings)) ?? this.race?.beside(plan) ?? this.current.slice(1);
+    const wanted =
+      plans?.slice(1).map(({ algorithm, settings }) => panel.planFrom(algorithm, settings)) ??
+      this.race?.beside(plan) ??
+      this.current.slice(1);
     const isServed = (/** @type {Plan} */ { algorithm }) => panel.serves(algorithm);
-    const removed = plans ? wanted.map((rival, i) => ({ ...rival, lane: i + 1 })).filter((rival) => !isServed(rival)) : dropped;
+    const removed = plans
+      ? wanted.map((rival, i) => ({ ...rival, lane: i + 1 })).filter((rival) => !isServed(rival))
+      : dropped;
     const current = [plan, ...wanted.filter(isServed)];
-    const facts = this.run(() => session.open(scenario, {
-      plans: current, query, iteration, play, pace,
-      story: { sentence: entry?.story ?? "", algorithm: entry?.algorithm ?? "", isProven: (entry?.settings.edge_check ?? "proven") === "proven" },
-    }, placed));
+    const facts = this.run(() =>
+      session.open(
+        scenario,
+        {
+          plans: current,
+          query,
+          iteration,
+          play,
+          pace,
+          story: {
+            sentence: entry?.story ?? "",
+            algorithm: entry?.algorithm ?? "",
+            isProven: (entry?.settings.edge_check ?? "proven") === "proven",
+          },
+        },
+        placed,
+      ),
+    );
     this.notice.hide();
     this.source = source;
     this.entry = entry ?? null;
@@ -173,7 +204,9 @@ export class Page {
   }
 
   /** Changes the session; an error is shown. @param {(session: Session) => unknown} action */
-  act(action) { this.app.guard(() => this.run(action)); }
+  act(action) {
+    this.app.guard(() => this.run(action));
+  }
 
   /** Waits until everything requested is shown, or a run plays. @returns {Promise<State | null>} */
   async arrived() {
@@ -192,9 +225,13 @@ export class Page {
   }
 
   /** The title of the scene, and whether it was edited. */
-  get title() { return this.state?.isEdited ? `${this.name} (edited)` : this.name; }
+  get title() {
+    return this.state?.isEdited ? `${this.name} (edited)` : this.name;
+  }
 
-  get names() { return nameAll(this.current, (algorithm) => this.panel.titleOf(algorithm)); }
+  get names() {
+    return nameAll(this.current, (algorithm) => this.panel.titleOf(algorithm));
+  }
 
   /** Begins new runs with the current settings. */
   plan() {
@@ -209,11 +246,15 @@ export class Page {
   /** Points at a vertex by its number. @param {number} vertex  -1: none */
   async inspect(vertex) {
     const pointing = await this.session.byHand.ready();
-    this.act(() => { pointing.chosen = vertex; });
+    this.act(() => {
+      pointing.chosen = vertex;
+    });
   }
 
   /** Changes the view. @param {Partial<ViewOptions>} view */
-  setView(view) { this.act((session) => session.setView(view)); }
+  setView(view) {
+    this.act((session) => session.setView(view));
+  }
 
   /** Plans the query selected in the panel. */
   setQuery() {
@@ -224,7 +265,10 @@ export class Page {
   /** Whether a new run plays at once: after a change to a run that plays or has ended. */
   get autoplay() {
     const { state, calm } = this;
-    return state !== null && (state.playing || (!calm && !state.growing && state.lanes.some(({ status }) => status !== "none")));
+    return (
+      state !== null &&
+      (state.playing || (!calm && !state.growing && state.lanes.some(({ status }) => status !== "none")))
+    );
   }
 
   /** @param {State} state */
@@ -243,8 +287,13 @@ export class Page {
     const { lane, pointer, message, code } = refusal;
     if (lane > 0) this.race?.refuse(lane, pointer, message);
     else if (this.panel.form.refuse(pointer, message)) return;
-    const subject = state.clock.isRace ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},` : "This";
-    const text = lane > 0 ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.` : message;
+    const subject = state.clock.isRace
+      ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},`
+      : "This";
+    const text =
+      lane > 0
+        ? `${message.replace(/\.?$/, ".")} Change its settings or remove ${letter(lane)} to start the race.`
+        : message;
     this.notice.show(`${subject} cannot be planned.`, Object.assign(new Error(text), { code, pointer }));
   }
 }

@@ -13,7 +13,9 @@ export function watchPrint(page) {
   addEventListener("beforeprint", () => {
     line.textContent = lineOf(page);
     // The printed page is light, but the canvases stay as they were drawn.
-    const { dataset: { theme } } = document.documentElement;
+    const {
+      dataset: { theme },
+    } = document.documentElement;
     stage.style.colorScheme = theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   });
   addEventListener("afterprint", () => stage.style.removeProperty("color-scheme"));
@@ -23,7 +25,9 @@ export function watchPrint(page) {
 function lineOf({ title, current, panel, state }) {
   const plans = current.map(({ algorithm, settings }, lane) => {
     const name = current.length > 1 ? `${letter(lane)} ${panel.titleOf(algorithm)}` : panel.titleOf(algorithm);
-    const values = [...FIRST].filter((one) => settings[one] !== undefined).map((one) => `${one.replaceAll("_", " ")} ${settings[one]}`);
+    const values = [...FIRST]
+      .filter((one) => settings[one] !== undefined)
+      .map((one) => `${one.replaceAll("_", " ")} ${settings[one]}`);
     return [name, ...values].join(", ");
   });
   const now = grouped(state?.clock.now ?? 0);

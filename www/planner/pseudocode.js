@@ -1,4 +1,7 @@
-/** The pseudocode of the planner. The lines of the iteration shown are marked, or while it plays those of the last few iterations. */
+/**
+ * The pseudocode of the planner. The lines of the iteration shown are marked, or while it plays those of the last few
+ * iterations.
+ */
 import { byId, make } from "../app/dom.js";
 import { pacer } from "../app/paced.js";
 
@@ -10,7 +13,12 @@ const PAUSE = 200;
 /** @param {Page} page */
 export function showPseudocode(page) {
   const list = make("ol", {});
-  const details = make("details", { open: matchMedia("(min-width: 64rem)").matches }, make("summary", {}, "Pseudocode"), list);
+  const details = make(
+    "details",
+    { open: matchMedia("(min-width: 64rem)").matches },
+    make("summary", {}, "Pseudocode"),
+    list,
+  );
   byId("pseudocode", HTMLElement).append(details);
   let shown = "";
   const isDue = pacer(PAUSE);

@@ -1,6 +1,6 @@
 /**
- * A lazy roadmap that stands is repaired when the scenario is edited: the worker reopens it among the obstacles as they are now. There is
- * one repair at a time; the newest scenario waits for it.
+ * A lazy roadmap that stands is repaired when the scenario is edited: the worker reopens it among the obstacles as they
+ * are now. There is one repair at a time; the newest scenario waits for it.
  */
 import { errorInfo } from "../app/error-info.js";
 import { Lane } from "./lane.js";
@@ -22,7 +22,10 @@ export class Repair {
 
   /** Whether there is a single run, with a lazy roadmap that stands. */
   get isPossible() {
-    const { lanes: [{ run } = { run: null }, ...others], plannings } = this.session;
+    const {
+      lanes: [{ run } = { run: null }, ...others],
+      plannings,
+    } = this.session;
     return others.length === 0 && Boolean(this.held === plannings || (run?.ended && run.isLazy));
   }
 
@@ -52,16 +55,29 @@ export class Repair {
     }
   }
 
-  /** Whether the roadmap of a scenario has the start and the goals of the one shown: obstacles may be a frame ahead. @param {ScenarioDocument} document */
+  /**
+   * Whether the roadmap of a scenario has the start and the goals of the one shown: obstacles may be a frame ahead.
+   * @param {ScenarioDocument} document
+   */
   fits(document) {
     const { shown } = this.session;
-    return shown !== null && (shown.document === document || (shown.document.queries === document.queries && !shown.target));
+    return (
+      shown !== null && (shown.document === document || (shown.document.queries === document.queries && !shown.target))
+    );
   }
 
-  /** Shows the repaired roadmap at its end, and the world as it is now. @param {Growth} growth @throws {Error} start or goal are in collision by now */
+  /**
+   * Shows the repaired roadmap at its end, and the world as it is now.
+   * @param {Growth} growth
+   * @throws {Error} start or goal are in collision by now
+   */
   show(growth) {
     const { session } = this;
-    const { shown, lanes: [former], clock } = session;
+    const {
+      shown,
+      lanes: [former],
+      clock,
+    } = session;
     if (!shown) return;
     const lane = new Lane(shown, former.plan);
     lane.start(session.query, session.catalogue);
@@ -85,7 +101,10 @@ export class Repair {
     this.held = session.plannings;
   }
 
-  /** Replaces the lane, as another planning that the worker has: the panes draw a new one together with its world. @param {Lane} lane */
+  /**
+   * Replaces the lane, as another planning that the worker has: the panes draw a new one together with its world.
+   * @param {Lane} lane
+   */
   replace(lane) {
     const { session } = this;
     session.timeline.sent = ++session.plannings;

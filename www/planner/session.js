@@ -1,6 +1,6 @@
 /**
- * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which follows a path or
- * is posed by hand. A frame draws for a bounded time.
+ * The session: the scenario on the stage, the planners that grow on it, the time that is shown, and the robot, which
+ * follows a path or is posed by hand. A frame draws for a bounded time.
  */
 import { withPageDefaults } from "../domain/page-defaults.js";
 import { errorInfo } from "../app/error-info.js";
@@ -20,7 +20,10 @@ import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/** @import { Configuration, Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State, ViewOptions } from "../domain/types.js" */
+/**
+ * @import { Configuration, Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State,
+ *   ViewOptions } from "../domain/types.js"
+ */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Certifying } from "./certificate/certifying.js" */
 /** @import { Editor } from "./editor/editor.js" */
@@ -53,7 +56,10 @@ export class Session {
     this.onState = () => {};
     /** Called when the state last reported is out of date. */
     this.onDirty = () => {};
-    this.stage = new Stage(async (painting) => await app.track(planners.obstacles(painting)) ?? null, () => this.wake());
+    this.stage = new Stage(
+      async (painting) => (await app.track(planners.obstacles(painting))) ?? null,
+      () => this.wake(),
+    );
     this.clock = new Clock();
     this.timeline = new Timeline(this);
     this.byHand = new PoseByHand(this);
@@ -65,7 +71,16 @@ export class Session {
     /** The name of the current query. @type {string | undefined} */
     this.query = undefined;
     /** @type {ViewOptions} */
-    this.view = { axes: [0, 1], refused: false, strobe: true, poses: 8, raw: false, slice: false, optimum: false, regions: false };
+    this.view = {
+      axes: [0, 1],
+      refused: false,
+      strobe: true,
+      poses: 8,
+      raw: false,
+      slice: false,
+      optimum: false,
+      regions: false,
+    };
     this.optima = new Optima(app, () => this.markDirty());
     this.optima.viewers.push(() => this.view.optimum);
     /** The scene's sentence about its own planner. */
@@ -91,7 +106,11 @@ export class Session {
     app.rebuild = () => this.restart();
   }
 
-  /** Loads the drawing of bodies and cars; null for other robots. @param {Scenario} scenario @returns {Promise<Placed | null>} */
+  /**
+   * Loads the drawing of bodies and cars; null for other robots.
+   * @param {Scenario} scenario
+   * @returns {Promise<Placed | null>}
+   */
   async placedOf(scenario) {
     const { robot } = scenario.document();
     if (robot.type !== "rigid_body" && robot.type !== "car") return null;
@@ -102,17 +121,34 @@ export class Session {
   /**
    * Opens a scenario and frees the previous one.
    * @param {Scenario} scenario
-   * @param {{ plans: Plan[], query?: string, play: boolean, pace?: number, iteration?: number, story: Story }} options  `plans`: up to four
+   * @param {{ plans: Plan[], query?: string, play: boolean, pace?: number, iteration?: number, story: Story }}
+   *   options  `plans`: up to four
    * @param {Placed | null} placed
    */
   open(scenario, { plans, query, play, pace, iteration = 0, story }, placed) {
-    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension)) this.view.axes = axesOf(scenario.robot);
+    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension))
+      this.view.axes = axesOf(scenario.robot);
     for (const lane of this.lanes.splice(0)) lane.free();
     this.shown?.scenario.free();
     const document = scenario.document();
     this.shown = {
-      scenario, document, query: undefined, start: null, goal: null, target: null, goals: [], hand: null, check: null, hover: null,
-      view: this.view, rough: false, overlay: null, marked: null, certifying: null, placed, driven: null,
+      scenario,
+      document,
+      query: undefined,
+      start: null,
+      goal: null,
+      target: null,
+      goals: [],
+      hand: null,
+      check: null,
+      hover: null,
+      view: this.view,
+      rough: false,
+      overlay: null,
+      marked: null,
+      certifying: null,
+      placed,
+      driven: null,
     };
     this.story = story;
     if (pace !== undefined) this.clock.pace = pace;
@@ -127,16 +163,25 @@ export class Session {
   /** @param {Source} source */
   read(source) {
     const { Scenario } = this.library;
-    return "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
+    return "generate" in source
+      ? Scenario.generate(source.generate.kind, source.generate.options)
+      : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
   }
 
   /** The scenario on the stage, as data. */
   facts() {
     const { scenario, document, start, goal } = /** @type {Shown} */ (this.shown);
     return {
-      name: scenario.name, title: scenario.title || scenario.name, robot: scenario.robot, dimension: scenario.dimension,
-      queries: document.queries.map(({ name }) => name), query: this.query, coordinates: coordinatesOf({ scenario, document }),
-      start: start ? Array.from(start) : null, goal: goal ? Array.from(goal) : null, document,
+      name: scenario.name,
+      title: scenario.title || scenario.name,
+      robot: scenario.robot,
+      dimension: scenario.dimension,
+      queries: document.queries.map(({ name }) => name),
+      query: this.query,
+      coordinates: coordinatesOf({ scenario, document }),
+      start: start ? Array.from(start) : null,
+      goal: goal ? Array.from(goal) : null,
+      document,
     };
   }
 
@@ -151,7 +196,8 @@ export class Session {
   }
 
   /**
-   * Replaces the scenario by an edited one: a lazy roadmap that stands is repaired; else the same plans wait at iteration 0.
+   * Replaces the scenario by an edited one: a lazy roadmap that stands is repaired; else the same plans wait at
+   * iteration 0.
    * @param {Scenario} scenario @param {ScenarioDocument} document @param {boolean} live  during a gesture
    */
   replace(scenario, document, live) {
@@ -183,7 +229,11 @@ export class Session {
     if (!shown) return 0;
     const { scenario } = shown;
     const n = scenario.dimension;
-    const free = rows && Uint8Array.from({ length: rows.length / n }, (_, i) => Number(scenario.check(rows.subarray(n * i, n * i + n)).free));
+    const free =
+      rows &&
+      Uint8Array.from({ length: rows.length / n }, (_, i) =>
+        Number(scenario.check(rows.subarray(n * i, n * i + n)).free),
+      );
     shown.marked = rows && free && { rows, free };
     this.markDirty();
     this.stage.invalidate();
@@ -197,7 +247,9 @@ export class Session {
     this.stage.invalidate();
   }
 
-  get plans() { return this.lanes.map(({ plan }) => plan); }
+  get plans() {
+    return this.lanes.map(({ plan }) => plan);
+  }
 
   /** Begins new runs, one for each plan. @param {Plan[]} plans @param {boolean} play */
   plan(plans, play) {
@@ -244,7 +296,7 @@ export class Session {
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
     shown.target = query?.target ?? null;
-    shown.goals = shown.goal ? [shown.goal] : this.lanes[0]?.run?.goals ?? [];
+    shown.goals = shown.goal ? [shown.goal] : (this.lanes[0]?.run?.goals ?? []);
   }
 
   /** Shows the run as the time passes: what was shown in its place ends. */
@@ -268,11 +320,16 @@ export class Session {
 
   /**
    * Asks the roadmap that stands for the path between two configurations: nothing is planned anew.
-   * @param {Configuration} start @param {Configuration} goal @param {string} query   its name, empty if it is none of the scenario's
+   * @param {Configuration} start
+   * @param {Configuration} goal
+   * @param {string} query   its name, empty if it is none of the scenario's
    * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
    */
   async ask(start, goal, query) {
-    const { plannings, lanes: [lane] } = this;
+    const {
+      plannings,
+      lanes: [lane],
+    } = this;
     const answer = await this.team.ask([...start], [...goal]);
     const { shown } = this;
     if (plannings !== this.plannings || !shown || !this.canAsk) return;
@@ -288,7 +345,10 @@ export class Session {
 
   /** Shows the run's own query again. */
   forget() {
-    const { shown, lanes: [lane] } = this;
+    const {
+      shown,
+      lanes: [lane],
+    } = this;
     if (!shown || !lane?.asked) return;
     lane.asked = null;
     this.setEnds(shown);
@@ -297,13 +357,21 @@ export class Session {
   }
 
   /** Begins the same runs again, paused. */
-  reset() { this.plan(this.plans, false); }
+  reset() {
+    this.plan(this.plans, false);
+  }
 
   /** Begins the same runs again after the core was lost with everything in it. */
   restart() {
     const { shown, plans } = this;
     if (!shown) return;
-    this.shown = { ...shown, scenario: this.library.Scenario.parse(shown.document), hand: null, check: null, hover: null };
+    this.shown = {
+      ...shown,
+      scenario: this.library.Scenario.parse(shown.document),
+      hand: null,
+      check: null,
+      hover: null,
+    };
     this.lanes = [];
     this.plan(plans, false);
   }
@@ -324,13 +392,19 @@ export class Session {
     this.wake();
   }
 
-  get growing() { return this.lanes.some(({ run }) => run && run.status === "running"); }
+  get growing() {
+    return this.lanes.some(({ run }) => run && run.status === "running");
+  }
 
   /** Whether the robot can follow a path. */
-  get travelling() { return !this.growing && this.playbacks.length > 0; }
+  get travelling() {
+    return !this.growing && this.playbacks.length > 0;
+  }
 
   /** The paths found; in a race they are followed in step. */
-  get playbacks() { return this.lanes.flatMap(({ playback }) => playback ?? []); }
+  get playbacks() {
+    return this.lanes.flatMap(({ playback }) => playback ?? []);
+  }
 
   /** Changes the view. @param {Partial<ViewOptions>} view */
   setView(view) {
@@ -340,7 +414,9 @@ export class Session {
     if ("axes" in view || "refused" in view) this.stage.invalidate();
   }
 
-  wake() { this.app.requestFrame(); }
+  wake() {
+    this.app.requestFrame();
+  }
 
   /** Draws a frame. @param {number} now @returns {boolean} whether another one is due */
   frame(now) {
@@ -388,7 +464,12 @@ export class Session {
     stage.frame(lanes, now, began + (clock.playing ? DRAWING.playing : DRAWING.paused), clock.playing);
     const isAtRest = !clock.owes && !timeline.isAsking && !this.repair.isBusy && (!clock.playing || !this.growing);
     if (isAtRest) timeline.conclude();
-    this.settled = isAtRest && !timeline.isAsking && !driving?.moves && stage.caughtUp && (clock.playing || shown.hand !== null || stage.isRefined);
+    this.settled =
+      isAtRest &&
+      !timeline.isAsking &&
+      !driving?.moves &&
+      stage.caughtUp &&
+      (clock.playing || shown.hand !== null || stage.isRefined);
     if (isWorking) {
       if (++this.measures % MEASURES === 0) performance.clearMeasures("planarium-frame");
       performance.measure("planarium-frame", { start: began, end: performance.now() });

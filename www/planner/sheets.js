@@ -1,4 +1,7 @@
-/** The figures on the stage: each has a caption and a sheet of canvases. Their sizes and pointer events are passed to the session. */
+/**
+ * The figures on the stage: each has a caption and a sheet of canvases. Their sizes and pointer events are passed to
+ * the session.
+ */
 import { byId, make, write } from "../app/dom.js";
 import { pacer } from "../app/paced.js";
 import { LAYERS } from "../draw/layer.js";
@@ -7,8 +10,14 @@ import { robotName } from "../domain/names.js";
 /** @import { LayerName } from "../draw/layer.js" */
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes the drawing */
-/** @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, usual: string, standing: string, sheet: HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure */
+/**
+ * @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes
+ *   the drawing
+ */
+/**
+ * @typedef {{ figure: HTMLElement, caption: HTMLElement, note: HTMLElement, usual: string, standing: string, sheet:
+ *   HTMLElement, top: HTMLCanvasElement, kind: PaneKind, lane: number }} Figure
+ */
 
 export class Sheets {
   /** @param {Page} page */
@@ -28,8 +37,24 @@ export class Sheets {
     const square = robot !== "disc" && dimension >= 2;
     const marked = { arm: "tip", disc: "centre", rigid_body: "origin", car: "rear axle" }[robot];
     this.show([
-      { id: "workspace", kind: "workspace", lane: 0, caption: "Workspace", note: `dots mark the ${robotName(robot)}\u2019s ${marked}` },
-      ...(square ? [{ id: "cspace", kind: /** @type {const} */ ("cspace"), lane: 0, caption: "Configuration space", note: `each dot: two ${dimension > 2 ? "of its " : ""}${coordinates.every(({ unit }) => unit === "rad") ? "joint angles" : "coordinates"}` }] : []),
+      {
+        id: "workspace",
+        kind: "workspace",
+        lane: 0,
+        caption: "Workspace",
+        note: `dots mark the ${robotName(robot)}\u2019s ${marked}`,
+      },
+      ...(square
+        ? [
+            {
+              id: "cspace",
+              kind: /** @type {const} */ ("cspace"),
+              lane: 0,
+              caption: "Configuration space",
+              note: `each dot: two ${dimension > 2 ? "of its " : ""}${coordinates.every(({ unit }) => unit === "rad") ? "joint angles" : "coordinates"}`,
+            },
+          ]
+        : []),
     ]);
   }
 
@@ -48,7 +73,8 @@ export class Sheets {
       figure.usual = note;
       this.writeNote(figure);
       // Moving an element would release a captured pointer.
-      if (this.element.children[at] !== figure.figure) this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
+      if (this.element.children[at] !== figure.figure)
+        this.element.insertBefore(figure.figure, this.element.children[at] ?? null);
     }
     this.element.classList.toggle("single", wanted.length === 1);
     this.element.dataset.sheets = String(wanted.length);
@@ -65,10 +91,20 @@ export class Sheets {
   }
 
   /** Notes the coordinates of the configuration space. @param {State} state @param {SceneFacts | null} facts */
-  showAxes({ view: { axes: [across, up], slice } }, facts) {
+  showAxes(
+    {
+      view: {
+        axes: [across, up],
+        slice,
+      },
+    },
+    facts,
+  ) {
     const { dimension = 0, coordinates = [] } = facts ?? {};
-    this.axes = dimension > 2 && across < dimension && up < dimension
-      ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}` : "";
+    this.axes =
+      dimension > 2 && across < dimension && up < dimension
+        ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}`
+        : "";
     for (const figure of this.figures.values()) this.writeNote(figure);
   }
 
@@ -105,10 +141,13 @@ export class Sheets {
     const boxes = Array.from(this.figures, ([id, { sheet }]) => ({ id, sheet, box: sheet.getBoundingClientRect() }));
     for (const { id, sheet, box } of boxes) {
       // A change below one device pixel does not count.
-      const [width, height] = [box.width, box.height].map((side) => Math.round(side * devicePixelRatio) / devicePixelRatio);
+      const [width, height] = [box.width, box.height].map(
+        (side) => Math.round(side * devicePixelRatio) / devicePixelRatio,
+      );
       if (width < 1 || height < 1) continue;
       // A canvas stretched by a fraction of a pixel is blurred.
-      for (const canvas of sheet.children) if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+      for (const canvas of sheet.children)
+        if (canvas instanceof HTMLElement) Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
       isOther = this.session.stage.resize(id, width, height) || isOther;
     }
     // What is drawn is out of date until the next frame, which is asked for.
@@ -125,13 +164,29 @@ export class Sheets {
     }
   }
 
-  /** Passes on the primary pointer, captured while it is down. @param {HTMLCanvasElement} canvas @param {string} pane */
+  /**
+   * Passes on the primary pointer, captured while it is down.
+   * @param {HTMLCanvasElement} canvas
+   * @param {string} pane
+   */
   listen(canvas, pane) {
-    /** @param {"pointerdown" | "pointermove" | "pointerup" | "pointercancel" | "pointerleave"} name @param {(isDown: boolean, event: PointerEvent) => Pointer["type"] | null} typeOf */
-    const send = (name, typeOf) => canvas.addEventListener(name, (event) => {
-      const type = event.isPrimary ? typeOf(canvas.hasPointerCapture(event.pointerId), event) : null;
-      if (type) void this.session.pointer({ pane, type, x: event.offsetX, y: event.offsetY, shift: event.shiftKey, touch: event.pointerType === "touch" });
-    });
+    /**
+     * @param {"pointerdown" | "pointermove" | "pointerup" | "pointercancel" | "pointerleave"} name
+     * @param {(isDown: boolean, event: PointerEvent) => Pointer["type"] | null} typeOf
+     */
+    const send = (name, typeOf) =>
+      canvas.addEventListener(name, (event) => {
+        const type = event.isPrimary ? typeOf(canvas.hasPointerCapture(event.pointerId), event) : null;
+        if (type)
+          void this.session.pointer({
+            pane,
+            type,
+            x: event.offsetX,
+            y: event.offsetY,
+            shift: event.shiftKey,
+            touch: event.pointerType === "touch",
+          });
+      });
     send("pointerdown", (_, { button, pointerId }) => {
       if (button !== 0) return null;
       canvas.setPointerCapture(pointerId);

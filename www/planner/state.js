@@ -25,14 +25,20 @@ export function report(session) {
     along: playback ? playback.at : 0,
     settled,
     view: { ...session.view },
-    sentence, isBad,
+    sentence,
+    isBad,
     inHand: shown?.hand !== null,
     pose: pose ? Array.from(pose) : null,
-    touching: shown?.hand && shown.check ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free } : { text: "", free: true },
+    touching:
+      shown?.hand && shown.check
+        ? { text: poseSentence(shown.scenario, shown.check), free: shown.check.free }
+        : { text: "", free: true },
     turns: turnsSentence(session),
     arrived: shown?.hand !== null && byHand.game.arrived,
     /** The element under the pointer; vertex -1 is a mere configuration. */
-    hover: shown?.hover ? { vertex: shown.hover.vertex, text: byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free } : null,
+    hover: shown?.hover
+      ? { vertex: shown.hover.vertex, text: byHand.pointing?.text(shown.hover) ?? "", free: shown.hover.check.free }
+      : null,
     lanes: lanes.map((lane) => laneState(lane)),
     summary: lanes.map((lane) => summary(lane.scenario.title || lane.scenario.name, lane.run)),
     isEditing: Boolean(editor?.on),
@@ -41,30 +47,52 @@ export function report(session) {
     canCertify: session.canCertify,
     /** The subdivision that is shown. */
     certificate: session.certifying?.on ? { verdict: session.certifying.verdict } : null,
-    /** The name of the query that a roadmap was asked, empty if it is none of the scenario's; null if it was not asked. */
+    /**
+     * The name of the query that a roadmap was asked, empty if it is none of the scenario's; null if it was not asked.
+     */
     asked: lanes[0]?.asked?.query ?? null,
     refusal: refusal && { ...errorInfo(refusal.error), lane: refusal.lane },
   };
 }
 
 const NO_RUN = {
-  status: /** @type {Status | "none"} */ ("none"), phase: "", iteration: 0,
+  status: /** @type {Status | "none"} */ ("none"),
+  phase: "",
+  iteration: 0,
   /** Why it ended without a path. @type {string | null} */
   reason: null,
-  made: 0, vertices: 0, edges: 0, checks: 0, motions: 0, evaluations: 0,
+  made: 0,
+  vertices: 0,
+  edges: 0,
+  checks: 0,
+  motions: 0,
+  evaluations: 0,
   /** Of the best path so far, Infinity without a path. */
   cost: Infinity,
   /** Once solved and at rest. @type {number | null} */
   length: null,
-  /** By how much the best path so far is longer than the shortest one, in percent, if that is shown and known. @type {number | null} */
+  /**
+   * By how much the best path so far is longer than the shortest one, in percent, if that is shown and known.
+   * @type {number | null}
+   */
   gap: null,
-  /** Whether the shortest path is shown and known: no free path is shorter, or a reference. @type {"shortest" | "reference" | null} */
+  /**
+   * Whether the shortest path is shown and known: no free path is shorter, or a reference.
+   * @type {"shortest" | "reference" | null}
+   */
   optimum: null,
   unit: "",
   /** At rest at the newest iteration. */
   fingerprint: "",
   kind: /** @type {"roadmap" | "tree" | "trees"} */ ("roadmap"),
-  isProven: true, isMiss: false, hasGuards: false, isSearched: false, isApart: false, isInformed: false, hasRejected: false, hasRefused: false,
+  isProven: true,
+  isMiss: false,
+  hasGuards: false,
+  isSearched: false,
+  isApart: false,
+  isInformed: false,
+  hasRejected: false,
+  hasRefused: false,
   /** Vertices that the search has reached and not expanded. */
   waiting: 0,
   /** The length before shortcutting, where it was longer. @type {number | null} */
@@ -75,7 +103,10 @@ const NO_RUN = {
   visited: null,
   /** Samples drawn that were in collision. */
   rejected: 0,
-  /** Known of the newest iteration only. @type {{ nearest: number, build: number, search: number, rate: number } | null} */
+  /**
+   * Known of the newest iteration only.
+   * @type {{ nearest: number, build: number, search: number, rate: number } | null}
+   */
   stats: null,
   /** The iteration's marks on the pseudocode. @type {string[]} */
   marks: [],
@@ -83,34 +114,77 @@ const NO_RUN = {
 
 /** @param {Lane} lane */
 function laneState(lane) {
-  const { plan: { algorithm }, run, playback, scenario, standing, asked, optimum: truth } = lane;
+  const {
+    plan: { algorithm },
+    run,
+    playback,
+    scenario,
+    standing,
+    asked,
+    optimum: truth,
+  } = lane;
   const optimum = truth && (truth.isExact ? "shortest" : "reference");
   if (!run) return { ...NO_RUN, algorithm, standing, optimum };
   const { past, status, kind, isProven } = run;
   const isEnd = run.isNewest && run.hasResult;
   const stats = run.isNewest ? run.now.stats : null;
   const state = {
-    ...NO_RUN, algorithm, standing, optimum, status, phase: run.phase, iteration: run.shown, made: run.made,
-    vertices: past[PAST.vertices], edges: past[PAST.edges] - run.countOf(EVENT.rewired), checks: past[PAST.checks], motions: past[PAST.motions], evaluations: past[PAST.evaluations],
-    cost: past[PAST.cost], gap: gapOf(past[PAST.cost], truth),
-    length: isEnd && status === "solved" ? run.result.blended_length ?? run.result.length : run.phase === "improving" && past[PAST.cost] < Infinity ? past[PAST.cost] : null,
+    ...NO_RUN,
+    algorithm,
+    standing,
+    optimum,
+    status,
+    phase: run.phase,
+    iteration: run.shown,
+    made: run.made,
+    vertices: past[PAST.vertices],
+    edges: past[PAST.edges] - run.countOf(EVENT.rewired),
+    checks: past[PAST.checks],
+    motions: past[PAST.motions],
+    evaluations: past[PAST.evaluations],
+    cost: past[PAST.cost],
+    gap: gapOf(past[PAST.cost], truth),
+    length:
+      isEnd && status === "solved"
+        ? (run.result.blended_length ?? run.result.length)
+        : run.phase === "improving" && past[PAST.cost] < Infinity
+          ? past[PAST.cost]
+          : null,
     unit: unitOf(scenario.document().robot),
-    reason: isEnd ? run.result.reason ?? null : null,
+    reason: isEnd ? (run.result.reason ?? null) : null,
     fingerprint: isEnd ? run.result.fingerprint : "",
-    kind, isProven, isMiss: playback?.isMiss ?? false, hasGuards: run.has(EVENT.guard), isSearched: run.has(EVENT.expanded) && !asked, isApart: run.pieces !== null && !asked,
-    isInformed: isInformed(lane), hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded), hasRefused: run.has(EVENT.refused),
+    kind,
+    isProven,
+    isMiss: playback?.isMiss ?? false,
+    hasGuards: run.has(EVENT.guard),
+    isSearched: run.has(EVENT.expanded) && !asked,
+    isApart: run.pieces !== null && !asked,
+    isInformed: isInformed(lane),
+    hasRejected: run.has(EVENT.rejected) || run.has(EVENT.discarded),
+    hasRefused: run.has(EVENT.refused),
     waiting: run.frontier.count,
     raw: playback?.raw ? run.rawLength : null,
     waypoints: status === "solved" ? run.result.path.length : null,
-    visited: run.isTree ? null : run.visited, rejected: run.countOf(EVENT.rejected),
-    stats: stats && { nearest: stats.nearest_queries, build: stats.build_seconds, search: stats.search_seconds, rate: run.made / (stats.build_seconds + stats.search_seconds) },
+    visited: run.isTree ? null : run.visited,
+    rejected: run.countOf(EVENT.rejected),
+    stats: stats && {
+      nearest: stats.nearest_queries,
+      build: stats.build_seconds,
+      search: stats.search_seconds,
+      rate: run.made / (stats.build_seconds + stats.search_seconds),
+    },
     marks: [...run.marks()],
   };
   if (!asked) return state;
   const { result, visited, seconds } = asked;
   const isSolved = result.status === "solved";
   return {
-    ...state, status: result.status, reason: result.reason ?? null, length: isSolved ? result.length : null, waypoints: isSolved ? result.path.length : null,
-    visited, stats: state.stats && { ...state.stats, search: seconds },
+    ...state,
+    status: result.status,
+    reason: result.reason ?? null,
+    length: isSolved ? result.length : null,
+    waypoints: isSolved ? result.path.length : null,
+    visited,
+    stats: state.stats && { ...state.stats, search: seconds },
   };
 }

@@ -1,4 +1,7 @@
-/** The options of the stage: rejected samples and motions, configurations along the path, the path before shortcutting, the shortest path, the axes. */
+/**
+ * The options of the stage: rejected samples and motions, configurations along the path, the path before shortcutting,
+ * the shortest path, the axes.
+ */
 import { byId, make, write } from "../app/dom.js";
 import { hasOptimum } from "./optimum.js";
 
@@ -10,7 +13,14 @@ const POSES = { least: 3, most: 24 };
 
 /** @param {Page} page */
 export function watchView(page) {
-  const poses = make("input", { type: "number", id: "view-poses", min: String(POSES.least), max: String(POSES.most), step: "1", autocomplete: "off" });
+  const poses = make("input", {
+    type: "number",
+    id: "view-poses",
+    min: String(POSES.least),
+    max: String(POSES.most),
+    step: "1",
+    autocomplete: "off",
+  });
   poses.oninput = () => {
     const count = Number(poses.value);
     const isValid = Number.isInteger(count) && count >= POSES.least && count <= POSES.most;
@@ -29,19 +39,48 @@ export function watchView(page) {
     return select;
   });
   const lengths = make("p", { className: "hint", id: "view-lengths" });
-  const switches = { refused: toggle("refused"), strobe: toggle("strobe"), raw: toggle("raw"), slice: toggle("slice"), optimum: toggle("optimum"), regions: toggle("regions") };
-  const plane = make("div", { id: "view-plane" }, row("Horizontal axis", selects[0]), row("Vertical axis", selects[1]),
-    row("Obstacle slice", switches.slice, "Configurations of this plane that collide, with the other coordinates as they are now."));
+  const switches = {
+    refused: toggle("refused"),
+    strobe: toggle("strobe"),
+    raw: toggle("raw"),
+    slice: toggle("slice"),
+    optimum: toggle("optimum"),
+    regions: toggle("regions"),
+  };
+  const plane = make(
+    "div",
+    { id: "view-plane" },
+    row("Horizontal axis", selects[0]),
+    row("Vertical axis", selects[1]),
+    row(
+      "Obstacle slice",
+      switches.slice,
+      "Configurations of this plane that collide, with the other coordinates as they are now.",
+    ),
+  );
   const raw = row("Path before shortcutting", switches.raw);
   raw.append(lengths);
   const shortest = row("Shortest path", switches.optimum);
-  const regions = row("Voronoi regions", switches.regions, "Of a tree: each place has the colour of the vertex that is nearest to it. A sample there extends that vertex.");
+  const regions = row(
+    "Voronoi regions",
+    switches.regions,
+    "Of a tree: each place has the colour of the vertex that is nearest to it. A sample there extends that vertex.",
+  );
   const about = make("p", { className: "hint" });
   shortest.append(about);
   const number = inspector();
   byId("view", HTMLElement).append(
-    row("Show rejected", switches.refused, "Colliding samples as crosses, blocked motions as dashed lines up to the collision."),
-    row("Configurations along the path", switches.strobe), row("Number of configurations", poses), raw, shortest, regions, plane,
+    row(
+      "Show rejected",
+      switches.refused,
+      "Colliding samples as crosses, blocked motions as dashed lines up to the collision.",
+    ),
+    row("Configurations along the path", switches.strobe),
+    row("Number of configurations", poses),
+    raw,
+    shortest,
+    regions,
+    plane,
     row("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
   );
 
@@ -52,46 +91,89 @@ export function watchView(page) {
   function build({ robot, dimension, coordinates }) {
     const many = dimension > 2;
     shortest.hidden = !hasOptimum({ robot, dimension });
-    write(about, robot === "disc" ? "Dashed: no free path is shorter." : "Dashed: a reference, found on a fine grid. A run may find a shorter path.");
+    write(
+      about,
+      robot === "disc"
+        ? "Dashed: no free path is shorter."
+        : "Dashed: a reference, found on a fine grid. A run may find a shorter path.",
+    );
     plane.hidden = !many;
     regions.hidden = dimension !== 2;
-    for (const select of selects) select.replaceChildren(...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)));
+    for (const select of selects)
+      select.replaceChildren(
+        ...(many ? coordinates : []).map(({ name }, i) => make("option", { value: String(i) }, name)),
+      );
   }
 
   /** @param {State} state */
   function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"])) switches[option].checked = view[option];
+    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]))
+      switches[option].checked = view[option];
     if (document.activeElement !== poses) poses.value = String(view.poses);
-    if (!plane.hidden) selects.forEach((select, i) => { select.value = String(view.axes[i]); });
-    write(lengths, found !== null && length !== null
-      ? `${found.toFixed(2)} ${unit} before shortcutting, ${length.toFixed(2)} ${unit} after.`.replace(/ (?=[ ,.])/g, "")
-      : "Shows the path before shortcutting, as a second line.");
+    if (!plane.hidden)
+      selects.forEach((select, i) => {
+        select.value = String(view.axes[i]);
+      });
+    write(
+      lengths,
+      found !== null && length !== null
+        ? `${found.toFixed(2)} ${unit} before shortcutting, ${length.toFixed(2)} ${unit} after.`.replace(
+            / (?=[ ,.])/g,
+            "",
+          )
+        : "Shows the path before shortcutting, as a second line.",
+    );
   }
 
   /** A field for the number of a vertex, in place of a pointer. */
   function inspector() {
     const readout = byId("readout", HTMLOutputElement);
-    const input = make("input", { type: "number", id: "inspect", min: "0", step: "1", autocomplete: "off", placeholder: "none" });
+    const input = make("input", {
+      type: "number",
+      id: "inspect",
+      min: "0",
+      step: "1",
+      autocomplete: "off",
+      placeholder: "none",
+    });
     // The readout is announced while the field has the focus, and not while a pointer moves.
     return Object.assign(input, {
       oninput: () => void page.inspect(input.value === "" ? -1 : Math.max(0, Math.floor(Number(input.value)))),
-      onfocus: () => { readout.ariaLive = "polite"; },
-      onblur: () => { readout.ariaLive = "off"; },
+      onfocus: () => {
+        readout.ariaLive = "polite";
+      },
+      onblur: () => {
+        readout.ariaLive = "off";
+      },
     });
   }
 
   /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum" | "regions"} option */
   function toggle(option) {
     /** @type {HTMLInputElement} */
-    const input = make("input", { type: "checkbox", role: "switch", id: `view-${option}`, onchange: () => page.setView({ [option]: input.checked }) });
+    const input = make("input", {
+      type: "checkbox",
+      role: "switch",
+      id: `view-${option}`,
+      onchange: () => page.setView({ [option]: input.checked }),
+    });
     return input;
   }
 }
 
-/** A control with its name and its meaning. @param {string} name @param {HTMLElement} control @param {string} [meaning] */
+/**
+ * A control with its name and its meaning.
+ * @param {string} name
+ * @param {HTMLElement} control
+ * @param {string} [meaning]
+ */
 function row(name, control, meaning) {
-  const field = make("div", { className: "field" }, make("label", { className: "row" }, make("span", { className: "name" }, name), control));
+  const field = make(
+    "div",
+    { className: "field" },
+    make("label", { className: "row" }, make("span", { className: "name" }, name), control),
+  );
   if (meaning) field.append(make("p", { className: "hint" }, meaning));
   return field;
 }

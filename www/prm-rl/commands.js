@@ -1,14 +1,21 @@
 /**
- * The commands of this page, which its workers run: a training, a roadmap that grows and what is driven along its path, and a comparison.
- * Only the newest of each counts.
+ * The commands of this page, which its workers run: a training, a roadmap that grows and what is driven along its path,
+ * and a comparison. Only the newest of each counts.
  */
 import { Navigation, eventKinds } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 
-/** @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions, NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions } from "planarium/full" */
+/**
+ * @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions,
+ *   NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions }
+ *   from "planarium/full"
+ */
 /** @import { Settings } from "../domain/types.js" */
 
-/** How a goal is driven to, one start and goal at a time: a margin is an option there. @typedef {Exclude<NavigationMethod, "straight-margin" | "straight-margin-policy">} Way */
+/**
+ * How a goal is driven to, one start and goal at a time: a margin is an option there.
+ * @typedef {Exclude<NavigationMethod, "straight-margin" | "straight-margin-policy">} Way
+ */
 /** Those with a roadmap. @typedef {Exclude<Way, "policy">} PlannedWay */
 
 /** Milliseconds of a call, about. */
@@ -16,14 +23,22 @@ const SLICE = 24;
 
 /** @type {Training | null} */
 let training = null;
-/** @type {{ id: number, task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null, vertices: number, edges: number, events: number } | null} */
+/**
+ * @type {{ id: number, task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null,
+ *   vertices: number, edges: number, events: number } | null}
+ */
 let plan = null;
 /** @type {{ id: number, comparison: NavigationComparison, rows: number } | null} */
 let compared = null;
 /** Another number for each plan and comparison. */
 let count = 0;
 
-/** Calls with a task that lives no longer. @template T @param {NavigationDocument | string} document @param {(task: Navigation) => T} use */
+/**
+ * Calls with a task that lives no longer.
+ * @template T
+ * @param {NavigationDocument | string} document
+ * @param {(task: Navigation) => T} use
+ */
 function withTask(document, use) {
   const task = Navigation.parse(document);
   try {
@@ -40,15 +55,27 @@ function trained() {
 }
 
 export const commands = {
-  /** Begins a training for the robot of a task. @param {NavigationDocument} document @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  /**
+   * Begins a training for the robot of a task.
+   * @param {NavigationDocument} document
+   * @param {Settings} settings
+   * @throws {Error} they are refused, and nothing changes
+   */
   beginTraining(document, settings) {
-    const begun = withTask(document, (task) => withOptions(settings, (/** @type {TrainingOptions} */ options) => task.training(options)));
+    const begun = withTask(document, (task) =>
+      withOptions(settings, (/** @type {TrainingOptions} */ options) => task.training(options)),
+    );
     training?.free();
     training = begun;
     return { candidates: begun.candidates, generations: begun.generations };
   },
 
-  /** The returns of some candidates, after generations that were ended elsewhere. @param {number} first @param {number} end @param {Float64Array[]} ended  their returns */
+  /**
+   * The returns of some candidates, after generations that were ended elsewhere.
+   * @param {number} first
+   * @param {number} end
+   * @param {Float64Array[]} ended  their returns
+   */
   returnsOf(first, end, ended) {
     for (const returns of ended) trained().advance(returns);
     return trained().returnsOf(first, end);
@@ -59,7 +86,13 @@ export const commands = {
     const run = trained();
     for (const returns of ended) run.advance(returns);
     const { generation, fingerprint } = run;
-    return { generation, fingerprint, history: run.historySince(generation - ended.length), demonstrations: run.demonstrations(DEMONSTRATIONS), policy: run.policy() };
+    return {
+      generation,
+      fingerprint,
+      history: run.historySince(generation - ended.length),
+      demonstrations: run.demonstrations(DEMONSTRATIONS),
+      policy: run.policy(),
+    };
   },
 
   /** Drives of the policy at the beginning, and the floors that they are on. */
@@ -71,14 +104,25 @@ export const commands = {
 
   /**
    * Begins a roadmap.
-   * @param {NavigationDocument} document  with one query @param {PolicyDocument} policy @param {PlannedWay} way @param {Settings} settings
+   * @param {NavigationDocument} document  with one query
+   * @param {PolicyDocument} policy
+   * @param {PlannedWay} way
+   * @param {Settings} settings
    * @throws {Error} they are refused, and nothing changes
    */
   beginPlan(document, policy, way, settings) {
     const task = Navigation.parse(document);
     try {
-      const planner = withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => (way === "prm-rl" ? task.planner(policy, options) : task.straightPlanner(options)));
-      const rollouts = way !== "prm-rl" ? null : (/** @type {number[][]} */ path) => withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) => task.edgeRollouts(policy, path.flat(), options));
+      const planner = withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) =>
+        way === "prm-rl" ? task.planner(policy, options) : task.straightPlanner(options),
+      );
+      const rollouts =
+        way !== "prm-rl"
+          ? null
+          : (/** @type {number[][]} */ path) =>
+              withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) =>
+                task.edgeRollouts(policy, path.flat(), options),
+              );
       plan?.planner.free();
       plan?.task.free();
       plan = { id: ++count, task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
@@ -89,38 +133,58 @@ export const commands = {
     }
   },
 
-  /** Lets the roadmap grow for a moment, or to its end; null if another one has begun since. @param {number} id @param {boolean} isWhole */
+  /**
+   * Lets the roadmap grow for a moment, or to its end; null if another one has begun since.
+   * @param {number} id
+   * @param {boolean} isWhole
+   */
   advancePlan(id, isWhole) {
     if (!plan || plan.id !== id) return null;
     const { planner, vertices, edges, events } = plan;
     const status = isWhole ? planner.step(Number.MAX_SAFE_INTEGER) : planner.stepFor(SLICE);
     Object.assign(plan, { vertices: planner.vertexCount, edges: planner.edgeCount, events: planner.eventCount });
     return {
-      status, iterations: planner.iterations, vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges),
+      status,
+      iterations: planner.iterations,
+      vertices: planner.verticesSince(vertices),
+      edges: planner.edgesSince(edges),
       refused: refusedOf(planner.eventsSince(events), planner.eventWidth),
       result: status === "running" ? null : planner.result(),
     };
   },
 
   /** All rollouts along a path of the roadmap. @param {number} id @param {number[][]} path */
-  rollouts(id, path) { return plan?.id === id && path.length > 1 ? plan.rollouts?.(path) ?? null : null; },
+  rollouts(id, path) {
+    return plan?.id === id && path.length > 1 ? (plan.rollouts?.(path) ?? null) : null;
+  },
 
   /**
    * Drives along a path several times, each with noise of its own.
-   * @param {NavigationDocument} document  with one query @param {PolicyDocument | null} policy  null: by a controller that looks at no rays
+   * @param {NavigationDocument} document  with one query
+   * @param {PolicyDocument | null} policy  null: by a controller that looks at no rays
    * @param {number[][]} path @param {number} seed @param {number} trials
    * @returns {Execution[]}
    */
   drive(document, policy, path, seed, trials) {
-    return withTask(document, (task) => Array.from({ length: trials }, (_, trial) => {
-      const options = /** @type {ExecutionOptions} */ ({ seed, trial, ...(policy && { policy }) });
-      return task.execute(path.flat(), options);
-    }));
+    return withTask(document, (task) =>
+      Array.from({ length: trials }, (_, trial) => {
+        const options = /** @type {ExecutionOptions} */ ({ seed, trial, ...(policy && { policy }) });
+        return task.execute(path.flat(), options);
+      }),
+    );
   },
 
-  /** Begins a comparison of the ways to drive. @param {NavigationDocument} document @param {PolicyDocument} policy @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  /**
+   * Begins a comparison of the ways to drive.
+   * @param {NavigationDocument} document
+   * @param {PolicyDocument} policy
+   * @param {Settings} settings
+   * @throws {Error} they are refused, and nothing changes
+   */
   beginComparison(document, policy, settings) {
-    const comparison = withTask(document, (task) => withOptions(settings, (/** @type {NavigationComparisonOptions} */ options) => task.comparison(policy, options)));
+    const comparison = withTask(document, (task) =>
+      withOptions(settings, (/** @type {NavigationComparisonOptions} */ options) => task.comparison(policy, options)),
+    );
     compared?.comparison.free();
     compared = { id: ++count, comparison, rows: 0 };
     return { id: compared.id, count: comparison.count, queries: comparison.queries() };
@@ -132,14 +196,21 @@ export const commands = {
     const { comparison, rows } = compared;
     const status = comparison.stepFor(2 * SLICE);
     compared.rows = comparison.executionCount;
-    return { status, iterations: comparison.iterations, executions: comparison.executionsSince(rows), summary: comparison.summary() };
+    return {
+      status,
+      iterations: comparison.iterations,
+      executions: comparison.executionsSince(rows),
+      summary: comparison.summary(),
+    };
   },
 };
 
 /** The edges of a roadmap that were refused, two vertices each. @param {Float64Array} events @param {number} width */
 function refusedOf(events, width) {
   const refused = eventKinds.indexOf("refused");
-  return Array.from({ length: events.length / width }, (_, i) => events.subarray(i * width, i * width + 4)).flatMap(([kind, , from, to]) => (kind === refused && to >= 0 ? [from, to] : []));
+  return Array.from({ length: events.length / width }, (_, i) => events.subarray(i * width, i * width + 4)).flatMap(
+    ([kind, , from, to]) => (kind === refused && to >= 0 ? [from, to] : []),
+  );
 }
 
 /** Drives that show what a policy in training can do. */

@@ -63,5 +63,7 @@ export class ComparisonRun {
     session.update("comparison");
   }
 
-  pause() { if (this.status === "running") this.status = "paused"; }
+  pause() {
+    if (this.status === "running") this.status = "paused";
+  }
 }

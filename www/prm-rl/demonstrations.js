@@ -1,4 +1,7 @@
-/** The figure of the part "Train": small pieces of the floors that the policy is trained on, each with a drive of the policy so far. */
+/**
+ * The figure of the part "Train": small pieces of the floors that the policy is trained on, each with a drive of the
+ * policy so far.
+ */
 import { View } from "planarium/draw";
 import { drawGround } from "../draw/ground.js";
 import { setStroke } from "../draw/marks.js";
@@ -31,11 +34,23 @@ export class Demonstrations {
   }
 
   /** How long the drives are played, with a rest. */
-  get round() { return Math.max(...this.session.training.demonstrations.map(({ time }) => time), 0) + REST; }
+  get round() {
+    return Math.max(...this.session.training.demonstrations.map(({ time }) => time), 0) + REST;
+  }
 
   /** The piece at a place, or null. @param {number} x @param {number} y */
   pieceAt(x, y) {
-    const { side, columns, left, topEdge, session: { training: { demonstrations: { length } } } } = this;
+    const {
+      side,
+      columns,
+      left,
+      topEdge,
+      session: {
+        training: {
+          demonstrations: { length },
+        },
+      },
+    } = this;
     const [column, row] = [Math.floor((x - left) / (side + GAP)), Math.floor((y - topEdge) / (side + GAP))];
     const i = row * columns + column;
     return column >= 0 && column < columns && row >= 0 && i < length ? i : null;
@@ -51,7 +66,10 @@ export class Demonstrations {
     }
     const { side, columns } = best;
     const rows = Math.ceil(count / columns);
-    Object.assign(this, best, { left: (width - columns * (side + GAP) + GAP) / 2, topEdge: (height - rows * (side + GAP) + GAP) / 2 });
+    Object.assign(this, best, {
+      left: (width - columns * (side + GAP) + GAP) / 2,
+      topEdge: (height - rows * (side + GAP) + GAP) / 2,
+    });
   }
 
   /** @param {Brush} brush */
@@ -59,38 +77,61 @@ export class Demonstrations {
     const { training } = this.session;
     if (training.demonstrations.length === 0) return;
     this.arrange(training.demonstrations.length, brush.width, brush.height);
-    training.demonstrations.forEach((drive, i) => this.within(brush, drive, i, (view) => {
-      drawGround(brush.context, view, /** @type {any} */ (training.floors[i]), brush.palette);
-    }));
+    training.demonstrations.forEach((drive, i) =>
+      this.within(brush, drive, i, (view) => {
+        drawGround(brush.context, view, /** @type {any} */ (training.floors[i]), brush.palette);
+      }),
+    );
   }
 
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette } = brush;
     const { training } = this.session;
-    training.demonstrations.forEach((drive, i) => this.within(brush, drive, i, (view) => {
-      const { robot } = training.floors[i];
-      const { time_step: step = 0.2 } = robot;
-      drawGoal(context, ...view.place(drive.goal), palette);
-      drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
-      const hasEnded = this.time >= drive.time;
-      // Failures are marked on top of the robot.
-      if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);
-      const isSelected = i === training.selected;
-      const time = Math.min(this.time, drive.time);
-      const state = { pose: poseAt(drive, time, step), swing: swingAt(drive, time, step), hasRays: isSelected };
-      if (!hasEnded || isSelected) drawRobotAt(context, view, training.tasks[i], robot, state, palette);
-      if (hasEnded && drive.outcome !== "reached") drawOutcome(context, view, drive, palette);
-    }));
+    training.demonstrations.forEach((drive, i) =>
+      this.within(brush, drive, i, (view) => {
+        const { robot } = training.floors[i];
+        const { time_step: step = 0.2 } = robot;
+        drawGoal(context, ...view.place(drive.goal), palette);
+        drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
+        const hasEnded = this.time >= drive.time;
+        // Failures are marked on top of the robot.
+        if (hasEnded && drive.outcome === "reached") drawOutcome(context, view, drive, palette);
+        const isSelected = i === training.selected;
+        const time = Math.min(this.time, drive.time);
+        const state = { pose: poseAt(drive, time, step), swing: swingAt(drive, time, step), hasRays: isSelected };
+        if (!hasEnded || isSelected) drawRobotAt(context, view, training.tasks[i], robot, state, palette);
+        if (hasEnded && drive.outcome !== "reached") drawOutcome(context, view, drive, palette);
+      }),
+    );
   }
 
-  /** Draws within a piece. @param {Brush} brush @param {Demonstration} drive @param {number} i @param {(view: View) => void} draw */
+  /**
+   * Draws within a piece.
+   * @param {Brush} brush
+   * @param {Demonstration} drive
+   * @param {number} i
+   * @param {(view: View) => void} draw
+   */
   within({ context, palette }, { trace, goal }, i, draw) {
-    const { side, columns, left, topEdge, session: { training: { selected } } } = this;
+    const {
+      side,
+      columns,
+      left,
+      topEdge,
+      session: {
+        training: { selected },
+      },
+    } = this;
     const [x, y] = [left + (i % columns) * (side + GAP), topEdge + Math.floor(i / columns) * (side + GAP)];
     const middle = [(trace[0] + goal[0]) / 2, (trace[1] + goal[1]) / 2];
     const half = Math.max(Math.abs(trace[0] - goal[0]), Math.abs(trace[1] - goal[1])) / 2 + AROUND;
-    const view = new View({ min: [middle[0] - half, middle[1] - half], max: [middle[0] + half, middle[1] + half] }, side, side, { left: 0, right: 0, top: 0, bottom: 0 });
+    const view = new View(
+      { min: [middle[0] - half, middle[1] - half], max: [middle[0] + half, middle[1] + half] },
+      side,
+      side,
+      { left: 0, right: 0, top: 0, bottom: 0 },
+    );
     context.save();
     context.translate(x, y);
     context.beginPath();

@@ -12,15 +12,22 @@ const LENGTH = [3, 15];
 
 /** @param {NavigationSession} session @param {Figure<Floor>} figure @returns {Subject[]} */
 export function filmsOf(session, figure) {
-  return [{
-    id: "drives", title: "Drives", meaning: "All drives along the path, with the rays of one.", isOffered: () => session.part === "plan",
-    lack: () => (session.run.drives.length > 0 ? "" : "Drive first."),
-    open: (width) => {
-      const { end, runs } = session;
-      return filmOf([figure], width, Math.min(LENGTH[1], Math.max(LENGTH[0], end / PACE)), (drawings, part) => {
-        if (session.runs !== runs) throw Object.assign(new Error("The plan changed during the export."), { code: "run-replaced" });
-        for (const drawing of drawings) drawing.session = Object.create(session, { time: { value: part * end }, edge: { value: null } });
-      });
+  return [
+    {
+      id: "drives",
+      title: "Drives",
+      meaning: "All drives along the path, with the rays of one.",
+      isOffered: () => session.part === "plan",
+      lack: () => (session.run.drives.length > 0 ? "" : "Drive first."),
+      open: (width) => {
+        const { end, runs } = session;
+        return filmOf([figure], width, Math.min(LENGTH[1], Math.max(LENGTH[0], end / PACE)), (drawings, part) => {
+          if (session.runs !== runs)
+            throw Object.assign(new Error("The plan changed during the export."), { code: "run-replaced" });
+          for (const drawing of drawings)
+            drawing.session = Object.create(session, { time: { value: part * end }, edge: { value: null } });
+        });
+      },
     },
-  }];
+  ];
 }

@@ -1,4 +1,7 @@
-/** The floor of the part "Plan": the roadmap and the path on the ground; on top start and goal, what is driven, and the robot with its rays. */
+/**
+ * The floor of the part "Plan": the roadmap and the path on the ground; on top start and goal, what is driven, and the
+ * robot with its rays.
+ */
 import { View } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawGround } from "../draw/ground.js";
@@ -27,11 +30,19 @@ export class Floor {
   }
 
   /** Whether the robot is shown on its way: its start cannot be turned then. */
-  get isDriven() { return this.session.run.drives.length > 0 && this.session.time > 0; }
+  get isDriven() {
+    return this.session.run.drives.length > 0 && this.session.time > 0;
+  }
 
-  /** The places of goal, turning handle and start on the canvas. @returns {[name: "start" | "turn" | "goal", x: number, y: number][]} */
+  /**
+   * The places of goal, turning handle and start on the canvas.
+   * @returns {[name: "start" | "turn" | "goal", x: number, y: number][]}
+   */
   get handles() {
-    const { view, session: { start, goal } } = this;
+    const {
+      view,
+      session: { start, goal },
+    } = this;
     const [x, y] = view.place(start);
     /** @type {["turn", number, number]} */
     const turn = ["turn", x + AHEAD * Math.cos(start[2]), y - AHEAD * Math.sin(start[2])];
@@ -40,7 +51,12 @@ export class Floor {
 
   /** The step of the path at a place, or null. @param {number} x @param {number} y @param {number} near */
   edgeAt(x, y, near) {
-    const { view, session: { run: { path, rollouts } } } = this;
+    const {
+      view,
+      session: {
+        run: { path, rollouts },
+      },
+    } = this;
     if (!rollouts) return null;
     const distances = path.slice(1).map((q, i) => distanceToSegment(x, y, view.place(path[i]), view.place(q)));
     const least = Math.min(...distances);
@@ -51,15 +67,25 @@ export class Floor {
   ground({ context, palette, width, height }) {
     const { document } = this.session;
     if (!document?.world.bounds) return;
-    const view = this.view = new View(document.world.bounds, width, height);
+    const view = (this.view = new View(document.world.bounds, width, height));
     drawGround(context, view, /** @type {any} */ (document), palette);
     this.drawn = [0, 0, 0];
     this.append({ context, palette });
   }
 
-  /** Draws the edges of the roadmap that are new. @param {{ context: CanvasRenderingContext2D, palette: Palette }} brush */
+  /**
+   * Draws the edges of the roadmap that are new.
+   * @param {{ context: CanvasRenderingContext2D, palette: Palette }} brush
+   */
   append({ context, palette }) {
-    const { view, drawn, session: { part, run: { edges, refused, vertices } } } = this;
+    const {
+      view,
+      drawn,
+      session: {
+        part,
+        run: { edges, refused, vertices },
+      },
+    } = this;
     if (part === "compare") return;
     const addEdge = (/** @type {number[]} */ ends, /** @type {number} */ i) => {
       const [a, b] = [2 * ends[i], 2 * ends[i + 1]];
@@ -79,7 +105,8 @@ export class Floor {
     context.setLineDash([]);
     context.globalAlpha = 0.6;
     context.fillStyle = palette.growth;
-    for (let i = 2 * drawn[2]; i < vertices.length; i += 2) context.fillRect(view.x(vertices[i]) - 1, view.y(vertices[i + 1]) - 1, 2, 2);
+    for (let i = 2 * drawn[2]; i < vertices.length; i += 2)
+      context.fillRect(view.x(vertices[i]) - 1, view.y(vertices[i + 1]) - 1, 2, 2);
     context.restore();
     this.drawn = [edges.length / 2, refused.length / 2, vertices.length / 2];
   }
@@ -102,14 +129,21 @@ export class Floor {
     drawStart(context, ...view.place(start), palette);
     // Failures are marked on top of the robot.
     const drawEnds = (/** @type {boolean} */ isReached) => {
-      for (const drive of run.drives) if (time >= drive.time && isReached === (drive.outcome === "reached")) drawOutcome(context, view, drive, palette);
+      for (const drive of run.drives)
+        if (time >= drive.time && isReached === (drive.outcome === "reached"))
+          drawOutcome(context, view, drive, palette);
     };
     drawEnds(true);
     const { isDriven } = this;
     /** @type {Parameters<typeof drawRobotAt>[4]} */
-    const state = isDriven && shown
-      ? { pose: poseAt(shown, time, timeStep), swing: swingAt(shown, time, timeStep), hasRays: true }
-      : { pose: [start[0], start[1], session.hasLoad ? Math.atan2(goal[1] - start[1], goal[0] - start[0]) : start[2]], swing: [0, 0], hasRays: true };
+    const state =
+      isDriven && shown
+        ? { pose: poseAt(shown, time, timeStep), swing: swingAt(shown, time, timeStep), hasRays: true }
+        : {
+            pose: [start[0], start[1], session.hasLoad ? Math.atan2(goal[1] - start[1], goal[0] - start[0]) : start[2]],
+            swing: [0, 0],
+            hasRays: true,
+          };
     drawRobotAt(context, view, task, document.robot, state, palette);
     drawEnds(false);
     for (const [handle, x, y] of this.handles) if (handle === "turn") drawHandle(context, x, y, palette.start, palette);
@@ -122,14 +156,30 @@ export class Floor {
       const { of, forward, backward } = run.rollouts[edge];
       const [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
       const half = 122;
-      drawLabel(context, `rollouts: ${forward} of ${of} there, ${backward} of ${of} back`, Math.min(view.width - half, Math.max(half, x)), y < 40 ? y + 20 : y - 18, palette.ink, palette);
+      drawLabel(
+        context,
+        `rollouts: ${forward} of ${of} there, ${backward} of ${of} back`,
+        Math.min(view.width - half, Math.max(half, x)),
+        y < 40 ? y + 20 : y - 18,
+        palette.ink,
+        palette,
+      );
     }
   }
 
-  /** The queries of the comparison, from start to goal. @param {CanvasRenderingContext2D} context @param {Palette} palette */
+  /**
+   * The queries of the comparison, from start to goal.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Palette} palette
+   */
   drawQueries(context, palette) {
-    const { view, session: { comparison: { queries, executions, status } } } = this;
-    const current = status === "over" ? -1 : executions.at(-1)?.query ?? -1;
+    const {
+      view,
+      session: {
+        comparison: { queries, executions, status },
+      },
+    } = this;
+    const current = status === "over" ? -1 : (executions.at(-1)?.query ?? -1);
     queries.forEach(({ start, goal }, i) => {
       context.globalAlpha = i === current ? 1 : 0.4;
       setStroke(context, palette.growth, i === current ? 2.4 : 1, [4, 4]);
@@ -145,9 +195,21 @@ export class Floor {
     }
   }
 
-  /** The path: a learned one has the colour of what is not proven. @param {CanvasRenderingContext2D} context @param {Palette} palette */
+  /**
+   * The path: a learned one has the colour of what is not proven.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Palette} palette
+   */
   drawPath(context, palette) {
-    const { view, bold, session: { run: { path }, way, edge } } = this;
+    const {
+      view,
+      bold,
+      session: {
+        run: { path },
+        way,
+        edge,
+      },
+    } = this;
     if (path.length < 2) return;
     if (way === "policy") {
       // It is no plan: only where the goal lies.

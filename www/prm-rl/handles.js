@@ -13,7 +13,9 @@ const TURN = Math.PI / 36;
 const NEAR = 8;
 
 /**
- * @param {NavigationSession} session @param {HTMLElement} stage   receives keys @param {{ floor: Figure<Floor>, demonstrations: Figure<Demonstrations> }} figures
+ * @param {NavigationSession} session
+ * @param {HTMLElement} stage   receives keys
+ * @param {{ floor: Figure<Floor>, demonstrations: Figure<Demonstrations> }} figures
  * @param {(ends: { start?: number[], goal?: number[] }) => void} move
  */
 export function watchHandles(session, stage, { floor, demonstrations }, move) {
@@ -38,7 +40,9 @@ export function watchHandles(session, stage, { floor, demonstrations }, move) {
       if (edge !== session.edge) session.select({ edge });
     });
   }
-  floor.canvas.addEventListener("pointerleave", () => { if (session.edge !== null) session.select({ edge: null }); });
+  floor.canvas.addEventListener("pointerleave", () => {
+    if (session.edge !== null) session.select({ edge: null });
+  });
   demonstrations.canvas.addEventListener("click", ({ offsetX, offsetY }) => {
     const piece = demonstrations.drawing.pieceAt(offsetX, offsetY);
     if (piece === null) return;

@@ -1,6 +1,6 @@
 /**
- * The lesson of this page: each step asks a question above the stage; Run lets the robot drive and shows the answer. The counts in the
- * answers are those of the drives.
+ * The lesson of this page: each step asks a question above the stage; Run lets the robot drive and shows the answer.
+ * The counts in the answers are those of the drives.
  *
  * For tests: `#lesson` carries `data-step`, from 1, and `data-shown`, "question", "run" or "answer".
  */
@@ -56,10 +56,17 @@ export class Lesson {
     });
     const leave = button("lesson-leave", "Exit", () => this.leave(), { className: "quiet" });
     const head = make("p", { className: "head" }, make("strong", {}, "Learned edges"), " ", this.count);
-    this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Step of the lesson", hidden: true },
-      make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome)), make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
+    this.band = make(
+      "section",
+      { id: "lesson", className: "lesson", ariaLabel: "Step of the lesson", hidden: true },
+      make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome)),
+      make("div", { className: "buttons" }, this.run, this.back, this.next, leave),
+    );
     byId("story", HTMLElement).before(this.band);
-    byId("begin-lesson", HTMLButtonElement).addEventListener("click", () => void app.track(this.put(1)).then(() => this.run.focus()));
+    byId("begin-lesson", HTMLButtonElement).addEventListener(
+      "click",
+      () => void app.track(this.put(1)).then(() => this.run.focus()),
+    );
   }
 
   /** @returns {Step[]} */
@@ -68,41 +75,58 @@ export class Lesson {
     const reached = () => `${countsOf(session.run.drives).reached} of ${TRIALS}`;
     return [
       {
-        question: "What does the robot know of the floor while the policy drives it?", choices: ["The whole map", "What its rays meet, and the direction of the goal", "A picture from above"], answer: 1,
+        question: "What does the robot know of the floor while the policy drives it?",
+        choices: ["The whole map", "What its rays meet, and the direction of the goal", "A picture from above"],
+        answer: 1,
         ends: { start: START, goal: NEAR },
         run: () => this.turn(),
-        text: () => `It knows ${session.floor.robot.sensor?.rays ?? 16} noisy distances and where the goal lies, no more. Drag the robot: the rays follow.`,
+        text: () =>
+          `It knows ${session.floor.robot.sensor?.rays ?? 16} noisy distances and where the goal lies, no more. Drag the robot: the rays follow.`,
       },
       {
-        question: "The goal is near, in the same room. In how many of 20 drives will the policy alone reach it?", choices: ["Nearly all", "About half", "Hardly any"], answer: 0,
-        ends: { start: START, goal: NEAR }, run: () => this.drive("policy"),
-        text: () => `The policy alone reached it in ${reached()} drives. Short ways are what it was trained for. Drag the goal behind an obstacle.`,
+        question: "The goal is near, in the same room. In how many of 20 drives will the policy alone reach it?",
+        choices: ["Nearly all", "About half", "Hardly any"],
+        answer: 0,
+        ends: { start: START, goal: NEAR },
+        run: () => this.drive("policy"),
+        text: () =>
+          `The policy alone reached it in ${reached()} drives. Short ways are what it was trained for. Drag the goal behind an obstacle.`,
       },
       {
-        question: "Now the goal is several rooms away. In how many of 20 drives will the policy alone reach it?", choices: ["Nearly all", "About half", "Hardly any"], answer: 2,
-        ends: { start: START, goal: FAR }, run: () => this.drive("policy"),
-        text: () => `The policy alone reached it in ${reached()} drives: it drives towards the goal, into rooms whose door is elsewhere. Its rays show what is near, not the way.`,
+        question: "Now the goal is several rooms away. In how many of 20 drives will the policy alone reach it?",
+        choices: ["Nearly all", "About half", "Hardly any"],
+        answer: 2,
+        ends: { start: START, goal: FAR },
+        run: () => this.drive("policy"),
+        text: () =>
+          `The policy alone reached it in ${reached()} drives: it drives towards the goal, into rooms whose door is elsewhere. Its rays show what is near, not the way.`,
       },
       {
         question: `Two vertices become an edge if enough rollouts of the policy succeed. If half of them are enough (least share ${CARELESS}), how does the robot fare along the path?`,
-        choices: ["It reaches the goal every time", "Now and then it fails: the failures of many edges add up"], answer: 1,
+        choices: ["It reaches the goal every time", "Now and then it fails: the failures of many edges add up"],
+        answer: 1,
         ends: { start: START, goal: FAR },
         run: async () => {
           session.given["prm-rl"] = { least_share: CARELESS, reliability: 0 };
           await this.drive("prm-rl");
         },
-        text: () => `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share or the reliability.`,
+        text: () =>
+          `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share or the reliability.`,
       },
       {
-        question: "Now the roadmap prefers edges that succeed more often. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
-        choices: ["A driver that looks", "Edges that are learned"], answer: 0,
+        question:
+          "Now the roadmap prefers edges that succeed more often. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
+        choices: ["A driver that looks", "Edges that are learned"],
+        answer: 0,
         ends: { start: START, goal: FAR },
         run: async () => {
           session.given = noSettings();
           for (const way of /** @type {const} */ (["straight", "straight-policy", "prm-rl"])) await this.drive(way);
         },
         text: () => {
-          const [blind, seeing] = [session.runs.straight, session.runs["straight-policy"]].map(({ drives }) => countsOf(drives).reached);
+          const [blind, seeing] = [session.runs.straight, session.runs["straight-policy"]].map(
+            ({ drives }) => countsOf(drives).reached,
+          );
           return `PRM-RL reached the goal in ${reached()} drives; straight edges in ${blind} without looking, and in ${seeing} by the policy. The proof is about straight motions, and noise leaves them; a driver that looks makes up for most of that. Learned edges count what it cannot. Compare all ways on many goals in Compare.`;
         },
       },
@@ -115,7 +139,7 @@ export class Lesson {
     session.trials = TRIALS;
     session.setWay(way);
     await session.plan(false);
-    if (await session.drive() && !this.app.reducedMotion) this.play();
+    if ((await session.drive()) && !this.app.reducedMotion) this.play();
     else session.setTime(Infinity);
   }
 
@@ -143,7 +167,11 @@ export class Lesson {
     session.setWay(step <= 3 ? "policy" : "prm-rl");
     this.count.textContent = `${step} of ${steps.length}`;
     this.legend.textContent = question;
-    this.choices.replaceChildren(...choices.map((choice, i) => make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice)));
+    this.choices.replaceChildren(
+      ...choices.map((choice, i) =>
+        make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice),
+      ),
+    );
     this.back.disabled = step === 1;
     this.next.textContent = step === steps.length ? "Finish" : "Next";
     this.band.hidden = false;
@@ -182,7 +210,11 @@ export class Lesson {
     this.run.className = isAnswered ? "" : "primary";
     this.next.className = isAnswered ? "primary" : "";
     const chosen = /** @type {HTMLInputElement | null} */ (this.choices.querySelector("input:checked"));
-    this.verdict.textContent = !isAnswered ? "" : chosen?.value === String(answer) ? "Correct." : `Answer: ${choices[answer].toLowerCase()}.`;
+    this.verdict.textContent = !isAnswered
+      ? ""
+      : chosen?.value === String(answer)
+        ? "Correct."
+        : `Answer: ${choices[answer].toLowerCase()}.`;
     this.text.textContent = isAnswered ? text() : "";
     this.outcome.hidden = !isAnswered;
   }

@@ -1,11 +1,12 @@
 /**
  * The page of learned edges (PRM-RL): it makes the session, the figures, the panels and the lesson.
  *
- * For tests, beside what app.js says: `body` carries `data-part`; `#stage` carries `data-status` of the plan ("none", "running", "solved",
- * "exhausted", or "refused" while start or goal is in collision), `data-way`, `data-edges` of the path, `data-fingerprint` of the plan,
- * `data-reached` of `data-drives`, `data-time`, `data-start`, `data-goal`, `data-policy` ("shipped", "trained", "file"), `data-edge` (the step that is marked,
- * from 0); of the training `data-training` ("none", "beginning", "ready", "running", "over", "refused"), `data-generation` and `data-trained`, its fingerprint; of the
- * comparison `data-compared` ("none", "running", "paused", "over") and `data-executions`.
+ * For tests, beside what app.js says: `body` carries `data-part`; `#stage` carries `data-status` of the plan ("none",
+ * "running", "solved", "exhausted", or "refused" while start or goal is in collision), `data-way`, `data-edges` of the
+ * path, `data-fingerprint` of the plan, `data-reached` of `data-drives`, `data-time`, `data-start`, `data-goal`,
+ * `data-policy` ("shipped", "trained", "file"), `data-edge` (the step that is marked, from 0); of the training
+ * `data-training` ("none", "beginning", "ready", "running", "over", "refused"), `data-generation` and `data-trained`,
+ * its fingerprint; of the comparison `data-compared` ("none", "running", "paused", "over") and `data-executions`.
  */
 import { App } from "../app/app.js";
 import { byId, grouped, make } from "../app/dom.js";
@@ -41,30 +42,63 @@ import { WAY_WORDS, sentenceOf } from "./words.js";
 /** @import { State } from "./state.js" */
 
 /** @type {[Part, string][]} */
-const PARTS = [["train", "Train"], ["plan", "Plan"], ["compare", "Compare"]];
+const PARTS = [
+  ["train", "Train"],
+  ["plan", "Plan"],
+  ["compare", "Compare"],
+];
 
 const app = new App();
 
 await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const stage = byId("stage", HTMLElement);
-  const session = new NavigationSession(app, worker, { differential_drive: /** @type {PolicyDocument} */ (wheeled), cargo: /** @type {PolicyDocument} */ (cargo) });
+  const session = new NavigationSession(app, worker, {
+    differential_drive: /** @type {PolicyDocument} */ (wheeled),
+    cargo: /** @type {PolicyDocument} */ (cargo),
+  });
   const { training, comparison } = session;
   const floor = new Floor(session);
   const demonstrations = new Demonstrations(session);
   const figures = {
     floor: new Figure(app, stage, { id: "floor", kind: "workspace", caption: "Floor" }, floor),
-    demonstrations: new Figure(app, stage, { id: "demonstrations", kind: "workspace", caption: "Twelve short tasks", note: "the same in every generation, driven by the policy so far" }, demonstrations),
+    demonstrations: new Figure(
+      app,
+      stage,
+      {
+        id: "demonstrations",
+        kind: "workspace",
+        caption: "Twelve short tasks",
+        note: "the same in every generation, driven by the policy so far",
+      },
+      demonstrations,
+    ),
   };
   const all = Object.values(figures);
   const drawCharts = makeCharts(session);
   const drawSwing = makeSwingChart(session);
-  const slider = make("input", { type: "range", id: "time", className: "timeline", min: "0", max: "1", step: "any", value: "0", ariaLabel: "Time of the drives" });
+  const slider = make("input", {
+    type: "range",
+    id: "time",
+    className: "timeline",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: "0",
+    ariaLabel: "Time of the drives",
+  });
   slider.addEventListener("input", () => {
     transport.pause();
     session.setTime(Number(slider.value));
   });
   const transport = new Transport(app, byId("course", HTMLElement), {
-    name: "course", label: "Transport of the drives", unit: "seconds", steps: [0.1, 1], slowest: 0.25, fastest: 25, pace: 4, isWhole: false,
+    name: "course",
+    label: "Transport of the drives",
+    unit: "seconds",
+    steps: [0.1, 1],
+    slowest: 0.25,
+    fastest: 25,
+    pace: 4,
+    isWhole: false,
     advance: (seconds) => {
       session.setTime(session.time + seconds);
       return session.time < session.end;
@@ -74,7 +108,9 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   });
   transport.bar.prepend(slider);
   // From its end it starts again.
-  const rewind = () => { if (transport.isPlaying && session.time >= session.end) session.setTime(0); };
+  const rewind = () => {
+    if (transport.isPlaying && session.time >= session.end) session.setTime(0);
+  };
   transport.play.addEventListener("click", rewind);
   const lesson = new Lesson(app, session, play);
   new Projector(() => {
@@ -82,11 +118,17 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     app.setTheme();
   });
 
-  byId("parts", HTMLElement).append(...PARTS.map(([part, title]) => button(`part-${part}`, title, () => session.setPart(part))));
-  byId("ways", HTMLElement).append(...WAYS.map((way) => button(`way-${way}`, WAY_WORDS[way].title, () => {
-    transport.pause();
-    session.setWay(way);
-  })));
+  byId("parts", HTMLElement).append(
+    ...PARTS.map(([part, title]) => button(`part-${part}`, title, () => session.setPart(part))),
+  );
+  byId("ways", HTMLElement).append(
+    ...WAYS.map((way) =>
+      button(`way-${way}`, WAY_WORDS[way].title, () => {
+        transport.pause();
+        session.setWay(way);
+      }),
+    ),
+  );
   const { refuseComparison } = showPanel(session, {
     open: (source, onRefused) => {
       app.notice.hide();
@@ -103,7 +145,8 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     transport.pause();
     session.setEnds(ends);
   });
-  const click = (/** @type {string} */ id, /** @type {() => void} */ act) => byId(id, HTMLButtonElement).addEventListener("click", act);
+  const click = (/** @type {string} */ id, /** @type {() => void} */ act) =>
+    byId(id, HTMLButtonElement).addEventListener("click", act);
   click("plan", () => attempt(() => session.plan()));
   click("drive", () => attempt(drive));
   click("train", toggleTraining);
@@ -128,26 +171,77 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
         rewind();
       }
     },
-    r: () => transport.restart(), ".": () => transport.step(0.1),
+    r: () => transport.restart(),
+    ".": () => transport.step(0.1),
   });
-  watchFiles(app, (name, bytes) => app.guard(() => {
-    const text = new TextDecoder().decode(bytes);
-    if (/"format"\s*:\s*"planarium-policy-/.test(text)) session.usePolicy(parsed(text), "file");
-    else session.open({ document: text });
-    app.notice.hide();
-  }, `${name} could not be opened.`));
-  const names = { name: () => `prm-rl-${session.document?.name ?? ""}`, title: () => session.document?.title ?? session.document?.name ?? "" };
-  showDownloads(app, all, names, [
-    { id: "task", title: "Navigation task", format: "JSON", meaning: "The floor, the robot, and the query from start to goal, as the command line reads them.", content: () => json(session.asked) },
-    { id: "result", title: "Plan", format: "JSON", meaning: "The path, and the rollouts along its edges.", content: () => json({ ...session.run.result, rollouts: session.run.rollouts }), name: () => `${names.name()}-${session.way}` },
-    { id: "generations", title: "Generations", format: "CSV", meaning: "Mean and best return, and the share of tasks solved.", content: () => trainingCsv(session), name: () => "prm-rl-training" },
-    { id: "comparison", title: "Comparison", format: "CSV", meaning: "A row for each drive.", content: () => comparedCsv(session), name: () => `${names.name()}-comparison` },
-    { id: "summary", title: "Comparison", format: "JSON", meaning: "The statistics of the ways.", content: () => json({ summary: comparison.summary, queries: comparison.queries }), name: () => `${names.name()}-comparison` },
-  ], filmsOf(session, figures.floor));
+  watchFiles(app, (name, bytes) =>
+    app.guard(() => {
+      const text = new TextDecoder().decode(bytes);
+      if (/"format"\s*:\s*"planarium-policy-/.test(text)) session.usePolicy(parsed(text), "file");
+      else session.open({ document: text });
+      app.notice.hide();
+    }, `${name} could not be opened.`),
+  );
+  const names = {
+    name: () => `prm-rl-${session.document?.name ?? ""}`,
+    title: () => session.document?.title ?? session.document?.name ?? "",
+  };
+  showDownloads(
+    app,
+    all,
+    names,
+    [
+      {
+        id: "task",
+        title: "Navigation task",
+        format: "JSON",
+        meaning: "The floor, the robot, and the query from start to goal, as the command line reads them.",
+        content: () => json(session.asked),
+      },
+      {
+        id: "result",
+        title: "Plan",
+        format: "JSON",
+        meaning: "The path, and the rollouts along its edges.",
+        content: () => json({ ...session.run.result, rollouts: session.run.rollouts }),
+        name: () => `${names.name()}-${session.way}`,
+      },
+      {
+        id: "generations",
+        title: "Generations",
+        format: "CSV",
+        meaning: "Mean and best return, and the share of tasks solved.",
+        content: () => trainingCsv(session),
+        name: () => "prm-rl-training",
+      },
+      {
+        id: "comparison",
+        title: "Comparison",
+        format: "CSV",
+        meaning: "A row for each drive.",
+        content: () => comparedCsv(session),
+        name: () => `${names.name()}-comparison`,
+      },
+      {
+        id: "summary",
+        title: "Comparison",
+        format: "JSON",
+        meaning: "The statistics of the ways.",
+        content: () => json({ summary: comparison.summary, queries: comparison.queries }),
+        name: () => `${names.name()}-comparison`,
+      },
+    ],
+    filmsOf(session, figures.floor),
+  );
 
   let began = 0;
   app.onFrame((now) => {
-    const { part, training: { demonstrations: { length } } } = session;
+    const {
+      part,
+      training: {
+        demonstrations: { length },
+      },
+    } = session;
     if (part !== "train" || length === 0 || app.reducedMotion || training.status !== "running") {
       if (demonstrations.time !== Infinity) {
         demonstrations.time = Infinity;
@@ -157,15 +251,19 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       return false;
     }
     // Drives of the policy so far are played over and over.
-    demonstrations.time = (PLAYED * Math.max(0, now - began) / 1000) % demonstrations.round;
+    demonstrations.time = ((PLAYED * Math.max(0, now - began)) / 1000) % demonstrations.round;
     figures.demonstrations.redraw(["top"]);
     return true;
   });
   app.onDraw(() => {
     drawCharts();
     drawSwing();
-    const { palette, layers: { ground } } = figures.floor;
-    if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan") floor.append({ context: ground.context, palette });
+    const {
+      palette,
+      layers: { ground },
+    } = figures.floor;
+    if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan")
+      floor.append({ context: ground.context, palette });
   });
   session.onChange(show);
   app.rebuild = () => {
@@ -174,19 +272,23 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     Object.assign(training, { tasks: [], floors: [], demonstrations: [], status: "none" });
     session.update("training");
   };
-  await app.track(useLink(app, stateRule, {
-    save: () => stateOf(session, lesson), spare: "document",
-    contents: (isWhole) => `${isWhole ? "the floor, start and goal, the settings, and what was trained, planned and driven" : "the settings, but not your floor: it is too long"}${session.origin === "file" ? "; your policy is too long and is not included" : ""}`,
-    open: async (/** @type {State | null} */ state) => {
-      transport.pause();
-      if (state) return openState(session, lesson, state);
-      if (session.document) return;
-      session.open(FIRST);
-      const begun = drive();
-      if (app.reducedMotion) await begun;
-      else void app.track(begun);
-    },
-  }));
+  await app.track(
+    useLink(app, stateRule, {
+      save: () => stateOf(session, lesson),
+      spare: "document",
+      contents: (isWhole) =>
+        `${isWhole ? "the floor, start and goal, the settings, and what was trained, planned and driven" : "the settings, but not your floor: it is too long"}${session.origin === "file" ? "; your policy is too long and is not included" : ""}`,
+      open: async (/** @type {State | null} */ state) => {
+        transport.pause();
+        if (state) return openState(session, lesson, state);
+        if (session.document) return;
+        session.open(FIRST);
+        const begun = drive();
+        if (app.reducedMotion) await begun;
+        else void app.track(begun);
+      },
+    }),
+  );
 
   /** Plans unless that is done, drives, and plays it. */
   async function drive() {
@@ -200,20 +302,27 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     transport.setPlaying(!app.reducedMotion);
   }
 
-  /** What is refused is said beside its field, or above the figure. @param {() => Promise<unknown>} act @param {Refusal} [onRefused] */
+  /**
+   * What is refused is said beside its field, or above the figure.
+   * @param {() => Promise<unknown>} act
+   * @param {Refusal} [onRefused]
+   */
   function attempt(act, onRefused = () => false) {
-    void app.track(act().catch((error) => {
-      if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
-      session.update("plan");
-    }));
+    void app.track(
+      act().catch((error) => {
+        if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
+        session.update("plan");
+      }),
+    );
   }
 
   function toggleTraining() {
     if (training.status === "running") training.pause();
-    else attempt(async () => {
-      if (training.status === "none") await training.begin();
-      await training.run();
-    });
+    else
+      attempt(async () => {
+        if (training.status === "none") await training.begin();
+        await training.run();
+      });
   }
 
   function toggleComparison() {
@@ -226,22 +335,40 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     const { part, document: task, run, way, time, start, goal, refusal, policy, origin, edge } = session;
     if (!task) return;
     document.body.dataset.part = part;
-    for (const element of document.querySelectorAll("main [data-part]")) if (element instanceof HTMLElement) element.hidden = !element.dataset.part?.split(" ").includes(part);
-    for (const element of document.querySelectorAll(".with-load")) if (element instanceof HTMLElement) element.hidden = !session.hasLoad || (element.dataset.part !== undefined && element.hidden);
+    for (const element of document.querySelectorAll("main [data-part]"))
+      if (element instanceof HTMLElement) element.hidden = !element.dataset.part?.split(" ").includes(part);
+    for (const element of document.querySelectorAll(".with-load"))
+      if (element instanceof HTMLElement)
+        element.hidden = !session.hasLoad || (element.dataset.part !== undefined && element.hidden);
     figures.demonstrations.element.hidden = part !== "train";
     figures.floor.element.hidden = part === "train";
     for (const [one] of PARTS) press(byId(`part-${one}`, HTMLElement), one === part);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
-    if ((change === "part" || change === "floor") && part === "train" && training.status === "none") attempt(() => training.begin());
+    if ((change === "part" || change === "floor") && part === "train" && training.status === "none")
+      attempt(() => training.begin());
     if (change === "training") figures.demonstrations.redraw();
     else if (change === "generation") figures.demonstrations.redraw(["top"]);
-    else if (change !== "growth") figures.floor.redraw(change === "time" || change === "selected" || change === "drives" ? ["top"] : undefined);
+    else if (change !== "growth")
+      figures.floor.redraw(change === "time" || change === "selected" || change === "drives" ? ["top"] : undefined);
     if (change === "part") figures.demonstrations.redraw();
     const counts = countsOf(run.drives);
     Object.assign(stage.dataset, {
-      status: refusal ? "refused" : run.status, way, edges: Math.max(0, run.path.length - 1), fingerprint: run.result?.fingerprint ?? "", reached: counts.reached, drives: run.drives.length,
-      time: time.toFixed(3), start: start.join(), goal: goal.join(), policy: origin, edge: edge ?? "", training: training.status, generation: training.generation, trained: training.fingerprint,
-      compared: comparison.status, executions: comparison.executions.length,
+      status: refusal ? "refused" : run.status,
+      way,
+      edges: Math.max(0, run.path.length - 1),
+      fingerprint: run.result?.fingerprint ?? "",
+      reached: counts.reached,
+      drives: run.drives.length,
+      time: time.toFixed(3),
+      start: start.join(),
+      goal: goal.join(),
+      policy: origin,
+      edge: edge ?? "",
+      training: training.status,
+      generation: training.generation,
+      trained: training.fingerprint,
+      compared: comparison.status,
+      executions: comparison.executions.length,
     });
     showControls();
     if (change !== "time" && change !== "selected" && change !== "generation") {
@@ -251,16 +378,31 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     }
     const last = training.history.at(-1);
     app.write({
-      where: `${task.title ?? task.name} \u00b7 ${policy.name}`, "way-does": WAY_WORDS[way].does, "policy-name": policy.name,
+      where: `${task.title ?? task.name} \u00b7 ${policy.name}`,
+      "way-does": WAY_WORDS[way].does,
+      "policy-name": policy.name,
       "policy-about": `${{ shipped: "Shipped with this page", trained: "Trained on this page", file: "From a file" }[origin]}: a perceptron with ${grouped(policy.hidden)} hidden units and ${grouped(policy.weights.length)} weights, for ${policy.sensor.rays} rays.`,
-      "fact-generation": `${grouped(training.generation)} of ${grouped(training.generations)}`, "fact-best": last ? num(last.best, 3) : "\u2013", "fact-mean": last ? num(last.mean, 3) : "\u2013",
-      "fact-solved": last ? `${num(100 * last.reached, 0)} %` : "\u2013", "fact-workers": grouped(training.pool.workers.length), "fact-trained": training.fingerprint || "\u2013",
-      "fact-time": `${num(time, 1)} s`, "fact-swing": swingText(session), "fact-vertices": grouped(run.vertices.length / 2), "fact-edges": grouped(run.edges.length / 2),
-      "fact-checked": way === "prm-rl" ? grouped((run.edges.length + run.refused.length) / 2) : "none", "fact-length": run.result && run.path.length > 0 ? `${num(run.result.length ?? 0, 1)} m` : "\u2013", "fact-planned": run.result?.fingerprint ?? "\u2013",
-      "compare-text": comparison.count === 0 ? "" : `${grouped(comparison.executions.length)} of ${grouped(comparison.count)} drives`,
+      "fact-generation": `${grouped(training.generation)} of ${grouped(training.generations)}`,
+      "fact-best": last ? num(last.best, 3) : "\u2013",
+      "fact-mean": last ? num(last.mean, 3) : "\u2013",
+      "fact-solved": last ? `${num(100 * last.reached, 0)} %` : "\u2013",
+      "fact-workers": grouped(training.pool.workers.length),
+      "fact-trained": training.fingerprint || "\u2013",
+      "fact-time": `${num(time, 1)} s`,
+      "fact-swing": swingText(session),
+      "fact-vertices": grouped(run.vertices.length / 2),
+      "fact-edges": grouped(run.edges.length / 2),
+      "fact-checked": way === "prm-rl" ? grouped((run.edges.length + run.refused.length) / 2) : "none",
+      "fact-length": run.result && run.path.length > 0 ? `${num(run.result.length ?? 0, 1)} m` : "\u2013",
+      "fact-planned": run.result?.fingerprint ?? "\u2013",
+      "compare-text":
+        comparison.count === 0 ? "" : `${grouped(comparison.executions.length)} of ${grouped(comparison.count)} drives`,
     });
     const text = sentenceOf(session);
-    app.say(text, { isBad: part === "plan" && (refusal !== null || run.status === "exhausted"), isSilent: change === "growth" || change === "time" || change === "generation" });
+    app.say(text, {
+      isBad: part === "plan" && (refusal !== null || run.status === "exhausted"),
+      isSilent: change === "growth" || change === "time" || change === "generation",
+    });
     figures.floor.describe(`${task.title ?? task.name}. ${text}`);
     figures.demonstrations.describe(`Twelve drives of the policy in training. ${text}`);
   }
@@ -268,7 +410,9 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   /** Enables and names what can be done now. */
   function showControls() {
     const { run, end, time, refusal, origin } = session;
-    const enable = (/** @type {string} */ id, /** @type {boolean} */ isReady) => { byId(id, HTMLButtonElement).disabled = !isReady; };
+    const enable = (/** @type {string} */ id, /** @type {boolean} */ isReady) => {
+      byId(id, HTMLButtonElement).disabled = !isReady;
+    };
     enable("plan", !refusal && run.status !== "running" && session.way !== "policy");
     enable("drive", !refusal && run.status !== "running" && run.status !== "exhausted");
     const isTraining = training.status === "running";
@@ -282,13 +426,16 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     enable("compare", comparison.status !== "over");
     byId("compare", HTMLElement).textContent = isComparing ? "Pause" : comparison.status === "paused" ? "Go on" : "Run";
     enable("compare-again", comparison.status !== "none" && !isComparing);
-    byId("train-progress", HTMLProgressElement).value = training.generations > 0 ? training.generation / training.generations : 0;
-    byId("compare-progress", HTMLProgressElement).value = comparison.count > 0 ? comparison.executions.length / comparison.count : 0;
+    byId("train-progress", HTMLProgressElement).value =
+      training.generations > 0 ? training.generation / training.generations : 0;
+    byId("compare-progress", HTMLProgressElement).value =
+      comparison.count > 0 ? comparison.executions.length / comparison.count : 0;
     transport.enable(end > 0);
     Object.assign(slider, { disabled: end === 0, max: String(end || 1), value: String(time) });
     slider.setAttribute("aria-valuetext", `${num(time, 1)} of ${num(end, 1)} seconds`);
     byId("export-result", HTMLButtonElement).disabled = !run.result;
-    for (const id of ["export-comparison", "export-summary"]) byId(id, HTMLButtonElement).disabled = comparison.executions.length === 0;
+    for (const id of ["export-comparison", "export-summary"])
+      byId(id, HTMLButtonElement).disabled = comparison.executions.length === 0;
     byId("export-generations", HTMLButtonElement).disabled = training.history.length === 0;
   }
 });
@@ -304,7 +451,11 @@ function swingText({ document, run, selected, time }) {
 /** Seconds of the demonstrations in one. */
 const PLAYED = 4;
 
-/** A policy as the page uses it; what is wrong with it is said by the core. @param {string} text @returns {PolicyDocument} */
+/**
+ * A policy as the page uses it; what is wrong with it is said by the core.
+ * @param {string} text
+ * @returns {PolicyDocument}
+ */
 function parsed(text) {
   try {
     return JSON.parse(text);

@@ -1,4 +1,7 @@
-/** What both figures draw: the trace of a drive with the mark of its end, and the rays of the sensor. Outcomes differ by colour, dash and mark. */
+/**
+ * What both figures draw: the trace of a drive with the mark of its end, and the rays of the sensor. Outcomes differ by
+ * colour, dash and mark.
+ */
 import { partPath } from "planarium/draw";
 import { addCross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
 
@@ -8,7 +11,12 @@ import { addCross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../dr
 /** @typedef {CanvasRenderingContext2D} Context */
 
 /** How each outcome is drawn. @type {Record<DriveOutcome, { colour: keyof Palette, dash: number[] }>} */
-const STYLES = { reached: { colour: "goal", dash: [] }, collision: { colour: "collision", dash: [7, 4] }, swing: { colour: "unproven", dash: [1.5, 4] }, timeout: { colour: "rejected", dash: [2, 4] } };
+const STYLES = {
+  reached: { colour: "goal", dash: [] },
+  collision: { colour: "collision", dash: [7, 4] },
+  swing: { colour: "unproven", dash: [1.5, 4] },
+  timeout: { colour: "rejected", dash: [2, 4] },
+};
 
 /**
  * The trace of a drive up to a time.
@@ -30,13 +38,20 @@ export function drawTrace(context, view, { trace, swing, outcome }, palette, { r
     // The way of the load.
     setStroke(context, palette.unproven, 1.1, []);
     context.beginPath();
-    for (let i = 0; i < last; i++) context.lineTo(view.x(trace[3 * i] + swing[2 * i]), view.y(trace[3 * i + 1] + swing[2 * i + 1]));
+    for (let i = 0; i < last; i++)
+      context.lineTo(view.x(trace[3 * i] + swing[2 * i]), view.y(trace[3 * i + 1] + swing[2 * i + 1]));
     context.stroke();
   }
   context.restore();
 }
 
-/** The mark at the end of a drive: a dot, a cross, a pendulum, or a clock. @param {Context} context @param {View} view @param {Execution} drive @param {Palette} palette */
+/**
+ * The mark at the end of a drive: a dot, a cross, a pendulum, or a clock.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Execution} drive
+ * @param {Palette} palette
+ */
 export function drawOutcome(context, view, { trace, outcome }, palette) {
   const [x, y] = view.place(trace.slice(-3));
   const colour = palette[STYLES[outcome].colour];
@@ -68,10 +83,11 @@ export function drawOutcome(context, view, { trace, outcome }, palette) {
 }
 
 /**
- * The robot at a pose with a line ahead, and the rays of its sensor: to what they meet, which has a dot, or as far as they reach. A carrier
- * has its load on a rope, within a ring at the limit of swing.
+ * The robot at a pose with a line ahead, and the rays of its sensor: to what they meet, which has a dot, or as far as
+ * they reach. A carrier has its load on a rope, within a ring at the limit of swing.
  * @param {Context} context @param {View} view @param {Navigation} task @param {NavigationDocument["robot"]} robot
- * @param {{ pose: [x: number, y: number, theta: number], swing: [x: number, y: number], hasRays: boolean }} state @param {Palette} palette
+ * @param {{ pose: [x: number, y: number, theta: number], swing: [x: number, y: number], hasRays: boolean }} state
+ * @param {Palette} palette
  */
 export function drawRobotAt(context, view, task, robot, { pose, swing, hasRays }, palette) {
   const [x, y, theta] = pose;

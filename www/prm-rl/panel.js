@@ -1,4 +1,7 @@
-/** The settings: the floor, the options of the training, of the plans and of the comparison, start and goal. The forms are built from the core's tables. */
+/**
+ * The settings: the floor, the options of the training, of the plans and of the comparison, start and goal. The forms
+ * are built from the core's tables.
+ */
 import { comparisonOptions, navigationGenerators, randomSeed, trainingOptions } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { button, press } from "../widgets/elements.js";
@@ -11,21 +14,41 @@ import { optionsOf } from "./options.js";
 /** @import { ParameterInfo } from "../domain/types.js" */
 /** @import { Change, NavigationSession, Source } from "./session.js" */
 
-/** Shows beside its field why a value is refused. @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field */
+/**
+ * Shows beside its field why a value is refused.
+ * @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field
+ */
 
 /** New seeds are below this: short enough to say aloud. */
 const SEEDS = 100_000;
 /** Options that are not folded away. */
-const FIRST = { floor: ["seed"], train: ["seed", "hidden", "pairs", "tasks", "generations"], "prm-rl": ["algorithm", "rollouts", "least_share", "reliability", "longest_edge", "seed"], straight: ["algorithm", "margin", "seed"], "straight-policy": ["algorithm", "margin", "seed"], compare: ["seed", "queries", "trials", "least_distance"] };
+const FIRST = {
+  floor: ["seed"],
+  train: ["seed", "hidden", "pairs", "tasks", "generations"],
+  "prm-rl": ["algorithm", "rollouts", "least_share", "reliability", "longest_edge", "seed"],
+  straight: ["algorithm", "margin", "seed"],
+  "straight-policy": ["algorithm", "margin", "seed"],
+  compare: ["seed", "queries", "trials", "least_distance"],
+};
 
 /** @type {ParameterInfo} */
 const TRIALS = {
-  name: "trials", title: "Drives", kind: "integer", unit: "", min: 1, max: 200, default: 20, choices: null, robots: [], meaning: "Number of drives along the path, each with noise of its own.",
+  name: "trials",
+  title: "Drives",
+  kind: "integer",
+  unit: "",
+  min: 1,
+  max: 200,
+  default: 20,
+  choices: null,
+  robots: [],
+  meaning: "Number of drives along the path, each with noise of its own.",
 };
 
 /**
  * @param {NavigationSession} session
- * @param {{ open: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void, train: (onRefused: Refusal) => void, compare: () => void }} actions
+ * @param {{ open: (source: Source, onRefused?: Refusal) => void, plan: (onRefused: Refusal) => void, train: (onRefused:
+ *   Refusal) => void, compare: () => void }} actions
  * @returns {{ refuseComparison: Refusal }}
  */
 export function showPanel(session, actions) {
@@ -36,10 +59,17 @@ export function showPanel(session, actions) {
   kind.addEventListener("change", () => {
     const { source } = session;
     const shape = "kind" in source ? source.options.shape : undefined;
-    actions.open({ kind: /** @type {NavigationGeneratorId} */ (kind.value), options: shape === undefined ? {} : { shape } });
+    actions.open({
+      kind: /** @type {NavigationGeneratorId} */ (kind.value),
+      options: shape === undefined ? {} : { shape },
+    });
   });
   const robot = byId("robot", HTMLSelectElement);
-  robot.append(...(generators[0].options.find(({ name }) => name === "shape")?.choices ?? []).map((shape) => make("option", { value: shape }, shape)));
+  robot.append(
+    ...(generators[0].options.find(({ name }) => name === "shape")?.choices ?? []).map((shape) =>
+      make("option", { value: shape }, shape),
+    ),
+  );
   robot.addEventListener("change", () => {
     const { source } = session;
     if ("kind" in source) actions.open({ kind: source.kind, options: { ...source.options, shape: robot.value } });
@@ -51,18 +81,36 @@ export function showPanel(session, actions) {
     const from = "kind" in source ? source : { kind: /** @type {const} */ ("rooms"), options: {} };
     actions.open({ kind: from.kind, options: { ...from.options, seed: randomSeed() % SEEDS } });
   });
-  const trials = new Field(TRIALS, session.trials, () => { session.trials = Number(trials.value); }, "drives");
+  const trials = new Field(
+    TRIALS,
+    session.trials,
+    () => {
+      session.trials = Number(trials.value);
+    },
+    "drives",
+  );
   byId("trials", HTMLElement).append(trials.element);
-  byId("moved", HTMLElement).append(.../** @type {const} */ (["goal", "start"]).map((end) => button(`moved-${end}`, end, () => {
-    session.moved = end;
-    session.update("selected");
-  })));
+  byId("moved", HTMLElement).append(
+    .../** @type {const} */ (["goal", "start"]).map((end) =>
+      button(`moved-${end}`, end, () => {
+        session.moved = end;
+        session.update("selected");
+      }),
+    ),
+  );
   const coordinates = [
-    { name: "start-x", title: "start x", end: "start", i: 0, unit: "m" }, { name: "start-y", title: "start y", end: "start", i: 1, unit: "m" }, { name: "start-theta", title: "heading", end: "start", i: 2, unit: "rad" },
-    { name: "goal-x", title: "goal x", end: "goal", i: 0, unit: "m" }, { name: "goal-y", title: "goal y", end: "goal", i: 1, unit: "m" },
+    { name: "start-x", title: "start x", end: "start", i: 0, unit: "m" },
+    { name: "start-y", title: "start y", end: "start", i: 1, unit: "m" },
+    { name: "start-theta", title: "heading", end: "start", i: 2, unit: "rad" },
+    { name: "goal-x", title: "goal x", end: "goal", i: 0, unit: "m" },
+    { name: "goal-y", title: "goal y", end: "goal", i: 1, unit: "m" },
   ].map(({ name, title, end, i, unit }) => {
     const key = /** @type {"start" | "goal"} */ (end);
-    const slider = new Slider({ name, title, unit, min: unit === "rad" ? -Math.PI : 0, max: unit === "rad" ? Math.PI : 1 }, 0, (value) => session.setEnds({ [key]: session[key].with(i, value) }));
+    const slider = new Slider(
+      { name, title, unit, min: unit === "rad" ? -Math.PI : 0, max: unit === "rad" ? Math.PI : 1 },
+      0,
+      (value) => session.setEnds({ [key]: session[key].with(i, value) }),
+    );
     return { slider, key, i };
   });
   byId("ends", HTMLElement).append(...coordinates.map(({ slider }) => slider.element));
@@ -111,13 +159,21 @@ export function showPanel(session, actions) {
     if (!info || !("kind" in source)) return;
     // The robot is chosen above.
     const { shape, ...others } = source.options;
-    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor")).filter(({ name }) => name !== "shape");
-    const form = new Options(host, table, others, () => {
-      if (!form.settings) return;
-      const options = { ...form.given, ...(shape !== undefined && { shape }) };
-      shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
-      actions.open({ kind: source.kind, options }, (pointer, reason) => form.refuse(pointer, reason));
-    }, { prefix: "floor" });
+    const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor")).filter(
+      ({ name }) => name !== "shape",
+    );
+    const form = new Options(
+      host,
+      table,
+      others,
+      () => {
+        if (!form.settings) return;
+        const options = { ...form.given, ...(shape !== undefined && { shape }) };
+        shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
+        actions.open({ kind: source.kind, options }, (pointer, reason) => form.refuse(pointer, reason));
+      },
+      { prefix: "floor" },
+    );
   }
 
   function buildPlan() {
@@ -127,31 +183,48 @@ export function showPanel(session, actions) {
       host.replaceChildren(make("p", { className: "hint" }, "Without a plan there is nothing to set."));
       return;
     }
-    const form = new Options(host, optionsOf(way), session.given[way], () => {
-      if (!form.settings) return;
-      session.given[way] = form.given;
-      shown.way = JSON.stringify([way, form.given]);
-      actions.plan((pointer, reason) => form.refuse(pointer, reason));
-    }, { prefix: "plan", first: FIRST[way] });
+    const form = new Options(
+      host,
+      optionsOf(way),
+      session.given[way],
+      () => {
+        if (!form.settings) return;
+        session.given[way] = form.given;
+        shown.way = JSON.stringify([way, form.given]);
+        actions.plan((pointer, reason) => form.refuse(pointer, reason));
+      },
+      { prefix: "plan", first: FIRST[way] },
+    );
   }
 
   function buildTraining() {
-    const form = new Options(byId("train-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training")), training.given, () => {
-      if (!form.settings) return;
-      training.given = form.given;
-      shown.train = JSON.stringify(form.given);
-      actions.train((pointer, reason) => form.refuse(pointer, reason));
-    }, { prefix: "train", first: FIRST.train });
+    const form = new Options(
+      byId("train-settings", HTMLElement),
+      /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training")),
+      training.given,
+      () => {
+        if (!form.settings) return;
+        training.given = form.given;
+        shown.train = JSON.stringify(form.given);
+        actions.train((pointer, reason) => form.refuse(pointer, reason));
+      },
+      { prefix: "train", first: FIRST.train },
+    );
   }
 
   function buildComparison() {
-    const form = new Options(byId("compare-settings", HTMLElement), /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison")), comparison.given, () => {
-      if (!form.settings) return;
-      comparison.given = form.given;
-      shown.compare = JSON.stringify(form.given);
-      actions.compare();
-    }, { prefix: "compare", first: FIRST.compare });
+    const form = new Options(
+      byId("compare-settings", HTMLElement),
+      /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison")),
+      comparison.given,
+      () => {
+        if (!form.settings) return;
+        comparison.given = form.given;
+        shown.compare = JSON.stringify(form.given);
+        actions.compare();
+      },
+      { prefix: "compare", first: FIRST.compare },
+    );
     compareForm = form;
   }
 }
-

@@ -1,6 +1,7 @@
 /**
- * The workers that train: as many as there are processors beside the page's. Each has a training of its own with the same options and
- * evaluates some candidates of a generation; all of them are then given all returns. So the policy does not depend on how many there are.
+ * The workers that train: as many as there are processors beside the page's. Each has a training of its own with the
+ * same options and evaluates some candidates of a generation; all of them are then given all returns. So the policy
+ * does not depend on how many there are.
  */
 import { errorInfo } from "../app/error-info.js";
 
@@ -35,7 +36,12 @@ export class TrainingPool {
     this.left = [];
   }
 
-  /** Replaces the training. @param {NavigationDocument} document @param {Settings} settings @throws {Error} they are refused, and nothing changes */
+  /**
+   * Replaces the training.
+   * @param {NavigationDocument} document
+   * @param {Settings} settings
+   * @throws {Error} they are refused, and nothing changes
+   */
   async begin(document, settings) {
     this.isRunning = false;
     const [first] = this.workers;
@@ -46,7 +52,7 @@ export class TrainingPool {
     this.known = new Map([[first, 0]]);
     this.ended = [];
     this.prepare(info.candidates);
-    return { ...info, ...await first.demonstrate() };
+    return { ...info, ...(await first.demonstrate()) };
   }
 
   /** Stops; replies that are on their way are dropped. */
@@ -59,10 +65,17 @@ export class TrainingPool {
   prepare(candidates) {
     const size = Math.max(1, Math.ceil(candidates / (PARTS * this.most)));
     this.returns = new Float64Array(2 * candidates);
-    this.left = Array.from({ length: Math.ceil(candidates / size) }, (_, i) => [i * size, Math.min(candidates, (i + 1) * size)]);
+    this.left = Array.from({ length: Math.ceil(candidates / size) }, (_, i) => [
+      i * size,
+      Math.min(candidates, (i + 1) * size),
+    ]);
   }
 
-  /** Trains until `onGeneration` returns false or `isRunning` is false. @param {(generation: Generation) => boolean} onGeneration @throws {Error} no worker is left */
+  /**
+   * Trains until `onGeneration` returns false or `isRunning` is false.
+   * @param {(generation: Generation) => boolean} onGeneration
+   * @throws {Error} no worker is left
+   */
   async run(onGeneration) {
     const { epoch } = this;
     this.isRunning = true;

@@ -1,6 +1,6 @@
 /**
- * The state of the page: a floor with its robot, a start and a goal, a policy, what is planned and driven, a training and a comparison. The
- * worker plans and drives; only the newest plan counts.
+ * The state of the page: a floor with its robot, a start and a goal, a policy, what is planned and driven, a training
+ * and a comparison. The worker plans and drives; only the newest plan counts.
  */
 import { Navigation } from "planarium/full";
 import { Observable } from "../app/observable.js";
@@ -9,7 +9,10 @@ import { ComparisonRun } from "./comparison.js";
 import { withDefaults } from "./options.js";
 import { TrainingRun } from "./training.js";
 
-/** @import { EdgeRollouts, Execution, GenerateNavigationOptions, NavigationDocument, NavigationGeneratorId, PolicyDocument, ResultDocument, Status } from "planarium/full" */
+/**
+ * @import { EdgeRollouts, Execution, GenerateNavigationOptions, NavigationDocument, NavigationGeneratorId,
+ *   PolicyDocument, ResultDocument, Status } from "planarium/full"
+ */
 /** @import { App } from "../app/app.js" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Settings } from "../domain/types.js" */
@@ -17,8 +20,14 @@ import { TrainingRun } from "./training.js";
 /** @import { TrainingWorker } from "./pool.js" */
 
 /** @typedef {"train" | "plan" | "compare"} Part */
-/** @typedef {"part" | "floor" | "policy" | "ends" | "growth" | "plan" | "drives" | "time" | "selected" | "training" | "generation" | "comparison"} Change */
-/** Where a floor is from: a generator, or a document. @typedef {{ kind: NavigationGeneratorId, options: Settings } | { document: NavigationDocument | string }} Source */
+/**
+ * @typedef {"part" | "floor" | "policy" | "ends" | "growth" | "plan" | "drives" | "time" | "selected" | "training" |
+ *   "generation" | "comparison"} Change
+ */
+/**
+ * Where a floor is from: a generator, or a document.
+ * @typedef {{ kind: NavigationGeneratorId, options: Settings } | { document: NavigationDocument | string }} Source
+ */
 /** The kinds of robot, each with a policy of its own. @typedef {NavigationDocument["robot"]["type"]} RobotKind */
 /** Where the policy is from. @typedef {"shipped" | "trained" | "file"} Origin */
 
@@ -43,7 +52,17 @@ export const FIRST = /** @type {const} */ ({ kind: "rooms", options: { seed: 2 }
 export const WAYS = ["policy", "straight", "straight-policy", "prm-rl"];
 
 /** @returns {Run} */
-const nothing = () => ({ status: "none", iterations: 0, vertices: [], edges: [], refused: [], result: null, path: [], rollouts: null, drives: [] });
+const nothing = () => ({
+  status: "none",
+  iterations: 0,
+  vertices: [],
+  edges: [],
+  refused: [],
+  result: null,
+  path: [],
+  rollouts: null,
+  drives: [],
+});
 
 /** @returns {Record<Way, Run>} */
 const noRuns = () => ({ policy: nothing(), straight: nothing(), "straight-policy": nothing(), "prm-rl": nothing() });
@@ -53,7 +72,11 @@ export const noSettings = () => ({ straight: {}, "straight-policy": {}, "prm-rl"
 
 /** @extends {Observable<Change>} */
 export class NavigationSession extends Observable {
-  /** @param {App} app @param {Remote<Commands>} worker @param {Record<RobotKind, PolicyDocument>} policies  those that come with the page */
+  /**
+   * @param {App} app
+   * @param {Remote<Commands>} worker
+   * @param {Record<RobotKind, PolicyDocument>} policies  those that come with the page
+   */
   constructor(app, worker, policies) {
     super(app);
     this.worker = worker;
@@ -67,7 +90,10 @@ export class NavigationSession extends Observable {
     this.source = FIRST;
     /** @type {NavigationDocument | null} */
     this.document = null;
-    /** The core's task, for rays and outlines; its query is an earlier one where the present one is refused. @type {Navigation | null} */
+    /**
+     * The core's task, for rays and outlines; its query is an earlier one where the present one is refused.
+     * @type {Navigation | null}
+     */
     this.task = null;
     /** @type {number[]} */
     this.start = [0, 0, 0];
@@ -97,25 +123,38 @@ export class NavigationSession extends Observable {
   }
 
   /** The policy that comes with the page for the robot. */
-  get shipped() { return this.policies[this.document?.robot.type ?? "differential_drive"]; }
+  get shipped() {
+    return this.policies[this.document?.robot.type ?? "differential_drive"];
+  }
 
   /** Whether the robot carries a load. */
-  get hasLoad() { return this.document?.robot.type === "cargo"; }
+  get hasLoad() {
+    return this.document?.robot.type === "cargo";
+  }
 
   /** The plan of the way that is shown. */
-  get run() { return this.runs[this.way]; }
+  get run() {
+    return this.runs[this.way];
+  }
 
   /** When the last drive ends. */
-  get end() { return this.run.drives.reduce((end, { time }) => Math.max(end, time), 0); }
+  get end() {
+    return this.run.drives.reduce((end, { time }) => Math.max(end, time), 0);
+  }
 
   /** The floor with the query from start to goal. @returns {NavigationDocument} */
   get asked() {
-    const { start: [x, y, theta], goal: [gx, gy] } = this;
+    const {
+      start: [x, y, theta],
+      goal: [gx, gy],
+    } = this;
     return { ...this.floor, queries: [{ name: "query", start: [x, y, theta], goal: [gx, gy] }] };
   }
 
   /** The floor without queries, where start and goal may be anywhere. */
-  get robotDocument() { return { ...this.floor, queries: [] }; }
+  get robotDocument() {
+    return { ...this.floor, queries: [] };
+  }
 
   /** @returns {NavigationDocument} */
   get floor() {
@@ -129,9 +168,19 @@ export class NavigationSession extends Observable {
     this.update("part");
   }
 
-  /** Opens a floor. @param {Source} source @param {{ start?: number[], goal?: number[] }} [ends]  those of its first query by default @throws {Error} it is refused, and nothing changes */
+  /**
+   * Opens a floor.
+   * @param {Source} source
+   * @param {{ start?: number[], goal?: number[] }} [ends]  those of its first query by default
+   * @throws {Error} it is refused, and nothing changes
+   */
   open(source, ends = {}) {
-    const task = "kind" in source ? withOptions(source.options, (/** @type {GenerateNavigationOptions} */ options) => Navigation.generate(source.kind, options)) : Navigation.parse(source.document);
+    const task =
+      "kind" in source
+        ? withOptions(source.options, (/** @type {GenerateNavigationOptions} */ options) =>
+            Navigation.generate(source.kind, options),
+          )
+        : Navigation.parse(source.document);
     const document = task.toJSON();
     const { min, max } = document.world.bounds ?? { min: [0, 0], max: [0, 0] };
     const middle = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
@@ -147,7 +196,11 @@ export class NavigationSession extends Observable {
     this.setEnds({ start: ends.start ?? query.start, goal: ends.goal ?? query.goal }, "floor");
   }
 
-  /** Moves start or goal: what was planned is gone. @param {{ start?: number[], goal?: number[] }} ends @param {Change} [change] */
+  /**
+   * Moves start or goal: what was planned is gone.
+   * @param {{ start?: number[], goal?: number[] }} ends
+   * @param {Change} [change]
+   */
   setEnds({ start = this.start, goal = this.goal }, change = "ends") {
     Object.assign(this, { start, goal, refusal: null });
     this.clear();
@@ -186,9 +239,16 @@ export class NavigationSession extends Observable {
   }
 
   /** The options of the way, complete with the seed. */
-  get seed() { return this.way === "policy" ? 0 : Number(this.given[this.way].seed ?? 0); }
+  get seed() {
+    return this.way === "policy" ? 0 : Number(this.given[this.way].seed ?? 0);
+  }
 
-  /** Plans for the way that is shown. @param {boolean} [isQuick]  without showing how it grows @returns {Promise<boolean>} whether it came to its end @throws {Error} the options are refused */
+  /**
+   * Plans for the way that is shown.
+   * @param {boolean} [isQuick]  without showing how it grows
+   * @returns {Promise<boolean>} whether it came to its end
+   * @throws {Error} the options are refused
+   */
   async plan(isQuick = false) {
     const { way, worker, policy, app } = this;
     const turn = ++this.turn;
@@ -200,7 +260,7 @@ export class NavigationSession extends Observable {
     }
     const id = await worker.beginPlan(this.asked, policy, way, withDefaults(way, this.given[way]));
     if (turn !== this.turn) return false;
-    const run = this.runs[way] = { ...nothing(), status: "running" };
+    const run = (this.runs[way] = { ...nothing(), status: "running" });
     Object.assign(this, { time: 0, edge: null, selected: 0 });
     this.update("plan");
     try {
@@ -213,7 +273,14 @@ export class NavigationSession extends Observable {
     }
   }
 
-  /** Lets a roadmap grow to its end. @param {number} id @param {Run} run @param {number} turn @param {boolean} isQuick @returns {Promise<boolean>} whether no other one began since */
+  /**
+   * Lets a roadmap grow to its end.
+   * @param {number} id
+   * @param {Run} run
+   * @param {number} turn
+   * @param {boolean} isQuick
+   * @returns {Promise<boolean>} whether no other one began since
+   */
   async grow(id, run, turn, isQuick) {
     const { worker } = this;
     while (run.status === "running") {
@@ -222,7 +289,12 @@ export class NavigationSession extends Observable {
       for (const value of progress.vertices) run.vertices.push(value);
       for (const vertex of progress.edges) run.edges.push(vertex);
       run.refused.push(...progress.refused);
-      Object.assign(run, { status: progress.status, iterations: progress.iterations, result: progress.result, path: progress.result?.path ?? [] });
+      Object.assign(run, {
+        status: progress.status,
+        iterations: progress.iterations,
+        result: progress.result,
+        path: progress.result?.path ?? [],
+      });
       this.update("growth");
     }
     run.rollouts = await worker.rollouts(id, run.path);
@@ -231,9 +303,13 @@ export class NavigationSession extends Observable {
     return true;
   }
 
-  /** Drives along the path of the way that is shown, which is planned for first. @param {boolean} [isQuick] @returns {Promise<boolean>} whether it has driven */
+  /**
+   * Drives along the path of the way that is shown, which is planned for first.
+   * @param {boolean} [isQuick]
+   * @returns {Promise<boolean>} whether it has driven
+   */
   async drive(isQuick = false) {
-    if (this.run.status === "none" && !await this.plan(isQuick)) return false;
+    if (this.run.status === "none" && !(await this.plan(isQuick))) return false;
     const { run, way, policy, seed, trials } = this;
     if (run.path.length < 2) return false;
     const turn = ++this.turn;
@@ -260,24 +336,42 @@ export class NavigationSession extends Observable {
 
 /** How many drives ended in each way. @param {Execution[]} drives */
 export function countsOf(drives) {
-  const of = (/** @type {Execution["outcome"]} */ outcome) => drives.filter((drive) => drive.outcome === outcome).length;
+  const of = (/** @type {Execution["outcome"]} */ outcome) =>
+    drives.filter((drive) => drive.outcome === outcome).length;
   return { reached: of("reached"), collision: of("collision"), swing: of("swing"), timeout: of("timeout") };
 }
 
-/** The configuration of a drive at a time. @param {Execution} drive @param {number} time @param {number} timeStep @returns {[x: number, y: number, theta: number]} */
+/**
+ * The configuration of a drive at a time.
+ * @param {Execution} drive
+ * @param {number} time
+ * @param {number} timeStep
+ * @returns {[x: number, y: number, theta: number]}
+ */
 export function poseAt({ trace, swing }, time, timeStep) {
   const [x, y, theta] = rowAt(trace, 3, time / timeStep);
   // The sensor of a carrier jumps to the next goal.
   return [x, y, swing.length > 0 ? trace[3 * Math.min(trace.length / 3 - 1, Math.ceil(time / timeStep)) + 2] : theta];
 }
 
-/** The displacement of the load of a drive at a time; at rest without one. @param {Execution} drive @param {number} time @param {number} timeStep @returns {[x: number, y: number]} */
+/**
+ * The displacement of the load of a drive at a time; at rest without one.
+ * @param {Execution} drive
+ * @param {number} time
+ * @param {number} timeStep
+ * @returns {[x: number, y: number]}
+ */
 export function swingAt({ swing }, time, timeStep) {
   const [x = 0, y = 0] = swing.length > 0 ? rowAt(swing, 2, time / timeStep) : [];
   return [x, y];
 }
 
-/** A row of a table between two others. @param {ArrayLike<number>} table @param {number} width @param {number} at  rows */
+/**
+ * A row of a table between two others.
+ * @param {ArrayLike<number>} table
+ * @param {number} width
+ * @param {number} at  rows
+ */
 function rowAt(table, width, at) {
   const last = table.length / width - 1;
   const row = Math.min(Math.floor(at), Math.max(0, last - 1));

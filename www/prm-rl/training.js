@@ -1,4 +1,6 @@
-/** A training as the page shows it: its settings, the pool that runs it, its curves, and drives of the policy so far. */
+/**
+ * A training as the page shows it: its settings, the pool that runs it, its curves, and drives of the policy so far.
+ */
 import { Navigation } from "planarium/full";
 import { TrainingPool } from "./pool.js";
 
@@ -29,7 +31,10 @@ export class TrainingRun {
     this.tasks = [];
     /** The policy so far. @type {PolicyDocument | null} */
     this.policy = null;
-    /** "beginning": the worker generates its tasks; "refused": the settings are not valid. @type {"none" | "beginning" | "ready" | "running" | "over" | "refused"} */
+    /**
+     * "beginning": the worker generates its tasks; "refused": the settings are not valid.
+     * @type {"none" | "beginning" | "ready" | "running" | "over" | "refused"}
+     */
     this.status = "none";
     /** Trainings begun. */
     this.begun = 0;
@@ -42,16 +47,29 @@ export class TrainingRun {
     const begun = ++this.begun;
     const { session, pool, given } = this;
     this.status = "beginning";
-    const { generations, demonstrations, floors, policy } = await pool.begin(session.robotDocument, given).catch((error) => {
-      if (begun === this.begun) {
-        this.status = "refused";
-        session.update("training");
-      }
-      throw error;
-    });
+    const { generations, demonstrations, floors, policy } = await pool
+      .begin(session.robotDocument, given)
+      .catch((error) => {
+        if (begun === this.begun) {
+          this.status = "refused";
+          session.update("training");
+        }
+        throw error;
+      });
     if (begun !== this.begun) return;
     for (const task of this.tasks) task.free();
-    Object.assign(this, { generations, demonstrations, policy, floors, tasks: floors.map((floor) => Navigation.parse(floor)), history: [], generation: 0, fingerprint: "", status: "ready", selected: 0 });
+    Object.assign(this, {
+      generations,
+      demonstrations,
+      policy,
+      floors,
+      tasks: floors.map((floor) => Navigation.parse(floor)),
+      history: [],
+      generation: 0,
+      fingerprint: "",
+      status: "ready",
+      selected: 0,
+    });
     session.update("training");
   }
 
@@ -63,7 +81,8 @@ export class TrainingRun {
     const begun = this.begun;
     try {
       await this.pool.run(({ generation, fingerprint, history, demonstrations, policy }) => {
-        for (let at = 0; at < history.length; at += 3) this.history.push({ mean: history[at], best: history[at + 1], reached: history[at + 2] });
+        for (let at = 0; at < history.length; at += 3)
+          this.history.push({ mean: history[at], best: history[at + 1], reached: history[at + 2] });
         Object.assign(this, { generation, fingerprint, demonstrations, policy });
         this.session.update("generation");
         return generation < Math.min(until, this.generations);
@@ -83,5 +102,7 @@ export class TrainingRun {
     Object.assign(this, { status: "none", generation: 0, fingerprint: "", history: [] });
   }
 
-  pause() { this.pool.isRunning = false; }
+  pause() {
+    this.pool.isRunning = false;
+  }
 }

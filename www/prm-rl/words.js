@@ -8,12 +8,30 @@ import { countsOf } from "./session.js";
 
 /** The ways to drive. @type {Record<NavigationMethod, { title: string, does: string }>} */
 export const WAY_WORDS = {
-  policy: { title: "Policy alone", does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays." },
-  straight: { title: "Straight edges", does: "A roadmap of straight edges, proven free for a disc around the robot. A simple controller follows them and looks at no rays." },
-  "straight-margin": { title: "Straight + margin", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
-  "straight-policy": { title: "Straight + policy", does: "A roadmap of straight edges, proven free for a disc around the robot. The policy drives from one vertex to the next." },
-  "straight-margin-policy": { title: "Straight + margin + policy", does: "The same with edges that are proven for a larger disc, which leaves room for errors." },
-  "prm-rl": { title: "PRM-RL", does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next." },
+  policy: {
+    title: "Policy alone",
+    does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays.",
+  },
+  straight: {
+    title: "Straight edges",
+    does: "A roadmap of straight edges, proven free for a disc around the robot. A simple controller follows them and looks at no rays.",
+  },
+  "straight-margin": {
+    title: "Straight + margin",
+    does: "The same with edges that are proven for a larger disc, which leaves room for errors.",
+  },
+  "straight-policy": {
+    title: "Straight + policy",
+    does: "A roadmap of straight edges, proven free for a disc around the robot. The policy drives from one vertex to the next.",
+  },
+  "straight-margin-policy": {
+    title: "Straight + margin + policy",
+    does: "The same with edges that are proven for a larger disc, which leaves room for errors.",
+  },
+  "prm-rl": {
+    title: "PRM-RL",
+    does: "A roadmap of edges that the policy drives reliably. It drives along them, from one vertex to the next.",
+  },
 };
 
 /** The ways of a comparison. */
@@ -26,18 +44,28 @@ export function sentenceOf(session) {
   const { refusal, run, way } = session;
   if (refusal) return `The ${refusal.end} is in collision: move it away from obstacles.`;
   if (run.status === "none") return "Drag the ring to move the robot and the diamond to move its goal. Then plan.";
-  if (run.status === "running") return `The roadmap grows: ${counted(run.vertices.length / 2, "vertex", "vertices")}, ${counted(run.edges.length / 2, "edge")}.`;
-  if (run.status === "exhausted") return `${capital(run.result?.explanation ?? "no path was found")}${run.result?.reason === "not-connected" ? ", by edges that are reliable enough" : ""}.`;
+  if (run.status === "running")
+    return `The roadmap grows: ${counted(run.vertices.length / 2, "vertex", "vertices")}, ${counted(run.edges.length / 2, "edge")}.`;
+  if (run.status === "exhausted")
+    return `${capital(run.result?.explanation ?? "no path was found")}${run.result?.reason === "not-connected" ? ", by edges that are reliable enough" : ""}.`;
   if (run.drives.length > 0) return `${WAY_WORDS[way].title}: ${drivenText(session)}`;
   if (way === "policy") return "The policy alone has no plan: it drives towards the goal.";
   const least = leastOf(session);
-  return least ? `A path of ${counted(run.path.length - 1, "edge")}. The least reliable one: rollouts: ${least.count} of ${least.of}.` : `A path of ${counted(run.path.length - 1, "straight edge")}, each proven free.`;
+  return least
+    ? `A path of ${counted(run.path.length - 1, "edge")}. The least reliable one: rollouts: ${least.count} of ${least.of}.`
+    : `A path of ${counted(run.path.length - 1, "straight edge")}, each proven free.`;
 }
 
 /** @param {NavigationSession} session */
 function drivenText({ run: { drives } }) {
   const { reached, collision, swing, timeout } = countsOf(drives);
-  const others = [collision > 0 ? counted(collision, "collision") : "", swing > 0 ? `${grouped(swing)} with too much swing` : "", timeout > 0 ? `${grouped(timeout)} not there in time` : ""].filter(Boolean).join(", ");
+  const others = [
+    collision > 0 ? counted(collision, "collision") : "",
+    swing > 0 ? `${grouped(swing)} with too much swing` : "",
+    timeout > 0 ? `${grouped(timeout)} not there in time` : "",
+  ]
+    .filter(Boolean)
+    .join(", ");
   return `${grouped(reached)} of ${counted(drives.length, "drive")} reached the goal${others ? `; ${others}` : ""}.`;
 }
 
@@ -52,9 +80,11 @@ function trainingSentence({ training: { status, generation, generations, history
   if (status === "refused") return "These settings are not valid; see the message in the panel.";
   if (status === "beginning") return "The short tasks are generated.";
   const last = history.at(-1);
-  if (!last) return "Random changes of the policy are tried on short tasks; it moves along those that drive better. Press Train.";
+  if (!last)
+    return "Random changes of the policy are tried on short tasks; it moves along those that drive better. Press Train.";
   const solved = `${Math.round(100 * last.reached)}\u00a0% of the tasks solved`;
-  if (status === "over") return `Trained for ${counted(generation, "generation")}: ${solved}. Use this policy in Plan and Compare.`;
+  if (status === "over")
+    return `Trained for ${counted(generation, "generation")}: ${solved}. Use this policy in Plan and Compare.`;
   return `Generation ${grouped(generation)} of ${grouped(generations)}: ${solved}.`;
 }
 
@@ -68,4 +98,6 @@ function comparisonSentence({ comparison: { status, executions, count, iteration
 }
 
 /** A share in percent. @param {number | null} share */
-export function percentText(share) { return share === null ? "\u2013" : `${Math.round(100 * share)} %`; }
+export function percentText(share) {
+  return share === null ? "\u2013" : `${Math.round(100 * share)} %`;
+}

@@ -1,4 +1,7 @@
-/** The panels of the coordinates and of the arm: coordinates, orientation of the last link, links, radius, joints and their ranges. */
+/**
+ * The panels of the coordinates and of the arm: coordinates, orientation of the last link, links, radius, joints and
+ * their ranges.
+ */
 import { byId, make } from "../app/dom.js";
 import { withJoints } from "../domain/coordinates.js";
 import { Slider } from "../widgets/slider.js";
@@ -27,7 +30,10 @@ export function showArmPanel(session, onOrientation) {
   let lengths = [];
   /** The choice of each joint: it turns or it slides. @type {HTMLSelectElement[]} */
   let kinds = [];
-  /** The fields of the joints: limits or a range, and a fixed angle. @type {{ input: HTMLInputElement, read: (joint: LinkJoint) => number }[]} */
+  /**
+   * The fields of the joints: limits or a range, and a fixed angle.
+   * @type {{ input: HTMLInputElement, read: (joint: LinkJoint) => number }[]}
+   */
   let fields = [];
   /** The joints that the fields are for. */
   let fielded = "";
@@ -37,21 +43,43 @@ export function showArmPanel(session, onOrientation) {
   };
   const isOriented = byId("keep", HTMLInputElement);
   isOriented.addEventListener("change", () => setOrientation(isOriented.checked ? session.robot.orientation : null));
-  const direction = new Slider({ name: "direction", title: "orientation", unit: "rad", min: -Math.PI, max: Math.PI }, 0, setOrientation);
+  const direction = new Slider(
+    { name: "direction", title: "orientation", unit: "rad", min: -Math.PI, max: Math.PI },
+    0,
+    setOrientation,
+  );
   const hint = byId("keep-hint", HTMLElement);
   hint.before(direction.element);
   const count = new Slider({ name: "links", title: "Links", min: 1, max: MOST_LINKS, kind: "integer" }, 2, (length) => {
-    const { arm: { links }, joints, hasLimits } = session.robot;
+    const {
+      arm: { links },
+      joints,
+      hasLimits,
+    } = session.robot;
     const grown = Array.from({ length }, (_, i) => links[i] ?? links[links.length - 1]);
-    change({ links: grown }, grown.map((_, i) => joints[i] ?? turning(hasLimits)));
+    change(
+      { links: grown },
+      grown.map((_, i) => joints[i] ?? turning(hasLimits)),
+    );
   });
-  const thickness = new Slider({ name: "radius", title: "Radius", unit: "m", min: 0, max: 0.15, step: 0.005 }, 0, (radius) => change({ radius }));
+  const thickness = new Slider(
+    { name: "radius", title: "Radius", unit: "m", min: 0, max: 0.15, step: 0.005 },
+    0,
+    (radius) => change({ radius }),
+  );
   lengthRows.before(count.element);
   lengthRows.after(thickness.element);
   const isLimited = byId("stops", HTMLInputElement);
-  isLimited.addEventListener("change", () => change({}, session.robot.joints.map((joint) => (joint.type === "prismatic" ? joint : turning(isLimited.checked)))));
+  isLimited.addEventListener("change", () =>
+    change(
+      {},
+      session.robot.joints.map((joint) => (joint.type === "prismatic" ? joint : turning(isLimited.checked))),
+    ),
+  );
   const takesBack = byId("back", HTMLInputElement);
-  takesBack.addEventListener("change", () => { session.takesBack = takesBack.checked; });
+  takesBack.addEventListener("change", () => {
+    session.takesBack = takesBack.checked;
+  });
   session.onChange(show);
 
   /** @param {Change} what */
@@ -78,7 +106,9 @@ export function showArmPanel(session, onOrientation) {
       slider.setLimits(slider.info.min, Math.max(slider.info.max, arm.links[i]));
       slider.show(arm.links[i]);
     });
-    kinds.forEach((select, i) => { select.value = robot.joints[i].type; });
+    kinds.forEach((select, i) => {
+      select.value = robot.joints[i].type;
+    });
     for (const { input, read } of fields) {
       if (document.activeElement !== input) input.value = read(robot.joints[Number(input.dataset.joint)]).toFixed(2);
     }
@@ -90,40 +120,120 @@ export function showArmPanel(session, onOrientation) {
     fielded = fieldsOf(session);
     const { links = [] } = isArm ? session.robot.arm : {};
     const joints = isArm ? session.robot.joints : [];
-    angles = coordinates.map(({ name, low, high, unit }, i) => new Slider({ name: `joint-${i}`, title: name, unit, min: low, max: high }, q[i], (angle) => session.setCoordinate(i, angle)));
-    lengths = links.map((length, i) => new Slider({ name: `link-${i}`, title: `link ${i + 1}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 }, length, (value) => {
-      change({ links: session.robot.arm.links.with(i, value) });
-    }));
+    angles = coordinates.map(
+      ({ name, low, high, unit }, i) =>
+        new Slider({ name: `joint-${i}`, title: name, unit, min: low, max: high }, q[i], (angle) =>
+          session.setCoordinate(i, angle),
+        ),
+    );
+    lengths = links.map(
+      (length, i) =>
+        new Slider(
+          { name: `link-${i}`, title: `link ${i + 1}`, unit: "m", min: 0.05, max: Math.max(1, length), step: 0.005 },
+          length,
+          (value) => {
+            change({ links: session.robot.arm.links.with(i, value) });
+          },
+        ),
+    );
     kinds = joints.map(({ type }, i) => {
-      const select = make("select", { id: `joint-${i}-type`, ariaLabel: `Link ${i + 1} turns or slides` }, make("option", { value: "revolute" }, "turns"), make("option", { value: "prismatic" }, "slides"));
+      const select = make(
+        "select",
+        { id: `joint-${i}-type`, ariaLabel: `Link ${i + 1} turns or slides` },
+        make("option", { value: "revolute" }, "turns"),
+        make("option", { value: "prismatic" }, "slides"),
+      );
       select.value = type;
       select.addEventListener("change", () => setKind(i, select.value === "prismatic"));
       return select;
     });
     fields = [];
-    const field = (/** @type {number} */ i, /** @type {string} */ id, /** @type {string} */ word, /** @type {(joint: LinkJoint) => number} */ read, /** @type {(joint: LinkJoint, value: number) => LinkJoint | null} */ write) => {
-      const input = make("input", { type: "number", id: `stop-${i}-${id}`, step: "any", autocomplete: "off", ariaLabel: `${coordinates[i].name}, ${word}`, dataset: { joint: String(i) } });
+    const field = (
+      /** @type {number} */ i,
+      /** @type {string} */ id,
+      /** @type {string} */ word,
+      /** @type {(joint: LinkJoint) => number} */ read,
+      /** @type {(joint: LinkJoint, value: number) => LinkJoint | null} */ write,
+    ) => {
+      const input = make("input", {
+        type: "number",
+        id: `stop-${i}-${id}`,
+        step: "any",
+        autocomplete: "off",
+        ariaLabel: `${coordinates[i].name}, ${word}`,
+        dataset: { joint: String(i) },
+      });
       input.addEventListener("change", () => setField(i, input, write));
       fields.push({ input, read });
       return input;
     };
     /** The two ends of what a joint may do. @param {number} i @param {string} what */
-    const ends = (i, what) => ["minimum", "maximum"].map((word, end) => field(i, String(end), `${word} ${what}`, (joint) => rangeOf(joint)[end], (joint, value) => {
-      const [low, high] = rangeOf(joint).with(end, value);
-      if (!(low < high)) return null;
-      if (joint.type === "prismatic") return { ...joint, range: [low, high] };
-      return Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST ? { ...joint, limits: [low, high] } : null;
-    }));
+    const ends = (i, what) =>
+      ["minimum", "maximum"].map((word, end) =>
+        field(
+          i,
+          String(end),
+          `${word} ${what}`,
+          (joint) => rangeOf(joint)[end],
+          (joint, value) => {
+            const [low, high] = rangeOf(joint).with(end, value);
+            if (!(low < high)) return null;
+            if (joint.type === "prismatic") return { ...joint, range: [low, high] };
+            return Math.abs(low) <= WIDEST && Math.abs(high) <= WIDEST ? { ...joint, limits: [low, high] } : null;
+          },
+        ),
+      );
     const rows = joints.map((joint, i) => {
-      const row = make("div", { className: "interval" }, make("span", { className: "name" }, coordinates[i].name), kinds[i]);
+      const row = make(
+        "div",
+        { className: "interval" },
+        make("span", { className: "name" }, coordinates[i].name),
+        kinds[i],
+      );
       if (joint.type === "prismatic") {
         const [from, to] = ends(i, "coordinate, metres");
-        const angle = field(i, "angle", "fixed angle to the link before, radians", (one) => (one.type === "prismatic" ? one.angle : 0), (one, value) => (one.type === "prismatic" && Number.isFinite(value) ? { ...one, angle: value } : null));
-        return [make("div", {}, row, make("div", { className: "interval more" }, from, make("span", {}, "to"), to, make("span", { className: "unit" }, "m at"), angle, make("span", { className: "unit" }, "rad")))];
+        const angle = field(
+          i,
+          "angle",
+          "fixed angle to the link before, radians",
+          (one) => (one.type === "prismatic" ? one.angle : 0),
+          (one, value) => (one.type === "prismatic" && Number.isFinite(value) ? { ...one, angle: value } : null),
+        );
+        return [
+          make(
+            "div",
+            {},
+            row,
+            make(
+              "div",
+              { className: "interval more" },
+              from,
+              make("span", {}, "to"),
+              to,
+              make("span", { className: "unit" }, "m at"),
+              angle,
+              make("span", { className: "unit" }, "rad"),
+            ),
+          ),
+        ];
       }
       if (!joint.limits) return [row];
       const [from, to] = ends(i, "angle, radians");
-      return [make("div", {}, row, make("div", { className: "interval more" }, from, make("span", {}, "to"), to, make("span", { className: "unit" }, "rad")))];
+      return [
+        make(
+          "div",
+          {},
+          row,
+          make(
+            "div",
+            { className: "interval more" },
+            from,
+            make("span", {}, "to"),
+            to,
+            make("span", { className: "unit" }, "rad"),
+          ),
+        ),
+      ];
     });
     byId("joints", HTMLElement).replaceChildren(...angles.map(({ element }) => element));
     lengthRows.replaceChildren(...lengths.map(({ element }) => element));
@@ -136,16 +246,33 @@ export function showArmPanel(session, onOrientation) {
     change({}, joints.with(i, slides ? { type: "prismatic", range: RANGE, angle: 0 } : turning(hasLimits)), kinds[i]);
   }
 
-  /** @param {number} i  the joint @param {HTMLInputElement} input @param {(joint: LinkJoint, value: number) => LinkJoint | null} write */
+  /**
+   * @param {number} i  the joint
+   * @param {HTMLInputElement} input
+   * @param {(joint: LinkJoint, value: number) => LinkJoint | null} write
+   */
   function setField(i, input, write) {
     const { coordinates, joints } = session.robot;
     const joint = write(joints[i], input.value.trim() === "" ? NaN : Number(input.value));
     if (joint) return change({}, joints.with(i, joint), input);
-    if (joints[i].type === "prismatic") refuse(`The range of ${coordinates[i].name} must be two numbers, the lower first, and its angle a number.`, input);
-    else refuse(`The limits of ${coordinates[i].name} must be two numbers from \u22126.28 to 6.28, the lower first.`, input);
+    if (joints[i].type === "prismatic")
+      refuse(
+        `The range of ${coordinates[i].name} must be two numbers, the lower first, and its angle a number.`,
+        input,
+      );
+    else
+      refuse(
+        `The limits of ${coordinates[i].name} must be two numbers from \u22126.28 to 6.28, the lower first.`,
+        input,
+      );
   }
 
-  /** Changes the arm; what the core refuses is explained. @param {Partial<ArmRobot>} changes @param {LinkJoint[]} [joints] @param {HTMLInputElement | HTMLSelectElement} [input]  where it was asked for */
+  /**
+   * Changes the arm; what the core refuses is explained.
+   * @param {Partial<ArmRobot>} changes
+   * @param {LinkJoint[]} [joints]
+   * @param {HTMLInputElement | HTMLSelectElement} [input]  where it was asked for
+   */
   function change(changes, joints = session.robot.joints, input = undefined) {
     const arm = withJoints({ ...session.robot.arm, ...changes }, joints);
     try {
@@ -154,7 +281,9 @@ export function showArmPanel(session, onOrientation) {
     } catch (error) {
       refuse(error instanceof Error ? error.message : String(error), input);
       isLimited.checked = session.robot.hasLimits;
-      kinds.forEach((select, i) => { select.value = session.robot.joints[i].type; });
+      kinds.forEach((select, i) => {
+        select.value = session.robot.joints[i].type;
+      });
     }
   }
 
@@ -168,10 +297,18 @@ export function showArmPanel(session, onOrientation) {
 }
 
 /** A joint that turns. @param {boolean} isLimited @returns {LinkJoint} */
-function turning(isLimited) { return { type: "revolute", limits: isLimited ? LIMITS : undefined }; }
+function turning(isLimited) {
+  return { type: "revolute", limits: isLimited ? LIMITS : undefined };
+}
 
 /** @param {LinkJoint} joint */
-function rangeOf(joint) { return (joint.type === "prismatic" ? joint.range : joint.limits) ?? LIMITS; }
+function rangeOf(joint) {
+  return (joint.type === "prismatic" ? joint.range : joint.limits) ?? LIMITS;
+}
 
 /** Which fields the joints need, as a key. @param {ReachSession} session */
-function fieldsOf({ robot }) { return robot.isArm ? robot.joints.map((joint) => (joint.type === "prismatic" ? "p" : joint.limits ? "l" : "r")).join("") : ""; }
+function fieldsOf({ robot }) {
+  return robot.isArm
+    ? robot.joints.map((joint) => (joint.type === "prismatic" ? "p" : joint.limits ? "l" : "r")).join("")
+    : "";
+}

@@ -4,7 +4,12 @@ import { Scenario } from "planarium/full";
 /** @import { ScenarioDocument } from "planarium/full" */
 
 export const commands = {
-  /** The obstacles in the configuration space of an arm of two joints. @param {ScenarioDocument} document @param {number} side  cells @returns {Uint8Array} */
+  /**
+   * The obstacles in the configuration space of an arm of two joints.
+   * @param {ScenarioDocument} document
+   * @param {number} side  cells
+   * @returns {Uint8Array}
+   */
   cspace(document, side) {
     const scenario = Scenario.parse(document);
     try {

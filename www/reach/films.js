@@ -15,14 +15,23 @@ const RUN = { pace: 12, least: 3, most: 8 };
 export function filmsOf(session, figures) {
   return [
     {
-      id: "between", title: "From A to B", meaning: "The motion from A to B.", isOffered: () => session.mode !== "solve", lack: () => "",
+      id: "between",
+      title: "From A to B",
+      meaning: "The motion from A to B.",
+      isOffered: () => session.mode !== "solve",
+      lack: () => "",
       open: (width) => {
         const { robot, motion } = session;
-        return filmOf(figures, width, MOTION, (drawings, part) => show(drawings, robot, motion.at(part), { mode: "between", motion, progress: part, tipGoal: null }));
+        return filmOf(figures, width, MOTION, (drawings, part) =>
+          show(drawings, robot, motion.at(part), { mode: "between", motion, progress: part, tipGoal: null }),
+        );
       },
     },
     {
-      id: "solve", title: "Inverse kinematics", meaning: "The run from its start up to here.", isOffered: () => session.robot.isArm && session.mode !== "between",
+      id: "solve",
+      title: "Inverse kinematics",
+      meaning: "The run from its start up to here.",
+      isOffered: () => session.robot.isArm && session.mode !== "between",
       lack: () => (session.run?.run.iterations ? "" : "Choose Inverse kinematics and let it run first."),
       open: (width) => {
         const { robot, run } = session;
@@ -46,19 +55,31 @@ export function filmsOf(session, figures) {
     },
   ];
 
-  /** @param {Robot} robot @throws {Error} `run-replaced`: the page has another robot by now, and the core has freed this one */
+  /**
+   * @param {Robot} robot
+   * @throws {Error} `run-replaced`: the page has another robot by now, and the core has freed this one
+   */
   function requireSame(robot) {
-    if (session.robot !== robot) throw Object.assign(new Error("The robot changed during the export."), { code: "run-replaced" });
+    if (session.robot !== robot)
+      throw Object.assign(new Error("The robot changed during the export."), { code: "run-replaced" });
   }
 
   /**
    * Has drawings show another configuration, without the session.
-   * @param {{ session: ReachSession }[]} drawings @param {Robot} robot @param {ArrayLike<number>} q @param {Partial<ReachSession>} others
+   * @param {{ session: ReachSession }[]} drawings
+   * @param {Robot} robot
+   * @param {ArrayLike<number>} q
+   * @param {Partial<ReachSession>} others
    */
   function show(drawings, robot, q, others) {
     requireSame(robot);
     const posed = Object.create(robot, { pose: { value: robot.poseAt(q) } });
-    const shown = Object.create(session, Object.fromEntries(Object.entries({ ...others, robot: posed, refusal: null }).map(([name, value]) => [name, { value }])));
+    const shown = Object.create(
+      session,
+      Object.fromEntries(
+        Object.entries({ ...others, robot: posed, refusal: null }).map(([name, value]) => [name, { value }]),
+      ),
+    );
     for (const drawing of drawings) drawing.session = shown;
   }
 }

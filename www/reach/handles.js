@@ -1,4 +1,7 @@
-/** Handles to drag: the tip, a link, a body, the target, a configuration in the square, a coordinate on its axis. And keys. */
+/**
+ * Handles to drag: the tip, a link, a body, the target, a configuration in the square, a coordinate on its axis. And
+ * keys.
+ */
 import { wrap } from "planarium/draw";
 import { sizeOf, slidesOf } from "../domain/coordinates.js";
 import { placedHandles } from "../draw/placed-handles.js";
@@ -51,7 +54,15 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
   stage.addEventListener("keydown", (event) => {
     // The key itself: with Shift its character depends on the layout.
     const joint = Number(/^(?:Digit|Numpad)([1-8])$/.exec(event.code)?.[1]) - 1;
-    if (event.target !== stage || event.ctrlKey || event.metaKey || event.altKey || !session.robot.isArm || !(joint < session.robot.dimension)) return;
+    if (
+      event.target !== stage ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      !session.robot.isArm ||
+      !(joint < session.robot.dimension)
+    )
+      return;
     event.preventDefault();
     const by = session.robot.coordinates[joint].unit === "m" ? SLIDE * session.robot.reach : TURN;
     session.turn(joint, event.shiftKey ? -by : by);
@@ -74,17 +85,31 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     if (mode === "solve" && isNear(target)) return (place) => setTarget(pointOf(place));
     if (isNear(robot.tip)) return (place) => session.moveTip(pointOf(place));
     const [px, py] = view.toPlane(x, y);
-    const distances = robot.parts.map((part) => (part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity));
+    const distances = robot.parts.map((part) =>
+      part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity,
+    );
     const least = Math.min(...distances);
     const link = distances.indexOf(least);
-    if (least * view.scaleX <= near) return robot.coordinates[link].unit === "m" ? slideLink(link, px, py, pointOf) : turnLink(link, px, py, pointOf);
+    if (least * view.scaleX <= near)
+      return robot.coordinates[link].unit === "m" ? slideLink(link, px, py, pointOf) : turnLink(link, px, py, pointOf);
     // A finger elsewhere scrolls the page; a click with the mouse moves the tip or the target there.
     return isTouch ? null : (place) => moveEnd(pointOf(place));
   }
 
-  /** Turns a body by the handle in front of it, or moves it. @param {Point} point @param {boolean} isTouch @param {(point: Point) => boolean} isNear @param {(place: Place) => Point} pointOf @returns {Grip | null} */
+  /**
+   * Turns a body by the handle in front of it, or moves it.
+   * @param {Point} point
+   * @param {boolean} isTouch
+   * @param {(point: Point) => boolean} isNear
+   * @param {(place: Place) => Point} pointOf
+   * @returns {Grip | null}
+   */
   function grabBody([px, py], isTouch, isNear, pointOf) {
-    const { parts, q, q: [x, y] } = session.robot;
+    const {
+      parts,
+      q,
+      q: [x, y],
+    } = session.robot;
     const [middle, front] = placedHandles(parts, q);
     if (isNear(front)) {
       return (place) => {
@@ -102,7 +127,14 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     };
   }
 
-  /** Slides a link along its direction with the pointer. @param {number} joint @param {number} px @param {number} py @param {(place: Place) => Point} pointOf @returns {Grip} */
+  /**
+   * Slides a link along its direction with the pointer.
+   * @param {number} joint
+   * @param {number} px
+   * @param {number} py
+   * @param {(place: Place) => Point} pointOf
+   * @returns {Grip}
+   */
   function slideLink(joint, px, py, pointOf) {
     const { robot } = session;
     const [before, angle] = [robot.q[joint], slidesOf(robot.arm, robot.q)[joint] ?? 0];
@@ -112,7 +144,14 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
     };
   }
 
-  /** Turns the joint of a link with the pointer. @param {number} joint @param {number} px @param {number} py @param {(place: Place) => Point} pointOf @returns {Grip} */
+  /**
+   * Turns the joint of a link with the pointer.
+   * @param {number} joint
+   * @param {number} px
+   * @param {number} py
+   * @param {(place: Place) => Point} pointOf
+   * @returns {Grip}
+   */
   function turnLink(joint, px, py, pointOf) {
     /** The angle of the pointer from the link, about its joint. @param {number} x @param {number} y */
     const angleFromLink = (x, y) => {
@@ -121,6 +160,7 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
       return wrap(Math.atan2(y - part.a[1], x - part.a[0]) - Math.atan2(part.b[1] - part.a[1], part.b[0] - part.a[0]));
     };
     const offset = angleFromLink(px, py);
-    return (place) => session.setCoordinate(joint, session.robot.q[joint] + wrap(angleFromLink(...pointOf(place)) - offset));
+    return (place) =>
+      session.setCoordinate(joint, session.robot.q[joint] + wrap(angleFromLink(...pointOf(place)) - offset));
   }
 }

@@ -1,8 +1,8 @@
 /**
  * Inverse kinematics step by step: its settings, transport, numbers and chart.
  *
- * For tests: `#solve` carries `data-status`, `data-iterations`, `data-solutions`, `data-free`, `data-verdict` (empty while it runs)
- * and `data-fingerprint` (while it does not play).
+ * For tests: `#solve` carries `data-status`, `data-iterations`, `data-solutions`, `data-free`, `data-verdict` (empty
+ * while it runs) and `data-fingerprint` (while it does not play).
  */
 import { withSeed } from "../widgets/field.js";
 import { planners, reachMethods } from "planarium/full";
@@ -42,17 +42,29 @@ export class IkPanel {
     this.list = byId("solutions", HTMLElement);
     this.options = this.form();
     this.transport = new Transport(session.app, this.host, {
-      name: "solve", label: "Inverse kinematics", unit: "iterations", steps: [1, 10], slowest: 1, fastest: 2000, pace: 12,
-      advance: (count) => this.advance(count), reset: () => this.begin(), canFinish: true,
+      name: "solve",
+      label: "Inverse kinematics",
+      unit: "iterations",
+      steps: [1, 10],
+      slowest: 1,
+      fastest: 2000,
+      pace: 12,
+      advance: (count) => this.advance(count),
+      reset: () => this.begin(),
+      canFinish: true,
     });
     this.chart = new Chart("errors", "Error, m and rad", { height: 150 });
     byId("charts", HTMLElement).append(this.chart.element);
     session.onChange((change) => this.follow(change));
   }
 
-  get isOn() { return this.session.mode === "solve"; }
+  get isOn() {
+    return this.session.mode === "solve";
+  }
 
-  get method() { return this.methods.find(({ id }) => id === this.select.value) ?? this.methods[0]; }
+  get method() {
+    return this.methods.find(({ id }) => id === this.select.value) ?? this.methods[0];
+  }
 
   /** @param {Change} change */
   follow(change) {
@@ -76,13 +88,24 @@ export class IkPanel {
 
   /** The options of the method as a form. */
   form() {
-    const { method: { summary, parameters }, session: { app } } = this;
+    const {
+      method: { summary, parameters },
+      session: { app },
+    } = this;
     app.write({ "method-summary": summary });
-    const table = /** @type {ParameterInfo[]} */ (withSeed(parameters).map((row) => ({ ...row, default: DEFAULTS[row.name] ?? row.default })));
-    return new Options(byId("method-options", HTMLElement), table, this.given, () => {
-      this.given = this.options.given;
-      this.begin();
-    }, { prefix: "solve", first: ["solutions", "free_only", "seed"] });
+    const table = /** @type {ParameterInfo[]} */ (
+      withSeed(parameters).map((row) => ({ ...row, default: DEFAULTS[row.name] ?? row.default }))
+    );
+    return new Options(
+      byId("method-options", HTMLElement),
+      table,
+      this.given,
+      () => {
+        this.given = this.options.given;
+        this.begin();
+      },
+      { prefix: "solve", first: ["solutions", "free_only", "seed"] },
+    );
   }
 
   drop() {
@@ -92,7 +115,17 @@ export class IkPanel {
 
   /** Starts a run. */
   begin() {
-    const { session, session: { robot, target, orientation, app: { notice } }, options: { settings }, start } = this;
+    const {
+      session,
+      session: {
+        robot,
+        target,
+        orientation,
+        app: { notice },
+      },
+      options: { settings },
+      start,
+    } = this;
     this.drop();
     if (!settings) return;
     try {
@@ -126,15 +159,30 @@ export class IkPanel {
 
   /** Shows the state of the run. */
   update() {
-    const { host, session, session: { run }, transport } = this;
+    const {
+      host,
+      session,
+      session: { run },
+      transport,
+    } = this;
     const isRunning = run?.isRunning ?? false;
-    const [count, free, iterations, restarts] = run ? [run.solutions.length, run.freeCount, run.run.iterations, run.run.restarts] : [0, 0, 0, 0];
+    const [count, free, iterations, restarts] = run
+      ? [run.solutions.length, run.freeCount, run.run.iterations, run.run.restarts]
+      : [0, 0, 0, 0];
     transport.enable(isRunning);
     session.app.write({
-      "fact-iterations": grouped(iterations), "fact-starts": grouped(restarts + 1), "fact-error": run ? small(run.last.error) : "\u2013",
+      "fact-iterations": grouped(iterations),
+      "fact-starts": grouped(restarts + 1),
+      "fact-error": run ? small(run.last.error) : "\u2013",
       "fact-solutions": count === 0 ? "none" : `${count} (${free} free)`,
     });
-    Object.assign(host.dataset, { status: run?.run.status ?? "refused", iterations, solutions: count, free, verdict: isRunning ? "" : run?.verdict?.verdict ?? "" });
+    Object.assign(host.dataset, {
+      status: run?.run.status ?? "refused",
+      iterations,
+      solutions: count,
+      free,
+      verdict: isRunning ? "" : (run?.verdict?.verdict ?? ""),
+    });
     if (run && !transport.isPlaying) host.dataset.fingerprint = run.run.fingerprint();
     else delete host.dataset.fingerprint;
     this.listSolutions();
@@ -149,30 +197,72 @@ export class IkPanel {
     const titles = solutions.map(({ isFree }, i) => `${i + 1}${isFree ? "" : " \u2715"}`);
     // Buttons are rebuilt only if they differ, so that the focus stays.
     if (titles.join() !== [...this.list.children].map(({ textContent }) => textContent).join()) {
-      this.list.replaceChildren(...solutions.map(({ isFree, q }, i) => button("", titles[i], () => {
-        this.transport.pause();
-        this.choosePose(i, q);
-      }, { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` })));
+      this.list.replaceChildren(
+        ...solutions.map(({ isFree, q }, i) =>
+          button(
+            "",
+            titles[i],
+            () => {
+              this.transport.pause();
+              this.choosePose(i, q);
+            },
+            { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` },
+          ),
+        ),
+      );
     }
     [...this.list.children].forEach((element, i) => press(element, i === chosen));
     this.list.hidden = solutions.length === 0;
   }
 
   drawChart() {
-    const { chart, session: { run } } = this;
+    const {
+      chart,
+      session: { run },
+    } = this;
     const all = run?.curves() ?? [];
     const shown = all.length > CURVES ? [...all.slice(0, CURVES / 2), ...all.slice(-CURVES / 2)] : all;
-    const lines = shown.map((points) => ({ label: "", points, className: points === all[all.length - 1] ? "" : "faint" }));
-    const summary = run ? `Error against iterations, logarithmic: ${grouped(run.iterates.length - 1)} iterations from ${all.length} ${all.length === 1 ? "start" : "starts"}; the last error is ${small(run.last.error)}.` : "No run.";
-    chart.draw(lines, { title: "iterations", low: 0, high: 10 }, { title: "error", isLog: true, low: 1e-3, high: 1 }, summary);
+    const lines = shown.map((points) => ({
+      label: "",
+      points,
+      className: points === all[all.length - 1] ? "" : "faint",
+    }));
+    const summary = run
+      ? `Error against iterations, logarithmic: ${grouped(run.iterates.length - 1)} iterations from ${all.length} ${all.length === 1 ? "start" : "starts"}; the last error is ${small(run.last.error)}.`
+      : "No run.";
+    chart.draw(
+      lines,
+      { title: "iterations", low: 0, high: 10 },
+      { title: "error", isLog: true, low: 1e-3, high: 1 },
+      summary,
+    );
   }
 
-  /** Links the planner's page with this target, for a planner that grows two trees; a world too large for a link has none. */
+  /**
+   * Links the planner's page with this target, for a planner that grows two trees; a world too large for a link has
+   * none.
+   */
   async link() {
-    const { session, session: { run }, start } = this;
+    const {
+      session,
+      session: { run },
+      start,
+    } = this;
     const algorithm = planners().find(({ grows }) => grows === "trees")?.id ?? "";
-    const document = /** @type {Record<string, unknown>} */ ({ ...session.robot.document, queries: [session.targetQuery(start)] });
-    const href = await encodeLink({ version: 1, document, lanes: [{ algorithm, settings: {} }], iteration: 0, view: {} }).then((fragment) => `./#${fragment}`, () => "");
+    const document = /** @type {Record<string, unknown>} */ ({
+      ...session.robot.document,
+      queries: [session.targetQuery(start)],
+    });
+    const href = await encodeLink({
+      version: 1,
+      document,
+      lanes: [{ algorithm, settings: {} }],
+      iteration: 0,
+      view: {},
+    }).then(
+      (fragment) => `./#${fragment}`,
+      () => "",
+    );
     if (run === session.run) Object.assign(byId("plan", HTMLAnchorElement), { href, hidden: href === "" });
   }
 }

@@ -14,14 +14,21 @@ const MOST_SHOWN = 24;
 export class IkRun {
   /**
    * @param {Robot} robot
-   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings: Settings }} problem
+   * @param {{ target: Point, orientation: number | null, start: Float64Array, method: ReachMethodInfo, settings:
+   *   Settings }} problem
    * @throws {Error} with `code` and `pointer`, if the core refuses it
    */
   constructor(robot, problem) {
-    const { target, orientation, start, method, settings } = this.problem = problem;
+    const { target, orientation, start, method, settings } = (this.problem = problem);
     this.robot = robot;
     this.method = method;
-    const wish = { ...settings, method: method.id, target, start: Array.from(start), ...(orientation === null ? {} : { orientation }) };
+    const wish = {
+      ...settings,
+      method: method.id,
+      target,
+      start: Array.from(start),
+      ...(orientation === null ? {} : { orientation }),
+    };
     this.run = withOptions(wish, (options) => robot.scenario.reach(options));
     /** @type {{ restart: number, error: number, q: Float64Array }[]} */
     this.iterates = [];
@@ -32,29 +39,49 @@ export class IkRun {
     this.step(0);
   }
 
-  get isRunning() { return this.run.status === "running"; }
+  get isRunning() {
+    return this.run.status === "running";
+  }
   /** The nearest point, if the target is out of reach. */
-  get nearest() { return this.verdict?.nearest ?? null; }
-  get freeCount() { return this.solutions.filter(({ isFree }) => isFree).length; }
-  get shown() { return this.solutions.slice(0, MOST_SHOWN); }
+  get nearest() {
+    return this.verdict?.nearest ?? null;
+  }
+  get freeCount() {
+    return this.solutions.filter(({ isFree }) => isFree).length;
+  }
+  get shown() {
+    return this.solutions.slice(0, MOST_SHOWN);
+  }
 
   /** The newest iterate. */
-  get last() { return this.iterates[this.iterates.length - 1]; }
+  get last() {
+    return this.iterates[this.iterates.length - 1];
+  }
 
   /** Makes iterations and fetches what is new. @param {number} count  at most */
   step(count) {
     const { robot, run, iterates, solutions } = this;
     const n = robot.dimension;
     if (count > 0) run.step(count);
-    for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2)) iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
+    for (const row of rowsOf(run.iteratesSince(iterates.length), n + 2))
+      iterates.push({ restart: row[0], error: row[1], q: row.subarray(2) });
     for (const q of rowsOf(run.solutionsSince(solutions.length), n)) solutions.push({ q, isFree: robot.isFree(q) });
     if (!this.isRunning || solutions.length > 0) this.verdict = run.verdict();
   }
 
-  /** What the arm shows: the newest iterate; at the end a solution, a collision-free one if there is any. @returns {{ index: number, q: Float64Array }}  -1: no solution */
+  /**
+   * What the arm shows: the newest iterate; at the end a solution, a collision-free one if there is any.
+   * @returns {{ index: number, q: Float64Array }}  -1: no solution
+   */
   get pose() {
     const { solutions, isRunning, last } = this;
-    const index = isRunning || solutions.length === 0 ? -1 : Math.max(0, solutions.findIndex(({ isFree }) => isFree));
+    const index =
+      isRunning || solutions.length === 0
+        ? -1
+        : Math.max(
+            0,
+            solutions.findIndex(({ isFree }) => isFree),
+          );
     return { index, q: solutions[index]?.q ?? last.q };
   }
 
@@ -73,5 +100,7 @@ export class IkRun {
     return curves;
   }
 
-  free() { this.run.free(); }
+  free() {
+    this.run.free();
+  }
 }

@@ -1,8 +1,9 @@
 /**
  * The velocities of the tip for joint velocities of norm 1: the manipulability ellipse.
  *
- * Source: Yoshikawa 1985, "Manipulability of Robotic Mechanisms". Column i of the Jacobian is the velocity of the tip as joint i
- * turns: the vector from that joint to the tip, rotated by a quarter turn; of a joint that slides, the direction of its link. The half axes are the roots of the eigenvalues of J J^T.
+ * Source: Yoshikawa 1985, "Manipulability of Robotic Mechanisms". Column i of the Jacobian is the velocity of the tip
+ * as joint i turns: the vector from that joint to the tip, rotated by a quarter turn; of a joint that slides, the
+ * direction of its link. The half axes are the roots of the eigenvalues of J J^T.
  */
 
 /** @import { Part, Point } from "../domain/types.js" */
@@ -11,9 +12,10 @@
 const NEARLY = 0.06;
 
 /**
- * The half axes, metres per radian, or per metre of a joint that slides; the angle of the major one, radians; and their product, square
- * metres, 0 where the arm is singular.
- * @param {Part[]} parts   the links, from the base on @param {(number | null)[]} [slides]   the direction of each joint that slides, radians
+ * The half axes, metres per radian, or per metre of a joint that slides; the angle of the major one, radians; and their
+ * product, square metres, 0 where the arm is singular.
+ * @param {Part[]} parts   the links, from the base on
+ * @param {(number | null)[]} [slides]   the direction of each joint that slides, radians
  */
 export function ellipseOf(parts, slides = []) {
   const [tipX, tipY] = tipOf(parts);
@@ -34,11 +36,18 @@ export function ellipseOf(parts, slides = []) {
   const major = Math.sqrt(middle + half);
   // The product is more exact than the smaller axis.
   const manipulability = Math.sqrt(determinant);
-  return { major, minor: major > 0 ? manipulability / major : 0, angle: 0.5 * Math.atan2(2 * xy, xx - yy), manipulability };
+  return {
+    major,
+    minor: major > 0 ? manipulability / major : 0,
+    angle: 0.5 * Math.atan2(2 * xy, xx - yy),
+    manipulability,
+  };
 }
 
 /** @param {ReturnType<typeof ellipseOf>} ellipse */
-export function isNearlySingular({ major, minor }) { return minor < NEARLY * major; }
+export function isNearlySingular({ major, minor }) {
+  return minor < NEARLY * major;
+}
 
 /** The end of the last link. @param {Part[]} parts @returns {Point} */
 export function tipOf(parts) {

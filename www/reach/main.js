@@ -2,10 +2,13 @@
  * The page of the arm and of the body: it makes the session, the figures and the panels.
  *
  * For tests, beside what app.js says:
- * - `body` carries `data-scene` (an id that scenes.js opens, or "file"), `data-robot` ("arm" or "body"), `data-mode`, and `data-q`, the configuration;
- * - `#stage` carries `data-free`, `data-reached` ("false" while the tip cannot reach the wanted point), `data-singular`,
+ * - `body` carries `data-scene` (an id that scenes.js opens, or "file"), `data-robot` ("arm" or "body"), `data-mode`,
+ * and `data-q`, the configuration;
+ * - `#stage` carries `data-free`, `data-reached` ("false" while the tip cannot reach the wanted point),
+ * `data-singular`,
  *   and `data-cells` ("true" once the square shows its obstacles finely);
- * - `#between` carries `data-hit`, the part of the motion at which it first collides, or "none", and `data-missed`, how many coordinates do
+ * - `#between` carries `data-hit`, the part of the motion at which it first collides, or "none", and `data-missed`, how
+ * many coordinates do
  *   not end at B.
  */
 import { json } from "../app/files.js";
@@ -41,7 +44,11 @@ import { Workspace } from "./workspace.js";
 const CELLS = { rough: 64, fine: 360 };
 
 /** @type {[Mode, string][]} */
-const MODES = [["hand", "By hand"], ["between", "From A to B"], ["solve", "Inverse kinematics"]];
+const MODES = [
+  ["hand", "By hand"],
+  ["between", "From A to B"],
+  ["solve", "Inverse kinematics"],
+];
 
 const app = new App();
 /** Whether the worker computes the obstacles of a configuration space. */
@@ -52,8 +59,18 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   const session = new ReachSession(app);
   const ik = new IkPanel(session);
   const figures = {
-    workspace: new Figure(app, stage, { id: "workspace", kind: "workspace", caption: "Workspace" }, new Workspace(session)),
-    square: new Figure(app, stage, { id: "cspace", kind: "cspace", caption: "Configuration space", note: "" }, new Square(session)),
+    workspace: new Figure(
+      app,
+      stage,
+      { id: "workspace", kind: "workspace", caption: "Workspace" },
+      new Workspace(session),
+    ),
+    square: new Figure(
+      app,
+      stage,
+      { id: "cspace", kind: "cspace", caption: "Configuration space", note: "" },
+      new Square(session),
+    ),
     axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
@@ -66,25 +83,52 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     session.target = target;
     ik.begin();
   });
-  byId("modes", HTMLElement).append(...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))));
+  byId("modes", HTMLElement).append(
+    ...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))),
+  );
   /** The scene that was chosen last, while it is loaded. */
   let wanted = "";
   const thumbnailOf = async (/** @type {string} */ id) => (await sceneOf(id)).document;
-  const gallery = makeSceneGallery(app, [...SCENES, ...BODIES], ({ id }) => SCENES.find((own) => own.id === id)?.document ?? thumbnailOf(id), ({ id }) => void openScene(id));
-  watchFiles(app, (name, bytes) => app.guard(() => {
-    wanted = "";
-    session.open(new TextDecoder().decode(bytes));
-    app.notice.hide();
-  }, `${name} could not be opened.`));
-  showDownloads(app, all, { name: () => `${session.robot.document.name}-reach`, title: () => session.robot.document.title ?? session.robot.document.name }, [
-    { id: "scenario", title: "Scenario", format: "JSON", meaning: "Robot and obstacles, with the query from A to B, and for an arm that of the target.", content: () => json(session.document()) },
-  ], filmsOf(session, all));
+  const gallery = makeSceneGallery(
+    app,
+    [...SCENES, ...BODIES],
+    ({ id }) => SCENES.find((own) => own.id === id)?.document ?? thumbnailOf(id),
+    ({ id }) => void openScene(id),
+  );
+  watchFiles(app, (name, bytes) =>
+    app.guard(() => {
+      wanted = "";
+      session.open(new TextDecoder().decode(bytes));
+      app.notice.hide();
+    }, `${name} could not be opened.`),
+  );
+  showDownloads(
+    app,
+    all,
+    {
+      name: () => `${session.robot.document.name}-reach`,
+      title: () => session.robot.document.title ?? session.robot.document.name,
+    },
+    [
+      {
+        id: "scenario",
+        title: "Scenario",
+        format: "JSON",
+        meaning: "Robot and obstacles, with the query from A to B, and for an arm that of the target.",
+        content: () => json(session.document()),
+      },
+    ],
+    filmsOf(session, all),
+  );
   session.onChange(show);
   app.rebuild = () => session.changeArm(session.robot.document);
   session.openScene(SCENES[0]);
   await useLink(app, stateRule, {
-    save: () => stateOf(session, ik), contents: "the robot, its configuration and the current mode",
-    open: async (/** @type {State | null} */ state) => { if (state) await openState(session, ik, state); },
+    save: () => stateOf(session, ik),
+    contents: "the robot, its configuration and the current mode",
+    open: async (/** @type {State | null} */ state) => {
+      if (state) await openState(session, ik, state);
+    },
   });
 
   /** Opens a scene, unless another one is chosen while it is loaded. @param {string} id */
@@ -99,11 +143,26 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   /** @param {Change} change */
   function show(change) {
     const { robot, mode, entry, tipGoal } = session;
-    const { ellipse: { major, minor, manipulability } } = robot;
+    const {
+      ellipse: { major, minor, manipulability },
+    } = robot;
     const isSquare = robot.dimension === 2;
-    Object.assign(document.body.dataset, { scene: entry?.id ?? "file", robot: robot.isArm ? "arm" : "body", mode, q: [...robot.q].join() });
-    Object.assign(stage.dataset, { free: robot.check.free, reached: tipGoal?.reached ?? true, singular: isNearlySingular(robot.ellipse) });
-    if (mode === "between") Object.assign(byId("between", HTMLElement).dataset, { hit: session.motion.hit ?? "none", missed: session.motion.missed.length });
+    Object.assign(document.body.dataset, {
+      scene: entry?.id ?? "file",
+      robot: robot.isArm ? "arm" : "body",
+      mode,
+      q: [...robot.q].join(),
+    });
+    Object.assign(stage.dataset, {
+      free: robot.check.free,
+      reached: tipGoal?.reached ?? true,
+      singular: isNearlySingular(robot.ellipse),
+    });
+    if (mode === "between")
+      Object.assign(byId("between", HTMLElement).dataset, {
+        hit: session.motion.hit ?? "none",
+        missed: session.motion.missed.length,
+      });
     figures.square.element.hidden = !isSquare;
     figures.axes.element.hidden = isSquare;
     for (const figure of all) figure.redraw(change === "robot" ? undefined : ["top"]);
@@ -117,11 +176,16 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       if (isSquare) void showObstacles();
     }
     for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
-    for (const element of document.querySelectorAll("main [data-mode]")) if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
+    for (const element of document.querySelectorAll("main [data-mode]"))
+      if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
     const collision = collisionText(session);
     app.write({
-      where: `${robot.document.title ?? robot.document.name} \u00b7 ${robotText(robot)}`, "fact-tip": `${tuple(robot.tip)} m`, "fact-orientation": `${num(robot.orientation)} rad`,
-      "fact-manipulability": `${num(manipulability, 3)} m\u00b2`, "fact-isotropy": num(major > 0 ? minor / major : 0), "fact-collision": collision || "none",
+      where: `${robot.document.title ?? robot.document.name} \u00b7 ${robotText(robot)}`,
+      "fact-tip": `${tuple(robot.tip)} m`,
+      "fact-orientation": `${num(robot.orientation)} rad`,
+      "fact-manipulability": `${num(manipulability, 3)} m\u00b2`,
+      "fact-isotropy": num(major > 0 ? minor / major : 0),
+      "fact-collision": collision || "none",
     });
     byId("fact-collision", HTMLElement).dataset.free = String(robot.check.free);
     const { text, isBad } = sentenceOf(session);

@@ -14,13 +14,29 @@ const DIRECTIONS = ["short", "long", "faulty"];
 
 /** @param {ReachSession} session @param {HTMLElement} stage   on which Space plays too */
 export function showMotionPanel(session, stage) {
-  const slider = make("input", { type: "range", id: "along", className: "timeline", min: "0", max: "1", step: "0.001", value: "0", ariaLabel: "Progress from A to B" });
+  const slider = make("input", {
+    type: "range",
+    id: "along",
+    className: "timeline",
+    min: "0",
+    max: "1",
+    step: "0.001",
+    value: "0",
+    ariaLabel: "Progress from A to B",
+  });
   slider.addEventListener("input", () => {
     transport.pause();
     session.setProgress(Number(slider.value));
   });
   const transport = new Transport(session.app, byId("between", HTMLElement), {
-    name: "between", label: "The motion from A to B", unit: "percent", steps: [1, 10], slowest: 4, fastest: 200, pace: 28, isWhole: false,
+    name: "between",
+    label: "The motion from A to B",
+    unit: "percent",
+    steps: [1, 10],
+    slowest: 4,
+    fastest: 200,
+    pace: 28,
+    isWhole: false,
     advance: (count) => {
       session.setProgress(session.progress + count * STEP);
       return session.progress < 1;
@@ -30,19 +46,25 @@ export function showMotionPanel(session, stage) {
   });
   transport.bar.prepend(slider);
   // From its end it starts again.
-  transport.play.addEventListener("click", () => { if (transport.isPlaying && session.progress >= 1) session.setProgress(0); });
+  transport.play.addEventListener("click", () => {
+    if (transport.isPlaying && session.progress >= 1) session.setProgress(0);
+  });
   stage.addEventListener("keydown", (event) => {
     if (session.mode !== "between" || event.target !== stage || event.key !== " ") return;
     event.preventDefault();
     transport.play.click();
   });
   const rounds = byId("rounds", HTMLElement);
-  const onClick = (/** @type {string} */ id, /** @type {() => Partial<ReachSession>} */ changes) => byId(id, HTMLButtonElement).addEventListener("click", () => change(changes()));
+  const onClick = (/** @type {string} */ id, /** @type {() => Partial<ReachSession>} */ changes) =>
+    byId(id, HTMLButtonElement).addEventListener("click", () => change(changes()));
   onClick("set-a", () => ({ a: Float64Array.from(session.robot.q), progress: 0 }));
   onClick("set-b", () => ({ b: Float64Array.from(session.robot.q), progress: 1 }));
   onClick("swap", () => ({ a: session.b, b: session.a, progress: 0 }));
   for (const direction of DIRECTIONS) {
-    onClick(`all-${direction}`, () => ({ directions: session.robot.coordinates.map(({ isCircle }) => (isCircle ? direction : "short")), progress: 0 }));
+    onClick(`all-${direction}`, () => ({
+      directions: session.robot.coordinates.map(({ isCircle }) => (isCircle ? direction : "short")),
+      progress: 0,
+    }));
   }
   session.onChange(show);
 
@@ -65,7 +87,8 @@ export function showMotionPanel(session, stage) {
     [...rounds.children].forEach((row, i) => {
       for (const element of row.querySelectorAll("button")) press(element, element.dataset.direction === directions[i]);
     });
-    for (const direction of DIRECTIONS) byId(`all-${direction}`, HTMLButtonElement).disabled = robot.coordinates.every(({ isCircle }) => !isCircle);
+    for (const direction of DIRECTIONS)
+      byId(`all-${direction}`, HTMLButtonElement).disabled = robot.coordinates.every(({ isCircle }) => !isCircle);
   }
 
   /** @param {Coordinate} coordinate @param {number} i */
@@ -74,7 +97,9 @@ export function showMotionPanel(session, stage) {
       const properties = { ariaLabel: `${name}: the ${direction} way`, dataset: { direction } };
       return button("", direction, () => change({ directions: session.directions.with(i, direction) }), properties);
     });
-    const way = isCircle ? make("div", { className: "segments" }, ...choices) : make("span", { className: "hint" }, unit === "m" ? "straight" : "limited: one way only");
+    const way = isCircle
+      ? make("div", { className: "segments" }, ...choices)
+      : make("span", { className: "hint" }, unit === "m" ? "straight" : "limited: one way only");
     return make("div", { className: "row" }, make("span", { className: "name" }, name), way);
   }
 }

@@ -1,6 +1,6 @@
 /**
- * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each coordinate, and a line through their
- * values. An axis is red at the values of its coordinate that would be in collision, the others unchanged.
+ * A configuration in parallel coordinates (Inselberg 1985): an upright axis for each coordinate, and a line through
+ * their values. An axis is red at the values of its coordinate that would be in collision, the others unchanged.
  */
 import { View } from "planarium/draw";
 import { ticks } from "../draw/angles.js";
@@ -60,7 +60,10 @@ export class ParallelAxes {
       const [top, bottom] = [this.y(i, joint.high), this.y(i, joint.low)];
       drawLine(context, x, top, x, bottom);
       // A limit is a bar; an axis that wraps ends in arrowheads.
-      for (const [y, away] of [[top, 5], [bottom, -5]]) {
+      for (const [y, away] of [
+        [top, 5],
+        [bottom, -5],
+      ]) {
         if (!joint.isCircle) drawLine(context, x - 7, y, x + 7, y);
         else for (const side of [-5, 5]) drawLine(context, x + side, y + away, x, y);
       }
@@ -124,11 +127,19 @@ export class ParallelAxes {
       this.drawPose(context, q, palette.growth, 1);
     }
     context.globalAlpha = 0.9;
-    for (const { q, isFree } of run.shown) this.drawPose(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
+    for (const { q, isFree } of run.shown)
+      this.drawPose(context, q, isFree ? palette.path : palette.collision, 1.8, isFree ? [] : [2, 4]);
     context.globalAlpha = 1;
   }
 
-  /** A configuration as a line. @param {CanvasRenderingContext2D} context @param {ArrayLike<number>} q @param {string} colour @param {number} width @param {number[]} [dash] */
+  /**
+   * A configuration as a line.
+   * @param {CanvasRenderingContext2D} context
+   * @param {ArrayLike<number>} q
+   * @param {string} colour
+   * @param {number} width
+   * @param {number[]} [dash]
+   */
   drawPose(context, q, colour, width, dash = []) {
     setStroke(context, colour, width, dash);
     context.lineJoin = "round";

@@ -12,13 +12,21 @@ import { SCENES } from "./scenes.js";
 /** @typedef {"hand" | "between" | "solve"} Mode   dragging, the motion from A to B, inverse kinematics */
 
 /**
- * The outcome of moving the tip to a point: the nearest point, its distance in metres, and whether another configuration would come nearer.
+ * The outcome of moving the tip to a point: the nearest point, its distance in metres, and whether another
+ * configuration would come nearer.
  * @typedef {{ wanted: Point, point: Point, distance: number, reached: boolean, isStuck: boolean }} TipGoal
  */
 
-/** A turn or a slide that was taken back: the coordinate, the angle in radians or the way in metres, and the collisions at its end. @typedef {{ i: number, angle: number, check: Check }} Refusal */
+/**
+ * A turn or a slide that was taken back: the coordinate, the angle in radians or the way in metres, and the collisions
+ * at its end.
+ * @typedef {{ i: number, angle: number, check: Check }} Refusal
+ */
 
-/** The robot itself; its configuration, by the user or by inverse kinematics; another mode; or anything else. @typedef {"robot" | "pose" | "iterate" | "mode" | "rest"} Change */
+/**
+ * The robot itself; its configuration, by the user or by inverse kinematics; another mode; or anything else.
+ * @typedef {"robot" | "pose" | "iterate" | "mode" | "rest"} Change
+ */
 
 /** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
 const STUCK = 1e-3;
@@ -58,23 +66,46 @@ export class ReachSession extends Observable {
   }
 
   /** @param {SceneEntry} entry @throws {Error} the core refuses it */
-  openScene(entry) { this.open(entry.document, entry); }
+  openScene(entry) {
+    this.open(entry.document, entry);
+  }
 
-  /** Opens a scenario. @param {ScenarioDocument | string} document @param {SceneEntry | null} [entry]  null: it is the user's @throws {Error} the core refuses it */
+  /**
+   * Opens a scenario.
+   * @param {ScenarioDocument | string} document
+   * @param {SceneEntry | null} [entry]  null: it is the user's
+   * @throws {Error} the core refuses it
+   */
   open(document, entry = null) {
     const robot = new Robot(document, []);
     const { q, a, b, target, orientation } = { ...configurationsOf(robot), ...entry };
     robot.moveTo(q);
     if (!robot.isArm && this.mode === "solve") this.mode = "hand";
-    this.replace(robot, { entry, a: robot.fitted(a), b: robot.fitted(b), target, orientation, directions: robot.coordinates.map(() => "short"), progress: 0 });
+    this.replace(robot, {
+      entry,
+      a: robot.fitted(a),
+      b: robot.fitted(b),
+      target,
+      orientation,
+      directions: robot.coordinates.map(() => "short"),
+      progress: 0,
+    });
     if (this.mode === "between") this.setProgress(0);
   }
 
-  /** Changes the arm within the same world. @param {ScenarioDocument} document @throws {Error} the core refuses it, and nothing changes */
+  /**
+   * Changes the arm within the same world.
+   * @param {ScenarioDocument} document
+   * @throws {Error} the core refuses it, and nothing changes
+   */
   changeArm(document) {
     const { a, b, directions } = this;
     const robot = new Robot({ ...document, queries: [] }, this.robot.q);
-    this.replace(robot, { a: robot.fitted(a), b: robot.fitted(b), directions: robot.coordinates.map((_, i) => directions[i] ?? "short") });
+    this.replace(robot, {
+      a: robot.fitted(a),
+      b: robot.fitted(b),
+      directions: robot.coordinates.map((_, i) => directions[i] ?? "short"),
+    });
   }
 
   /** @param {Robot} robot @param {Partial<ReachSession>} changes */
@@ -93,9 +124,15 @@ export class ReachSession extends Observable {
   }
 
   /** @param {number} i @param {number} value */
-  setCoordinate(i, value) { this.moveTo(this.robot.q.with(i, value)); }
+  setCoordinate(i, value) {
+    this.moveTo(this.robot.q.with(i, value));
+  }
 
-  /** Moves a joint or a body; a motion that collides, also on its way, is taken back if that is wanted. @param {number} i  the coordinate @param {number} angle  radians, or metres */
+  /**
+   * Moves a joint or a body; a motion that collides, also on its way, is taken back if that is wanted.
+   * @param {number} i  the coordinate
+   * @param {number} angle  radians, or metres
+   */
   turn(i, angle) {
     const { robot, takesBack } = this;
     const q = robot.fitted(robot.q.with(i, robot.q[i] + angle));
@@ -113,7 +150,12 @@ export class ReachSession extends Observable {
     // With a link that slides only the arm's own way there is known.
     const nearest = reached || robot.slides ? null : robot.scenario.nearestReachable(wanted, orientation);
     const isStuck = nearest !== null && nearest.distance < distance - STUCK * robot.reach;
-    this.moveTo(configuration, "pose", { wanted, reached, isStuck, ...(nearest && !isStuck ? { point: nearest.point, distance: nearest.distance } : { point, distance }) });
+    this.moveTo(configuration, "pose", {
+      wanted,
+      reached,
+      isStuck,
+      ...(nearest && !isStuck ? { point: nearest.point, distance: nearest.distance } : { point, distance }),
+    });
   }
 
   /** @param {Mode} mode */
@@ -143,26 +185,42 @@ export class ReachSession extends Observable {
   /** The query to reach the target from a configuration. @param {ArrayLike<number>} start @returns {Query} */
   targetQuery(start) {
     const { target: point, orientation } = this;
-    return { name: "reach", start: Array.from(start), target: { point, ...(orientation === null ? {} : { orientation }) } };
+    return {
+      name: "reach",
+      start: Array.from(start),
+      target: { point, ...(orientation === null ? {} : { orientation }) },
+    };
   }
 
   /** The robot and its world with the query A to B, and for an arm that of the target. @returns {ScenarioDocument} */
   document() {
     const { robot, a, b } = this;
-    return { ...robot.document, queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, ...(robot.isArm ? [this.targetQuery(robot.q)] : [])] };
+    return {
+      ...robot.document,
+      queries: [{ name: "a-to-b", start: [...a], goal: [...b] }, ...(robot.isArm ? [this.targetQuery(robot.q)] : [])],
+    };
   }
 }
 
 /** The configurations of the first query; without it others are chosen. @param {Robot} robot */
 function configurationsOf(robot) {
-  const { isArm, coordinates, scenario, document: { queries } } = robot;
+  const {
+    isArm,
+    coordinates,
+    scenario,
+    document: { queries },
+  } = robot;
   const middle = coordinates.map(({ low, high }) => (low + high) / 2);
   const [{ start: q = middle, goal, target: wanted }] = /** @type {[Partial<Query>]} */ ([...queries, {}]);
   /** @type {Point} */
   const free = isArm ? [robot.base[0] + 0.6 * robot.reach, robot.base[1] + 0.2 * robot.reach] : [0, 0];
   const target = wanted?.point ?? (goal ? scenario.endEffector(goal) : free);
   const orientation = wanted?.orientation ?? null;
-  const near = () => (robot.slides ? scenario.follow(robot.fitted(q), target, orientation) : scenario.nearestReachable(target, orientation)).configuration;
+  const near = () =>
+    (robot.slides
+      ? scenario.follow(robot.fitted(q), target, orientation)
+      : scenario.nearestReachable(target, orientation)
+    ).configuration;
   const b = goal ?? (isArm ? near() : middle);
   return { q, a: q, b, target, orientation };
 }

@@ -1,4 +1,7 @@
-/** The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse kinematics. */
+/**
+ * The configuration space of an arm of two joints: its configuration, the motion from A to B, and a run of inverse
+ * kinematics.
+ */
 import { AngleSquare } from "../draw/angle-square.js";
 import { cross, disc, drawDot, ring, setStroke } from "../draw/marks.js";
 import { drawEndsHere, drawGoal, drawHit, drawStart } from "../draw/shapes.js";
@@ -15,7 +18,9 @@ export class Square extends AngleSquare {
   }
 
   /** @param {Brush} brush */
-  ground(brush) { this.drawGround(brush, this.session.robot.coordinates); }
+  ground(brush) {
+    this.drawGround(brush, this.session.robot.coordinates);
+  }
 
   /** @param {Brush} brush */
   top(brush) {

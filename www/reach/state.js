@@ -1,5 +1,17 @@
 /** The state that a link stores; numbers are stored in full, so that a run is the same to the last bit. */
-import { flag, json, list, name, number, oneOf, record, rule, settings, whole, withDefaults } from "../formats/rules.js";
+import {
+  flag,
+  json,
+  list,
+  name,
+  number,
+  oneOf,
+  record,
+  rule,
+  settings,
+  whole,
+  withDefaults,
+} from "../formats/rules.js";
 import { sceneOf } from "./scenes.js";
 
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
@@ -14,40 +26,116 @@ const MOST_STEPS = 200_000;
 const angles = list(number, 1, 8);
 const pair = /** @type {Rule<Point>} */ (list(number, 2, 2));
 
-export const stateRule = withDefaults({
-  // A scene of this page or of the planner's, or a world; and what differs from the scene: the robot, and whether its joints are no longer the scene's.
-  scene: name, world: /** @type {Rule<ScenarioDocument["world"]>} */ (record({}, json(8))),
-  robot: record({ type: name, base: pair, links: list(number, 1, 8), radius: number, joint_limits: list(pair, 1, 8), joints: list(json(3), 1, 8), shape: record({}, json(5)), metric: record({ translation: number, rotation: number }) }),
-  free: flag,
-  // The configuration, in inverse kinematics that of the start.
-  q: angles, mode: oneOf(/** @type {Mode[]} */ (["hand", "between", "solve"])),
-  // Whether turns by keys that collide are taken back.
-  back: flag,
-  // The motion from A to B: coordinates that turn the long way round, and the faulty way; and the progress.
-  a: angles, b: angles, long: list(whole(7), 0, 8), faulty: list(whole(7), 0, 8), along: /** @type {Rule<number>} */ (rule((value) => typeof value === "number" && value >= 0 && value <= 1)),
-  // The fixed orientation, and inverse kinematics: its settings and iterations.
-  lock: number, target: pair, solve: settings, steps: whole(MOST_STEPS),
-}, { q: [], robot: {}, free: false, mode: "hand", back: false, long: [], faulty: [], along: 0, solve: {}, steps: 0 });
+export const stateRule = withDefaults(
+  {
+    // A scene of this page or of the planner's, or a world; and what differs from the scene: the robot, and whether its
+    // joints are no longer the scene's.
+    scene: name,
+    world: /** @type {Rule<ScenarioDocument["world"]>} */ (record({}, json(8))),
+    robot: record({
+      type: name,
+      base: pair,
+      links: list(number, 1, 8),
+      radius: number,
+      joint_limits: list(pair, 1, 8),
+      joints: list(json(3), 1, 8),
+      shape: record({}, json(5)),
+      metric: record({ translation: number, rotation: number }),
+    }),
+    free: flag,
+    // The configuration, in inverse kinematics that of the start.
+    q: angles,
+    mode: oneOf(/** @type {Mode[]} */ (["hand", "between", "solve"])),
+    // Whether turns by keys that collide are taken back.
+    back: flag,
+    // The motion from A to B: coordinates that turn the long way round, and the faulty way; and the progress.
+    a: angles,
+    b: angles,
+    long: list(whole(7), 0, 8),
+    faulty: list(whole(7), 0, 8),
+    along: /** @type {Rule<number>} */ (rule((value) => typeof value === "number" && value >= 0 && value <= 1)),
+    // The fixed orientation, and inverse kinematics: its settings and iterations.
+    lock: number,
+    target: pair,
+    solve: settings,
+    steps: whole(MOST_STEPS),
+  },
+  { q: [], robot: {}, free: false, mode: "hand", back: false, long: [], faulty: [], along: 0, solve: {}, steps: 0 },
+);
 
 /** @typedef {import("../formats/rules.js").Allowed<typeof stateRule>} State */
 
 /** @param {ReachSession} session @param {IkPanel} ik @returns {State} */
 export function stateOf(session, ik) {
-  const { robot: { isArm, q, document: { world, robot } }, entry, mode, a, b, directions, progress, orientation, target, run, takesBack } = session;
+  const {
+    robot: {
+      isArm,
+      q,
+      document: { world, robot },
+    },
+    entry,
+    mode,
+    a,
+    b,
+    directions,
+    progress,
+    orientation,
+    target,
+    run,
+    takesBack,
+  } = session;
   const scene = /** @type {Record<string, unknown>} */ (entry ? { radius: 0, ...entry.document.robot } : {});
-  const those = (/** @type {Direction} */ wanted) => directions.flatMap((direction, i) => (direction === wanted ? [i] : []));
+  const those = (/** @type {Direction} */ wanted) =>
+    directions.flatMap((direction, i) => (direction === wanted ? [i] : []));
   return {
     ...(entry ? { scene: entry.id } : { world }),
-    robot: Object.fromEntries(Object.entries(robot).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(scene[key]))),
+    robot: Object.fromEntries(
+      Object.entries(robot).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(scene[key])),
+    ),
     free: ["joint_limits", "joints"].some((name) => name in scene && !(name in robot)),
-    q: Array.from(mode === "solve" ? ik.start : q), mode, back: takesBack, a: Array.from(a), b: Array.from(b),
-    long: those("long"), faulty: those("faulty"), along: mode === "between" ? progress : 0,
-    lock: orientation ?? undefined, target: isArm ? target : undefined, solve: isArm ? { method: ik.method.id, ...ik.given } : {}, steps: run?.run.iterations ?? 0,
+    q: Array.from(mode === "solve" ? ik.start : q),
+    mode,
+    back: takesBack,
+    a: Array.from(a),
+    b: Array.from(b),
+    long: those("long"),
+    faulty: those("faulty"),
+    along: mode === "between" ? progress : 0,
+    lock: orientation ?? undefined,
+    target: isArm ? target : undefined,
+    solve: isArm ? { method: ik.method.id, ...ik.given } : {},
+    steps: run?.run.iterations ?? 0,
   };
 }
 
-/** @param {ReachSession} session @param {IkPanel} ik @param {State} state @throws {Error} there is no such scene, or the core refuses it */
-export async function openState(session, ik, { scene, world, robot: changes, free, q, mode, back, a, b, long, faulty, along, lock, target, solve: { method, ...given }, steps }) {
+/**
+ * @param {ReachSession} session
+ * @param {IkPanel} ik
+ * @param {State} state
+ * @throws {Error} there is no such scene, or the core refuses it
+ */
+export async function openState(
+  session,
+  ik,
+  {
+    scene,
+    world,
+    robot: changes,
+    free,
+    q,
+    mode,
+    back,
+    a,
+    b,
+    long,
+    faulty,
+    along,
+    lock,
+    target,
+    solve: { method, ...given },
+    steps,
+  },
+) {
   const entry = scene ? await sceneOf(scene) : null;
   if (typeof method === "string") ik.choose(method, given);
   if (entry) {
@@ -57,12 +145,23 @@ export async function openState(session, ik, { scene, world, robot: changes, fre
     const changed = /** @type {ArmRobot} */ ({ ...own, ...changes });
     if (free || Object.keys(changes).length > 0) session.changeArm({ ...entry.document, robot: changed });
   } else {
-    session.open(/** @type {ScenarioDocument} */ ({ format: "planarium-scenario-1", name: "link", title: "From a link", world, robot: { type: "arm", ...changes }, queries: [] }));
+    session.open(
+      /** @type {ScenarioDocument} */ ({
+        format: "planarium-scenario-1",
+        name: "link",
+        title: "From a link",
+        world,
+        robot: { type: "arm", ...changes },
+        queries: [],
+      }),
+    );
   }
   const { robot } = session;
   if (a) session.a = robot.fitted(a);
   if (b) session.b = robot.fitted(b);
-  session.directions = robot.coordinates.map(({ isCircle }, i) => (isCircle && long.includes(i) ? "long" : isCircle && faulty.includes(i) ? "faulty" : "short"));
+  session.directions = robot.coordinates.map(({ isCircle }, i) =>
+    isCircle && long.includes(i) ? "long" : isCircle && faulty.includes(i) ? "faulty" : "short",
+  );
   if (target) session.target = target;
   if (lock !== undefined && robot.isArm && robot.dimension > 2) session.orientation = lock;
   session.takesBack = back;

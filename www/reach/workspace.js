@@ -1,4 +1,7 @@
-/** The workspace: the world, the arm with its manipulability ellipse or the body, the motion from A to B, and a run of inverse kinematics. */
+/**
+ * The workspace: the world, the arm with its manipulability ellipse or the body, the motion from A to B, and a run of
+ * inverse kinematics.
+ */
 import { drawRobot, isThin } from "planarium/draw";
 import { slidesOf } from "../domain/coordinates.js";
 import { NO_VIEW } from "../draw/figure.js";
@@ -36,13 +39,25 @@ export class Workspace {
   /** @param {Brush} brush */
   top(brush) {
     const { context, palette, hatch } = brush;
-    const { session: { robot, mode, tipGoal, run }, view } = this;
+    const {
+      session: { robot, mode, tipGoal, run },
+      view,
+    } = this;
     if (mode === "between") this.drawMotion(brush);
     if (run) this.drawRun(brush, run);
     if (robot.slides) this.drawSlides(brush);
     if (robot.isArm) this.drawEllipse(brush);
-    const shown = { scenario: robot.scenario, world: robot.document.world, parts: robot.parts, touching: robot.check.touching };
-    drawTouching({ context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) }, shown, () => drawRobot(context, view, robot.parts, palette));
+    const shown = {
+      scenario: robot.scenario,
+      world: robot.document.world,
+      parts: robot.parts,
+      touching: robot.check.touching,
+    };
+    drawTouching(
+      { context, view, palette, onPart: hatch(palette.stage), onObstacle: hatch(palette.collision) },
+      shown,
+      () => drawRobot(context, view, robot.parts, palette),
+    );
     context.save();
     if (tipGoal && !tipGoal.reached) {
       const wanted = this.view.place(tipGoal.wanted);
@@ -57,7 +72,10 @@ export class Workspace {
 
   /** @param {Brush} brush */
   drawEllipse({ context, palette }) {
-    const { ellipse: { major, minor, angle }, tip: [x, y] } = this.session.robot;
+    const {
+      ellipse: { major, minor, angle },
+      tip: [x, y],
+    } = this.session.robot;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
     setStroke(context, palette.newest, 1.6, [5, 3]);
@@ -73,7 +91,10 @@ export class Workspace {
     context.restore();
   }
 
-  /** How far each link that slides can do so: a line from where it ends at the least to where it ends at the most. @param {Brush} brush */
+  /**
+   * How far each link that slides can do so: a line from where it ends at the least to where it ends at the most.
+   * @param {Brush} brush
+   */
   drawSlides({ context, palette }) {
     const { joints, parts, q, arm } = this.session.robot;
     const directions = slidesOf(arm, q);
@@ -81,21 +102,37 @@ export class Workspace {
     for (const [i, joint] of joints.entries()) {
       const [part, angle] = [parts[i], directions[i]];
       if (joint.type !== "prismatic" || part.type !== "capsule" || angle === null) continue;
-      const end = (/** @type {number} */ at) => this.view.place([part.a[0] + (arm.links[i] + at) * Math.cos(angle), part.a[1] + (arm.links[i] + at) * Math.sin(angle)]);
+      const end = (/** @type {number} */ at) =>
+        this.view.place([
+          part.a[0] + (arm.links[i] + at) * Math.cos(angle),
+          part.a[1] + (arm.links[i] + at) * Math.sin(angle),
+        ]);
       const [low, high] = joint.range.map(end);
       drawLine(context, ...low, ...high);
-      for (const [x, y] of [low, high]) drawLine(context, x - 6 * Math.sin(angle), y - 6 * Math.cos(angle), x + 6 * Math.sin(angle), y + 6 * Math.cos(angle));
+      for (const [x, y] of [low, high])
+        drawLine(
+          context,
+          x - 6 * Math.sin(angle),
+          y - 6 * Math.cos(angle),
+          x + 6 * Math.sin(angle),
+          y + 6 * Math.cos(angle),
+        );
     }
     context.setLineDash([]);
   }
 
-  /** The tip as a handle, with an arrow if its orientation is fixed; of a body the reference point, and a handle to turn it. @param {Brush} brush */
+  /**
+   * The tip as a handle, with an arrow if its orientation is fixed; of a body the reference point, and a handle to turn
+   * it.
+   * @param {Brush} brush
+   */
   drawTip({ context, palette }) {
     const { robot, orientation } = this.session;
     const [x, y] = this.view.place(robot.tip);
     if (orientation !== null) {
       const [dx, dy] = [Math.cos(orientation), -Math.sin(orientation)];
-      const at = (/** @type {number} */ along, /** @type {number} */ aside) => /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
+      const at = (/** @type {number} */ along, /** @type {number} */ aside) =>
+        /** @type {Point} */ ([x + along * dx - aside * dy, y + along * dy + aside * dx]);
       strokeWithHalo(context, [5, 2], palette.path, palette, () => {
         addLine(context, ...at(12, 0), ...at(38, 0));
         addLine(context, ...at(30, 5), ...at(38, 0));
@@ -116,23 +153,46 @@ export class Workspace {
   /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush */
   drawMotion(brush) {
     const { context, palette } = brush;
-    const { view, session: { robot, a, b, motion, progress } } = this;
+    const {
+      view,
+      session: { robot, a, b, motion, progress },
+    } = this;
     const { curve, collides, hit, missed } = motion;
     const isMiss = missed.length > 0;
     const done = Math.floor(progress * (collides.length - 1) + 1e-9);
-    if (!robot.isArm) for (let i = 1; i < GHOSTS; i++) this.drawAlong(brush, i / GHOSTS, { colour: palette.path, fill: 0, stroke: 0.35, dash: [], width: 1 });
-    if (isMiss) this.drawAlong(brush, 1, { colour: palette.rejected, fill: 0.1, stroke: 0.95, dash: [3, 4], width: 1.6 });
-    drawGhost(context, view, robot.scenario.footprint(b), { colour: palette.goal, fill: 0.14, stroke: 0.95, dash: [5, 4], width: 1.5 });
-    drawGhost(context, view, robot.scenario.footprint(a), { colour: palette.start, fill: 0.14, stroke: 0.95, dash: [], width: 1.5 });
+    if (!robot.isArm)
+      for (let i = 1; i < GHOSTS; i++)
+        this.drawAlong(brush, i / GHOSTS, { colour: palette.path, fill: 0, stroke: 0.35, dash: [], width: 1 });
+    if (isMiss)
+      this.drawAlong(brush, 1, { colour: palette.rejected, fill: 0.1, stroke: 0.95, dash: [3, 4], width: 1.6 });
+    drawGhost(context, view, robot.scenario.footprint(b), {
+      colour: palette.goal,
+      fill: 0.14,
+      stroke: 0.95,
+      dash: [5, 4],
+      width: 1.5,
+    });
+    drawGhost(context, view, robot.scenario.footprint(a), {
+      colour: palette.start,
+      fill: 0.14,
+      stroke: 0.95,
+      dash: [],
+      width: 1.5,
+    });
     context.save();
     context.lineCap = "round";
     // What is done is bold; what collides is red and dashed.
     for (const isDone of [false, true]) {
       for (const isCollision of [false, true]) {
-        setStroke(context, isCollision ? palette.collision : isMiss ? palette.rejected : palette.path, isDone ? 3.4 : 1.4, isCollision ? [2, 5] : []);
+        setStroke(
+          context,
+          isCollision ? palette.collision : isMiss ? palette.rejected : palette.path,
+          isDone ? 3.4 : 1.4,
+          isCollision ? [2, 5] : [],
+        );
         context.beginPath();
         collides.forEach((end, i) => {
-          const isPart = i > 0 && (i <= done) === isDone && (collides[i - 1] || end) === isCollision;
+          const isPart = i > 0 && i <= done === isDone && (collides[i - 1] || end) === isCollision;
           context[isPart ? "lineTo" : "moveTo"](view.x(curve[2 * i]), view.y(curve[2 * i + 1]));
         });
         context.stroke();
@@ -146,24 +206,48 @@ export class Workspace {
     if (hit !== null) drawHit(context, ...tipAt(motion.at(hit)), palette);
   }
 
-  /** The robot at a part of the motion. @param {Brush} brush @param {number} t @param {Parameters<typeof drawGhost>[3]} style */
+  /**
+   * The robot at a part of the motion.
+   * @param {Brush} brush
+   * @param {number} t
+   * @param {Parameters<typeof drawGhost>[3]} style
+   */
   drawAlong({ context }, t, style) {
     const { robot, motion } = this.session;
     drawGhost(context, this.view, robot.scenario.footprint(robot.fitted(motion.at(t))), style);
   }
 
-  /** Inverse kinematics: iterates that fade with age, and solutions as outlines. @param {Brush} brush @param {IkRun} run */
+  /**
+   * Inverse kinematics: iterates that fade with age, and solutions as outlines.
+   * @param {Brush} brush
+   * @param {IkRun} run
+   */
   drawRun({ context, palette }, run) {
-    const { view, session: { chosen } } = this;
-    const { nearest, robot: { scenario, base } } = run;
-    if (nearest) drawGhost(context, view, scenario.footprint(nearest.configuration), { colour: palette.quiet, fill: 0.08, stroke: 0.8, dash: [3, 4], width: 1.2 });
+    const {
+      view,
+      session: { chosen },
+    } = this;
+    const {
+      nearest,
+      robot: { scenario, base },
+    } = run;
+    if (nearest)
+      drawGhost(context, view, scenario.footprint(nearest.configuration), {
+        colour: palette.quiet,
+        fill: 0.08,
+        stroke: 0.8,
+        dash: [3, 4],
+        width: 1.2,
+      });
     context.save();
     context.fillStyle = palette.growth;
     setStroke(context, palette.growth, 1.2);
     context.lineJoin = "round";
     for (const { q, strength } of run.recent(FAINT)) {
       context.globalAlpha = 0.12 + 0.5 * strength ** 2;
-      const joints = [base, ...scenario.footprint(q).flatMap((part) => (part.type === "capsule" ? [part.b] : []))].map((point) => this.view.place(point));
+      const joints = [base, ...scenario.footprint(q).flatMap((part) => (part.type === "capsule" ? [part.b] : []))].map(
+        (point) => this.view.place(point),
+      );
       context.beginPath();
       for (const joint of joints) context.lineTo(...joint);
       context.stroke();
@@ -173,7 +257,9 @@ export class Workspace {
     run.shown.forEach(({ q, isFree }, i) => {
       if (i === chosen) return;
       const parts = scenario.footprint(q);
-      const style = isFree ? { colour: palette.path, fill: 0.16, stroke: 0.85, dash: [] } : { colour: palette.collision, fill: 0.05, stroke: 0.6, dash: [2, 4] };
+      const style = isFree
+        ? { colour: palette.path, fill: 0.16, stroke: 0.85, dash: [] }
+        : { colour: palette.collision, fill: 0.05, stroke: 0.6, dash: [2, 4] };
       drawGhost(context, view, parts, { ...style, width: isThin(view, parts[0]) ? 2 : 1.5 });
     });
   }

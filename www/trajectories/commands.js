@@ -50,9 +50,15 @@ export const commands = {
 /** @typedef {typeof commands} Commands */
 /** The outcome of some tries. @typedef {ReturnType<Commands["advance"]>} Progress */
 
-export function reset() { trajectories = null; }
+export function reset() {
+  trajectories = null;
+}
 
-/** Tries one by one, with the milliseconds for each accepted one and the tries rejected before it. @param {Trajectories} all @param {number} count */
+/**
+ * Tries one by one, with the milliseconds for each accepted one and the tries rejected before it.
+ * @param {Trajectories} all
+ * @param {number} count
+ */
 function makeTries(all, count) {
   const end = performance.now() + LONGEST;
   const milliseconds = [];

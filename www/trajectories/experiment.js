@@ -7,7 +7,8 @@ import { rowsOf } from "../domain/coordinates.js";
 /** @import { Commands, Progress } from "./commands.js" */
 
 /**
- * An accepted trajectory: x, y, theta, v, w, duration; points at equal times, metres; when it was received, as of performance.now().
+ * An accepted trajectory: x, y, theta, v, w, duration; points at equal times, metres; when it was received, as of
+ * performance.now().
  * @typedef {{ row: Float64Array, line: Float32Array, born: number, tries: number, milliseconds: number }} Accepted
  */
 
@@ -26,14 +27,23 @@ export class Experiment {
     this.result = null;
     /** @type {Accepted[]} */
     this.accepted = [];
-    /** The last one rejected: the number of the one it crosses, where, and when it was received. @type {{ line: Float32Array, other: number, place: [number, number], born: number } | null} */
+    /**
+     * The last one rejected: the number of the one it crosses, where, and when it was received.
+     * @type {{ line: Float32Array, other: number, place: [number, number], born: number } | null}
+     */
     this.rejected = null;
     this.isLastRejected = false;
   }
 
-  get isRunning() { return this.result?.status === "running"; }
+  get isRunning() {
+    return this.result?.status === "running";
+  }
 
-  /** @param {TrajectoryOptions} options @returns {Promise<boolean>}  false: another one has begun since @throws {Error} they are refused */
+  /**
+   * @param {TrajectoryOptions} options
+   * @returns {Promise<boolean>}  false: another one has begun since
+   * @throws {Error} they are refused
+   */
   async begin(options) {
     const epoch = ++this.epoch;
     const result = await this.worker.begin(options);
@@ -42,7 +52,11 @@ export class Experiment {
     return true;
   }
 
-  /** @param {number} count  tries @param {() => void} onProgress @returns {Promise<boolean>} whether more tries can be made */
+  /**
+   * @param {number} count  tries
+   * @param {() => void} onProgress
+   * @returns {Promise<boolean>} whether more tries can be made
+   */
   async advance(count, onProgress) {
     const { epoch } = this;
     for (let left = count; left > 0 && this.isRunning;) {
@@ -58,17 +72,26 @@ export class Experiment {
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {
     const born = performance.now();
-    rowsOf(accepted, 6).forEach((row, i) => this.accepted.push({ row, line: lines[i], born, tries: tries[i], milliseconds: milliseconds[i] }));
-    if (rejected.length > 0) this.rejected = { line: lines[tries.length], other: rejected[6], place: [rejected[7], rejected[8]], born };
+    rowsOf(accepted, 6).forEach((row, i) =>
+      this.accepted.push({ row, line: lines[i], born, tries: tries[i], milliseconds: milliseconds[i] }),
+    );
+    if (rejected.length > 0)
+      this.rejected = { line: lines[tries.length], other: rejected[6], place: [rejected[7], rejected[8]], born };
     Object.assign(this, { isLastRejected, result });
   }
 }
 
-/** Means of the last WINDOW values, each with the number of the last one, counted from 1. @param {number[]} values @returns {[number, number][]} */
+/**
+ * Means of the last WINDOW values, each with the number of the last one, counted from 1.
+ * @param {number[]} values
+ * @returns {[number, number][]}
+ */
 export function movingAverage(values) {
   let sum = 0;
-  return values.map((value, i) => {
-    sum += value - (values[i - WINDOW] ?? 0);
-    return /** @type {[number, number]} */ ([i + 1, Math.max(0, sum / WINDOW)]);
-  }).slice(WINDOW - 1);
+  return values
+    .map((value, i) => {
+      sum += value - (values[i - WINDOW] ?? 0);
+      return /** @type {[number, number]} */ ([i + 1, Math.max(0, sum / WINDOW)]);
+    })
+    .slice(WINDOW - 1);
 }

@@ -15,11 +15,16 @@ const SIDE = 480;
 
 /** @param {Experiment} experiment @param {Figure<Plane>} figure @returns {Subject[]} */
 export function filmsOf(experiment, figure) {
-  const square = () => [/** @type {Figure<Plane>} */ (Object.create(figure, { width: { value: SIDE }, height: { value: SIDE } }))];
+  const square = () => [
+    /** @type {Figure<Plane>} */ (Object.create(figure, { width: { value: SIDE }, height: { value: SIDE } })),
+  ];
   const lack = () => (experiment.accepted.length > 0 ? "" : "No trajectory has been accepted yet.");
   return [
     {
-      id: "growth", title: "The trajectories", meaning: "The accepted trajectories up to here, one after the other.", lack,
+      id: "growth",
+      title: "The trajectories",
+      meaning: "The accepted trajectories up to here, one after the other.",
+      lack,
       open: (width) => {
         const accepted = [...experiment.accepted];
         const then = copyOf(experiment);
@@ -30,7 +35,10 @@ export function filmsOf(experiment, figure) {
       },
     },
     {
-      id: "particles", title: "The particles", meaning: "The particles along their trajectories.", lack,
+      id: "particles",
+      title: "The particles",
+      meaning: "The particles along their trajectories.",
+      lack,
       open: (width) => {
         const then = copyOf(experiment);
         const { round } = figure.drawing;
@@ -43,7 +51,16 @@ export function filmsOf(experiment, figure) {
   ];
 }
 
-/** What the experiment shows now, without the rejected trajectory: later ones do not change it. @param {Experiment} experiment @returns {Experiment} */
+/**
+ * What the experiment shows now, without the rejected trajectory: later ones do not change it.
+ * @param {Experiment} experiment
+ * @returns {Experiment}
+ */
 function copyOf(experiment) {
-  return Object.assign(Object.create(experiment), { options: { ...experiment.options }, accepted: [...experiment.accepted], rejected: null, isLastRejected: false });
+  return Object.assign(Object.create(experiment), {
+    options: { ...experiment.options },
+    accepted: [...experiment.accepted],
+    rejected: null,
+    isLastRejected: false,
+  });
 }

@@ -1,10 +1,10 @@
 /**
  * The page of many trajectories: settings, transport, figures and numbers.
  *
- * For tests, beside what app.js says: `#stage` carries `data-status` ("running", "solved", "exhausted", or "refused" while the
- * settings are not valid), `data-accepted`, `data-tried`, `data-drawn` (trajectories on the canvas), `data-last` ("accepted",
- * "refused" or "none"), `data-begun` (another number for each experiment), and `data-fingerprint`. Each frame leaves a measure
- * "trajectories-frame".
+ * For tests, beside what app.js says: `#stage` carries `data-status` ("running", "solved", "exhausted", or "refused"
+ * while the settings are not valid), `data-accepted`, `data-tried`, `data-drawn` (trajectories on the canvas),
+ * `data-last` ("accepted", "refused" or "none"), `data-begun` (another number for each experiment), and
+ * `data-fingerprint`. Each frame leaves a measure "trajectories-frame".
  */
 import { withSeed } from "../widgets/field.js";
 import { randomSeed, trajectoryOptions } from "planarium/full";
@@ -53,17 +53,34 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   let animationStart = 0;
   let wasMoving = false;
 
-  const transport = new Transport(app, byId("course", HTMLElement), {
-    name: "course", label: "Transport", unit: "tries", steps: [1, 10, 100], slowest: 1, fastest: 20_000, pace: 120,
-    advance: (count) => experiment.advance(transport.isFinishing ? Math.max(count, AT_ONCE) : count, showProgress),
-    reset: () => void restart(), canFinish: true,
-  }, [stage]);
-  const animate = button("course-move", "Animate", () => {
-    plane.moment = plane.moment === null ? 0 : null;
-    animationStart = performance.now();
-    press(animate, plane.moment !== null);
-    figure.redraw(["top"]);
-  }, { className: "quiet", ariaPressed: "false" });
+  const transport = new Transport(
+    app,
+    byId("course", HTMLElement),
+    {
+      name: "course",
+      label: "Transport",
+      unit: "tries",
+      steps: [1, 10, 100],
+      slowest: 1,
+      fastest: 20_000,
+      pace: 120,
+      advance: (count) => experiment.advance(transport.isFinishing ? Math.max(count, AT_ONCE) : count, showProgress),
+      reset: () => void restart(),
+      canFinish: true,
+    },
+    [stage],
+  );
+  const animate = button(
+    "course-move",
+    "Animate",
+    () => {
+      plane.moment = plane.moment === null ? 0 : null;
+      animationStart = performance.now();
+      press(animate, plane.moment !== null);
+      figure.redraw(["top"]);
+    },
+    { className: "quiet", ariaPressed: "false" },
+  );
   transport.bar.append(animate);
   const newSeed = byId("new-seed", HTMLButtonElement);
   newSeed.disabled = false;
@@ -84,24 +101,47 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   });
   app.onDraw(() => {
     // New trajectories are drawn on top of the others, unless all are redrawn.
-    const { palette, layers: { ground } } = figure;
+    const {
+      palette,
+      layers: { ground },
+    } = figure;
     if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
     drawCharts(!transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
   });
 
-  showDownloads(app, [figure], { name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.accepted.length}`, title: () => "Trajectories that do not cross" }, [
-    { id: "csv", title: "Table", format: "CSV", meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`, content: tableOf },
-  ], filmsOf(experiment, figure));
+  showDownloads(
+    app,
+    [figure],
+    {
+      name: () => `trajectories-seed${experiment.options.seed ?? 0}-${experiment.accepted.length}`,
+      title: () => "Trajectories that do not cross",
+    },
+    [
+      {
+        id: "csv",
+        title: "Table",
+        format: "CSV",
+        meaning: `A row for each trajectory: its parameters, tries, time, and the mean time of the last ${WINDOW}.`,
+        content: tableOf,
+      },
+    ],
+    filmsOf(experiment, figure),
+  );
   app.rebuild = restart;
-  await app.track(useLink(app, stateRule, {
-    save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),
-    open, contents: "the settings, the seed and the number of tries",
-  }));
+  await app.track(
+    useLink(app, stateRule, {
+      save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),
+      open,
+      contents: "the settings, the seed and the number of tries",
+    }),
+  );
 
   /** The settings as a form. @param {Settings} given */
-  function form(given) { return new Options(byId("settings", HTMLElement), table, given, () => void restart(), { first: SHOWN }); }
+  function form(given) {
+    return new Options(byId("settings", HTMLElement), table, given, () => void restart(), { first: SHOWN });
+  }
 
   function showProgress() {
     figure.redraw(["top"]);
@@ -113,10 +153,12 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     transport.pause();
     if (!options.settings) return refuse();
     app.notice.hide();
-    const isBegun = await app.track(experiment.begin(/** @type {TrajectoryOptions} */ (options.settings)).catch((error) => {
-      if (error.code !== "internal" && options.refuse(error.pointer, error.message)) return refuse();
-      throw error;
-    }));
+    const isBegun = await app.track(
+      experiment.begin(/** @type {TrajectoryOptions} */ (options.settings)).catch((error) => {
+        if (error.code !== "internal" && options.refuse(error.pointer, error.message)) return refuse();
+        throw error;
+      }),
+    );
     if (!isBegun) return false;
     transport.enable(true);
     animationStart = performance.now();
@@ -149,18 +191,35 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
 
   /** Shows the numbers. */
   function show() {
-    const { result, accepted, isLastRejected, options: { count = 1000, model, seed = 0 } } = experiment;
+    const {
+      result,
+      accepted,
+      isLastRejected,
+      options: { count = 1000, model, seed = 0 },
+    } = experiment;
     if (!result) return;
     const last = result.iterations === 0 ? "none" : isLastRejected ? "refused" : "accepted";
     const status = stage.dataset.status === "refused" ? "refused" : result.status;
-    Object.assign(stage.dataset, { status, accepted: accepted.length, tried: result.iterations, drawn: plane.drawn, last, fingerprint: result.fingerprint });
-    const [tries, milliseconds] = /** @type {const} */ (["tries", "milliseconds"]).map((key) => sumOfLast(key) / Math.min(WINDOW, accepted.length));
+    Object.assign(stage.dataset, {
+      status,
+      accepted: accepted.length,
+      tried: result.iterations,
+      drawn: plane.drawn,
+      last,
+      fingerprint: result.fingerprint,
+    });
+    const [tries, milliseconds] = /** @type {const} */ (["tries", "milliseconds"]).map(
+      (key) => sumOfLast(key) / Math.min(WINDOW, accepted.length),
+    );
     const microseconds = 1000 * milliseconds;
     app.write({
-      "fact-accepted": `${grouped(accepted.length)} of ${grouped(count)}`, "fact-tried": grouped(result.iterations),
+      "fact-accepted": `${grouped(accepted.length)} of ${grouped(count)}`,
+      "fact-tried": grouped(result.iterations),
       "fact-tries": accepted.length === 0 ? "\u2013" : tries.toFixed(1),
-      "fact-time": accepted.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
-      "fact-pairs": grouped(result.pairs), "fact-fingerprint": transport.isPlaying ? "\u2013" : result.fingerprint,
+      "fact-time":
+        accepted.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
+      "fact-pairs": grouped(result.pairs),
+      "fact-fingerprint": transport.isPlaying ? "\u2013" : result.fingerprint,
       where: `${model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${seed}`,
     });
     app.say(sentence(last), { isSilent: true });
@@ -176,17 +235,24 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       const found = `${grouped(accepted.length)} trajectories, no two of which cross, after ${total} tries.`;
       return `${found} The last ${Math.min(WINDOW, accepted.length)} took ${grouped(sumOfLast("tries"))} tries.`;
     }
-    if (result?.status === "exhausted") return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
-    if (!transport.isPlaying && last === "refused" && rejected) return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
+    if (result?.status === "exhausted")
+      return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
+    if (!transport.isPlaying && last === "refused" && rejected)
+      return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Random trajectories are added one by one; those that cross an earlier one are rejected.";
   }
 
   /** The sum over the last accepted trajectories. @param {"tries" | "milliseconds"} key */
-  function sumOfLast(key) { return experiment.accepted.slice(-WINDOW).reduce((sum, one) => sum + one[key], 0); }
+  function sumOfLast(key) {
+    return experiment.accepted.slice(-WINDOW).reduce((sum, one) => sum + one[key], 0);
+  }
 
   function tableOf() {
     const { accepted } = experiment;
     const average = new Map(movingAverage(accepted.map(({ milliseconds }) => milliseconds)));
-    return csvFile(COLUMNS, accepted.map(({ row, tries, milliseconds }, i) => [...row, tries, milliseconds, average.get(i + 1) ?? null]));
+    return csvFile(
+      COLUMNS,
+      accepted.map(({ row, tries, milliseconds }, i) => [...row, tries, milliseconds, average.get(i + 1) ?? null]),
+    );
   }
 });

@@ -28,20 +28,29 @@ export class Particle {
       { name: "one-v", title: "Speed", unit: "m/s", min: 0, max: 2 },
       { name: "one-w", title: "Turn rate", unit: "rad/s", min: -2 * Math.PI, max: 2 * Math.PI },
       { name: "one-duration", title: "Duration", unit: "s", min: 0.1, max: 10 },
-    ].map((info, i) => new Slider(info, this.movement[i], (value) => {
-      this.movement[i] = value;
-      this.update();
-    }));
+    ].map(
+      (info, i) =>
+        new Slider(info, this.movement[i], (value) => {
+          this.movement[i] = value;
+          this.update();
+        }),
+    );
     const stage = make("div", { className: "stage single one" });
     host.append(stage, ...this.sliders.map(({ element }) => element), this.words);
-    this.figure = new Figure(app, stage, { id: "one", kind: "workspace", caption: "One particle", note: "arc and spiral" }, this);
+    this.figure = new Figure(
+      app,
+      stage,
+      { id: "one", kind: "workspace", caption: "One particle", note: "arc and spiral" },
+      this,
+    );
     this.arc = this.spiral = /** @type {Float64Array} */ (new Float64Array(0));
     this.update();
   }
 
   /** @param {Movement} movement @throws {Error} it is out of range */
   set(movement) {
-    if (this.sliders.some(({ info: { min, max } }, i) => movement[i] < min || movement[i] > max)) throw new Error("The single particle of this link is out of range.");
+    if (this.sliders.some(({ info: { min, max } }, i) => movement[i] < min || movement[i] > max))
+      throw new Error("The single particle of this link is out of range.");
     this.movement = [...movement];
     this.sliders.forEach((slider, i) => slider.show(movement[i]));
     this.update();
@@ -63,11 +72,20 @@ export class Particle {
     const { arc, spiral, movement } = this;
     const [xs, ys] = [0, 1].map((axis) => [...arc, ...spiral].filter((_, i) => i % 2 === axis));
     const [left, bottom] = [Math.min(...xs), Math.min(...ys)];
-    const view = new View({ min: [left, bottom], max: [Math.max(...xs), Math.max(...ys, bottom + 1e-3)] }, width, height, MARGIN, false);
+    const view = new View(
+      { min: [left, bottom], max: [Math.max(...xs), Math.max(...ys, bottom + 1e-3)] },
+      width,
+      height,
+      MARGIN,
+      false,
+    );
     const at = (/** @type {Float64Array} */ points, /** @type {number} */ i) => view.place(points.subarray(2 * i));
     const marks = Math.min(MOST_MARKS, Math.floor(movement[2] / MARK));
     context.lineJoin = "round";
-    for (const [points, colour, line, dash] of /** @type {const} */ ([[spiral, palette.growth, 1.8, [6, 4]], [arc, palette.path, 3, []]])) {
+    for (const [points, colour, line, dash] of /** @type {const} */ ([
+      [spiral, palette.growth, 1.8, [6, 4]],
+      [arc, palette.path, 3, []],
+    ])) {
       context.fillStyle = colour;
       setStroke(context, colour, line, [...dash]);
       context.beginPath();
@@ -83,5 +101,8 @@ export class Particle {
 /** The points of both curves at equal times. @param {Movement} movement */
 export function curvesOf([v, w, duration]) {
   const times = Array.from({ length: PIECES + 1 }, (_, i) => (duration * i) / PIECES);
-  return { arc: particlePoints({ model: "arc", v, w }, times), spiral: particlePoints({ model: "spiral", v, w }, times) };
+  return {
+    arc: particlePoints({ model: "arc", v, w }, times),
+    spiral: particlePoints({ model: "spiral", v, w }, times),
+  };
 }

@@ -1,6 +1,7 @@
 /**
- * The plane with its trajectories. Accepted ones are drawn once, when they are received. On top the newest glow for a moment, the
- * last rejected one is dashed, with a cross where it meets the earlier one, and the particles move if the animation is on.
+ * The plane with its trajectories. Accepted ones are drawn once, when they are received. On top the newest glow for a
+ * moment, the last rejected one is dashed, with a cross where it meets the earlier one, and the particles move if the
+ * animation is on.
  */
 import { View } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
@@ -35,9 +36,13 @@ export class Plane {
   /** Draws all accepted trajectories. @param {Brush} brush */
   ground(brush) {
     const { context, palette, width, height } = brush;
-    const { half_side: half = 3, fastest = 1, duration = 1 } = /** @type {Record<string, number>} */ (this.experiment.options);
+    const {
+      half_side: half = 3,
+      fastest = 1,
+      duration = 1,
+    } = /** @type {Record<string, number>} */ (this.experiment.options);
     const reach = half + Math.min(0.6 * fastest * duration, 3 * half);
-    const view = this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false);
+    const view = (this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false));
     setStroke(context, palette.line, 1);
     context.strokeRect(view.x(-half), view.y(half), 2 * half * view.scaleX, 2 * half * view.scaleY);
     this.drawn = 0;
@@ -57,11 +62,16 @@ export class Plane {
   /** Whether anything glows or moves. @param {number} now */
   isMoving(now) {
     const { accepted, rejected } = this.experiment;
-    return this.moment !== null || (!this.isStill && Math.max(accepted.at(-1)?.born ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now);
+    return (
+      this.moment !== null ||
+      (!this.isStill && Math.max(accepted.at(-1)?.born ?? -Infinity, rejected?.born ?? -Infinity) + GLOWING > now)
+    );
   }
 
   /** The strength of the glow of what was received at a time. @param {number} time @param {boolean} isLast */
-  glowOf(time, isLast) { return this.isStill ? Number(isLast) : Math.max(0, 1 - (this.now - time) / GLOWING); }
+  glowOf(time, isLast) {
+    return this.isStill ? Number(isLast) : Math.max(0, 1 - (this.now - time) / GLOWING);
+  }
 
   /** @param {Brush} brush */
   top({ context, palette }) {
@@ -84,33 +94,59 @@ export class Plane {
     if (this.moment !== null) this.drawParticles(context, palette.robot, this.moment);
   }
 
-  /** The particles at a moment of the animation. @param {Context} context @param {string} colour @param {number} moment */
+  /**
+   * The particles at a moment of the animation.
+   * @param {Context} context
+   * @param {string} colour
+   * @param {number} moment
+   */
   drawParticles(context, colour, moment) {
     const part = Math.min(1, Math.max(0, (moment - REST / 2) / (this.round - REST)));
-    this.drawDots(context, this.experiment.accepted.map(({ line }) => {
-      const pieces = line.length / 2 - 1;
-      const i = Math.min(pieces - 1, Math.floor(part * pieces));
-      const rest = part * pieces - i;
-      return [0, 1].map((axis) => (1 - rest) * line[2 * i + axis] + rest * line[2 * i + 2 + axis]);
-    }), colour, 2.1);
+    this.drawDots(
+      context,
+      this.experiment.accepted.map(({ line }) => {
+        const pieces = line.length / 2 - 1;
+        const i = Math.min(pieces - 1, Math.floor(part * pieces));
+        const rest = part * pieces - i;
+        return [0, 1].map((axis) => (1 - rest) * line[2 * i + axis] + rest * line[2 * i + 2 + axis]);
+      }),
+      colour,
+      2.1,
+    );
   }
 
   /** Seconds of a round of the animation. */
-  get round() { return (this.experiment.options.duration ?? 1) + REST; }
+  get round() {
+    return (this.experiment.options.duration ?? 1) + REST;
+  }
 
-  /** @param {Context} context @param {Float32Array[]} lines @param {string} colour @param {number} width @param {number} alpha @param {number[]} [dash] */
+  /**
+   * @param {Context} context
+   * @param {Float32Array[]} lines
+   * @param {string} colour
+   * @param {number} width
+   * @param {number} alpha
+   * @param {number[]} [dash]
+   */
   drawLines(context, lines, colour, width, alpha, dash) {
     context.globalAlpha = alpha;
     setStroke(context, colour, width, dash);
     context.lineCap = context.lineJoin = "round";
     context.beginPath();
     for (const line of lines) {
-      for (let i = 0; i < line.length; i += 2) context[i === 0 ? "moveTo" : "lineTo"](this.view.x(line[i]), this.view.y(line[i + 1]));
+      for (let i = 0; i < line.length; i += 2)
+        context[i === 0 ? "moveTo" : "lineTo"](this.view.x(line[i]), this.view.y(line[i + 1]));
     }
     context.stroke();
   }
 
-  /** Discs at the first points of lines. @param {Context} context @param {ArrayLike<number>[]} lines @param {string} colour @param {number} radius */
+  /**
+   * Discs at the first points of lines.
+   * @param {Context} context
+   * @param {ArrayLike<number>[]} lines
+   * @param {string} colour
+   * @param {number} radius
+   */
   drawDots(context, lines, colour, radius) {
     context.fillStyle = colour;
     context.beginPath();

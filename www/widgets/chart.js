@@ -1,23 +1,40 @@
 /**
- * A chart of lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their ends. On a timeline
- * values hold until the next one, and values after the time shown are faint. What draws is loaded with the first drawing.
+ * A chart of lines or dots against linear or logarithmic axes. Lines differ by their dashes and by a label at their
+ * ends. On a timeline values hold until the next one, and values after the time shown are faint. What draws is loaded
+ * with the first drawing.
  */
 import { make, makeSvg } from "../app/dom.js";
 import { once } from "../app/once.js";
 
-/** @typedef {{ label: string, points: [number, number][], isDots?: boolean, isLevel?: boolean, className?: string }} Line   x rising; a level has no dot */
-/** @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   it reaches at least from `low` to `high` */
+/**
+ * @typedef {{ label: string, points: [number, number][], isDots?: boolean, isLevel?: boolean, className?: string }}
+ *   Line   x rising; a level has no dot
+ */
+/**
+ * @typedef {{ title: string, isLog?: boolean, low?: number, high?: number }} Axis   it reaches at least from `low` to
+ *   `high`
+ */
 
 const drawing = once(() => import("./plot.js"));
 
 export class Chart {
-  /** @param {string} id   also a class of the picture @param {string} title @param {{ height?: number, isTimeline?: boolean }} [options] */
+  /**
+   * @param {string} id   also a class of the picture
+   * @param {string} title
+   * @param {{ height?: number, isTimeline?: boolean }} [options]
+   */
   constructor(id, title, { height = 190, isTimeline = false } = {}) {
     this.id = id;
     this.height = height;
     this.isTimeline = isTimeline;
     this.title = make("figcaption", {}, title);
-    this.picture = makeSvg("svg", { role: "img", class: `chart ${id}`, "aria-label": title, "text-anchor": "middle", fill: "currentColor" });
+    this.picture = makeSvg("svg", {
+      role: "img",
+      class: `chart ${id}`,
+      "aria-label": title,
+      "text-anchor": "middle",
+      fill: "currentColor",
+    });
     this.element = make("figure", {}, this.title, this.picture);
     /** The arguments of the last drawing. @type {[Line[], Axis, Axis, string] | null} */
     this.drawn = null;
@@ -50,14 +67,27 @@ export class Chart {
     if (!plot || !drawn) return;
     const [lines, across, up] = drawn;
     const width = Math.max(200, this.element.clientWidth);
-    const { axes, shapes, labels, scale, bounds: [top, right, bottom] } = plot.drawLines(lines, across, up, { width, height, isTimeline });
+    const {
+      axes,
+      shapes,
+      labels,
+      scale,
+      bounds: [top, right, bottom],
+    } = plot.drawLines(lines, across, up, { width, height, isTimeline });
     picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     if (!isTimeline) return picture.replaceChildren(...axes, ...shapes, ...labels);
     const id = `${this.id}-past`;
     const strong = shapes.map((shape) => shape.cloneNode(true));
     cursor.setAttribute("y1", String(top));
     cursor.setAttribute("y2", String(bottom));
-    picture.replaceChildren(...axes, makeSvg("clipPath", { id }, past), makeSvg("g", { class: "future" }, ...shapes), makeSvg("g", { "clip-path": `url(#${id})` }, ...strong), cursor, ...labels);
+    picture.replaceChildren(
+      ...axes,
+      makeSvg("clipPath", { id }, past),
+      makeSvg("g", { class: "future" }, ...shapes),
+      makeSvg("g", { "clip-path": `url(#${id})` }, ...strong),
+      cursor,
+      ...labels,
+    );
     this.scale = (value) => Math.min(scale(value), right);
     this.show(this.now);
   }

@@ -23,11 +23,30 @@ import { Progress } from "./progress.js";
 /** Image pixels a CSS pixel. */
 const SCALE = 2;
 
-/** The figures as PNG and SVG, films of them, and whatever else a page exports. @param {App} app @param {Figure[]} figures @param {{ name: () => string, title: () => string }} names @param {Download[]} others @param {Subject[]} [subjects]  of films */
+/**
+ * The figures as PNG and SVG, films of them, and whatever else a page exports.
+ * @param {App} app
+ * @param {Figure[]} figures
+ * @param {{ name: () => string, title: () => string }} names
+ * @param {Download[]} others
+ * @param {Subject[]} [subjects]  of films
+ */
 export function showDownloads(app, figures, names, others, subjects = []) {
   showFiles(app, names.name, [
-    { id: "png", title: "Image", format: "PNG", meaning: "The figures as shown.", content: () => pngOf(figures, SCALE) },
-    { id: "svg", title: "Vector graphic", format: "SVG", meaning: "The figures as shown, sharp at any size.", content: () => svgOf(figures, names.title()) },
+    {
+      id: "png",
+      title: "Image",
+      format: "PNG",
+      meaning: "The figures as shown.",
+      content: () => pngOf(figures, SCALE),
+    },
+    {
+      id: "svg",
+      title: "Vector graphic",
+      format: "SVG",
+      meaning: "The figures as shown, sharp at any size.",
+      content: () => svgOf(figures, names.title()),
+    },
   ]);
   if (subjects.length > 0) {
     const progress = new Progress(() => reflect());
@@ -40,9 +59,11 @@ export function showDownloads(app, figures, names, others, subjects = []) {
 
 /** @param {App} app @param {() => string} usual  name of a file @param {Download[]} all */
 export function showFiles(app, usual, all) {
-  byId("export", HTMLElement).append(...all.map((download) => {
-    const { title, format, content, name = usual } = download;
-    const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
-    return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;
-  }));
+  byId("export", HTMLElement).append(
+    ...all.map((download) => {
+      const { title, format, content, name = usual } = download;
+      const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
+      return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;
+    }),
+  );
 }

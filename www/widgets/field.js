@@ -57,7 +57,8 @@ export class Field {
 
   /** @param {number | string | boolean} value */
   set(value) {
-    if (this.control instanceof HTMLInputElement && this.control.type === "checkbox") this.control.checked = value === true;
+    if (this.control instanceof HTMLInputElement && this.control.type === "checkbox")
+      this.control.checked = value === true;
     else this.control.value = String(value);
     this.current = this.value;
     this.validate();
@@ -72,17 +73,29 @@ export class Field {
 
   /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
-    const { info, value, control: { validity: { badInput } } } = this;
+    const {
+      info,
+      value,
+      control: {
+        validity: { badInput },
+      },
+    } = this;
     this.automatic.hidden = value !== undefined;
     let reason = "";
     if (badInput || value !== undefined) reason = reasonAgainst(info, badInput ? NaN : value);
-    else if (info.default !== null && info.kind !== "choice") reason = `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
+    else if (info.default !== null && info.kind !== "choice")
+      reason = `Enter ${info.kind === "integer" ? "a whole number" : "a number"}.`;
     this.refuse(reason);
     return reason === "";
   }
 }
 
-/** Why a value is invalid, or empty. @param {Pick<ParameterInfo, "kind" | "min" | "max" | "choices">} info @param {unknown} value @returns {string} */
+/**
+ * Why a value is invalid, or empty.
+ * @param {Pick<ParameterInfo, "kind" | "min" | "max" | "choices">} info
+ * @param {unknown} value
+ * @returns {string}
+ */
 export function reasonAgainst({ kind, min, max, choices }, value) {
   if (kind === "boolean") return typeof value === "boolean" ? "" : `${value} is neither true nor false.`;
   if (kind === "choice") return choices?.includes(String(value)) ? "" : `${value} is not an option.`;
@@ -100,9 +113,16 @@ function automatic({ default_meaning: words }) {
 }
 
 /** The word for an option that has no effect while it is empty. @param {string | null} [words] */
-function nothing(words) { return /^(none|never)(?=:)/.exec(words ?? "")?.[0]; }
+function nothing(words) {
+  return /^(none|never)(?=:)/.exec(words ?? "")?.[0];
+}
 
-/** @param {ParameterInfo} info @param {number | string | boolean | null} value @param {string} id @returns {HTMLInputElement | HTMLSelectElement} */
+/**
+ * @param {ParameterInfo} info
+ * @param {number | string | boolean | null} value
+ * @param {string} id
+ * @returns {HTMLInputElement | HTMLSelectElement}
+ */
 function control(info, value, id) {
   if (info.kind === "choice") {
     const select = make("select", { id });
@@ -113,8 +133,12 @@ function control(info, value, id) {
   }
   if (info.kind === "boolean") return make("input", { id, type: "checkbox", role: "switch", checked: value === true });
   const input = make("input", {
-    id, type: "number", step: info.kind === "integer" ? "1" : "any", autocomplete: "off",
-    inputMode: info.kind === "integer" ? "numeric" : "decimal", value: value === null ? "" : String(value),
+    id,
+    type: "number",
+    step: info.kind === "integer" ? "1" : "any",
+    autocomplete: "off",
+    inputMode: info.kind === "integer" ? "numeric" : "decimal",
+    value: value === null ? "" : String(value),
   });
   if (info.default === null) input.placeholder = nothing(info.default_meaning) ?? "automatic";
   return input;
@@ -130,7 +154,15 @@ export function withSeed(parameters, what = "run") {
   if (parameters.some(({ name }) => name === "seed")) return parameters;
   /** @type {ParameterInfo} */
   const seed = {
-    name: "seed", title: "Seed", kind: "integer", unit: "", min: 0, max: Number.MAX_SAFE_INTEGER, default: 0, choices: null, robots: [],
+    name: "seed",
+    title: "Seed",
+    kind: "integer",
+    unit: "",
+    min: 0,
+    max: Number.MAX_SAFE_INTEGER,
+    default: 0,
+    choices: null,
+    robots: [],
     meaning: `Seed of the random numbers: the same seed gives the same ${what}, bit for bit.`,
   };
   return [...parameters, seed];

@@ -19,13 +19,40 @@ import { button } from "./elements.js";
  * @property {() => boolean} [isOffered]   is there such a thing in the open scene? true where absent
  */
 
-/** @param {App} app @param {Progress} progress @param {{ subjects: Subject[], name: () => string }} films   `name`: begins that of the file */
+/**
+ * @param {App} app
+ * @param {Progress} progress
+ * @param {{ subjects: Subject[], name: () => string }} films   `name`: begins that of the file
+ */
 export function filmRow(app, progress, { subjects, name }) {
   const subject = select("export-film", "What is filmed", [], "");
-  const frames = select("export-frames", "Frames", [["24", "24 frames"], ["48", "48 frames"], ["96", "96 frames"]], "48");
-  const width = select("export-width", "Width", [["480", "480 px"], ["800", "800 px"]], "800");
+  const frames = select(
+    "export-frames",
+    "Frames",
+    [
+      ["24", "24 frames"],
+      ["48", "48 frames"],
+      ["96", "96 frames"],
+    ],
+    "48",
+  );
+  const width = select(
+    "export-width",
+    "Width",
+    [
+      ["480", "480 px"],
+      ["800", "800 px"],
+    ],
+    "800",
+  );
   const noWebm = whyNoWebm();
-  const row = downloadRow({ id: "gif", title: "Film", format: "GIF", meaning: "" }, () => start("gif"), subject, frames, width);
+  const row = downloadRow(
+    { id: "gif", title: "Film", format: "GIF", meaning: "" },
+    () => start("gif"),
+    subject,
+    frames,
+    width,
+  );
   const webm = button("export-webm", "WebM", () => start("webm"), { ariaLabel: "Film, WebM", hidden: noWebm !== "" });
   webm.setAttribute("aria-describedby", row.hint.id);
   row.button.after(webm);
@@ -34,7 +61,9 @@ export function filmRow(app, progress, { subjects, name }) {
   reflect();
   return { element: row.element, reflect };
 
-  function offered() { return subjects.filter(({ isOffered = () => true }) => isOffered()); }
+  function offered() {
+    return subjects.filter(({ isOffered = () => true }) => isOffered());
+  }
 
   /** The chosen subject. @returns {Subject | undefined} */
   function chosen() {
@@ -66,14 +95,19 @@ export function filmRow(app, progress, { subjects, name }) {
   function start(format) {
     const one = chosen();
     if (!one) return;
-    const make = (/** @type {(part: number) => boolean} */ onProgress) => makeFilm(format, one.open(even(Number(width.value)), Number(frames.value)), onProgress);
+    const make = (/** @type {(part: number) => boolean} */ onProgress) =>
+      makeFilm(format, one.open(even(Number(width.value)), Number(frames.value)), onProgress);
     void app.track(progress.save(`${name()}-${one.id}.${format}`, make), failureOf("Film"));
   }
 }
 
 /** @param {string} id @param {string} label @param {[string, string][]} options @param {string} value */
 export function select(id, label, options, value) {
-  const element = make("select", { id, ariaLabel: label }, ...options.map(([key, text]) => make("option", { value: key }, text)));
+  const element = make(
+    "select",
+    { id, ariaLabel: label },
+    ...options.map(([key, text]) => make("option", { value: key }, text)),
+  );
   element.value = value;
   return element;
 }

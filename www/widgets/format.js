@@ -6,10 +6,14 @@ export function num(value, digits = 2) {
 }
 
 /** A point or configuration. @param {ArrayLike<number>} values @param {number} [digits] */
-export function tuple(values, digits = 2) { return `(${Array.from(values, (value) => num(value, digits)).join(", ")})`; }
+export function tuple(values, digits = 2) {
+  return `(${Array.from(values, (value) => num(value, digits)).join(", ")})`;
+}
 
 /** @param {string} text */
-export function capital(text) { return text && text[0].toUpperCase() + text.slice(1); }
+export function capital(text) {
+  return text && text[0].toUpperCase() + text.slice(1);
+}
 
 /** A small number, in powers of ten where that is shorter. @param {number} value */
 export function small(value) {
@@ -19,15 +23,23 @@ export function small(value) {
 }
 
 /** A time in words. @param {number} seconds */
-export function duration(seconds) { return seconds < 1 ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms` : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`; }
+export function duration(seconds) {
+  return seconds < 1
+    ? `${(1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)} ms`
+    : `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`;
+}
 
 /** The digits of an exponent. @param {number} exponent */
 export function superscript(exponent) {
-  return [...String(exponent)].map((c) => (c === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[Number(c)])).join("");
+  return [...String(exponent)]
+    .map((c) => (c === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[Number(c)]))
+    .join("");
 }
 
 /** With six digits at most, and commas between thousands. @param {number} value */
 export const numberText = (value) => value.toLocaleString("en", { maximumSignificantDigits: 6 });
 
 /** A percentage: with one digit after the point below 10. @param {number} value */
-export function percent(value) { return `${num(value, value < 10 ? 1 : 0)} %`; }
+export function percent(value) {
+  return `${num(value, value < 10 ? 1 : 0)} %`;
+}

@@ -47,7 +47,10 @@ export function makeGallery(scenes, onChoose) {
       for (const { id, input, card } of cards) {
         input.checked = id === chosen;
         // Only the strip scrolls, not the page; in the next frame, as it would force a layout.
-        if (input.checked) requestAnimationFrame(() => element.scrollTo({ left: card.offsetLeft - (element.clientWidth - card.offsetWidth) / 2 }));
+        if (input.checked)
+          requestAnimationFrame(() =>
+            element.scrollTo({ left: card.offsetLeft - (element.clientWidth - card.offsetWidth) / 2 }),
+          );
       }
     },
 

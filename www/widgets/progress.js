@@ -1,4 +1,6 @@
-/** The progress of a file that takes a while to make: a bar, a button that cancels it, and a line about what came of it. */
+/**
+ * The progress of a file that takes a while to make: a bar, a button that cancels it, and a line about what came of it.
+ */
 import { make, write } from "../app/dom.js";
 import { save } from "../app/files.js";
 import { button } from "./elements.js";
@@ -10,19 +12,29 @@ export class Progress {
     /** Number of the latest file; an older one is cancelled. */
     this.turn = 0;
     this.bar = make("progress", { max: 1, value: 0, ariaLabel: "Progress" });
-    this.row = make("div", { className: "row", id: "export-progress", hidden: true }, this.bar, button("export-cancel", "Cancel", () => this.cancel()));
+    this.row = make(
+      "div",
+      { className: "row", id: "export-progress", hidden: true },
+      this.bar,
+      button("export-cancel", "Cancel", () => this.cancel()),
+    );
     this.result = make("p", { className: "hint", id: "export-told", role: "status" });
   }
 
   /** Whether a file is being made. */
-  get isBusy() { return !this.row.hidden; }
+  get isBusy() {
+    return !this.row.hidden;
+  }
 
-  cancel() { this.turn++; }
+  cancel() {
+    this.turn++;
+  }
 
   /**
    * Makes a file, saves it, and says how large it is. Another one that is being made is cancelled.
    * @param {string} name
-   * @param {(onProgress: (part: number) => boolean) => Promise<Blob | null>} makeFile   `onProgress` returns whether to continue; null: cancelled
+   * @param {(onProgress: (part: number) => boolean) => Promise<Blob | null>} makeFile   `onProgress` returns whether to
+   *   continue; null: cancelled
    */
   async save(name, makeFile) {
     const mine = ++this.turn;
@@ -37,7 +49,12 @@ export class Progress {
         return mine === this.turn;
       });
       if (blob) save(blob, name);
-      write(this.result, blob ? `${name}, ${sizeText(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.` : "Cancelled.");
+      write(
+        this.result,
+        blob
+          ? `${name}, ${sizeText(blob.size)}, in ${((performance.now() - began) / 1000).toFixed(1)} s.`
+          : "Cancelled.",
+      );
     } finally {
       this.row.hidden = true;
       this.onChange();
@@ -46,4 +63,6 @@ export class Progress {
 }
 
 /** @param {number} bytes */
-function sizeText(bytes) { return bytes < 1e6 ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`; }
+function sizeText(bytes) {
+  return bytes < 1e6 ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+}

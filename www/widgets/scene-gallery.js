@@ -6,9 +6,13 @@ import { drawThumbnail } from "../draw/thumbnail.js";
 /** @import { ScenarioDocument } from "../domain/types.js" */
 
 /**
- * The gallery of the pages beside the planner's: scenes with thumbnails that follow the theme. A scene that cannot be loaded has none.
+ * The gallery of the pages beside the planner's: scenes with thumbnails that follow the theme. A scene that cannot be
+ * loaded has none.
  * @template {{ id: string, title: string }} E
- * @param {App} app @param {E[]} entries @param {(entry: E) => ScenarioDocument | Promise<ScenarioDocument>} documentOf  for the thumbnail @param {(entry: E) => void} onChoose
+ * @param {App} app
+ * @param {E[]} entries
+ * @param {(entry: E) => ScenarioDocument | Promise<ScenarioDocument>} documentOf  for the thumbnail
+ * @param {(entry: E) => void} onChoose
  */
 export function makeSceneGallery(app, entries, documentOf, onChoose) {
   const gallery = makeGallery(entries, onChoose);
@@ -20,7 +24,11 @@ export function makeSceneGallery(app, entries, documentOf, onChoose) {
   const drawAll = () => {
     for (const entry of entries) {
       const document = documentOf(entry);
-      if (document instanceof Promise) void document.then((loaded) => draw(entry.id, loaded), () => {});
+      if (document instanceof Promise)
+        void document.then(
+          (loaded) => draw(entry.id, loaded),
+          () => {},
+        );
       else draw(entry.id, document);
     }
   };

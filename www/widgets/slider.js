@@ -27,7 +27,12 @@ export class Slider {
     this.onInput = onInput;
     this.current = value;
     this.range = make("input", { type: "range", id: name, ariaLabel: title });
-    this.number = make("input", { type: "number", id: `${name}-number`, autocomplete: "off", ariaLabel: unit ? `${title}, ${SPOKEN[unit] ?? unit}` : title });
+    this.number = make("input", {
+      type: "number",
+      id: `${name}-number`,
+      autocomplete: "off",
+      ariaLabel: unit ? `${title}, ${SPOKEN[unit] ?? unit}` : title,
+    });
     this.reason = make("p", { className: "reason", id: `${name}-reason`, hidden: true });
     this.number.setAttribute("aria-describedby", this.reason.id);
     this.range.addEventListener("input", () => {
@@ -35,15 +40,27 @@ export class Slider {
       else this.give(this.rangeValue);
     });
     if (isLog) this.range.addEventListener("change", () => this.give(this.rangeValue));
-    this.number.addEventListener("change", () => this.give(this.number.value.trim() === "" ? NaN : Number(this.number.value)));
-    this.row = make("div", { className: "coordinate" }, make("span", { className: "name" }, title), this.range, this.number, make("span", { className: "unit" }, unit));
+    this.number.addEventListener("change", () =>
+      this.give(this.number.value.trim() === "" ? NaN : Number(this.number.value)),
+    );
+    this.row = make(
+      "div",
+      { className: "coordinate" },
+      make("span", { className: "name" }, title),
+      this.range,
+      this.number,
+      make("span", { className: "unit" }, unit),
+    );
     this.element = make("div", {}, this.row, this.reason);
     this.setLimits(info.min, info.max);
   }
 
   /** The value at the slider; of a logarithmic one rounded to two digits. */
   get rangeValue() {
-    const { info: { min, max, isLog }, range } = this;
+    const {
+      info: { min, max, isLog },
+      range,
+    } = this;
     if (!isLog) return Number(range.value);
     const value = min * (max / min) ** (Number(range.value) / LOG_STEPS);
     return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
@@ -74,9 +91,13 @@ export class Slider {
 
   /** Shows a value. @param {number} value */
   show(value) {
-    const { info: { min, max, isLog }, range } = this;
+    const {
+      info: { min, max, isLog },
+      range,
+    } = this;
     this.current = value;
-    if (!range.matches(":active")) range.value = String(isLog ? Math.round((LOG_STEPS * Math.log(value / min)) / Math.log(max / min)) : value);
+    if (!range.matches(":active"))
+      range.value = String(isLog ? Math.round((LOG_STEPS * Math.log(value / min)) / Math.log(max / min)) : value);
     this.write(value);
     if (document.activeElement !== this.number) this.refuse("");
   }
@@ -86,7 +107,12 @@ export class Slider {
     const { info, range, number } = this;
     Object.assign(info, { min, max });
     const step = info.step ?? (info.kind === "integer" ? 1 : (max - min) / 2000);
-    Object.assign(range, info.isLog ? { min: "0", max: String(LOG_STEPS), step: "1" } : { min: String(min), max: String(max), step: String(step) });
+    Object.assign(
+      range,
+      info.isLog
+        ? { min: "0", max: String(LOG_STEPS), step: "1" }
+        : { min: String(min), max: String(max), step: String(step) },
+    );
     Object.assign(number, { min: String(min), max: String(max), step: info.kind === "integer" ? "1" : "any" });
     this.show(this.current);
   }

@@ -18,7 +18,8 @@ import { button, labelled } from "./elements.js";
  * @property {number} slowest    units a second
  * @property {number} fastest
  * @property {number} pace       at first
- * @property {(count: number) => boolean | Promise<boolean>} advance   moves on by so many units; returns whether there is more
+ * @property {(count: number) => boolean | Promise<boolean>} advance   moves on by so many units; returns whether there
+ *   is more
  * @property {() => void} reset
  * @property {boolean} [canFinish]   has it a button that runs to the end?
  * @property {boolean} [isWhole]   are the units counted whole? true where absent
@@ -32,7 +33,12 @@ const AT_ONCE = 50;
 const LONGEST = 0.1;
 
 export class Transport {
-  /** @param {App} app @param {HTMLElement} host @param {Playback} playback @param {HTMLElement[]} [keyTargets]  elements on which keys work, beside the bar */
+  /**
+   * @param {App} app
+   * @param {HTMLElement} host
+   * @param {Playback} playback
+   * @param {HTMLElement[]} [keyTargets]  elements on which keys work, beside the bar
+   */
   constructor(app, host, playback, keyTargets = []) {
     const { name, label, steps, canFinish = false } = playback;
     this.app = app;
@@ -47,38 +53,79 @@ export class Transport {
     this.word = make("span", { className: "word" });
     this.play = button(`${name}-play`, "", () => this.toggle(), { className: "primary" });
     this.play.append(icon("icon-play", "M5 3v14l12-7z"), icon("icon-pause", "M4.5 3h4v14h-4zm7 0h4v14h-4z"), this.word);
-    this.steps = steps.map((count) => button(`${name}-step-${count}`, String(count), () => this.step(count), { ariaLabel: `Step ${count}` }));
-    this.finish = button(`${name}-finish`, "To the end", () => {
-      this.setPlaying(true);
-      this.isFinishing = true;
-    }, { hidden: !canFinish });
-    this.speed = make("input", { type: "range", id: `${name}-speed`, min: "0", max: "100", step: "1", ariaLabel: "Speed" });
-    this.speed.value = String(Math.round((100 * Math.log(playback.pace / playback.slowest)) / Math.log(playback.fastest / playback.slowest)));
+    this.steps = steps.map((count) =>
+      button(`${name}-step-${count}`, String(count), () => this.step(count), { ariaLabel: `Step ${count}` }),
+    );
+    this.finish = button(
+      `${name}-finish`,
+      "To the end",
+      () => {
+        this.setPlaying(true);
+        this.isFinishing = true;
+      },
+      { hidden: !canFinish },
+    );
+    this.speed = make("input", {
+      type: "range",
+      id: `${name}-speed`,
+      min: "0",
+      max: "100",
+      step: "1",
+      ariaLabel: "Speed",
+    });
+    this.speed.value = String(
+      Math.round((100 * Math.log(playback.pace / playback.slowest)) / Math.log(playback.fastest / playback.slowest)),
+    );
     this.speed.addEventListener("input", () => this.showSpeed());
     this.speedText = make("output", {});
-    this.bar = make("div", { className: "transport", id: `${name}-transport` }, this.play, labelled("group", "Step", make("div", { className: "steps" }, ...this.steps)),
-      this.finish, button(`${name}-reset`, "Reset", () => this.restart()),
-      make("label", { className: "speed", htmlFor: this.speed.id }, make("span", {}, "Speed"), this.speed, this.speedText));
+    this.bar = make(
+      "div",
+      { className: "transport", id: `${name}-transport` },
+      this.play,
+      labelled("group", "Step", make("div", { className: "steps" }, ...this.steps)),
+      this.finish,
+      button(`${name}-reset`, "Reset", () => this.restart()),
+      make(
+        "label",
+        { className: "speed", htmlFor: this.speed.id },
+        make("span", {}, "Speed"),
+        this.speed,
+        this.speedText,
+      ),
+    );
     host.append(labelled("toolbar", label, this.bar));
     this.showSpeed();
     this.setPlaying(false);
-    watchKeys([this.bar, ...keyTargets], { " ": () => this.toggle(), r: () => this.restart(), ".": () => this.step(steps[0]) });
+    watchKeys([this.bar, ...keyTargets], {
+      " ": () => this.toggle(),
+      r: () => this.restart(),
+      ".": () => this.step(steps[0]),
+    });
     app.onFrame((now) => this.move(now));
   }
 
   /** Units a second. */
-  get pace() { return this.playback.slowest * (this.playback.fastest / this.playback.slowest) ** (Number(this.speed.value) / 100); }
+  get pace() {
+    return this.playback.slowest * (this.playback.fastest / this.playback.slowest) ** (Number(this.speed.value) / 100);
+  }
 
   showSpeed() {
-    const { pace, playback: { unit, paceText } } = this;
+    const {
+      pace,
+      playback: { unit, paceText },
+    } = this;
     const number = pace < 10 ? pace.toFixed(1) : grouped(Math.round(pace));
     this.speedText.textContent = paceText?.(pace) ?? `${number}/s`;
     this.speed.setAttribute("aria-valuetext", paceText?.(pace) ?? `${number} ${unit} a second`);
   }
 
-  toggle() { if (!this.play.disabled) this.setPlaying(!this.isPlaying); }
+  toggle() {
+    if (!this.play.disabled) this.setPlaying(!this.isPlaying);
+  }
 
-  pause() { this.setPlaying(false); }
+  pause() {
+    this.setPlaying(false);
+  }
 
   /** @param {boolean} isPlaying */
   setPlaying(isPlaying) {
@@ -114,7 +161,8 @@ export class Transport {
     if (!this.isPlaying) return false;
     if (this.isFinishing) {
       const until = performance.now() + SLICE;
-      do this.advance(AT_ONCE); while (this.isFinishing && !this.isBusy && performance.now() < until);
+      do this.advance(AT_ONCE);
+      while (this.isFinishing && !this.isBusy && performance.now() < until);
       return this.isPlaying;
     }
     this.due += this.pace * Math.min(LONGEST, Math.max(0, (now - this.last) / 1000));
@@ -143,5 +191,9 @@ export class Transport {
 
 /** @param {string} name @param {string} path */
 function icon(name, path) {
-  return makeSvg("svg", { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" }, makeSvg("path", { d: path, fill: "currentColor" }));
+  return makeSvg(
+    "svg",
+    { class: name, viewBox: "0 0 20 20", "aria-hidden": "true" },
+    makeSvg("path", { d: path, fill: "currentColor" }),
+  );
 }

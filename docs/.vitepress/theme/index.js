@@ -27,25 +27,41 @@ const LiveStage = defineComponent({
     function dress() {
       const { document: inside, matchMedia } = frame.value?.contentWindow ?? {};
       if (!inside || !matchMedia) return;
-      const theme = inside.documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+      const theme =
+        inside.documentElement.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
       if ((theme === "dark") !== isDark.value) inside.getElementById("theme")?.click();
     }
     watch(isDark, dress);
 
-    return () => h("figure", { class: "stage" }, [
-      isLive.value
-        ? h("iframe", { ref: frame, src: `${page}?embed=1${address}`, title, onLoad: dress, onVnodeUnmounted: () => removeEventListener("message", play) })
-        : h("button", { type: "button", class: "poster", "aria-label": `Run ${title}`, onClick: start }, [
-          h("img", { src: withBase(picture), width, height, alt: `${title}, at the end of a run`, loading: "lazy" }),
-          h("span", { class: "run" }, "Run it"),
-        ]),
-      h("figcaption", [`${title}. `, h("a", { href: `${page}${address}`, target: "_self" }, "Open it on the page")]),
-    ]);
+    return () =>
+      h("figure", { class: "stage" }, [
+        isLive.value
+          ? h("iframe", {
+              ref: frame,
+              src: `${page}?embed=1${address}`,
+              title,
+              onLoad: dress,
+              onVnodeUnmounted: () => removeEventListener("message", play),
+            })
+          : h("button", { type: "button", class: "poster", "aria-label": `Run ${title}`, onClick: start }, [
+              h("img", {
+                src: withBase(picture),
+                width,
+                height,
+                alt: `${title}, at the end of a run`,
+                loading: "lazy",
+              }),
+              h("span", { class: "run" }, "Run it"),
+            ]),
+        h("figcaption", [`${title}. `, h("a", { href: `${page}${address}`, target: "_self" }, "Open it on the page")]),
+      ]);
   },
 });
 
 export default {
   extends: DefaultTheme,
   /** @param {{ app: import("vue").App }} site */
-  enhanceApp({ app }) { app.component("LiveStage", LiveStage); },
+  enhanceApp({ app }) {
+    app.component("LiveStage", LiveStage);
+  },
 };

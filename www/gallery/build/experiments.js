@@ -1,4 +1,7 @@
-/** Entries of Experiments: a document and its view. The picture shows the first trials of each setting: the page runs them all. */
+/**
+ * Entries of Experiments: a document and its view. The picture shows the first trials of each setting: the page runs
+ * them all.
+ */
 import { Experiment } from "planarium/full";
 import { View as Frame } from "planarium/draw";
 import { SERIES } from "../../app/palette.js";
@@ -14,7 +17,10 @@ import { drawDots } from "./sheet.js";
 /** @import { Documents, Opened } from "./open.js" */
 
 /** @typedef {Extract<Entry, { page: "experiments" }>} ExperimentEntry */
-/** A group of trials: the value across, the others in words, and the measured values of those with a path. @typedef {{ x: string, series: string, values: number[], n: number }} Group */
+/**
+ * A group of trials: the value across, the others in words, and the measured values of those with a path.
+ * @typedef {{ x: string, series: string, values: number[], n: number }} Group
+ */
 
 /** Trials of a picture, about, and most seeds of a setting; a share needs more of both. */
 const FEW = { trials: 24, seeds: 5 };
@@ -30,13 +36,22 @@ const known = new Map();
 /** @param {ExperimentEntry} entry @param {Documents} documents @returns {Promise<Opened>} */
 export async function openExperiment({ state: { document: name, worlds: kept, view = {} } }, documents) {
   const whole = documents.experiment(name);
-  const document = { ...whole, worlds: whole.worlds.filter((world) => !kept || ("scenario" in world && typeof world.scenario === "object" && kept.includes(world.scenario.name))) };
+  const document = {
+    ...whole,
+    worlds: whole.worlds.filter(
+      (world) =>
+        !kept || ("scenario" in world && typeof world.scenario === "object" && kept.includes(world.scenario.name)),
+    ),
+  };
   const measured = measureOf(view, document);
   const most = isShare(measured) ? MANY : FEW;
   const key = JSON.stringify([document, most]);
   const rows = known.get(key) ?? firstRows(/** @type {ExperimentDocument} */ (document), most);
   known.set(key, rows);
-  const draw = (/** @type {Brush} */ brush) => (view.chart === "ecdf" ? drawShares(brush, rows, view.work ?? "iterations") : drawGroups(brush, groupsOf(rows, view, measured), measured, view));
+  const draw = (/** @type {Brush} */ brush) =>
+    view.chart === "ecdf"
+      ? drawShares(brush, rows, view.work ?? "iterations")
+      : drawGroups(brush, groupsOf(rows, view, measured), measured, view);
   return { address: `experiments.html#${await encodeExperiment({ document, view })}`, panes: [draw], pane: PANE };
 }
 
@@ -46,13 +61,20 @@ function measureOf({ chart, measure }, { measures = [] }) {
   return measure ?? measures[0] ?? "length";
 }
 
-/** Runs the first trials of every setting. @param {ExperimentDocument} document @param {typeof FEW} most @returns {TrialRow[]} */
+/**
+ * Runs the first trials of every setting.
+ * @param {ExperimentDocument} document
+ * @param {typeof FEW} most
+ * @returns {TrialRow[]}
+ */
 function firstRows(document, most) {
   const all = Experiment.parse(document);
   const seeds = countOf(document.seeds);
   const kept = Math.max(1, Math.min(most.seeds, Math.floor((most.trials * seeds) / all.trialCount)));
   all.free();
-  const worlds = document.worlds.map((world) => ("seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, most.seeds) } : world));
+  const worlds = document.worlds.map((world) =>
+    "seeds" in world && world.seeds ? { ...world, seeds: first(world.seeds, most.seeds) } : world,
+  );
   const experiment = Experiment.parse({ ...document, worlds, seeds: first(document.seeds, kept) });
   const rows = Array.from({ length: experiment.trialCount }, (_, i) => {
     const trial = experiment.trial(i);
@@ -66,10 +88,14 @@ function firstRows(document, most) {
 }
 
 /** @param {ExperimentSeeds} seeds */
-function countOf(seeds) { return Array.isArray(seeds) ? seeds.length : seeds.count; }
+function countOf(seeds) {
+  return Array.isArray(seeds) ? seeds.length : seeds.count;
+}
 
 /** @param {ExperimentSeeds} seeds @param {number} count @returns {ExperimentSeeds} */
-function first(seeds, count) { return Array.isArray(seeds) ? seeds.slice(0, count) : { ...seeds, count: Math.min(count, seeds.count) }; }
+function first(seeds, count) {
+  return Array.isArray(seeds) ? seeds.slice(0, count) : { ...seeds, count: Math.min(count, seeds.count) };
+}
 
 /** The value that a row has of a measure; NaN without a path. @param {TrialRow} row @param {string} measure */
 function valueOf(row, measure) {
@@ -79,16 +105,30 @@ function valueOf(row, measure) {
 
 /** The columns of planners in which rows differ. @param {TrialRow[]} rows */
 function settingsOf(rows) {
-  return Object.keys(rows[0]).filter((column) => /^planner(\.|$)/.test(column) && new Set(rows.map((row) => row[column])).size > 1);
+  return Object.keys(rows[0]).filter(
+    (column) => /^planner(\.|$)/.test(column) && new Set(rows.map((row) => row[column])).size > 1,
+  );
 }
 
-/** Rows by the value of the axis and the others in words, of a heat map those of the second axis. @param {TrialRow[]} rows @param {View} view @param {string} measure @returns {Group[]} */
+/**
+ * Rows by the value of the axis and the others in words, of a heat map those of the second axis.
+ * @param {TrialRow[]} rows
+ * @param {View} view
+ * @param {string} measure
+ * @returns {Group[]}
+ */
 function groupsOf(rows, { chart, axis = "planner", second }, measure) {
   const others = chart === "heat" && second ? [second] : settingsOf(rows).filter((column) => column !== axis);
   /** @type {Map<string, Group>} */
   const groups = new Map();
   for (const row of rows) {
-    const [x, series] = [String(row[axis] ?? ""), others.map((column) => row[column]).filter((value) => value !== null).join(", ")];
+    const [x, series] = [
+      String(row[axis] ?? ""),
+      others
+        .map((column) => row[column])
+        .filter((value) => value !== null)
+        .join(", "),
+    ];
     const group = groups.get(`${x}|${series}`) ?? { x, series, values: [], n: 0 };
     groups.set(`${x}|${series}`, group);
     group.n++;
@@ -98,24 +138,46 @@ function groupsOf(rows, { chart, axis = "planner", second }, measure) {
   return [...groups.values()];
 }
 
-/** Dots and the mean of each group; numbers of the report as crosses. @param {Brush} brush @param {Group[]} groups @param {string} measure @param {View} shown */
+/**
+ * Dots and the mean of each group; numbers of the report as crosses.
+ * @param {Brush} brush
+ * @param {Group[]} groups
+ * @param {string} measure
+ * @param {View} shown
+ */
 function drawGroups(brush, groups, measure, { reported = [], isLog = false }) {
   const { context, palette } = brush;
   const [places, series] = [[...new Set(groups.map(({ x }) => x))], [...new Set(groups.map((group) => group.series))]];
   const values = [...groups.flatMap((group) => group.values), ...reported.map(({ value = 0 }) => value)];
   const isOfTrials = isShare(measure);
-  const range = /** @type {[number, number]} */ (isOfTrials ? [0, 100] : isLog ? decadesOf(values) : [0, Math.max(...values, 0) || 1]);
+  const range = /** @type {[number, number]} */ (
+    isOfTrials ? [0, 100] : isLog ? decadesOf(values) : [0, Math.max(...values, 0) || 1]
+  );
   const { title } = measureInfo(measure, "");
   const view = frameOf(brush, range, isLog, isOfTrials ? `${title}, %` : titled(measureInfo(measure, "")), series);
   const slot = 1 / places.length;
   context.fillStyle = palette.quiet;
   // Names that begin alike are cut, so that they fit.
-  const cut = places.some((place) => place.length * LETTER > slot * view.scaleX) ? /** @type {RegExpExecArray} */ (/^(.*[-_ ])?.*\n(?:\1.*(?:\n|$))*$/.exec(`${places.join("\n")}\n`))[1]?.length ?? 0 : 0;
-  places.forEach((place, i) => linesOf(place.slice(cut), slot * view.scaleX).forEach((text, row) => context.fillText(text, view.x((i + 0.5) * slot), view.floor + 8 + 14 * row)));
+  const cut = places.some((place) => place.length * LETTER > slot * view.scaleX)
+    ? (/** @type {RegExpExecArray} */ (/^(.*[-_ ])?.*\n(?:\1.*(?:\n|$))*$/.exec(`${places.join("\n")}\n`))[1]?.length ??
+      0)
+    : 0;
+  places.forEach((place, i) =>
+    linesOf(place.slice(cut), slot * view.scaleX).forEach((text, row) =>
+      context.fillText(text, view.x((i + 0.5) * slot), view.floor + 8 + 14 * row),
+    ),
+  );
   for (const { x, series: name, values: all } of groups) {
     const colour = palette[SERIES[series.indexOf(name) % SERIES.length]];
     const at = view.x(slot * (places.indexOf(x) + (series.indexOf(name) + 1) / (series.length + 1)));
-    if (!isOfTrials) drawDots(context, all.map((value) => [at, view.y(value)]), colour, 5, 0.5);
+    if (!isOfTrials)
+      drawDots(
+        context,
+        all.map((value) => [at, view.y(value)]),
+        colour,
+        5,
+        0.5,
+      );
     if (all.length === 0) continue;
     const mean = view.y(all.reduce((sum, value) => sum + value, 0) / all.length);
     setStroke(context, colour, isOfTrials ? 4 : 2.4);
@@ -137,7 +199,12 @@ function linesOf(text, width) {
   }, []);
 }
 
-/** The share of trials solved, by work, for each planner. @param {Brush} brush @param {TrialRow[]} rows @param {string} work */
+/**
+ * The share of trials solved, by work, for each planner.
+ * @param {Brush} brush
+ * @param {TrialRow[]} rows
+ * @param {string} work
+ */
 function drawShares(brush, rows, work) {
   const { context, palette } = brush;
   const settings = settingsOf(rows);
@@ -145,7 +212,7 @@ function drawShares(brush, rows, work) {
   const all = new Map();
   for (const row of rows) {
     const name = settings.map((column) => row[column]).join(", ");
-    all.set(name, [...all.get(name) ?? [], valueOf(row, work)]);
+    all.set(name, [...(all.get(name) ?? []), valueOf(row, work)]);
   }
   const most = Math.max(...rows.map((row) => valueOf(row, work)).filter((value) => !Number.isNaN(value)), 1);
   const view = frameOf(brush, [0, 100], false, `solved, %, after ${work.replaceAll("_", " ")}`, [...all.keys()]);
@@ -173,13 +240,24 @@ function decadesOf(values) {
 
 /**
  * A frame from 0 to 1 across and over a range up, with a title and the names of series.
- * @param {Brush} brush @param {[number, number]} range @param {boolean} isLog @param {string} title @param {string[]} series
- * @returns {{ x: (value: number) => number, y: (value: number) => number, scaleX: number, floor: number }}  `floor`: the place of the least value
+ * @param {Brush} brush
+ * @param {[number, number]} range
+ * @param {boolean} isLog
+ * @param {string} title
+ * @param {string[]} series
+ * @returns {{ x: (value: number) => number, y: (value: number) => number, scaleX: number, floor: number }}  `floor`:
+ *   the place of the least value
  */
 function frameOf({ context, palette, width, height }, [least, most], isLog, title, series) {
   const frame = new Frame({ min: [0, 0], max: [1, 1.08] }, width, height, MARGIN, true);
-  const up = (/** @type {number} */ value) => (isLog ? Math.log10(value / least) / Math.log10(most / least) : (value - least) / (most - least));
-  const view = { x: (/** @type {number} */ value) => frame.x(value), y: (/** @type {number} */ value) => frame.y(up(value)), scaleX: frame.scaleX, floor: frame.y(0) };
+  const up = (/** @type {number} */ value) =>
+    isLog ? Math.log10(value / least) / Math.log10(most / least) : (value - least) / (most - least);
+  const view = {
+    x: (/** @type {number} */ value) => frame.x(value),
+    y: (/** @type {number} */ value) => frame.y(up(value)),
+    scaleX: frame.scaleX,
+    floor: frame.y(0),
+  };
   setStroke(context, palette.line, 1);
   for (const part of [0, 0.5, 1]) drawLine(context, view.x(0), frame.y(part), view.x(1), frame.y(part));
   context.fillStyle = palette.quiet;

@@ -23,17 +23,36 @@ const MOST = { robots: 120, dots: 1000 };
 /** @param {Extract<Entry, { page: "neighbours" }>} entry @param {Documents} documents @returns {Promise<Opened>} */
 export async function openNeighbours({ state: given, world }, documents) {
   const state = /** @type {State} */ ({ ...stateRule.defaults, ...given, document: world && documents.world(world) });
-  const session = new NeighbourSession(NO_APP, /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)), ROBOTS[0]);
+  const session = new NeighbourSession(
+    NO_APP,
+    /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)),
+    ROBOTS[0],
+  );
   await openState(session, state);
-  const { scenario, document, footprints, isPlanar, list: { tips } } = session;
-  const rows = thinned(Array.from({ length: session.count }, (_, i) => i), MOST.dots);
+  const {
+    scenario,
+    document,
+    footprints,
+    isPlanar,
+    list: { tips },
+  } = session;
+  const rows = thinned(
+    Array.from({ length: session.count }, (_, i) => i),
+    MOST.dots,
+  );
   const square = new Square(session);
   const workspace = new Workspace(session);
   const drawSquare = (/** @type {Brush} */ brush) => {
     const { context, palette } = brush;
     square.drawGround(brush, session.coordinates);
     fillObstacles(context, scenario, palette, square.inner);
-    drawDots(context, rows.map((i) => square.place(session.row(i))), palette.growth, 2.2, 0.6);
+    drawDots(
+      context,
+      rows.map((i) => square.place(session.row(i))),
+      palette.growth,
+      2.2,
+      0.6,
+    );
     square.top(brush);
   };
   const drawPlane = (/** @type {Brush} */ brush) => {
@@ -42,7 +61,7 @@ export async function openNeighbours({ state: given, world }, documents) {
       workspace.ground(brush);
       return workspace.top(brush);
     }
-    const view = workspace.view = drawWorkspace(brush, scenario, document);
+    const view = (workspace.view = drawWorkspace(brush, scenario, document));
     context.save();
     setStroke(context, palette.growth, 1);
     context.globalAlpha = footprints.length > 100 ? 0.12 : 0.3;
@@ -50,13 +69,23 @@ export async function openNeighbours({ state: given, world }, documents) {
     for (const part of thinned(footprints, MOST.robots).flat()) {
       if (part.type === "capsule") addLine(context, ...view.place(part.a), ...view.place(part.b));
       else if (part.type === "polygon") {
-        for (const [i, vertex] of [...part.vertices, part.vertices[0]].entries()) context[i === 0 ? "moveTo" : "lineTo"](...view.place(vertex));
+        for (const [i, vertex] of [...part.vertices, part.vertices[0]].entries())
+          context[i === 0 ? "moveTo" : "lineTo"](...view.place(vertex));
       }
     }
     context.stroke();
     context.restore();
-    drawDots(context, rows.map((i) => view.place(tips.subarray(2 * i))), palette.growth, 2.2, 0.6);
+    drawDots(
+      context,
+      rows.map((i) => view.place(tips.subarray(2 * i))),
+      palette.growth,
+      2.2,
+      0.6,
+    );
     workspace.top(brush);
   };
-  return { address: `neighbours.html#${await encodeState(state, stateRule)}`, panes: isPlanar ? [drawPlane, drawSquare] : [drawPlane] };
+  return {
+    address: `neighbours.html#${await encodeState(state, stateRule)}`,
+    panes: isPlanar ? [drawPlane, drawSquare] : [drawPlane],
+  };
 }

@@ -13,17 +13,36 @@ import { openTrajectories } from "./trajectories.js";
 /** @import { Entry } from "../format.js" */
 /** @import { Pane } from "./sheet.js" */
 
-/** The documents that entries name; scenes are the built-in ones of the planner's page. @typedef {{ world: (name: string) => ScenarioDocument, scene: (name: string) => string, experiment: (name: string) => LinkedDocument, policies: () => Record<RobotKind, PolicyDocument> }} Documents */
-/** The link of an entry, relative to the gallery, and its picture; `pane`: the size of a pane, pixels, unless it is a usual one. @typedef {{ address: string, panes: Pane[], pane?: { width: number, height: number } }} Opened */
+/**
+ * The documents that entries name; scenes are the built-in ones of the planner's page.
+ * @typedef {{ world: (name: string) => ScenarioDocument, scene: (name: string) => string, experiment: (name: string) =>
+ *   LinkedDocument, policies: () => Record<RobotKind, PolicyDocument> }} Documents
+ */
+/**
+ * The link of an entry, relative to the gallery, and its picture; `pane`: the size of a pane, pixels, unless it is a
+ * usual one.
+ * @typedef {{ address: string, panes: Pane[], pane?: { width: number, height: number } }} Opened
+ */
 
-/** @param {Entry} entry @param {Documents} documents @returns {Promise<Opened>} @throws {Error} the page would refuse the state */
+/**
+ * @param {Entry} entry
+ * @param {Documents} documents
+ * @returns {Promise<Opened>}
+ * @throws {Error} the page would refuse the state
+ */
 export async function openEntry(entry, documents) {
   switch (entry.page) {
-    case "planner": return openPlanner(entry, documents);
-    case "reach": return openReach(entry, documents);
-    case "neighbours": return openNeighbours(entry, documents);
-    case "trajectories": return openTrajectories(entry);
-    case "prm-rl": return openLearned(entry, documents);
-    case "experiments": return openExperiment(entry, documents);
+    case "planner":
+      return openPlanner(entry, documents);
+    case "reach":
+      return openReach(entry, documents);
+    case "neighbours":
+      return openNeighbours(entry, documents);
+    case "trajectories":
+      return openTrajectories(entry);
+    case "prm-rl":
+      return openLearned(entry, documents);
+    case "experiments":
+      return openExperiment(entry, documents);
   }
 }

@@ -3,7 +3,10 @@ import { HOLDS, PAGES } from "../format.js";
 
 /** @import { Entry, Holds, Report, Row } from "../format.js" */
 
-/** An entry with its link and the size of its picture, pixels. @typedef {{ entry: Entry, address: string, width: number, height: number }} Shown */
+/**
+ * An entry with its link and the size of its picture, pixels.
+ * @typedef {{ entry: Entry, address: string, width: number, height: number }} Shown
+ */
 
 /** Text for HTML, with `code` between backticks. @param {string} text */
 function html(text) {
@@ -11,7 +14,9 @@ function html(text) {
 }
 
 /** @param {Holds} verdict */
-function holdsMark(verdict) { return `<span class="holds" data-holds="${verdict}">${HOLDS[verdict]}</span>`; }
+function holdsMark(verdict) {
+  return `<span class="holds" data-holds="${verdict}">${HOLDS[verdict]}</span>`;
+}
 
 /** The planners of an entry, by their ids. @param {Entry} entry @returns {string[]} */
 export function plannersOf(entry) {
@@ -24,14 +29,16 @@ export function plannersOf(entry) {
  */
 export function galleryHtml(reports, shown) {
   const ids = [...shown.keys()];
-  const sections = reports.map(({ number, about, entries }) => `
+  const sections = reports.map(
+    ({ number, about, entries }) => `
 <section class="report" id="report-${number}" aria-labelledby="report-${number}-title">
 <h2 id="report-${number}-title">Report ${number}</h2>
 <p>${html(about)}</p>
 <div class="entries">
 ${entries.map(({ id }) => card(number, /** @type {Shown} */ (shown.get(id)), ids)).join("\n")}
 </div>
-</section>`);
+</section>`,
+  );
   return `${sections.join("\n")}\n${table(reports)}`;
 }
 
@@ -44,10 +51,14 @@ function card(report, { entry, address, width, height }, ids) {
     entry.try && `<b>Try:</b> ${html(entry.try)}`,
     says && `<b>The report:</b> ${html(says)}`,
     `${holdsMark(holds)}${why ? `. ${html(why)}` : ""}`,
-    page === "experiments" && `<span class="hint">The picture shows the first trials${entry.state.view?.reported?.length ? "; crosses are numbers of the report" : ""}. The page makes all of them.</span>`,
+    page === "experiments" &&
+      `<span class="hint">The picture shows the first trials${entry.state.view?.reported?.length ? "; crosses are numbers of the report" : ""}. The page makes all of them.</span>`,
     chosen && `<span class="hint"><b>Not in the report:</b> ${html(chosen)}</span>`,
   ].filter(Boolean);
-  const beside = [["previous", at - 1], ["next", at + 1]].map(([word, i]) => {
+  const beside = [
+    ["previous", at - 1],
+    ["next", at + 1],
+  ].map(([word, i]) => {
     const other = ids[Number(i)];
     return other ? `<a class="${word}" href="#${other}">${word === "next" ? "Next" : "Previous"}</a>` : "";
   });
@@ -65,7 +76,9 @@ ${texts.map((text) => `<p>${text}</p>`).join("\n")}
 function table(reports) {
   const titles = new Map(reports.flatMap(({ entries }) => entries.map(({ id, title }) => [id, title])));
   const rows = reports.reduce((sum, report) => sum + report.rows.length, 0);
-  const head = ["No.", "Kind", "What the report has", "Here", "Where", "The report"].map((title) => `<th scope="col">${title}</th>`).join("");
+  const head = ["No.", "Kind", "What the report has", "Here", "Where", "The report"]
+    .map((title) => `<th scope="col">${title}</th>`)
+    .join("");
   return `<div id="rows">
 <h2 id="rows-title">All ${rows} rows</h2>
 <p>Everything that the reports define, show or claim, in their order. &#8220;Here&#8221; says whether Planarium has it.</p>
@@ -79,8 +92,12 @@ ${reports.map(({ number, rows: own }) => `<tbody><tr><th colspan="6" scope="colg
 function line({ row, kind, name, shows, verdict, where, entries, holds, why }, titles) {
   const links = entries.map((id) => `<a href="#${id}">${html(titles.get(id) ?? id)}</a>`).join("; ");
   const cells = [
-    String(row), kind, `${name ? `<b>${html(name)}</b> ` : ""}${html(shows)}`, `<span class="here" data-here="${verdict}">${verdict}</span>`,
-    [html(where), links].filter(Boolean).join("<br>"), `${holdsMark(holds)}${why ? `. ${html(why)}` : ""}`,
+    String(row),
+    kind,
+    `${name ? `<b>${html(name)}</b> ` : ""}${html(shows)}`,
+    `<span class="here" data-here="${verdict}">${verdict}</span>`,
+    [html(where), links].filter(Boolean).join("<br>"),
+    `${holdsMark(holds)}${why ? `. ${html(why)}` : ""}`,
   ];
   return `<tr id="row-${row}">${cells.map((cell) => `<td>${cell}</td>`).join("")}</tr>`;
 }

@@ -23,14 +23,18 @@ import { drawDots, drawSquare, thinned } from "./sheet.js";
 /** @import { Entry } from "../format.js" */
 /** @import { Documents, Opened } from "./open.js" */
 
-/** Most edges drawn as curves of an arm and as lines of another robot, by all planners, and edges and vertices in configuration space. */
+/**
+ * Most edges drawn as curves of an arm and as lines of another robot, by all planners, and edges and vertices in
+ * configuration space.
+ */
 const MOST = { curves: 320, lines: 900, edges: 320, vertices: 500 };
 /** Configurations along the path, by default. */
 const POSES = 8;
 
 /**
  * A run up to an iteration; `planner` is null where the start or the goal is in collision.
- * @typedef {{ scenario: Scenario, document: ScenarioDocument, query: Query, placed: Placed | null, settings: Settings, planner: Planner | null, result: ResultDocument | null }} Run
+ * @typedef {{ scenario: Scenario, document: ScenarioDocument, query: Query, placed: Placed | null, settings: Settings,
+ *   planner: Planner | null, result: ResultDocument | null }} Run
  */
 
 /** @typedef {Extract<Entry, { page: "planner" }>} PlannerEntry */
@@ -38,29 +42,56 @@ const POSES = 8;
 /** @param {PlannerEntry} entry @param {Documents} documents @returns {Promise<Opened>} */
 export async function openPlanner({ state, world }, documents) {
   const document = world ? { ...documents.world(world) } : undefined;
-  const scenario = document ? Scenario.parse(/** @type {ScenarioDocument} */ (/** @type {unknown} */ (document))) : scenarioOf(state, documents);
+  const scenario = document
+    ? Scenario.parse(/** @type {ScenarioDocument} */ (/** @type {unknown} */ (document)))
+    : scenarioOf(state, documents);
   const runs = state.lanes.map((plan) => run(scenario, /** @type {Plan} */ (plan), state.query, state.iteration));
-  const iteration = runs.length === 1 ? runs[0].planner?.iterations ?? 0 : Math.max(...runs.map(({ result }) => result?.stats.clearance_evaluations ?? 0));
+  const iteration =
+    runs.length === 1
+      ? (runs[0].planner?.iterations ?? 0)
+      : Math.max(...runs.map(({ result }) => result?.stats.clearance_evaluations ?? 0));
   const address = `./#${await encodeLink({ version: 1, view: {}, ...state, document, iteration })}`;
   const isFlat = runs.length === 1 && scenario.robot === "arm" && scenario.dimension === 2;
   const workspaces = runs.map((one, i) => (/** @type {Brush} */ brush) => {
-    drawWorkspace(brush, one, Math.ceil((scenario.robot === "arm" ? MOST.curves : MOST.lines) / runs.length), state.view?.poses ?? POSES);
+    drawWorkspace(
+      brush,
+      one,
+      Math.ceil((scenario.robot === "arm" ? MOST.curves : MOST.lines) / runs.length),
+      state.view?.poses ?? POSES,
+    );
     drawDriven(brush, one, state);
     if (runs.length > 1) drawLabel(brush.context, letter(i), 16, 16, brush.palette.ink, brush.palette);
   });
-  return { address, panes: [...workspaces, ...(isFlat ? [(/** @type {Brush} */ brush) => drawSpace(brush, runs[0])] : [])] };
+  return {
+    address,
+    panes: [...workspaces, ...(isFlat ? [(/** @type {Brush} */ brush) => drawSpace(brush, runs[0])] : [])],
+  };
 }
 
-/** A generated or a built-in scenario. @param {PlannerEntry["state"]} state @param {Documents} documents @returns {Scenario} */
+/**
+ * A generated or a built-in scenario.
+ * @param {PlannerEntry["state"]} state
+ * @param {Documents} documents
+ * @returns {Scenario}
+ */
 function scenarioOf({ scene = "", options = {} }, documents) {
   const made = /^make-(.+)$/.exec(scene)?.[1];
   if (made) return Scenario.generate(/** @type {GeneratorId} */ (made), options);
   const built = SCENES.find(({ id }) => id === scene);
   if (!built) throw new Error(`There is no scene "${scene}".`);
-  return built.generate ? Scenario.generate(built.generate.kind, { ...built.generate.options, ...options }) : Scenario.parse(documents.scene(scene));
+  return built.generate
+    ? Scenario.generate(built.generate.kind, { ...built.generate.options, ...options })
+    : Scenario.parse(documents.scene(scene));
 }
 
-/** Runs a planner of an entry. @param {Scenario} scenario @param {Plan} plan @param {string | undefined} query @param {number} [iteration]  the end where absent @returns {Run} */
+/**
+ * Runs a planner of an entry.
+ * @param {Scenario} scenario
+ * @param {Plan} plan
+ * @param {string | undefined} query
+ * @param {number} [iteration]  the end where absent
+ * @returns {Run}
+ */
 function run(scenario, { algorithm, settings = {} }, query, iteration = Infinity) {
   const document = scenario.document();
   const { robot, queries } = document;
@@ -69,15 +100,24 @@ function run(scenario, { algorithm, settings = {} }, query, iteration = Infinity
   const shown = { scenario, document, query: asked, placed, settings };
   const isRefused = [asked.start, asked.goal].some((end) => end && !scenario.check(end).free);
   if (isRefused) return { ...shown, planner: null, result: null };
-  const planner = withOptions({ ...planned(algorithm, settings), algorithm, query: asked.name }, (options) => scenario.planner(options));
-  while (planner.status === "running" && planner.iterations < iteration) planner.step(Math.min(1000, iteration - planner.iterations));
+  const planner = withOptions({ ...planned(algorithm, settings), algorithm, query: asked.name }, (options) =>
+    scenario.planner(options),
+  );
+  while (planner.status === "running" && planner.iterations < iteration)
+    planner.step(Math.min(1000, iteration - planner.iterations));
   return { ...shown, planner, result: planner.result() };
 }
 
 /** @param {Brush} brush @param {Run} run @param {number} most  edges @param {number} poses */
 function drawWorkspace(brush, run, most, poses) {
   const { context, palette, width, height } = brush;
-  const { scenario, document, query: { name, start, goal }, placed, planner } = run;
+  const {
+    scenario,
+    document,
+    query: { name, start, goal },
+    placed,
+    planner,
+  } = run;
   const view = new View(scenario.extent(), width, height);
   drawGround(context, view, document, palette);
   if (document.robot.type === "arm") drawBase(context, view, document.robot.base, palette);
@@ -96,8 +136,12 @@ function drawWorkspace(brush, run, most, poses) {
     context.stroke();
     context.globalAlpha = 1;
   }
-  if (goal && placed) placed.drawRegion(context, view, goal, /** @type {any} */ ({ document, query: name }), palette.goal);
-  for (const [pose, colour, dash] of /** @type {[Configuration | undefined, string, number[]][]} */ ([[goal, palette.goal, [5, 4]], [start, palette.start, []]])) {
+  if (goal && placed)
+    placed.drawRegion(context, view, goal, /** @type {any} */ ({ document, query: name }), palette.goal);
+  for (const [pose, colour, dash] of /** @type {[Configuration | undefined, string, number[]][]} */ ([
+    [goal, palette.goal, [5, 4]],
+    [start, palette.start, []],
+  ])) {
     if (!pose) continue;
     drawGhost(context, view, scenario.footprint(pose), { colour, fill: 0.16, stroke: 0.95, dash, width: 1.6 });
     placed?.drawMarks(context, view, pose, 0, colour);
@@ -107,16 +151,33 @@ function drawWorkspace(brush, run, most, poses) {
     if (!hit) return;
     const parts = scenario.footprint(hit);
     const shown = { scenario, world: document.world, parts, touching: scenario.check(hit).touching };
-    drawTouching({ context, view, palette, onPart: brush.hatch(palette.stage), onObstacle: brush.hatch(palette.collision) }, shown, () => drawRobot(context, view, parts, palette));
+    drawTouching(
+      { context, view, palette, onPart: brush.hatch(palette.stage), onObstacle: brush.hatch(palette.collision) },
+      shown,
+      () => drawRobot(context, view, parts, palette),
+    );
     return;
   }
   const { playback, colour, path } = pathOf(run, palette);
   if (playback) {
     for (let i = 1; i <= poses; i++) {
       const part = i / (poses + 1);
-      drawGhost(context, view, scenario.footprint(playback.configuration(part)), { colour: `color-mix(in oklab, ${palette.goal} ${Math.round(100 * part)}%, ${palette.start})`, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
+      drawGhost(context, view, scenario.footprint(playback.configuration(part)), {
+        colour: `color-mix(in oklab, ${palette.goal} ${Math.round(100 * part)}%, ${palette.start})`,
+        fill: 0.05,
+        stroke: 0.55,
+        dash: [],
+        width: 0.7 + 1.5 * part,
+      });
     }
-    if (playback.flaw) drawGhost(context, view, scenario.footprint(playback.flaw.pose), { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 });
+    if (playback.flaw)
+      drawGhost(context, view, scenario.footprint(playback.flaw.pose), {
+        colour: palette.collision,
+        fill: 0.3,
+        stroke: 1,
+        dash: [],
+        width: 2,
+      });
     context.setLineDash(playback.isMiss ? [6, 5] : []);
     drawPath(context, view, scenario, path, { path: colour });
     context.setLineDash([]);
@@ -125,7 +186,12 @@ function drawWorkspace(brush, run, most, poses) {
   if (goal) drawGoal(context, ...view.place(scenario.endEffector(goal)), palette);
 }
 
-/** What a car has been driven, and the motion of one control from there. @param {Brush} brush @param {Run} run @param {PlannerEntry["state"]} state */
+/**
+ * What a car has been driven, and the motion of one control from there.
+ * @param {Brush} brush
+ * @param {Run} run
+ * @param {PlannerEntry["state"]} state
+ */
 function drawDriven({ context, palette, width, height }, { scenario, query, placed }, { drive, roll, euler }) {
   if (!placed || (!drive && !roll)) return;
   const view = new View(scenario.extent(), width, height);
@@ -155,14 +221,20 @@ function drawDriven({ context, palette, width, height }, { scenario, query, plac
 /** The configuration space of two joints. @param {Brush} brush @param {Run} run */
 function drawSpace(brush, run) {
   const { context, palette } = brush;
-  const { scenario, planner, query: { start, goal } } = run;
+  const {
+    scenario,
+    planner,
+    query: { start, goal },
+  } = run;
   const view = drawSquare(brush, scenario);
   const circles = scenario.circles();
-  const place = (/** @type {ArrayLike<number>} */ q) => view.place([0, 1].map((axis) => (circles[axis] ? folded(q[axis]) : q[axis])));
-  const line = (/** @type {ArrayLike<number>} */ pair) => unrolled(pair, 0, circles, circles, (x0, y0, x1, y1) => {
-    context.moveTo(...view.place([x0, y0]));
-    context.lineTo(...view.place([x1, y1]));
-  });
+  const place = (/** @type {ArrayLike<number>} */ q) =>
+    view.place([0, 1].map((axis) => (circles[axis] ? folded(q[axis]) : q[axis])));
+  const line = (/** @type {ArrayLike<number>} */ pair) =>
+    unrolled(pair, 0, circles, circles, (x0, y0, x1, y1) => {
+      context.moveTo(...view.place([x0, y0]));
+      context.lineTo(...view.place([x1, y1]));
+    });
   if (planner) {
     setGrowth(brush);
     // A tree of which edges are missing is hard to read.
@@ -171,7 +243,11 @@ function drawSpace(brush, run) {
     context.stroke();
     context.globalAlpha = 1;
     drawDots(context, thinned(rowsOf(planner.verticesSince(0), 2), MOST.vertices).map(place), palette.growth, 2.2, 0.8);
-    const { path: { path }, colour, playback } = pathOf(run, palette);
+    const {
+      path: { path },
+      colour,
+      playback,
+    } = pathOf(run, palette);
     setStroke(context, colour, 3.4, playback?.isMiss ? [6, 5] : []);
     context.lineCap = context.lineJoin = "round";
     context.beginPath();
@@ -191,13 +267,20 @@ function setGrowth({ context, palette }) {
   context.beginPath();
 }
 
-/** The path found, or the one to the vertex nearest to the goal. @param {Run} run @param {Brush["palette"]} palette @returns {{ playback: PathPlayback | null, path: Pick<ResultDocument, "path" | "motions" | "blends">, colour: string }} */
+/**
+ * The path found, or the one to the vertex nearest to the goal.
+ * @param {Run} run
+ * @param {Brush["palette"]} palette
+ * @returns {{ playback: PathPlayback | null, path: Pick<ResultDocument, "path" | "motions" | "blends">, colour: string
+ *   }}
+ */
 function pathOf({ scenario, placed, settings, result }, palette) {
   const isProven = (settings.edge_check ?? "proven") === "proven" && settings.integration !== "euler";
   const colour = isProven ? palette.path : palette.unproven;
   if (!result) return { playback: null, path: { path: [] }, colour };
   const { status, approximate } = result;
-  if (status === "solved") return { playback: playbackOfResult(scenario, isProven, result, placed), path: result, colour };
+  if (status === "solved")
+    return { playback: playbackOfResult(scenario, isProven, result, placed), path: result, colour };
   if (!approximate || approximate.path.length < 2) return { playback: null, path: { path: [] }, colour };
   const playback = playbackOfResult(scenario, isProven, { ...result, ...approximate }, placed);
   if (playback) playback.isMiss = true;
@@ -210,7 +293,7 @@ function edgesOf(planner) {
   const [vertices, edges, traces] = [planner.verticesSince(0), planner.edgesSince(0), planner.tracesSince(0)];
   /** The points of each curved edge. @type {Map<number, number[][]>} */
   const curved = new Map();
-  for (const row of rowsOf(traces, n + 1)) curved.set(row[0], [...curved.get(row[0]) ?? [], [...row.subarray(1)]]);
+  for (const row of rowsOf(traces, n + 1)) curved.set(row[0], [...(curved.get(row[0]) ?? []), [...row.subarray(1)]]);
   return rowsOf(/** @type {any} */ (edges), 2).map(([from, to], i) => {
     const points = curved.get(i) ?? [from, to].map((vertex) => [...vertices.subarray(vertex * n, (vertex + 1) * n)]);
     return points.slice(1).map((point, j) => [...points[j], ...point]);

@@ -17,17 +17,24 @@ const PANE = { width: 480, height: 372 };
 /** @param {Extract<Entry, { page: "prm-rl" }>} entry @param {Documents} documents @returns {Promise<Opened>} */
 export async function openLearned({ state }, documents) {
   const address = `prm-rl.html#${await encodeState(state, stateRule)}`;
-  const session = new NavigationSession(NO_APP, /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)), documents.policies());
+  const session = new NavigationSession(
+    NO_APP,
+    /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)),
+    documents.policies(),
+  );
   const { kind, options } = { ...FIRST, ...state };
   session.open({ kind, options });
   await session.drive(true);
   session.setTime(Infinity);
   const floor = new Floor(session);
   return {
-    address, pane: PANE,
-    panes: [(brush) => {
-      floor.ground(brush);
-      floor.top(brush);
-    }],
+    address,
+    pane: PANE,
+    panes: [
+      (brush) => {
+        floor.ground(brush);
+        floor.top(brush);
+      },
+    ],
   };
 }

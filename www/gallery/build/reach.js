@@ -25,14 +25,25 @@ async function sessionOf(state) {
   const panel = {
     choose(/** @type {string} */ id, /** @type {Settings} */ given) {
       method = reachMethods().find((one) => one.id === id);
-      settings = { ...Object.fromEntries(Object.entries(DEFAULTS).filter(([name]) => method?.parameters.some((one) => one.name === name))), ...given };
+      settings = {
+        ...Object.fromEntries(
+          Object.entries(DEFAULTS).filter(([name]) => method?.parameters.some((one) => one.name === name)),
+        ),
+        ...given,
+      };
     },
     advance(/** @type {number} */ steps) {
       if (!method) throw new Error("There is no such method of inverse kinematics.");
       const { robot, target, orientation } = session;
-      const run = session.run = new IkRun(robot, { target, orientation, start: robot.q, method, settings });
+      const run = (session.run = new IkRun(robot, { target, orientation, start: robot.q, method, settings }));
       run.step(steps);
-      const index = run.isRunning || run.solutions.length === 0 ? -1 : Math.max(0, run.solutions.findIndex(({ isFree }) => isFree));
+      const index =
+        run.isRunning || run.solutions.length === 0
+          ? -1
+          : Math.max(
+              0,
+              run.solutions.findIndex(({ isFree }) => isFree),
+            );
       session.chosen = index;
       session.moveTo(run.solutions[index]?.q ?? run.last.q, "iterate");
     },
@@ -46,7 +57,10 @@ export async function openReach({ state: given, world: name }, documents) {
   const { world, robot } = name ? documents.world(name) : { world: undefined, robot: given.robot };
   const state = { ...given, world, robot };
   const session = await sessionOf(/** @type {State} */ ({ ...stateRule.defaults, ...state, robot: robot ?? {} }));
-  const panes = [new Workspace(session), ...(session.robot.isArm && session.robot.dimension === 2 ? [new Square(session)] : [])].map((pane) => (/** @type {Brush} */ brush) => {
+  const panes = [
+    new Workspace(session),
+    ...(session.robot.isArm && session.robot.dimension === 2 ? [new Square(session)] : []),
+  ].map((pane) => (/** @type {Brush} */ brush) => {
     pane.ground(brush);
     if (pane instanceof Square) fillObstacles(brush.context, session.robot.scenario, brush.palette, pane.inner);
     pane.top(brush);

@@ -17,13 +17,34 @@ export const SIDE = 300;
 const CELLS = 72;
 
 /** The colours by the names that the page's style gives them: the file's own style has their values. */
-export const PALETTE = /** @type {Palette} */ (Object.fromEntries([
-  "stage", "ink", "quiet", "line", "obstacle", "obstacleEdge", "robot", "robotEdge", "start", "goal",
-  "growth", "newest", "halo", "path", "unproven", "rejected", "collision",
-].map((name) => [name, `var(--${name.replace("E", "-e")})`])));
+export const PALETTE = /** @type {Palette} */ (
+  Object.fromEntries(
+    [
+      "stage",
+      "ink",
+      "quiet",
+      "line",
+      "obstacle",
+      "obstacleEdge",
+      "robot",
+      "robotEdge",
+      "start",
+      "goal",
+      "growth",
+      "newest",
+      "halo",
+      "path",
+      "unproven",
+      "rejected",
+      "collision",
+    ].map((name) => [name, `var(--${name.replace("E", "-e")})`]),
+  )
+);
 
 /** The application, as far as a session needs one to compute. */
-export const NO_APP = /** @type {App} */ (/** @type {unknown} */ ({ track: (/** @type {unknown} */ promise) => promise, requestFrame() {} }));
+export const NO_APP = /** @type {App} */ (
+  /** @type {unknown} */ ({ track: (/** @type {unknown} */ promise) => promise, requestFrame() {} })
+);
 
 /** A drawing of a pane. @typedef {(brush: Brush) => void} Pane */
 
@@ -40,19 +61,36 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
   panes.forEach((draw, i) => {
     context.save();
     context.translate((i % columns) * width, Math.floor(i / columns) * height);
-    draw({ context, palette: PALETTE, width, height, ratio: 1, hatch: /** @type {Brush["hatch"]} */ (/** @type {unknown} */ (stripes)) });
+    draw({
+      context,
+      palette: PALETTE,
+      width,
+      height,
+      ratio: 1,
+      hatch: /** @type {Brush["hatch"]} */ (/** @type {unknown} */ (stripes)),
+    });
     context.restore();
   });
   const file = layer.toString({ background: PALETTE.stage, title });
   return slim(file.replace(/(<svg[^>]*>)/, (root) => `${root}<style>${style}</style>`));
 }
 
-/** The configuration space of an arm of two joints, with its obstacles. Everything drawn later is clipped to it. @param {Brush} brush @param {Scenario} scenario @returns {View} */
+/**
+ * The configuration space of an arm of two joints, with its obstacles. Everything drawn later is clipped to it.
+ * @param {Brush} brush
+ * @param {Scenario} scenario
+ * @returns {View}
+ */
 export function drawSquare({ context, palette, width, height }, scenario) {
   const coordinates = coordinatesOf({ scenario, document: scenario.document() });
   const [across, up] = coordinates;
   const view = new View({ min: [across.low, up.low], max: [across.high, up.high] }, width, height, MARGIN, true);
-  const square = { x: view.x(across.low), y: view.y(up.high), width: (across.high - across.low) * view.scaleX, height: (up.high - up.low) * view.scaleY };
+  const square = {
+    x: view.x(across.low),
+    y: view.y(up.high),
+    width: (across.high - across.low) * view.scaleX,
+    height: (up.high - up.low) * view.scaleY,
+  };
   fillObstacles(context, scenario, palette, square);
   context.strokeStyle = palette.obstacleEdge;
   context.lineWidth = 1;
@@ -65,20 +103,36 @@ export function drawSquare({ context, palette, width, height }, scenario) {
   return view;
 }
 
-/** Fills the obstacles of two joints in a square. @param {CanvasRenderingContext2D} context @param {Scenario} scenario @param {Palette} palette @param {{ x: number, y: number, width: number, height: number }} square */
+/**
+ * Fills the obstacles of two joints in a square.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Scenario} scenario
+ * @param {Palette} palette
+ * @param {{ x: number, y: number, width: number, height: number }} square
+ */
 export function fillObstacles(context, scenario, palette, square) {
   context.save();
   context.fillStyle = palette.obstacle;
   context.strokeStyle = palette.obstacleEdge;
   context.lineWidth = 1;
   context.beginPath();
-  traceContours(context, scenario.cspace({ width: CELLS, height: CELLS }), CELLS, (x, y) => [square.x + x * square.width, square.y + (1 - y) * square.height]);
+  traceContours(context, scenario.cspace({ width: CELLS, height: CELLS }), CELLS, (x, y) => [
+    square.x + x * square.width,
+    square.y + (1 - y) * square.height,
+  ]);
   context.fill();
   context.stroke();
   context.restore();
 }
 
-/** Many dots as one path. @param {CanvasRenderingContext2D} context @param {Iterable<[x: number, y: number]>} places @param {string} colour @param {number} size  pixels @param {number} alpha */
+/**
+ * Many dots as one path.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Iterable<[x: number, y: number]>} places
+ * @param {string} colour
+ * @param {number} size  pixels
+ * @param {number} alpha
+ */
 export function drawDots(context, places, colour, size, alpha) {
   context.save();
   context.globalAlpha = alpha;
@@ -97,5 +151,7 @@ export function drawDots(context, places, colour, size, alpha) {
 
 /** Items at equal distances in a list. @template T @param {T[]} list @param {number} most @returns {T[]} */
 export function thinned(list, most) {
-  return list.length <= most ? list : Array.from({ length: most }, (_, i) => list[Math.floor((i * list.length) / most)]);
+  return list.length <= most
+    ? list
+    : Array.from({ length: most }, (_, i) => list[Math.floor((i * list.length) / most)]);
 }

@@ -1,6 +1,6 @@
 /**
- * Makes an SVG small: lines lose the points that hardly bend them, paths have relative coordinates with one decimal, and a shape that is
- * filled and then outlined is one element.
+ * Makes an SVG small: lines lose the points that hardly bend them, paths have relative coordinates with one decimal,
+ * and a shape that is filled and then outlined is one element.
  */
 
 /** How far a line may move, pixels. */
@@ -9,11 +9,14 @@ const TOLERANCE = 0.4;
 /** @typedef {[x: number, y: number]} Point */
 
 /** A group that fills one path, and another that outlines the same path. */
-const TWICE = /<g( clip-path="[^"]*")?( fill="(?!none)[^>]*)><path d="([^"]*)"\/><\/g><g\1 fill="none"([^>]*)><path d="\3"\/><\/g>/g;
+const TWICE =
+  /<g( clip-path="[^"]*")?( fill="(?!none)[^>]*)><path d="([^"]*)"\/><\/g><g\1 fill="none"([^>]*)><path d="\3"\/><\/g>/g;
 
 /** @param {string} svg  with the absolute commands M, L, A and Z @returns {string} */
 export function slim(svg) {
-  return svg.replace(/ d="([^"]*)"/g, (_, path) => ` d="${slimPath(path)}"`).replaceAll(">\n<", "><")
+  return svg
+    .replace(/ d="([^"]*)"/g, (_, path) => ` d="${slimPath(path)}"`)
+    .replaceAll(">\n<", "><")
     .replace(TWICE, (_, clip = "", fill, path, stroke) => `<g${clip}${fill}${stroke}><path d="${path}"/></g>`);
 }
 
@@ -73,13 +76,19 @@ const short = (value) => String(value / 10).replace(/^(-?)0\./, "$1.");
 /** A number after another one: a minus sign separates by itself. @param {string} text */
 const joined = (text) => (text.startsWith("-") ? text : ` ${text}`);
 
-/** A line without the points that are hardly off it (Ramer 1972, Douglas and Peucker 1973). @param {Point[]} line @returns {Point[]} */
+/**
+ * A line without the points that are hardly off it (Ramer 1972, Douglas and Peucker 1973).
+ * @param {Point[]} line
+ * @returns {Point[]}
+ */
 function simplified(line) {
   if (line.length < 3) return line;
   const [first, last] = [line[0], line[line.length - 1]];
   const [dx, dy] = [last[0] - first[0], last[1] - first[1]];
   const length = Math.hypot(dx, dy);
-  const off = line.map(([x, y]) => (length > 0 ? Math.abs((x - first[0]) * dy - (y - first[1]) * dx) / length : Math.hypot(x - first[0], y - first[1])));
+  const off = line.map(([x, y]) =>
+    length > 0 ? Math.abs((x - first[0]) * dy - (y - first[1]) * dx) / length : Math.hypot(x - first[0], y - first[1]),
+  );
   const most = Math.max(...off);
   if (most < TOLERANCE) return [first, last];
   const at = off.indexOf(most);

@@ -42,12 +42,28 @@ function particlePane(movement) {
 function planePane(experiment) {
   const shown = Object.assign(Object.create(experiment), { accepted: thinned(experiment.accepted, MOST) });
   const plane = Object.assign(new Plane(shown), {
-    drawDots: (/** @type {CanvasRenderingContext2D} */ context, /** @type {[number, number][]} */ lines, /** @type {string} */ colour, /** @type {number} */ radius) => drawDots(context, lines.map((line) => plane.view.place(line)), colour, 2 * radius, 1),
+    drawDots: (
+      /** @type {CanvasRenderingContext2D} */ context,
+      /** @type {[number, number][]} */ lines,
+      /** @type {string} */ colour,
+      /** @type {number} */ radius,
+    ) =>
+      drawDots(
+        context,
+        lines.map((line) => plane.view.place(line)),
+        colour,
+        2 * radius,
+        1,
+      ),
   });
   return (brush) => plane.ground(brush);
 }
 
-/** Tries for each accepted trajectory, as dots, and their moving average. @param {Experiment} experiment @returns {Pane} */
+/**
+ * Tries for each accepted trajectory, as dots, and their moving average.
+ * @param {Experiment} experiment
+ * @returns {Pane}
+ */
 function triesPane({ accepted }) {
   const tries = accepted.map((one) => one.tries);
   const means = movingAverage(tries);
@@ -56,7 +72,13 @@ function triesPane({ accepted }) {
     const view = new View({ min: [0, 0], max: [tries.length, most] }, width, height, MARGIN, true);
     setStroke(context, palette.line, 1);
     context.strokeRect(view.x(0), view.y(most), tries.length * view.scaleX, most * view.scaleY);
-    drawDots(context, tries.flatMap((count, i) => (count <= most ? [view.place([i + 1, count])] : [])), palette.growth, 2, 0.5);
+    drawDots(
+      context,
+      tries.flatMap((count, i) => (count <= most ? [view.place([i + 1, count])] : [])),
+      palette.growth,
+      2,
+      0.5,
+    );
     setStroke(context, palette.path, 2.4);
     context.beginPath();
     for (const point of means) context.lineTo(...view.place(point));

@@ -1,4 +1,6 @@
-/** The picture of a subdivision on a pane: cells are painted as they come, each over the one that it is a quarter of. */
+/**
+ * The picture of a subdivision on a pane: cells are painted as they come, each over the one that it is a quarter of.
+ */
 import { CSpace } from "../stage/cspace-pane.js";
 
 /** @import { Pane } from "../stage/pane.js" */
@@ -24,7 +26,13 @@ export class CellPicture {
     this.painted = 0;
   }
 
-  /** Paints what is new and draws the picture. @param {CanvasRenderingContext2D} context @param {Float64Array[]} blocks @param {Float64Array} marked   rows that separate start and goal, or connect them @param {boolean} isWall */
+  /**
+   * Paints what is new and draws the picture.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Float64Array[]} blocks
+   * @param {Float64Array} marked   rows that separate start and goal, or connect them
+   * @param {boolean} isWall
+   */
   draw(context, blocks, marked, isWall) {
     const { pane } = this;
     const { view, palette, width, height } = pane;

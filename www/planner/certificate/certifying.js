@@ -1,6 +1,6 @@
 /**
- * Whether a path exists, decided by dividing the configuration space into cells: in the worker, block by block, each drawn before the
- * next one is requested.
+ * Whether a path exists, decided by dividing the configuration space into cells: in the worker, block by block, each
+ * drawn before the next one is requested.
  */
 import { grouped } from "../../app/dom.js";
 import { numberText, small } from "../../widgets/format.js";
@@ -41,15 +41,21 @@ export class Certifying {
   }
 
   /** The answer, once there is one. */
-  get verdict() { return this.found.certificate?.verdict ?? null; }
+  get verdict() {
+    return this.found.certificate?.verdict ?? null;
+  }
 
-  /** Divides cells until it is decided. @param {number} clearance   that paths have to exceed, metres @throws {Error} with `code` and `pointer` */
+  /**
+   * Divides cells until it is decided.
+   * @param {number} clearance   that paths have to exceed, metres
+   * @throws {Error} with `code` and `pointer`
+   */
   async begin(clearance) {
     const { session, worker } = this;
     const { shown } = session;
     if (!shown) return;
     const asked = ++this.asked;
-    const found = this.found = nothing();
+    const found = (this.found = nothing());
     this.clearance = clearance;
     this.on = true;
     shown.certifying = this;
@@ -83,34 +89,54 @@ export class Certifying {
 
   /** The sentence above the stage. */
   get sentence() {
-    const { clearance, found: { blocks, certificate } } = this;
+    const {
+      clearance,
+      found: { blocks, certificate },
+    } = this;
     const path = clearance > 0 ? `path with clearance above ${numberText(clearance)} m` : "path";
     const blocked = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
-    if (!certificate) return `Does a ${path} exist? Cells are split until in each either every configuration ${blocked}, or none.`;
+    if (!certificate)
+      return `Does a ${path} exist? Cells are split until in each either every configuration ${blocked}, or none.`;
     const cells = `${grouped(blocks.reduce((sum, { length }) => sum + length / WIDTH, 0))} cells`;
     const { verdict, clearance_at_most: most, slack } = certificate;
-    if (verdict === "infeasible") return `No ${path} exists: in the solid cells every configuration ${blocked}, to within ${small(slack)} m, and they separate start and goal. ${cells}.`;
-    if (verdict === "connected") return `A ${path} exists: it leads through the solid cells, in which no configuration ${blocked}. ${cells}.`;
+    if (verdict === "infeasible")
+      return `No ${path} exists: in the solid cells every configuration ${blocked}, to within ${small(slack)} m, and they separate start and goal. ${cells}.`;
+    if (verdict === "connected")
+      return `A ${path} exists: it leads through the solid cells, in which no configuration ${blocked}. ${cells}.`;
     return `Not decided: gave up after ${cells}.${most === undefined ? "" : ` No path with clearance above ${small(roundedUp(most))} m exists.`}`;
   }
 
-  /** Draws the cells where configurations are points: on the square of two joints, and in the workspace of a disc. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
+  /**
+   * Draws the cells where configurations are points: on the square of two joints, and in the workspace of a disc.
+   * @param {Pane} pane
+   * @param {CanvasRenderingContext2D} context
+   * @param {Lane} lane
+   */
   draw(pane, context, { scenario }) {
     if (scenario.robot !== "disc" && !(pane instanceof CSpace)) return;
-    const { found: { pictures, blocks, marked }, verdict } = this;
+    const {
+      found: { pictures, blocks, marked },
+      verdict,
+    } = this;
     const picture = pictures.get(pane) ?? new CellPicture(pane);
     pictures.set(pane, picture);
     picture.draw(context, blocks, marked, verdict !== "connected");
   }
 }
 
-/** The cells that separate start and goal, or connect them, as rows. @param {Certificate} certificate @param {Float64Array} whole   rows that begin with that of the whole square */
+/**
+ * The cells that separate start and goal, or connect them, as rows.
+ * @param {Certificate} certificate
+ * @param {Float64Array} whole   rows that begin with that of the whole square
+ */
 function rowsOf({ wall, channel }, [x, y, w, h]) {
   const cells = wall.length > 0 ? wall.map(({ cell }) => cell) : channel;
-  return Float64Array.from(cells.flatMap(([depth, column, row]) => {
-    const part = 2 ** -depth;
-    return [x + w * (part * (2 * column + 1) - 1), y + h * (part * (2 * row + 1) - 1), w * part, h * part, 0];
-  }));
+  return Float64Array.from(
+    cells.flatMap(([depth, column, row]) => {
+      const part = 2 ** -depth;
+      return [x + w * (part * (2 * column + 1) - 1), y + h * (part * (2 * row + 1) - 1), w * part, h * part, 0];
+    }),
+  );
 }
 
 /** To two digits, and not less. @param {number} value   greater than 0 */

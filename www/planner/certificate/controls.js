@@ -10,18 +10,30 @@ import { Certifying } from "./certifying.js";
 /** @param {Page} page @param {PlannerWorker} worker */
 export function offerCertificate(page, worker) {
   const { session, app } = page;
-  const certifying = session.certifying = new Certifying(session, worker);
+  const certifying = (session.certifying = new Certifying(session, worker));
   const group = byId("certify", HTMLElement);
   /** @type {HTMLInputElement} */
-  const clearance = make("input", { type: "number", id: "certify-clearance", min: "0", step: "any", value: "0", onchange: () => ask() });
+  const clearance = make("input", {
+    type: "number",
+    id: "certify-clearance",
+    min: "0",
+    step: "any",
+    value: "0",
+    onchange: () => ask(),
+  });
   const label = make("label", { htmlFor: clearance.id }, "with clearance above ", clearance, " m");
-  const toggle = button("certify-ask", "Does a path exist?", () => (certifying.on ? page.act(() => certifying.end()) : ask()));
+  const toggle = button("certify-ask", "Does a path exist?", () =>
+    certifying.on ? page.act(() => certifying.end()) : ask(),
+  );
   group.append(toggle, label);
   page.onState(reflect);
-  page.onOpen(() => { clearance.value = "0"; });
+  page.onOpen(() => {
+    clearance.value = "0";
+  });
 
   function ask() {
-    if (clearance.reportValidity()) void app.track(certifying.begin(clearance.valueAsNumber || 0), "Whether a path exists cannot be decided.");
+    if (clearance.reportValidity())
+      void app.track(certifying.begin(clearance.valueAsNumber || 0), "Whether a path exists cannot be decided.");
   }
 
   /** @param {State} state */

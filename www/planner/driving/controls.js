@@ -1,4 +1,7 @@
-/** The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the transport. */
+/**
+ * The controls of the keyboard car: keys, buttons, state, recordings and the preview of one control. They replace the
+ * transport.
+ */
 import { json, save } from "../../app/files.js";
 import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { keysOf } from "../../domain/key-text.js";
@@ -13,15 +16,31 @@ import { num } from "../../widgets/format.js";
 
 /** @type {Record<string, DriveKey>} */
 const KEYS = {
-  ArrowUp: "faster", ArrowDown: "slower", ArrowLeft: "left", ArrowRight: "right",
-  w: "faster", s: "slower", a: "left", d: "right", c: "keep",
+  ArrowUp: "faster",
+  ArrowDown: "slower",
+  ArrowLeft: "left",
+  ArrowRight: "right",
+  w: "faster",
+  s: "slower",
+  a: "left",
+  d: "right",
+  c: "keep",
 };
 /** @type {[DriveKey, string, string, string][]} */
 const PAD = [
-  ["faster", "Accelerate", "M10 3 4 12h12z", "ArrowUp"], ["left", "Steer left", "M4 10l9-6v12z", "ArrowLeft"],
-  ["slower", "Brake or reverse", "M10 17 4 8h12z", "ArrowDown"], ["right", "Steer right", "M16 10 7 4v12z", "ArrowRight"],
+  ["faster", "Accelerate", "M10 3 4 12h12z", "ArrowUp"],
+  ["left", "Steer left", "M4 10l9-6v12z", "ArrowLeft"],
+  ["slower", "Brake or reverse", "M10 17 4 8h12z", "ArrowDown"],
+  ["right", "Steer right", "M16 10 7 4v12z", "ArrowRight"],
 ];
-const NUMBERS = /** @type {const} */ ([["v", "v"], ["phi", "\u03c6"], ["x", "x"], ["y", "y"], ["theta", "\u03b8"], ["time", "time"]]);
+const NUMBERS = /** @type {const} */ ([
+  ["v", "v"],
+  ["phi", "\u03c6"],
+  ["x", "x"],
+  ["y", "y"],
+  ["theta", "\u03b8"],
+  ["time", "time"],
+]);
 const LABEL = "Stage. The arrow keys or W, A, S and D drive; C holds the controls; P pauses; R restarts; Escape exits.";
 
 export class DriveControls {
@@ -34,12 +53,16 @@ export class DriveControls {
     this.label = this.stage.getAttribute("aria-label") ?? "";
     this.message = "";
     this.on = false;
-    const pad = make("div", { className: "pad" }, ...PAD.map(([key, name, path, shortcut]) => {
-      const arrow = this.button(key, "", shortcut, (event) => this.press(key, event));
-      arrow.ariaLabel = name;
-      arrow.innerHTML = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" fill="currentColor"/></svg>`;
-      return arrow;
-    }));
+    const pad = make(
+      "div",
+      { className: "pad" },
+      ...PAD.map(([key, name, path, shortcut]) => {
+        const arrow = this.button(key, "", shortcut, (event) => this.press(key, event));
+        arrow.ariaLabel = name;
+        arrow.innerHTML = `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" fill="currentColor"/></svg>`;
+        return arrow;
+      }),
+    );
     /** By key. */
     this.actions = {
       p: () => this.act((driving) => driving.pause(moment())),
@@ -67,14 +90,38 @@ export class DriveControls {
     this.rolled = make("p", { className: "hint", role: "status" });
     /** The fields of one control: v, phi and the duration. @type {HTMLInputElement[]} */
     this.fields = [];
-    this.more = make("details", { className: "more" }, make("summary", {}, "More"),
-      make("label", { className: "row" }, make("span", { className: "name" }, "Advance time only when a key is pressed"), this.byKeys),
-      make("label", { className: "row" }, make("span", { className: "name" }, "Euler steps beside the arc"), this.euler),
+    this.more = make(
+      "details",
+      { className: "more" },
+      make("summary", {}, "More"),
+      make(
+        "label",
+        { className: "row" },
+        make("span", { className: "name" }, "Advance time only when a key is pressed"),
+        this.byKeys,
+      ),
+      make(
+        "label",
+        { className: "row" },
+        make("span", { className: "name" }, "Euler steps beside the arc"),
+        this.euler,
+      ),
       make("label", { className: "row" }, make("span", { className: "name" }, "Euler\u2019s step"), this.dt),
-      this.makeRollout(), this.makeRecord());
-    this.bar = make("div", { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" }, pad,
-      make("div", { className: "dash" }, numbers, make("div", { className: "buttons" }, keep, this.pause, restart, this.replay, leave)),
-      this.more);
+      this.makeRollout(),
+      this.makeRecord(),
+    );
+    this.bar = make(
+      "div",
+      { id: "drive", className: "drive", hidden: true, role: "group", ariaLabel: "Driving" },
+      pad,
+      make(
+        "div",
+        { className: "dash" },
+        numbers,
+        make("div", { className: "buttons" }, keep, this.pause, restart, this.replay, leave),
+      ),
+      this.more,
+    );
     this.stage.after(this.bar);
     // Before the page's own keys, some of which are the same.
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event), true);
@@ -87,13 +134,43 @@ export class DriveControls {
   }
 
   makeRollout() {
-    const field = (/** @type {string} */ id, /** @type {string} */ name, /** @type {string} */ unit, /** @type {string} */ value) => {
-      const input = make("input", { type: "number", id: `roll-${id}`, step: "any", value, autocomplete: "off", inputMode: "decimal" });
-      return { input, row: make("label", { className: "row" }, make("span", { className: "name" }, name, make("span", { className: "unit" }, ` ${unit}`)), input) };
+    const field = (
+      /** @type {string} */ id,
+      /** @type {string} */ name,
+      /** @type {string} */ unit,
+      /** @type {string} */ value,
+    ) => {
+      const input = make("input", {
+        type: "number",
+        id: `roll-${id}`,
+        step: "any",
+        value,
+        autocomplete: "off",
+        inputMode: "decimal",
+      });
+      return {
+        input,
+        row: make(
+          "label",
+          { className: "row" },
+          make("span", { className: "name" }, name, make("span", { className: "unit" }, ` ${unit}`)),
+          input,
+        ),
+      };
     };
-    const fields = [field("v", "v", "m/s", "0.3"), field("phi", "\u03c6", "rad", "0.4"), field("duration", "duration", "s", "3")];
+    const fields = [
+      field("v", "v", "m/s", "0.3"),
+      field("phi", "\u03c6", "rad", "0.4"),
+      field("duration", "duration", "s", "3"),
+    ];
     this.fields = fields.map(({ input }) => input);
-    const form = make("form", { noValidate: true, className: "roll", ariaLabel: "Preview of one control" }, ...fields.map(({ row }) => row), make("button", { type: "submit" }, "Show the motion"), this.rolled);
+    const form = make(
+      "form",
+      { noValidate: true, className: "roll", ariaLabel: "Preview of one control" },
+      ...fields.map(({ row }) => row),
+      make("button", { type: "submit" }, "Show the motion"),
+      this.rolled,
+    );
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       const [v, phi, duration] = this.fields.map((input) => input.valueAsNumber);
@@ -114,7 +191,14 @@ export class DriveControls {
       const record = this.driving.record();
       if (record) save(json(record), `${this.page.facts?.name ?? "car"}-drive.json`);
     });
-    const file = make("input", { type: "file", id: "drive-file", accept: ".json,application/json", className: "visually-hidden", tabIndex: -1, ariaLabel: "Recording of a drive" });
+    const file = make("input", {
+      type: "file",
+      id: "drive-file",
+      accept: ".json,application/json",
+      className: "visually-hidden",
+      tabIndex: -1,
+      ariaLabel: "Recording of a drive",
+    });
     const open = button("drive-open", "Open recording\u2026", () => file.click());
     file.addEventListener("change", async () => {
       const [picked] = file.files ?? [];
@@ -128,8 +212,12 @@ export class DriveControls {
   async open(file) {
     const { page } = this;
     const record = JSON.parse(await file.text());
-    const fault = record?.format !== FORMAT ? `This is not a recording of a drive: its format is not ${FORMAT}.`
-      : record.scenario !== page.facts?.name ? `It was recorded in the scene "${record.scenario}".` : "";
+    const fault =
+      record?.format !== FORMAT
+        ? `This is not a recording of a drive: its format is not ${FORMAT}.`
+        : record.scenario !== page.facts?.name
+          ? `It was recorded in the scene "${record.scenario}".`
+          : "";
     if (fault) throw new Error(fault);
     page.notice.hide();
     page.run(() => this.driving.replay(moment(), record));
@@ -137,10 +225,14 @@ export class DriveControls {
   }
 
   /** @param {(driving: Driving) => void} action */
-  act(action) { this.page.act(() => action(this.driving)); }
+  act(action) {
+    this.page.act(() => action(this.driving));
+  }
 
   /** @param {DriveKey} key @param {Event} event */
-  press(key, event) { this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp)); }
+  press(key, event) {
+    this.act((driving) => driving.press(key, performance.timeOrigin + event.timeStamp));
+  }
 
   /** Begins to drive. @param {number[]} [from]  a configuration, by default the start @throws {Error} it collides */
   start(from) {
@@ -151,7 +243,8 @@ export class DriveControls {
   }
 
   /**
-   * Drives as a link tells: a recording is replayed; with a control, the motion of that control from the recording's end is shown.
+   * Drives as a link tells: a recording is replayed; with a control, the motion of that control from the recording's
+   * end is shown.
    * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll
    * @param {Experiment["euler"]} euler @throws {Error} with `code` and `pointer`
    */
@@ -166,7 +259,9 @@ export class DriveControls {
       if (roll) {
         driving.begin(recording.record, steps, moment());
         driving.paused = true;
-        this.fields.forEach((input, i) => { input.value = String(roll[i]); });
+        this.fields.forEach((input, i) => {
+          input.value = String(roll[i]);
+        });
         // On a phone the form would cover the stage.
         this.more.open = matchMedia("(min-width: 44rem)").matches;
         driving.roll(...roll);
@@ -178,11 +273,12 @@ export class DriveControls {
   toggle() {
     const { page } = this;
     if (this.on) this.leave();
-    else page.app.guard(() => {
-      this.start();
-      this.stage.focus({ preventScroll: true });
-      this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
-    }, "This scene cannot be driven.");
+    else
+      page.app.guard(() => {
+        this.start();
+        this.stage.focus({ preventScroll: true });
+        this.column.scrollIntoView({ block: "start", behavior: page.calm ? "auto" : "smooth" });
+      }, "This scene cannot be driven.");
   }
 
   leave() {
@@ -217,14 +313,42 @@ export class DriveControls {
       this.message = "";
     }
     if (!state) return;
-    const { pose: [x, y, theta], v, phi, seconds, steps, blocked, keyCount } = state;
+    const {
+      pose: [x, y, theta],
+      v,
+      phi,
+      seconds,
+      steps,
+      blocked,
+      keyCount,
+    } = state;
     const replaying = tape !== null;
-    Object.assign(this.bar.dataset, { v, phi, x, y, theta, steps, keys: keyCount, blocked: blocked ?? "", paused, replaying, arrived });
-    const degrees = (/** @type {number} */ angle, /** @type {number} */ digits) => `${num((angle * 180) / Math.PI, digits)}\u00b0`;
-    const words = { v: `${num(v)} m/s`, phi: degrees(phi, 0), x: `${num(x, 3)} m`, y: `${num(y, 3)} m`, theta: degrees(theta, 1), time: `${num(seconds)} s` };
+    Object.assign(this.bar.dataset, {
+      v,
+      phi,
+      x,
+      y,
+      theta,
+      steps,
+      keys: keyCount,
+      blocked: blocked ?? "",
+      paused,
+      replaying,
+      arrived,
+    });
+    const degrees = (/** @type {number} */ angle, /** @type {number} */ digits) =>
+      `${num((angle * 180) / Math.PI, digits)}\u00b0`;
+    const words = {
+      v: `${num(v)} m/s`,
+      phi: degrees(phi, 0),
+      x: `${num(x, 3)} m`,
+      y: `${num(y, 3)} m`,
+      theta: degrees(theta, 1),
+      time: `${num(seconds)} s`,
+    };
     for (const [name, word] of Object.entries(words)) write(this.cells[name], word);
     this.gap.hidden = dt === 0;
-    write(this.apart, beside ? beside.apart === null ? "blocked" : `${num(beside.apart, 3)} m` : "\u2013");
+    write(this.apart, beside ? (beside.apart === null ? "blocked" : `${num(beside.apart, 3)} m`) : "\u2013");
     write(this.pause, paused ? "Resume" : "Pause");
     this.pause.disabled = byKeys;
     this.replay.disabled = keyCount === 0 && !replaying;
@@ -239,4 +363,6 @@ export class DriveControls {
 }
 
 /** The time now, in milliseconds since the epoch. */
-function moment() { return performance.timeOrigin + performance.now(); }
+function moment() {
+  return performance.timeOrigin + performance.now();
+}

@@ -1,6 +1,6 @@
 /**
- * The keyboard car: a drive of the core, in the core's own time steps. A key counts from the moment it was pressed, so the same keys
- * lead to the same configuration at any frame rate. Moments are milliseconds since the epoch.
+ * The keyboard car: a drive of the core, in the core's own time steps. A key counts from the moment it was pressed, so
+ * the same keys lead to the same configuration at any frame rate. Moments are milliseconds since the epoch.
  */
 import { counted } from "../../app/dom.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
@@ -31,7 +31,10 @@ export class Driving {
     this.since = 0;
     this.base = 0;
     this.seen = 0;
-    /** The rest of the recording that is replayed, up to a step. @type {{ record: KeyPress[], steps: number } | null} */
+    /**
+     * The rest of the recording that is replayed, up to a step.
+     * @type {{ record: KeyPress[], steps: number } | null}
+     */
     this.tape = null;
     /** The preview of one control. @type {Rollout | null} */
     this.rollout = null;
@@ -44,15 +47,23 @@ export class Driving {
     this.announcement = "";
   }
 
-  get on() { return this.drive !== null; }
+  get on() {
+    return this.drive !== null;
+  }
 
-  get state() { return this.drive?.state ?? null; }
+  get state() {
+    return this.drive?.state ?? null;
+  }
 
   /** The car's trajectory, rows of x, y, theta. */
-  get trace() { return this.drive?.traceSince(0) ?? new Float64Array(0); }
+  get trace() {
+    return this.drive?.traceSince(0) ?? new Float64Array(0);
+  }
 
   /** Whether time runs by itself. */
-  get runs() { return !this.paused && !this.byKeys; }
+  get runs() {
+    return !this.paused && !this.byKeys;
+  }
 
   /** Whether the car moves by itself. */
   get moves() {
@@ -60,7 +71,13 @@ export class Driving {
     return state !== null && this.runs && (state.v !== 0 || this.tape !== null);
   }
 
-  /** Begins at rest: at a configuration, or where none is given at the start of the query if it is free. @param {boolean} byKeys @param {number} now @param {number[]} [from] @throws {Error} `start-in-collision`, with a pointer */
+  /**
+   * Begins at rest: at a configuration, or where none is given at the start of the query if it is free.
+   * @param {boolean} byKeys
+   * @param {number} now
+   * @param {number[]} [from]
+   * @throws {Error} `start-in-collision`, with a pointer
+   */
   start(byKeys, now, from) {
     const { session } = this;
     const { shown } = session;
@@ -143,7 +160,10 @@ export class Driving {
     this.show();
   }
 
-  /** Takes all steps that are due. While the car rests no time passes, unless a recording is replayed. @param {number} at */
+  /**
+   * Takes all steps that are due. While the car rests no time passes, unless a recording is replayed.
+   * @param {number} at
+   */
   advance(at) {
     const { drive, tape } = this;
     if (!drive) return;
@@ -168,7 +188,11 @@ export class Driving {
     drive.tick(Math.max(0, until - drive.state.steps));
   }
 
-  /** Replays the drive so far, or a recording from a file. Where time advances with keys only, the end is shown at once. @param {number} now @param {{ record: KeyPress[], steps: number }} [recording] */
+  /**
+   * Replays the drive so far, or a recording from a file. Where time advances with keys only, the end is shown at once.
+   * @param {number} now
+   * @param {{ record: KeyPress[], steps: number }} [recording]
+   */
   replay(now, recording = this.record() ?? undefined) {
     if (!recording) return;
     const { record, steps } = recording;
@@ -182,10 +206,21 @@ export class Driving {
 
   /** The recording, as a document. */
   record() {
-    const { drive, trace, session: { shown } } = this;
+    const {
+      drive,
+      trace,
+      session: { shown },
+    } = this;
     if (!drive || !shown) return null;
     const { steps, pose } = drive.state;
-    return { format: FORMAT, scenario: shown.scenario.name, start: [...trace.slice(0, 3)], steps, record: drive.record(), pose };
+    return {
+      format: FORMAT,
+      scenario: shown.scenario.name,
+      start: [...trace.slice(0, 3)],
+      steps,
+      record: drive.record(),
+      pose,
+    };
   }
 
   /** The drive so far once more: a drive of its own that can be put at any part of it. */
@@ -208,16 +243,33 @@ export class Driving {
         this.wind(drive, rest, step);
         const { pose, phi, blocked } = drive.state;
         /** @type {Driven} */
-        const driven = { steering: phi, trace: drive.traceSince(0), blocked, rollout: null, beside: null, drawUnder: drawTrace, drawOver: drawDrive };
+        const driven = {
+          steering: phi,
+          trace: drive.traceSince(0),
+          blocked,
+          rollout: null,
+          beside: null,
+          drawUnder: drawTrace,
+          drawOver: drawDrive,
+        };
         return { pose: Float64Array.from(pose), driven };
       },
       free: () => drive.free(),
     };
   }
 
-  /** Previews one control. @param {number} v @param {number} phi @param {number} duration @throws {Error} with `code` and `pointer` */
+  /**
+   * Previews one control.
+   * @param {number} v
+   * @param {number} phi
+   * @param {number} duration
+   * @throws {Error} with `code` and `pointer`
+   */
   roll(v, phi, duration) {
-    const { state, session: { shown } } = this;
+    const {
+      state,
+      session: { shown },
+    } = this;
     if (!state || !shown) return;
     this.rollout = null;
     this.show();
@@ -243,13 +295,19 @@ export class Driving {
   }
 
   /**
-   * Euler's steps beside the exact arc of one control: of the preview if there is one, else of the control held since the
-   * last key that changed it. Both last equally long.
+   * Euler's steps beside the exact arc of one control: of the preview if there is one, else of the control held since
+   * the last key that changed it. Both last equally long.
    * @param {Float64Array} trace  of the drive
    * @returns {Beside | null}  null if it is not to be drawn, or nothing moves
    */
   compare(trace) {
-    const { drive, dt, rollout, rolled, session: { shown } } = this;
+    const {
+      drive,
+      dt,
+      rollout,
+      rolled,
+      session: { shown },
+    } = this;
     if (dt === 0 || !drive || !shown) return null;
     const { steps, v, phi } = drive.state;
     const held = v === 0 ? 0 : steps - (drive.record().findLast(({ key }) => key !== "keep")?.step ?? 0);
@@ -267,14 +325,18 @@ export class Driving {
   describe(before) {
     const { state } = this;
     if (!state) return;
-    if (state.blocked !== null && before.v !== 0 && state.v === 0) this.announcement = `Stopped: ${reasonOf(state.blocked)}.`;
+    if (state.blocked !== null && before.v !== 0 && state.v === 0)
+      this.announcement = `Stopped: ${reasonOf(state.blocked)}.`;
     else if (state.blocked === null && before.blocked !== null) this.announcement = "Free again.";
     else if (this.announcement.startsWith("At the start") && state.v !== 0) this.announcement = "";
   }
 
   /** Whether the car is at the goal, at rest. */
   get arrived() {
-    const { state, session: { shown } } = this;
+    const {
+      state,
+      session: { shown },
+    } = this;
     return Boolean(state && state.v === 0 && shown?.goal && shown.placed?.isNear(state.pose, shown.goal, shown));
   }
 
@@ -282,10 +344,18 @@ export class Driving {
     const { session, state, trace, rollout } = this;
     const { shown } = session;
     if (!state || !shown) return;
-    const beside = this.beside = this.compare(trace);
+    const beside = (this.beside = this.compare(trace));
     shown.hand = Float64Array.from(state.pose);
     shown.check = { free: true, touching: [] };
-    shown.driven = { steering: state.phi, trace, blocked: state.blocked, rollout, beside, drawUnder: drawTrace, drawOver: drawDrive };
+    shown.driven = {
+      steering: state.phi,
+      trace,
+      blocked: state.blocked,
+      rollout,
+      beside,
+      drawUnder: drawTrace,
+      drawOver: drawDrive,
+    };
     session.wake();
   }
 
@@ -300,7 +370,8 @@ export class Driving {
   get sentence() {
     const { state } = this;
     if (!state) return "";
-    if (this.arrived) return `You reached the goal after ${state.seconds.toFixed(1)} s and ${counted(state.keyCount, "key")}.`;
+    if (this.arrived)
+      return `You reached the goal after ${state.seconds.toFixed(1)} s and ${counted(state.keyCount, "key")}.`;
     if (state.blocked !== null) return `Stopped: ${reasonOf(state.blocked)}. Reverse, or steer another way.`;
     return "You are driving. Up: accelerate. Down: brake, then reverse. Left and right: steer.";
   }
@@ -314,5 +385,7 @@ function endOf({ apart }) {
 /** The obstruction, in words. @param {Obstructed} blocked */
 function reasonOf(blocked) {
   if (blocked === "bounds") return "the bounds are in the way";
-  return blocked === "near" ? "the next motion would come too close to an obstacle" : `obstacle ${blocked} is in the way`;
+  return blocked === "near"
+    ? "the next motion would come too close to an obstacle"
+    : `obstacle ${blocked} is in the way`;
 }

@@ -1,6 +1,6 @@
 /**
- * The editor's controls: tools, undo and redo, the coordinates of the selection, and keys. The editor is on while its fold is open.
- * Where the panel is below the stage, the tools are above the stage.
+ * The editor's controls: tools, undo and redo, the coordinates of the selection, and keys. The editor is on while its
+ * fold is open. Where the panel is below the stage, the tools are above the stage.
  */
 import { Editor } from "./editor.js";
 import { byId, make, write } from "../../app/dom.js";
@@ -13,12 +13,22 @@ import { Field } from "../../widgets/field.js";
 /** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
-const TOOLS = [["select", "Select"], ["disc", "Disc"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]];
+const TOOLS = [
+  ["select", "Select"],
+  ["disc", "Disc"],
+  ["rectangle", "Rectangle"],
+  ["polygon", "Polygon"],
+];
 
 /** @type {Record<string, Command>} */
 const COMMANDS = {
-  previous: (editor) => editor.pick(-1), next: (editor) => editor.pick(1), insert: (editor) => editor.insert(), remove: (editor) => editor.remove(),
-  duplicate: (editor) => editor.duplicate(), undo: (editor) => editor.go(-1), redo: (editor) => editor.go(1),
+  previous: (editor) => editor.pick(-1),
+  next: (editor) => editor.pick(1),
+  insert: (editor) => editor.insert(),
+  remove: (editor) => editor.remove(),
+  duplicate: (editor) => editor.duplicate(),
+  undo: (editor) => editor.go(-1),
+  redo: (editor) => editor.go(1),
 };
 
 /** Moves the selection, with Shift ten times as far. @param {number} dx @param {number} dy @returns {Command} */
@@ -29,11 +39,24 @@ const arrow = (dx, dy) => (editor, event) => {
 
 /** @type {Partial<Record<string, Command>>} */
 const KEYS = {
-  "[": (editor) => editor.select(-1), "]": (editor) => editor.select(1), PageUp: COMMANDS.previous, PageDown: COMMANDS.next,
-  Delete: COMMANDS.remove, Backspace: COMMANDS.remove, Insert: COMMANDS.insert, d: COMMANDS.duplicate,
-  Enter: (editor) => editor.enter(), Escape: (editor) => editor.cancel(),
-  ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, 1), ArrowDown: arrow(0, -1),
-  "Control+z": COMMANDS.undo, "Control+Shift+z": COMMANDS.redo, "Control+y": COMMANDS.redo, "Control+Shift+y": COMMANDS.redo,
+  "[": (editor) => editor.select(-1),
+  "]": (editor) => editor.select(1),
+  PageUp: COMMANDS.previous,
+  PageDown: COMMANDS.next,
+  Delete: COMMANDS.remove,
+  Backspace: COMMANDS.remove,
+  Insert: COMMANDS.insert,
+  d: COMMANDS.duplicate,
+  Enter: (editor) => editor.enter(),
+  Escape: (editor) => editor.cancel(),
+  ArrowLeft: arrow(-1, 0),
+  ArrowRight: arrow(1, 0),
+  ArrowUp: arrow(0, 1),
+  ArrowDown: arrow(0, -1),
+  "Control+z": COMMANDS.undo,
+  "Control+Shift+z": COMMANDS.redo,
+  "Control+y": COMMANDS.redo,
+  "Control+Shift+y": COMMANDS.redo,
 };
 
 export class EditorControls {
@@ -61,8 +84,15 @@ export class EditorControls {
     this.redo = this.button("Redo", COMMANDS.redo, "Control+Shift+Z");
     this.duplicate = this.button("Duplicate", COMMANDS.duplicate, "D");
     this.remove = this.button("Delete", COMMANDS.remove, "Delete");
-    this.bar = make("div", { className: "tools-bar", id: "edit-tools", role: "toolbar", ariaLabel: "Editing" },
-      make("div", { className: "segments" }, ...this.tools), this.undo, this.redo, this.duplicate, this.remove);
+    this.bar = make(
+      "div",
+      { className: "tools-bar", id: "edit-tools", role: "toolbar", ariaLabel: "Editing" },
+      make("div", { className: "segments" }, ...this.tools),
+      this.undo,
+      this.redo,
+      this.duplicate,
+      this.remove,
+    );
     this.title = make("p", { className: "title" });
     this.previous = this.button("Previous", COMMANDS.previous, "PageUp");
     this.next = this.button("Next", COMMANDS.next, "PageDown");
@@ -78,18 +108,40 @@ export class EditorControls {
     });
     this.revert = this.button("Revert", (editor) => editor.revert());
     this.revert.title = "Restores the scene as opened; Undo restores your edits.";
-    const keys = make("details", {}, make("summary", {}, "Editing keys"), make("p", { className: "hint" },
-      "On the stage: [ and ] select an object; Page Up and Page Down select a vertex, a joint or the tip of an arm; arrows move it (with Shift ten times as far); "
-      + "Insert adds a vertex; Delete deletes; D duplicates; Enter places the shape or closes the polygon; Escape cancels; "
-      + "Ctrl+Z undoes; Ctrl+Shift+Z redoes. Dragging with Shift snaps to a grid and to multiples of 15 degrees."));
-    this.host.append(this.bar, this.title, this.parts, this.fields, this.reason, make("div", { className: "parts" }, saveButton, this.revert), keys);
+    const keys = make(
+      "details",
+      {},
+      make("summary", {}, "Editing keys"),
+      make(
+        "p",
+        { className: "hint" },
+        "On the stage: [ and ] select an object; Page Up and Page Down select a vertex, a joint or the tip of an arm; arrows move it (with Shift ten times as far); " +
+          "Insert adds a vertex; Delete deletes; D duplicates; Enter places the shape or closes the polygon; Escape cancels; " +
+          "Ctrl+Z undoes; Ctrl+Shift+Z redoes. Dragging with Shift snaps to a grid and to multiples of 15 degrees.",
+      ),
+    );
+    this.host.append(
+      this.bar,
+      this.title,
+      this.parts,
+      this.fields,
+      this.reason,
+      make("div", { className: "parts" }, saveButton, this.revert),
+      keys,
+    );
     this.fold.addEventListener("toggle", () => this.turn());
     this.narrow.addEventListener("change", () => this.place());
     // Posing the robot by hand takes the pointer.
-    byId("your-turn", HTMLButtonElement).addEventListener("click", () => { this.fold.open = false; });
+    byId("your-turn", HTMLButtonElement).addEventListener("click", () => {
+      this.fold.open = false;
+    });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
-    page.onOpen(() => { this.original = { source: page.source, entry: page.entry }; });
-    page.onState(({ isEditing }) => { if (isEditing) this.show(this.editor); });
+    page.onOpen(() => {
+      this.original = { source: page.source, entry: page.entry };
+    });
+    page.onState(({ isEditing }) => {
+      if (isEditing) this.show(this.editor);
+    });
     if (this.fold.open) this.turn();
   }
 
@@ -97,11 +149,16 @@ export class EditorControls {
   begin() {
     this.fold.open = true;
     this.place();
-    (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({ block: "start", behavior: this.page.calm ? "auto" : "smooth" });
+    (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({
+      block: "start",
+      behavior: this.page.calm ? "auto" : "smooth",
+    });
   }
 
   /** @param {Command} command @param {KeyboardEvent} [event] */
-  act(command, event) { this.page.act(() => command(this.editor, event)); }
+  act(command, event) {
+    this.page.act(() => command(this.editor, event));
+  }
 
   /** @param {string} text @param {Command} command @param {string} [key] */
   button(text, command, key) {
@@ -134,8 +191,31 @@ export class EditorControls {
 
   /** @param {Editor} editor */
   show(editor) {
-    const { tool, kind, title, parts, announcement, reason, touching, goal, changes, refusal, history: { undoable, redoable }, hand: { isBusy } } = editor;
-    Object.assign(this.host.dataset, { tool, kind, title, code: refusal?.code ?? "", touching, undo: undoable, redo: redoable, changes, busy: isBusy });
+    const {
+      tool,
+      kind,
+      title,
+      parts,
+      announcement,
+      reason,
+      touching,
+      goal,
+      changes,
+      refusal,
+      history: { undoable, redoable },
+      hand: { isBusy },
+    } = editor;
+    Object.assign(this.host.dataset, {
+      tool,
+      kind,
+      title,
+      code: refusal?.code ?? "",
+      touching,
+      undo: undoable,
+      redo: redoable,
+      changes,
+      busy: isBusy,
+    });
     this.stage.dataset.tool = tool;
     this.tools.forEach((element, i) => press(element, TOOLS[i][0] === tool));
     this.undo.disabled = undoable === 0;
@@ -169,11 +249,29 @@ export class EditorControls {
     if (shape !== this.shape) {
       this.shape = shape;
       this.shown = fields;
-      this.inputs = fields.map(({ name, unit, low, high, value }, i) => new Field({
-        name: name.replace(" ", "-"), title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`, unit, kind: "number",
-        min: low, max: high, default: value, choices: null, robots: [], meaning: "",
-      }, value, () => this.enter(i), "edit", false));
-      for (const { control } of this.inputs) control.setAttribute("aria-describedby", `${control.getAttribute("aria-describedby")} edit-reason`);
+      this.inputs = fields.map(
+        ({ name, unit, low, high, value }, i) =>
+          new Field(
+            {
+              name: name.replace(" ", "-"),
+              title: `${kind === "polygon" ? `vertex ${part ?? 0}, ` : ""}${name}`,
+              unit,
+              kind: "number",
+              min: low,
+              max: high,
+              default: value,
+              choices: null,
+              robots: [],
+              meaning: "",
+            },
+            value,
+            () => this.enter(i),
+            "edit",
+            false,
+          ),
+      );
+      for (const { control } of this.inputs)
+        control.setAttribute("aria-describedby", `${control.getAttribute("aria-describedby")} edit-reason`);
       this.fields.replaceChildren(...this.inputs.map(({ element }) => element));
     }
     const isResolved = this.refused !== "" && reason === "";

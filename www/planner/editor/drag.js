@@ -35,7 +35,9 @@ export class Hand {
     this.loose = null;
   }
 
-  get isBusy() { return this.drag !== null || this.draft.length > 0; }
+  get isBusy() {
+    return this.drag !== null || this.draft.length > 0;
+  }
 
   /** @param {Pointer} pointer */
   handle(pointer) {
@@ -45,10 +47,17 @@ export class Hand {
     }
     this.pass();
     switch (pointer.type) {
-      case "down": this.down(pointer); break;
-      case "up": this.up(); break;
-      case "cancel": this.editor.abandon(); break;
-      default: this.loose = null;
+      case "down":
+        this.down(pointer);
+        break;
+      case "up":
+        this.up();
+        break;
+      case "cancel":
+        this.editor.abandon();
+        break;
+      default:
+        this.loose = null;
     }
   }
 
@@ -60,7 +69,8 @@ export class Hand {
     if (!pending || !place) return;
     const { x, y, scale, square } = place;
     if (drag) {
-      drag.moved ||= Math.hypot(pending.x - drag.from.x, pending.y - drag.from.y) > (pending.touch ? SLACK.touch : SLACK.mouse);
+      drag.moved ||=
+        Math.hypot(pending.x - drag.from.x, pending.y - drag.from.y) > (pending.touch ? SLACK.touch : SLACK.mouse);
       if (drag.moved) editor.attempt(drag.change(x, y, pending.shift), drag.drawn ?? editor.selected);
     } else if (this.draft.length > 0 && !square) this.loose = pointFrom(scale, this.draft.at(-1), x, y, pending.shift);
   }
@@ -72,7 +82,10 @@ export class Hand {
     if (!found || !view) return null;
     const [x, y] = view.toPlane(Math.min(view.width, Math.max(0, px)), Math.min(view.height, Math.max(0, py)));
     return {
-      pane: found.pane, x, y, scale: { unit: this.editor.unit, grid: gridOf(view) / 5, pixels: view.scaleX },
+      pane: found.pane,
+      x,
+      y,
+      scale: { unit: this.editor.unit, grid: gridOf(view) / 5, pixels: view.scaleX },
       square: found.kind === "cspace" ? /** @type {CSpace} */ (found.pane) : null,
     };
   }
@@ -91,18 +104,43 @@ export class Hand {
       this.corner(pointFrom(scale, this.draft.at(-1), x, y, pointer.shift), reach / scale.pixels);
     } else if ((tool === "disc" || tool === "rectangle") && !square) {
       const drawn = { kind: /** @type {const} */ ("obstacle"), index: shown.document.world.obstacles.length };
-      this.drag = { change: drawGesture(tool, shown.document, scale, [x, y], pointer.shift), from: pointer, drawn, moved: false };
+      this.drag = {
+        change: drawGesture(tool, shown.document, scale, [x, y], pointer.shift),
+        from: pointer,
+        drawn,
+        moved: false,
+      };
     } else {
-      const hit = hitAt(pane, square !== null, shown, editor.session.query, editor.selected, pointer.x, pointer.y, reach);
+      const hit = hitAt(
+        pane,
+        square !== null,
+        shown,
+        editor.session.query,
+        editor.selected,
+        pointer.x,
+        pointer.y,
+        reach,
+      );
       editor.choose(hit?.object ?? null, hit?.part ?? null);
-      if (hit) this.drag = { change: moveGesture(shown, hit, scale, square, [x, y], () => editor.shown.scenario), from: pointer, drawn: null, moved: false };
+      if (hit)
+        this.drag = {
+          change: moveGesture(shown, hit, scale, square, [x, y], () => editor.shown.scenario),
+          from: pointer,
+          drawn: null,
+          moved: false,
+        };
     }
   }
 
-  /** Adds a vertex to the polygon, or closes it with a click on the first or the last one. @param {Point} point @param {number} reach  metres */
+  /**
+   * Adds a vertex to the polygon, or closes it with a click on the first or the last one.
+   * @param {Point} point
+   * @param {number} reach  metres
+   */
   corner(point, reach) {
     const { draft } = this;
-    const isNear = (/** @type {Point | undefined} */ other) => other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
+    const isNear = (/** @type {Point | undefined} */ other) =>
+      other !== undefined && Math.hypot(other[0] - point[0], other[1] - point[1]) <= reach;
     const isLast = isNear(draft.at(-1));
     this.loose = null;
     if (draft.length >= 3 && (isLast || isNear(draft[0]))) this.close();
@@ -125,7 +163,10 @@ export class Hand {
       return;
     }
     const place = drag.drawn && this.at(drag.from);
-    if (place) editor.add([simple(editor.tool, pointAt(place.scale, place.x, place.y, drag.from.shift), editor.size, editor.unit)]);
+    if (place)
+      editor.add([
+        simple(editor.tool, pointAt(place.scale, place.x, place.y, drag.from.shift), editor.size, editor.unit),
+      ]);
   }
 
   /** Ends all gestures. @returns {boolean} whether something was dragged */

@@ -1,6 +1,6 @@
 /**
- * The editor: the selection, and a history of scenario documents. The core parses every change before it is shown; a refused change is
- * drawn with its reason, and the last valid document stays. Planning waits at iteration 0 until Play.
+ * The editor: the selection, and a history of scenario documents. The core parses every change before it is shown; a
+ * refused change is drawn with its reason, and the last valid document stays. Planning waits at iteration 0 until Play.
  */
 import { errorInfo } from "../../app/error-info.js";
 import { drawOverlay } from "./selection.js";
@@ -12,11 +12,28 @@ import { capital } from "../../widgets/format.js";
 import { touchingSentence } from "../../domain/names.js";
 import { isTip } from "../stage/grip.js";
 import {
-  around, fine, middle, moved, numbersOf, objectsOf, obstacleOf, poseOf, rounded, same, simple, targetOf, withNumbers, withObstacle, withPose,
-  withTarget, withVertex,
+  around,
+  fine,
+  middle,
+  moved,
+  numbersOf,
+  objectsOf,
+  obstacleOf,
+  poseOf,
+  rounded,
+  same,
+  simple,
+  targetOf,
+  withNumbers,
+  withObstacle,
+  withPose,
+  withTarget,
+  withVertex,
 } from "./objects.js";
 
-/** @import { Coordinate, EditTool, ErrorInfo, Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js" */
+/**
+ * @import { Coordinate, EditTool, ErrorInfo, Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js"
+ */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { Session } from "../session.js" */
@@ -31,10 +48,18 @@ const HINTS = {
 };
 
 /** The coordinates of points and discs. @type {Coordinate[]} */
-const PLACE = ["x", "y", "radius"].map((name) => ({ name, unit: "m", low: -Infinity, high: Infinity, isCircle: false }));
+const PLACE = ["x", "y", "radius"].map((name) => ({
+  name,
+  unit: "m",
+  low: -Infinity,
+  high: Infinity,
+  isCircle: false,
+}));
 
 /** @param {string} message */
-function sentence(message) { return message && `${capital(message)}.`; }
+function sentence(message) {
+  return message && `${capital(message)}.`;
+}
 
 export class Editor {
   /** @param {Session} session */
@@ -68,23 +93,39 @@ export class Editor {
     this.announcement = "";
   }
 
-  get shown() { return /** @type {Shown} */ (this.session.shown); }
-  get document() { return this.shown.document; }
+  get shown() {
+    return /** @type {Shown} */ (this.session.shown);
+  }
+  get document() {
+    return this.shown.document;
+  }
   /** The target, where that is selected. */
-  get target() { return targetOf(this.document, this.selected); }
-  get obstacle() { return obstacleOf(this.document, this.selected); }
+  get target() {
+    return targetOf(this.document, this.selected);
+  }
+  get obstacle() {
+    return obstacleOf(this.document, this.selected);
+  }
 
   /** Whether the scenario differs from the one that was opened. */
-  get isChanged() { return this.history.now !== this.history.first; }
+  get isChanged() {
+    return this.history.now !== this.history.first;
+  }
 
   /** Whether the stage shows a document that is not in the history yet. */
-  get isDifferent() { return this.document !== this.history.now; }
+  get isDifferent() {
+    return this.document !== this.history.now;
+  }
 
   /** The longer side of the world, metres. @returns {number} */
-  get size() { return sizeOf(this.shown.scenario); }
+  get size() {
+    return sizeOf(this.shown.scenario);
+  }
 
   /** The unit that lengths are rounded to: a ten-thousandth of the world, or a little less. */
-  get unit() { return 10 ** Math.floor(Math.log10(this.size * 1e-4)); }
+  get unit() {
+    return 10 ** Math.floor(Math.log10(this.size * 1e-4));
+  }
 
   /** @param {boolean} on */
   turn(on) {
@@ -128,7 +169,12 @@ export class Editor {
     if (parts > 0) this.choose(this.selected, part === null ? (way > 0 ? 0 : parts - 1) : (part + way + parts) % parts);
   }
 
-  /** Moves the selection by a hundred units, or a joint or a heading by a degree. @param {number} dx @param {number} dy  one of both is 0 @param {boolean} goesOn  a key is held down */
+  /**
+   * Moves the selection by a hundred units, or a joint or a heading by a degree.
+   * @param {number} dx
+   * @param {number} dy  one of both is 0
+   * @param {boolean} goesOn  a key is held down
+   */
   nudge(dx, dy, goesOn) {
     const { selected, part, obstacle, document, fields, unit, tip } = this;
     const step = 100 * unit;
@@ -139,9 +185,10 @@ export class Editor {
     }
     const isHeading = fields.length > 2 && part !== null;
     const isArm = document.robot.type === "arm" && !tip && poseOf(document, selected) !== null;
-    const index = isArm ? part ?? 0 : isHeading ? 2 : Number(dx === 0);
+    const index = isArm ? (part ?? 0) : isHeading ? 2 : Number(dx === 0);
     const { value, unit: measure } = fields[index];
-    const next = measure === "rad" ? rounded(value + ((dx + dy) * Math.PI) / 180, ANGLE) : rounded(value + (dx + dy) * step, unit);
+    const next =
+      measure === "rad" ? rounded(value + ((dx + dy) * Math.PI) / 180, ANGLE) : rounded(value + (dx + dy) * step, unit);
     this.set(index, next, goesOn);
   }
 
@@ -152,7 +199,11 @@ export class Editor {
     if (!selected) return;
     const numbers = Array.from(tip ?? numbersOf(document, selected, part ?? 0)).with(index, value);
     if (!pose) this.change(withNumbers(document, selected, part ?? 0, numbers), goesOn);
-    else if (tip) this.change(withPose(document, selected, fine(shown.scenario.follow(pose, [numbers[0], numbers[1]]).configuration)), goesOn);
+    else if (tip)
+      this.change(
+        withPose(document, selected, fine(shown.scenario.follow(pose, [numbers[0], numbers[1]]).configuration)),
+        goesOn,
+      );
     else this.change(withPose(document, selected, contained(Float64Array.from(numbers), coordinatesOf(shown))), goesOn);
   }
 
@@ -162,7 +213,8 @@ export class Editor {
     if (!selected || obstacle?.type !== "polygon") return;
     const part = this.part ?? 0;
     const [x, y] = middle(obstacle.vertices, part).map((value) => rounded(value, this.unit));
-    if (this.change(withObstacle(document, selected.index, withVertex(obstacle, part + 1, [x, y], true)))) this.choose(selected, part + 1);
+    if (this.change(withObstacle(document, selected.index, withVertex(obstacle, part + 1, [x, y], true))))
+      this.choose(selected, part + 1);
   }
 
   /** Deletes the selected vertex or obstacle, or the last vertex of a polygon being drawn. */
@@ -171,7 +223,11 @@ export class Editor {
     this.hand.loose = null;
     if (this.hand.draft.pop() || !selected) return;
     if (!obstacle) {
-      this.refusal = { message: "the start and the goal can be moved but not deleted", code: "not-deletable", pointer: "" };
+      this.refusal = {
+        message: "the start and the goal can be moved but not deleted",
+        code: "not-deletable",
+        pointer: "",
+      };
       return;
     }
     const left = obstacle.type === "polygon" && part !== null ? withVertex(obstacle, part, null) : null;
@@ -182,14 +238,27 @@ export class Editor {
 
   /** Turns a goal into a target, or a target into a goal: the first configuration that reaches it. */
   retarget() {
-    const { selected, document, target, shown: { scenario, goal, goals } } = this;
+    const {
+      selected,
+      document,
+      target,
+      shown: { scenario, goal, goals },
+    } = this;
     if (!selected || this.goal === "") return;
     const point = goal && scenario.endEffector(goal).map((value) => rounded(value, 1e-6));
-    const next = point ? withTarget(document, selected, { point: /** @type {Point} */ (point) })
-      : target && withPose(document, selected, goals[0] ?? scenario.nearestReachable(target.point, target.orientation).configuration);
+    const next = point
+      ? withTarget(document, selected, { point: /** @type {Point} */ (point) })
+      : target &&
+        withPose(
+          document,
+          selected,
+          goals[0] ?? scenario.nearestReachable(target.point, target.orientation).configuration,
+        );
     if (!next || !this.change(next)) return;
     this.choose(selected, null);
-    this.announcement = this.target ? "The goal is any configuration that reaches this point." : "The goal is this one configuration.";
+    this.announcement = this.target
+      ? "The goal is any configuration that reaches this point."
+      : "The goal is this one configuration.";
   }
 
   duplicate() {
@@ -252,7 +321,11 @@ export class Editor {
     }
   }
 
-  /** Shows a document if the core accepts it. @param {ScenarioDocument} document @param {EditorObject | null} [dragged]  the object of a gesture */
+  /**
+   * Shows a document if the core accepts it.
+   * @param {ScenarioDocument} document
+   * @param {EditorObject | null} [dragged]  the object of a gesture
+   */
   attempt(document, dragged = null) {
     const scenario = this.read(document);
     this.refused = scenario ? null : obstacleOf(document, dragged);
@@ -267,7 +340,11 @@ export class Editor {
     return true;
   }
 
-  /** Adds the first of some obstacles that leaves start and goal free, or else the first that the core accepts. @param {Obstacle[]} offers @returns {boolean} whether it accepts one */
+  /**
+   * Adds the first of some obstacles that leaves start and goal free, or else the first that the core accepts.
+   * @param {Obstacle[]} offers
+   * @returns {boolean} whether it accepts one
+   */
   add(offers) {
     const index = this.document.world.obstacles.length;
     const documents = offers.map((offer) => withObstacle(this.document, index, offer));
@@ -314,27 +391,43 @@ export class Editor {
     session.stage.invalidate();
   }
 
-  /** The number of parts to pick: vertices of a polygon, joints and end effector of an arm, or the heading of a body. @returns {number} */
+  /**
+   * The number of parts to pick: vertices of a polygon, joints and end effector of an arm, or the heading of a body.
+   * @returns {number}
+   */
   get parts() {
     const { obstacle } = this;
     if (obstacle) return obstacle.type === "polygon" ? obstacle.vertices.length : 0;
     const { scenario, placed } = this.shown;
-    return this.selected && !this.target && scenario.robot !== "disc" ? placed ? 1 : scenario.dimension + 1 : 0;
+    return this.selected && !this.target && scenario.robot !== "disc" ? (placed ? 1 : scenario.dimension + 1) : 0;
   }
 
   /** The selection, in words. @returns {string} */
   get title() {
     const { selected, part, obstacle } = this;
     if (!selected) return "";
-    const name = obstacle ? `Obstacle ${selected.index}, a ${obstacle.type}` : selected.kind === "start" ? "Start" : this.target ? "Target" : "Goal";
+    const name = obstacle
+      ? `Obstacle ${selected.index}, a ${obstacle.type}`
+      : selected.kind === "start"
+        ? "Start"
+        : this.target
+          ? "Target"
+          : "Goal";
     if (this.tip) return `${name}, end effector`;
     if (part === null || this.parts === 0) return name;
-    return this.shown.placed && !obstacle ? `${name}, its heading` : `${name}, ${obstacle ? `vertex ${part}` : `joint ${part + 1}`}`;
+    return this.shown.placed && !obstacle
+      ? `${name}, its heading`
+      : `${name}, ${obstacle ? `vertex ${part}` : `joint ${part + 1}`}`;
   }
 
   /** The position of the end effector, where that is selected. */
   get tip() {
-    const { document, selected, part, shown: { scenario } } = this;
+    const {
+      document,
+      selected,
+      part,
+      shown: { scenario },
+    } = this;
     const pose = poseOf(document, selected);
     return pose && isTip(scenario, part) ? scenario.endEffector(pose) : null;
   }
@@ -348,13 +441,19 @@ export class Editor {
   }
 
   /** The selection and its coordinates. */
-  get whereabouts() { return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`; }
+  get whereabouts() {
+    return `${this.title}: ${this.fields.map(({ name, value }) => `${name} ${value}`).join(", ")}.`;
+  }
 
   /** Draws the selection on the panes while the editor is on. */
-  overlay() { this.shown.overlay = this.on ? this : null; }
+  overlay() {
+    this.shown.overlay = this.on ? this : null;
+  }
 
   /** @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Lane} lane */
-  draw(pane, context, lane) { drawOverlay(pane, context, lane, this); }
+  draw(pane, context, lane) {
+    drawOverlay(pane, context, lane, this);
+  }
 
   /** Start and goal in collision, once planning was refused. */
   get collisions() {
@@ -372,18 +471,27 @@ export class Editor {
     const { scenario, target } = this.shown;
     const { refusal } = this.session;
     if (target && refusal) return sentence(errorInfo(refusal.error).message);
-    return this.collisions.map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`).join(" ");
+    return this.collisions
+      .map(({ end, check }) => `The ${end} is in collision: ${touchingSentence(scenario, check)}.`)
+      .join(" ");
   }
 
   /** Why the last change was refused, or empty. @returns {string} */
-  get reason() { return sentence(this.refusal?.message ?? ""); }
+  get reason() {
+    return sentence(this.refusal?.message ?? "");
+  }
 
   /** @returns {boolean} */
-  get isBad() { return this.reason !== "" || this.touching !== ""; }
+  get isBad() {
+    return this.reason !== "" || this.touching !== "";
+  }
 
   /** The sentence above the stage; empty during a run. */
   get sentence() {
-    const { session: { clock }, touching } = this;
+    const {
+      session: { clock },
+      touching,
+    } = this;
     if (!this.on) return "";
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";
@@ -392,8 +500,12 @@ export class Editor {
   }
 
   /** The kind of the selection; an "end" is a start or goal. */
-  get kind() { return this.obstacle?.type ?? (this.selected ? "end" : ""); }
+  get kind() {
+    return this.obstacle?.type ?? (this.selected ? "end" : "");
+  }
 
   /** For the selected goal of an arm: one configuration, or any that reaches a point. */
-  get goal() { return this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose"; }
+  get goal() {
+    return this.selected?.kind !== "goal" || this.shown.scenario.robot !== "arm" ? "" : this.target ? "target" : "pose";
+  }
 }

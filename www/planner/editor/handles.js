@@ -7,8 +7,14 @@ import { middle, objectsOf, obstacleOf, poseOf, same, targetOf } from "./objects
 /** @import { Obstacle, Point } from "../../domain/types.js" */
 /** @import { Shown } from "../lane.js" */
 /** @import { EditorObject } from "./objects.js" */
-/** @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one before a middle */
-/** @typedef {{ object: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint, after the last joint the end effector, or the heading of a body */
+/**
+ * @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one
+ *   before a middle
+ */
+/**
+ * @typedef {{ object: EditorObject, part: number | null, handle: Handle | null }} Hit   `part`: the vertex, the joint,
+ *   after the last joint the end effector, or the heading of a body
+ */
 
 /** Reach of a pointer, CSS pixels. */
 export const REACH = { mouse: 9, touch: 22 };
@@ -17,12 +23,19 @@ const ROOM = 40;
 
 /** @param {Obstacle} obstacle @param {View} view @returns {Handle[]} */
 export function handlesOf(obstacle, view) {
-  if (obstacle.type === "disc") return [{ kind: "radius", part: 0, at: [obstacle.center[0] + obstacle.radius, obstacle.center[1]] }];
+  if (obstacle.type === "disc")
+    return [{ kind: "radius", part: 0, at: [obstacle.center[0] + obstacle.radius, obstacle.center[1]] }];
   const { vertices } = obstacle;
-  const middles = vertices.map((_, part) => ({ kind: /** @type {const} */ ("middle"), part, at: middle(vertices, part) }));
+  const middles = vertices.map((_, part) => ({
+    kind: /** @type {const} */ ("middle"),
+    part,
+    at: middle(vertices, part),
+  }));
   return [
     ...vertices.map((at, part) => ({ kind: /** @type {const} */ ("vertex"), part, at })),
-    ...middles.filter(({ part, at }) => 2 * Math.hypot(at[0] - vertices[part][0], at[1] - vertices[part][1]) * view.scaleX > ROOM),
+    ...middles.filter(
+      ({ part, at }) => 2 * Math.hypot(at[0] - vertices[part][0], at[1] - vertices[part][1]) * view.scaleX > ROOM,
+    ),
   ];
 }
 
@@ -40,7 +53,13 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
   /** @type {Hit | null} */
   let best = null;
   let least = reach;
-  /** Of several equally near objects the last one is taken. @param {EditorObject} object @param {number} distance  0 or less inside @param {number | null} [part] @param {Handle | null} [handle] */
+  /**
+   * Of several equally near objects the last one is taken.
+   * @param {EditorObject} object
+   * @param {number} distance  0 or less inside
+   * @param {number | null} [part]
+   * @param {Handle | null} [handle]
+   */
   const offer = (object, distance, part = null, handle = null) => {
     if (distance > least) return;
     least = Math.max(0, distance);
@@ -51,12 +70,18 @@ export function hitAt(pane, isSquare, shown, query, selected, px, py, reach) {
     for (const handle of handlesOf(chosen, view)) {
       const { kind, part, at } = handle;
       // A vertex is preferred to a middle.
-      offer(selected, distanceTo(view.place(at)) + (kind === "middle" ? 3 : 0), kind === "vertex" ? part : null, handle);
+      offer(
+        selected,
+        distanceTo(view.place(at)) + (kind === "middle" ? 3 : 0),
+        kind === "vertex" ? part : null,
+        handle,
+      );
     }
     if (best) return best;
   }
   // Robots are above obstacles, the start is above the goal, and the selection is above all.
-  const rank = (/** @type {EditorObject} */ object) => (same(object, selected) ? 3 : ["obstacle", "goal", "start"].indexOf(object.kind));
+  const rank = (/** @type {EditorObject} */ object) =>
+    same(object, selected) ? 3 : ["obstacle", "goal", "start"].indexOf(object.kind);
   for (const object of objectsOf(document, query).sort((a, b) => rank(a) - rank(b))) {
     const obstacle = obstacleOf(document, object);
     const target = targetOf(document, object);

@@ -13,13 +13,23 @@ export class History {
     this.at = 0;
   }
 
-  get now() { return this.documents[this.at]; }
+  get now() {
+    return this.documents[this.at];
+  }
 
   /** The number of changes that can be undone, and redone. */
-  get undoable() { return this.at; }
-  get redoable() { return this.documents.length - 1 - this.at; }
+  get undoable() {
+    return this.at;
+  }
+  get redoable() {
+    return this.documents.length - 1 - this.at;
+  }
 
-  /** Adds a change; changes undone before are dropped. @param {ScenarioDocument} document @param {boolean} [goesOn]  it continues the previous one */
+  /**
+   * Adds a change; changes undone before are dropped.
+   * @param {ScenarioDocument} document
+   * @param {boolean} [goesOn]  it continues the previous one
+   */
   commit(document, goesOn = false) {
     if (goesOn && this.at > 0) this.at--;
     this.documents.splice(this.at + 1, Infinity, document);

@@ -1,4 +1,6 @@
-/** Draws the editor's overlay: the selection and its handles, a polygon being drawn, and refused or colliding objects. */
+/**
+ * Draws the editor's overlay: the selection and its handles, a polygon being drawn, and refused or colliding objects.
+ */
 import { obstaclePath } from "planarium/draw";
 import { handlesOf } from "./handles.js";
 import { touchingSentence } from "../../domain/names.js";
@@ -26,7 +28,8 @@ export function drawOverlay(pane, context, lane, editor) {
   const pose = poseOf(document, selected);
   const target = targetOf(document, selected);
   const isPoint = isSquare || isTip(scenario, part);
-  const point = pose && isPoint ? pane.pixels(Float64Array.from(pose)) : target && !isSquare ? view.place(target.point) : null;
+  const point =
+    pose && isPoint ? pane.pixels(Float64Array.from(pose)) : target && !isSquare ? view.place(target.point) : null;
   if (point) {
     context.strokeStyle = palette.ink;
     context.lineWidth = 1.5;
@@ -35,14 +38,35 @@ export function drawOverlay(pane, context, lane, editor) {
   nameTouching(pane, context, editor, scenario, palette);
 }
 
-/** The objects of the workspace. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Editor} editor @param {View} view @param {Palette} palette */
-function drawObjects(pane, context, lane, { selected, part, hand: { draft, loose }, refused, collisions }, view, palette) {
+/**
+ * The objects of the workspace.
+ * @param {Workspace} pane
+ * @param {CanvasRenderingContext2D} context
+ * @param {Lane} lane
+ * @param {Editor} editor
+ * @param {View} view
+ * @param {Palette} palette
+ */
+function drawObjects(
+  pane,
+  context,
+  lane,
+  { selected, part, hand: { draft, loose }, refused, collisions },
+  view,
+  palette,
+) {
   const { shown } = lane;
   const { document, scenario } = shown;
   for (const { pose, check } of collisions) {
     for (const { obstacle } of check.touching) pane.drawTouched(context, document, obstacle);
     const hit = new Set(check.touching.map((pair) => pair.part));
-    drawTouchingParts(context, view, scenario.footprint(pose).filter((_, i) => hit.has(i)), palette, pane.hatchOnPart);
+    drawTouchingParts(
+      context,
+      view,
+      scenario.footprint(pose).filter((_, i) => hit.has(i)),
+      palette,
+      pane.hatchOnPart,
+    );
   }
   if (collisions.length > 0) pane.drawEnds(context, lane, palette);
   const pose = poseOf(document, selected);
@@ -50,7 +74,8 @@ function drawObjects(pane, context, lane, { selected, part, hand: { draft, loose
     const colour = palette[selected.kind === "start" ? "start" : "goal"];
     const parts = scenario.footprint(pose);
     drawGhost(context, view, parts, { colour, fill: 0.25, stroke: 1, dash: [], width: 3 });
-    if (part !== null && parts[part] && !shown.placed) drawGhost(context, view, [parts[part]], { colour: palette.ink, fill: 0, stroke: 1, dash: [], width: 1.5 });
+    if (part !== null && parts[part] && !shown.placed)
+      drawGhost(context, view, [parts[part]], { colour: palette.ink, fill: 0, stroke: 1, dash: [], width: 1.5 });
   }
   for (const end of /** @type {const} */ (["goal", "start"])) {
     const at = shown[end];
@@ -66,9 +91,20 @@ function drawObjects(pane, context, lane, { selected, part, hand: { draft, loose
     context.lineWidth = 2;
     context.stroke();
     context.lineWidth = 1.5;
-    for (const { kind, part: index, at: [x, y] } of handlesOf(obstacle, view)) {
+    for (const {
+      kind,
+      part: index,
+      at: [x, y],
+    } of handlesOf(obstacle, view)) {
       const isActive = kind === "vertex" && index === part;
-      drawHandle(context, view.x(x), view.y(y), kind === "vertex" ? 4.5 : kind === "radius" ? 5 : 3, kind === "vertex", isActive ? palette.ink : palette.stage);
+      drawHandle(
+        context,
+        view.x(x),
+        view.y(y),
+        kind === "vertex" ? 4.5 : kind === "radius" ? 5 : 3,
+        kind === "vertex",
+        isActive ? palette.ink : palette.stage,
+      );
     }
   }
   if (draft.length > 0) {
@@ -94,7 +130,14 @@ function drawObjects(pane, context, lane, { selected, part, hand: { draft, loose
   context.restore();
 }
 
-/** Names the collision beside each start or goal in collision, within the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Editor} editor @param {Scenario} scenario @param {Palette} palette */
+/**
+ * Names the collision beside each start or goal in collision, within the pane.
+ * @param {Pane} pane
+ * @param {CanvasRenderingContext2D} context
+ * @param {Editor} editor
+ * @param {Scenario} scenario
+ * @param {Palette} palette
+ */
 function nameTouching(pane, context, { collisions }, scenario, palette) {
   for (const { end, pose, check } of collisions) {
     const [x, y] = pane.pixels(Float64Array.from(pose));
@@ -108,7 +151,14 @@ function nameTouching(pane, context, { collisions }, scenario, palette) {
   }
 }
 
-/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius @param {boolean} isSquare @param {string} fill */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius
+ * @param {boolean} isSquare
+ * @param {string} fill
+ */
 function drawHandle(context, x, y, radius, isSquare, fill) {
   context.beginPath();
   if (isSquare) context.rect(x - radius, y - radius, 2 * radius, 2 * radius);

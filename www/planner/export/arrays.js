@@ -1,6 +1,6 @@
 /**
- * Opens NumPy arrays. By their shape, arrays are polygons, which become obstacles, or configurations, which are marked on the stage; where
- * there is a choice, the reader makes it.
+ * Opens NumPy arrays. By their shape, arrays are polygons, which become obstacles, or configurations, which are marked
+ * on the stage; where there is a choice, the reader makes it.
  */
 import { byId, counted, grouped, make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
@@ -29,7 +29,9 @@ export async function openArray(page, name, bytes) {
   const isRows = shape?.length === 2 && shape[1] === dimension && shape[0] > 0;
   const isPolygons = !shape || ((shape.length === 2 || shape.length === 3) && shape.at(-1) === 2);
   if (!isRows && !isPolygons) {
-    throw new NpyError(`Its shape is (${shape.join(", ")}); it must be (n, m, 2) or (m, 2) for polygons, or (n, ${dimension}) for configurations of this robot.`);
+    throw new NpyError(
+      `Its shape is (${shape.join(", ")}); it must be (n, m, 2) or (m, 2) for polygons, or (n, ${dimension}) for configurations of this robot.`,
+    );
   }
   /** @type {[string, string][]} */
   const choices = [];
@@ -61,25 +63,47 @@ function maybePolygons(bytes) {
   }
 }
 
-/** The shape of an array of numbers, or null for objects. @param {Uint8Array} bytes @returns {number[] | null} @throws {NpyError} */
+/**
+ * The shape of an array of numbers, or null for objects.
+ * @param {Uint8Array} bytes
+ * @returns {number[] | null}
+ * @throws {NpyError}
+ */
 function numericShape(bytes) {
   const isObjects = /["']descr["']\s*:\s*["']\|O/.test(new TextDecoder("latin1").decode(bytes.subarray(0, 512)));
   return isObjects ? null : readNpy(bytes).shape;
 }
 
-/** Opens the scene with these obstacles, with the same planners. @param {Page} page @param {number[][][]} polygons @param {boolean} alone @throws {Error} the core refuses one of them */
+/**
+ * Opens the scene with these obstacles, with the same planners.
+ * @param {Page} page
+ * @param {number[][][]} polygons
+ * @param {boolean} alone
+ * @throws {Error} the core refuses one of them
+ */
 async function build(page, polygons, alone) {
   const { facts, plans, panel } = page;
   if (!facts) return;
   const { world } = facts.document;
   const fresh = polygons.map((vertices) => /** @type {Obstacle} */ ({ type: "polygon", vertices }));
-  const document = { ...facts.document, world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] } };
+  const document = {
+    ...facts.document,
+    world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] },
+  };
   await page.open({ document }, { plans: plans ?? page.current, query: panel.query.value || undefined });
 }
 
-/** Marks configurations, with a line that counts them and a button that removes them. @param {Page} page @param {string} name @param {Uint8Array} bytes */
+/**
+ * Marks configurations, with a line that counts them and a button that removes them.
+ * @param {Page} page
+ * @param {string} name
+ * @param {Uint8Array} bytes
+ */
 async function mark(page, name, bytes) {
-  const { shape: [all, n], data } = readNpy(bytes);
+  const {
+    shape: [all, n],
+    data,
+  } = readNpy(bytes);
   if (all > MOST) throw new NpyError(`There are ${grouped(all)} configurations; at most ${grouped(MOST)} are shown.`);
   const wrong = data.findIndex((value) => !Number.isFinite(value));
   if (wrong >= 0) throw new NpyError(`Number ${wrong % n} of configuration ${Math.floor(wrong / n)} is not finite.`);
@@ -93,7 +117,16 @@ async function mark(page, name, bytes) {
     byId("stage", HTMLElement).focus();
   });
   shown.replaceChildren(
-    make("span", {}, `${counted(all, "configuration")} of ${name}: `, sign("disc"), ` ${grouped(free)} free, `, sign("cross"), ` ${grouped(all - free)} in collision.`), clear,
+    make(
+      "span",
+      {},
+      `${counted(all, "configuration")} of ${name}: `,
+      sign("disc"),
+      ` ${grouped(free)} free, `,
+      sign("cross"),
+      ` ${grouped(all - free)} in collision.`,
+    ),
+    clear,
   );
   shown.hidden = false;
 }
@@ -102,10 +135,14 @@ async function mark(page, name, bytes) {
 function makeLine(page) {
   const made = make("p", { id: "marked", className: "marked", role: "status", hidden: true });
   byId("stage", HTMLElement).after(made);
-  page.onOpen(() => { made.hidden = true; });
+  page.onOpen(() => {
+    made.hidden = true;
+  });
   line = made;
   return made;
 }
 
 /** A mark in the text. @param {"disc" | "cross"} kind */
-function sign(kind) { return make("i", { className: kind, ariaHidden: "true" }); }
+function sign(kind) {
+  return make("i", { className: kind, ariaHidden: "true" });
+}

@@ -8,16 +8,38 @@ import { encodeLink } from "../link/codec.js";
 
 /** @type {[string, string, (address: string) => string][]} */
 const KINDS = [
-  ["page", "A web page", (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`],
-  ["slides", "Reveal.js slides",
-    (address) => `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`],
-  ["notebook", "A Jupyter notebook", (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`],
+  [
+    "page",
+    "A web page",
+    (address) => `<iframe src="${address}" title="Planarium" width="100%" height="640" style="border: 0"></iframe>`,
+  ],
+  [
+    "slides",
+    "Reveal.js slides",
+    (address) =>
+      `<section>\n  <iframe data-src="${address}" title="Planarium" width="100%" height="640" data-preload></iframe>\n</section>`,
+  ],
+  [
+    "notebook",
+    "A Jupyter notebook",
+    (address) => `from IPython.display import IFrame\nIFrame("${address}", width="100%", height=640)`,
+  ],
 ];
 
 /** @param {Page} page @param {HTMLElement} host */
 export function showSnippets(page, host) {
-  const kind = make("select", { id: "embed-kind", ariaLabel: "Embed as" }, ...KINDS.map(([value, title]) => make("option", { value }, title)));
-  const text = make("textarea", { id: "embed-text", readOnly: true, rows: 5, ariaLabel: "Embed code", spellcheck: false });
+  const kind = make(
+    "select",
+    { id: "embed-kind", ariaLabel: "Embed as" },
+    ...KINDS.map(([value, title]) => make("option", { value }, title)),
+  );
+  const text = make("textarea", {
+    id: "embed-text",
+    readOnly: true,
+    rows: 5,
+    ariaLabel: "Embed code",
+    spellcheck: false,
+  });
   const copy = button("embed-copy", "Copy", async () => {
     await update();
     try {
@@ -29,7 +51,14 @@ export function showSnippets(page, host) {
     }
   });
   const result = make("p", { className: "hint", role: "status" });
-  const details = make("details", { id: "embed-fold" }, make("summary", {}, "Embed"), make("div", { className: "parts" }, kind, copy), text, result);
+  const details = make(
+    "details",
+    { id: "embed-fold" },
+    make("summary", {}, "Embed"),
+    make("div", { className: "parts" }, kind, copy),
+    text,
+    result,
+  );
   host.append(details);
   kind.addEventListener("change", () => void update());
   details.addEventListener("toggle", () => void update());
@@ -41,7 +70,8 @@ export function showSnippets(page, host) {
       const fragment = await encodeLink(experimentOf(page));
       const [, , codeOf] = KINDS[kind.selectedIndex];
       text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
-      result.textContent = protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
+      result.textContent =
+        protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
     } catch (error) {
       text.value = "";
       page.app.fail(error, "No link can be made.");

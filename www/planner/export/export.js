@@ -1,4 +1,7 @@
-/** The export panel: images of the stage, the scenario, and the data of the runs. Each row describes its file, or says why there is none. */
+/**
+ * The export panel: images of the stage, the scenario, and the data of the runs. Each row describes its file, or says
+ * why there is none.
+ */
 import { json, save } from "../../app/files.js";
 import { byId, make, write } from "../../app/dom.js";
 import { writeNpy } from "../../formats/npy.js";
@@ -16,7 +19,10 @@ import { layoutOfStage } from "./layout.js";
 /** @import { Page } from "../page.js" */
 /** @import { State } from "../../domain/types.js" */
 /** @import { ImageRequest } from "./exporter.js" */
-/** @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }} Offer   `lack`: why there is no file, or empty */
+/**
+ * @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }}
+ *   Offer   `lack`: why there is no file, or empty
+ */
 
 /** @param {State} state */
 const noRun = ({ lanes }) => (lanes.some(({ status }) => status === "none") ? "No planner has run." : "");
@@ -28,10 +34,26 @@ export function showExport(page) {
   const host = byId("export", HTMLElement);
   /** @type {Offer[]} */
   const offers = [];
-  const progress = new Progress(() => { if (page.state) reflect(page.state); });
-  const scale = select("export-scale", "Size", [["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"]], "2");
+  const progress = new Progress(() => {
+    if (page.state) reflect(page.state);
+  });
+  const scale = select(
+    "export-scale",
+    "Size",
+    [
+      ["1", "1\u00d7"],
+      ["2", "2\u00d7"],
+      ["4", "4\u00d7"],
+    ],
+    "2",
+  );
   const lane = select("export-lane", "Planner", [], "");
-  const laneRow = make("label", { className: "row", hidden: true }, make("span", { className: "name" }, "Planner"), lane);
+  const laneRow = make(
+    "label",
+    { className: "row", hidden: true },
+    make("span", { className: "name" }, "Planner"),
+    lane,
+  );
   const films = filmRow(page.app, progress, { subjects: filmsOf(page), name });
 
   host.append(
@@ -47,10 +69,20 @@ export function showExport(page) {
       const run = await runOf(lane.value);
       save(json(asked() ?? run.result), `${nameOfLane(run.made)}-result.json`);
     }),
-    offer("path", "Path", "NPY", "For NumPy: one row per waypoint.", (state) => (state.lanes[Number(lane.value)]?.status === "solved" ? "" : "No path yet: it can be saved once the run has ended."), async () => {
-      const { path, dimension } = await runOf(lane.value);
-      save(npy(Float64Array.from(asked()?.path.flat() ?? path), dimension), `${nameOfLane()}-path.npy`);
-    }),
+    offer(
+      "path",
+      "Path",
+      "NPY",
+      "For NumPy: one row per waypoint.",
+      (state) =>
+        state.lanes[Number(lane.value)]?.status === "solved"
+          ? ""
+          : "No path yet: it can be saved once the run has ended.",
+      async () => {
+        const { path, dimension } = await runOf(lane.value);
+        save(npy(Float64Array.from(asked()?.path.flat() ?? path), dimension), `${nameOfLane()}-path.npy`);
+      },
+    ),
     offer("vertices", "Vertices", "NPY", "For NumPy: one row per vertex shown.", noRun, async () => {
       const { vertices, past, dimension } = await runOf(lane.value);
       save(npy(vertices.slice(0, past[PAST.vertices]), dimension), `${nameOfLane()}-vertices.npy`);
@@ -69,7 +101,11 @@ export function showExport(page) {
    * @param {() => Promise<void>} saveFile @param {...HTMLElement} choices
    */
   function offer(id, title, format, meaning, lack, saveFile, ...choices) {
-    const row = downloadRow({ id, title, format, meaning }, () => void page.app.track(saveFile(), failureOf(title)), ...choices);
+    const row = downloadRow(
+      { id, title, format, meaning },
+      () => void page.app.track(saveFile(), failureOf(title)),
+      ...choices,
+    );
     offers.push({ ...row, meaning, lack });
     return row.element;
   }
@@ -99,13 +135,19 @@ export function showExport(page) {
   }
 
   /** The result shown where the roadmap was asked for another path. */
-  function asked() { return session.lanes[Number(lane.value)]?.asked?.result; }
+  function asked() {
+    return session.lanes[Number(lane.value)]?.asked?.result;
+  }
 
   /** The name of a file, at the time shown. @param {number} [time] */
-  function name(time = page.state?.clock.now ?? 0) { return nameOf(page.facts?.name ?? "", page.current, time); }
+  function name(time = page.state?.clock.now ?? 0) {
+    return nameOf(page.facts?.name ?? "", page.current, time);
+  }
 
   /** The same for the chosen planner. @param {number} [time] */
-  function nameOfLane(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) { return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time); }
+  function nameOfLane(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) {
+    return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time);
+  }
 
   /** Makes and saves an image. @param {ImageRequest["kind"]} kind */
   async function draw(kind) {
@@ -115,4 +157,6 @@ export function showExport(page) {
 }
 
 /** @param {Float64Array} rows @param {number} dimension */
-function npy(rows, dimension) { return new Blob([writeNpy(rows, [rows.length / dimension, dimension])]); }
+function npy(rows, dimension) {
+  return new Blob([writeNpy(rows, [rows.length / dimension, dimension])]);
+}

@@ -20,11 +20,17 @@ import { Picture, writeCaption } from "./picture.js";
 /** Milliseconds of a slice. */
 const SLICE = 12;
 
-/** What holds as long as no other run begins. @param {Session} session @returns {() => void} to be called after every pause @throws {Error} `run-replaced` */
+/**
+ * What holds as long as no other run begins.
+ * @param {Session} session
+ * @returns {() => void} to be called after every pause
+ * @throws {Error} `run-replaced`
+ */
 export function sameRun(session) {
   const { plannings } = session;
   return () => {
-    if (session.plannings !== plannings) throw Object.assign(new Error("Another run started during the export."), { code: "run-replaced" });
+    if (session.plannings !== plannings)
+      throw Object.assign(new Error("Another run started during the export."), { code: "run-replaced" });
   };
 }
 
@@ -37,7 +43,11 @@ export function sameRun(session) {
  * @throws {Error} `too-large`, `run-replaced`, `no-canvas`
  */
 export async function makeImage(session, request, onProgress) {
-  const { kind, layout: { width, height }, ratio } = request;
+  const {
+    kind,
+    layout: { width, height },
+    ratio,
+  } = request;
   requireSize(width, height, ratio, "choose a smaller size");
   const requireSameRun = sameRun(session);
   const slices = { png: pngOf, svg: svgOf }[kind](session, request);
@@ -66,7 +76,12 @@ function* pngOf(session, { layout: { width, height, sheets }, ratio }) {
 
 /** @param {Session} session @param {ImageRequest} request @returns {Slices} */
 function* svgOf(session, { layout: { width, height, sheets }, title }) {
-  const picture = new Picture(session, sheets, IMAGES, (wide, high) => /** @type {OffscreenCanvas} */ (/** @type {unknown} */ (new SvgLayer(wide, high))));
+  const picture = new Picture(
+    session,
+    sheets,
+    IMAGES,
+    (wide, high) => /** @type {OffscreenCanvas} */ (/** @type {unknown} */ (new SvgLayer(wide, high))),
+  );
   const { palette, drawn } = picture;
   for (const { pane } of drawn) {
     Object.assign(pane, { hatchOnPart: stripes(palette.stage), hatchOnObstacle: stripes(palette.collision) });
@@ -77,9 +92,17 @@ function* svgOf(session, { layout: { width, height, sheets }, title }) {
     writeCaption(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (whole)), layout, palette);
   }
   return async () => {
-    const layers = await Promise.all(drawn.flatMap(({ layout: { x, y }, layers: own }, s) => own.map((layer, l) => {
-      return /** @type {SvgLayer} */ (/** @type {unknown} */ (layer)).element(`s${s}${l}`, Math.round(x), Math.round(y));
-    })));
+    const layers = await Promise.all(
+      drawn.flatMap(({ layout: { x, y }, layers: own }, s) =>
+        own.map((layer, l) => {
+          return /** @type {SvgLayer} */ (/** @type {unknown} */ (layer)).element(
+            `s${s}${l}`,
+            Math.round(x),
+            Math.round(y),
+          );
+        }),
+      ),
+    );
     return svgFile(whole, layers, { background: palette.stage, title });
   };
 }

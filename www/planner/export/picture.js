@@ -1,6 +1,6 @@
 /**
- * A picture of the stage at another time and resolution: panes of the same kinds and sizes on their own canvases, with light copies of
- * the lanes. The stage itself does not change.
+ * A picture of the stage at another time and resolution: panes of the same kinds and sizes on their own canvases, with
+ * light copies of the lanes. The stage itself does not change.
  */
 import { LAYERS } from "../../draw/layer.js";
 import { KINDS } from "../stage/stage.js";
@@ -39,7 +39,14 @@ export class Picture {
     this.ratio = ratio;
     const shown = /** @type {Shown} */ (session.shown);
     /** The state that its lanes share. @type {Shown} */
-    this.shown = { ...shown, view: { ...shown.view }, hover: null, overlay: null, rough: false, ...(whole ? { hand: null, check: null, driven: null } : {}) };
+    this.shown = {
+      ...shown,
+      view: { ...shown.view },
+      hover: null,
+      overlay: null,
+      rough: false,
+      ...(whole ? { hand: null, check: null, driven: null } : {}),
+    };
     const lanes = session.lanes.map((lane) => standIn(lane, this.shown, whole));
     /** @type {Drawn[]} */
     this.drawn = sheets.flatMap((layout) => {
@@ -48,7 +55,11 @@ export class Picture {
       if (!lane) return [];
       const { width, height } = place.pane;
       const layers = LAYERS.map(() => makeCanvas(width, height));
-      const pane = new KINDS[place.kind](/** @type {Record<LayerName, OffscreenCanvas>} */ (Object.fromEntries(LAYERS.map((name, i) => [name, layers[i]]))));
+      const pane = new KINDS[place.kind](
+        /** @type {Record<LayerName, OffscreenCanvas>} */ (
+          Object.fromEntries(LAYERS.map((name, i) => [name, layers[i]]))
+        ),
+      );
       Object.assign(pane, { width, height });
       if (pane instanceof KINDS.cspace) pane.painter = session.stage.painter;
       pane.glow.enabled = false;
@@ -61,12 +72,17 @@ export class Picture {
 
   /** Puts the robots on their paths. @param {number} part  0 to 1 */
   place(part) {
-    for (const { lane: { playback } } of this.drawn) if (playback) playback.at = part;
+    for (const {
+      lane: { playback },
+    } of this.drawn)
+      if (playback) playback.at = part;
   }
 
   /** Draws a time, by default that of the stage, in slices. @param {number} [time] @returns {Generator<void>} */
   *draw(time) {
-    const { clock: { column } } = this;
+    const {
+      clock: { column },
+    } = this;
     for (const { pane, lane } of this.drawn) {
       const { run } = lane;
       if (run && time !== undefined) run.shown = run.iterationAt(column, time);
@@ -83,7 +99,11 @@ export class Picture {
     }
   }
 
-  /** Draws the panes and captions on a canvas of the whole stage. @param {OffscreenCanvasRenderingContext2D} context @param {boolean} [blank]  clears it first */
+  /**
+   * Draws the panes and captions on a canvas of the whole stage.
+   * @param {OffscreenCanvasRenderingContext2D} context
+   * @param {boolean} [blank]  clears it first
+   */
   compose(context, blank = true) {
     const { ratio, palette } = this;
     if (blank) {
@@ -100,21 +120,37 @@ export class Picture {
   }
 }
 
-/** A copy of a lane that does not follow the stage. @param {Lane} lane @param {Shown} shown @param {boolean} whole @returns {Lane} */
+/**
+ * A copy of a lane that does not follow the stage.
+ * @param {Lane} lane
+ * @param {Shown} shown
+ * @param {boolean} whole
+ * @returns {Lane}
+ */
 function standIn(lane, shown, whole) {
   const { run, end, asked } = lane;
-  const still = (/** @type {PathPlayback} */ playback) => Object.create(playback, { drawn: { value: whole ? 1 : playback.drawn }, at: { value: playback.at, writable: true } });
+  const still = (/** @type {PathPlayback} */ playback) =>
+    Object.create(playback, {
+      drawn: { value: whole ? 1 : playback.drawn },
+      at: { value: playback.at, writable: true },
+    });
   /** @type {(RunLog & { shown: number }) | null} */
   const its = run && Object.create(run, { shown: { value: run.shown, writable: true } });
   if (run && its) Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
   return Object.create(lane, {
-    shown: { value: shown }, run: { value: its },
+    shown: { value: shown },
+    run: { value: its },
     end: { value: end && still(end) },
     asked: { value: asked?.playback ? { ...asked, playback: still(asked.playback) } : asked },
   });
 }
 
-/** Draws a caption, wrapped to its width. @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context @param {Layout["sheets"][number]} layout @param {Palette} palette */
+/**
+ * Draws a caption, wrapped to its width.
+ * @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context
+ * @param {Layout["sheets"][number]} layout
+ * @param {Palette} palette
+ */
 export function writeCaption(context, { caption: { x, y, width, name, note } }, palette) {
   const ruler = new OffscreenCanvas(1, 1).getContext("2d");
   if (!ruler) return;
@@ -123,7 +159,10 @@ export function writeCaption(context, { caption: { x, y, width, name, note } }, 
   context.textAlign = "left";
   let left = 0;
   let line = 0;
-  for (const [words, colour] of [[name, palette.ink], [note, palette.quiet]]) {
+  for (const [words, colour] of [
+    [name, palette.ink],
+    [note, palette.quiet],
+  ]) {
     context.fillStyle = colour;
     let text = "";
     const write = () => {

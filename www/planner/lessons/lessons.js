@@ -1,6 +1,6 @@
 /**
- * Lessons: each step asks a question above the stage, and Run runs the planner. Once that pauses, the step shows the answer. Every step
- * has an address, `#lesson=ID.STEP`, counted from 1.
+ * Lessons: each step asks a question above the stage, and Run runs the planner. Once that pauses, the step shows the
+ * answer. Every step has an address, `#lesson=ID.STEP`, counted from 1.
  *
  * For tests: `#lesson` carries `data-shown`, "question", "run" or "answer".
  */
@@ -43,13 +43,27 @@ export class Lessons {
     leave.className = "quiet";
     const head = make("p", { className: "head" }, this.title, " ", this.count);
     const words = make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome));
-    this.band = make("section", { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
-      words, make("div", { className: "buttons" }, this.run, this.back, this.next, leave));
+    this.band = make(
+      "section",
+      { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
+      words,
+      make("div", { className: "buttons" }, this.run, this.back, this.next, leave),
+    );
     byId("story", HTMLElement).before(this.band);
-    const list = make("ul", {}, ...LESSONS.map((lesson) => make("li", {}, button(`lesson-${lesson.id}`, lesson.title, () => {
-      void this.put(0, lesson);
-      this.run.focus();
-    }))));
+    const list = make(
+      "ul",
+      {},
+      ...LESSONS.map((lesson) =>
+        make(
+          "li",
+          {},
+          button(`lesson-${lesson.id}`, lesson.title, () => {
+            void this.put(0, lesson);
+            this.run.focus();
+          }),
+        ),
+      ),
+    );
     byId("lessons", HTMLElement).append(list);
     page.onState((state) => {
       if (this.shown === "run" && this.isOver(state)) this.show("answer");
@@ -66,10 +80,17 @@ export class Lessons {
       return;
     }
     if (!page.facts) await page.openScene(SCENES[0]);
-    page.notice.show(lesson ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.` : `There is no lesson "${id ?? fragment.slice(0, 64)}".`, "");
+    page.notice.show(
+      lesson
+        ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.`
+        : `There is no lesson "${id ?? fragment.slice(0, 64)}".`,
+      "",
+    );
   }
 
-  get isLast() { return this.at + 1 === this.lesson?.steps.length; }
+  get isLast() {
+    return this.at + 1 === this.lesson?.steps.length;
+  }
 
   leave() {
     this.lesson = null;
@@ -79,7 +100,11 @@ export class Lessons {
     byId("stage", HTMLElement).focus();
   }
 
-  /** Asks the question of a step, with its planner before the run. @param {number} step @param {Lesson | null} [lesson] */
+  /**
+   * Asks the question of a step, with its planner before the run.
+   * @param {number} step
+   * @param {Lesson | null} [lesson]
+   */
   async put(step, lesson = this.lesson) {
     const { page } = this;
     if (!lesson) return;
@@ -89,7 +114,11 @@ export class Lessons {
     this.title.textContent = lesson.title;
     this.count.textContent = `${step + 1} of ${lesson.steps.length}`;
     this.legend.textContent = question;
-    this.choices.replaceChildren(...choices.map((choice, i) => make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice)));
+    this.choices.replaceChildren(
+      ...choices.map((choice, i) =>
+        make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice),
+      ),
+    );
     this.back.disabled = step === 0;
     this.next.textContent = this.isLast ? "Finish" : "Next";
     this.band.hidden = false;
@@ -111,7 +140,7 @@ export class Lessons {
     const { lesson, page, at } = this;
     if (!lesson) return;
     // Another scene may have been opened since the question.
-    if (!await this.arrive() || this.lesson !== lesson || this.at !== at) return;
+    if (!(await this.arrive()) || this.lesson !== lesson || this.at !== at) return;
     this.show("run");
     const rest = this.rest ?? (page.calm ? Infinity : undefined);
     page.act(({ timeline }) => {
@@ -122,10 +151,17 @@ export class Lessons {
   }
 
   /** The iteration at which the run pauses; undefined for its end. */
-  get rest() { return this.lesson?.steps[this.at].iteration; }
+  get rest() {
+    return this.lesson?.steps[this.at].iteration;
+  }
 
-  /** Opens the scene of the step with its planner, unless the page shows them. @returns {Promise<boolean>} whether it does then */
-  async arrive() { return this.isThere || this.page.openScene(this.stage.entry, { plans: this.stage.plans, play: false }); }
+  /**
+   * Opens the scene of the step with its planner, unless the page shows them.
+   * @returns {Promise<boolean>} whether it does then
+   */
+  async arrive() {
+    return this.isThere || this.page.openScene(this.stage.entry, { plans: this.stage.plans, play: false });
+  }
 
   /** The scene and the plans of the step. */
   get stage() {
@@ -152,7 +188,11 @@ export class Lessons {
     this.run.className = isAnswered ? "" : "primary";
     this.next.className = isAnswered ? "primary" : "";
     const chosen = /** @type {HTMLInputElement | null} */ (this.choices.querySelector("input:checked"));
-    this.verdict.textContent = !isAnswered ? "" : chosen?.value === String(answer) ? "Correct." : `Answer: ${choices[answer].toLowerCase()}.`;
+    this.verdict.textContent = !isAnswered
+      ? ""
+      : chosen?.value === String(answer)
+        ? "Correct."
+        : `Answer: ${choices[answer].toLowerCase()}.`;
     this.text.textContent = isAnswered ? text : "";
     this.outcome.hidden = !isAnswered;
   }
@@ -161,7 +201,11 @@ export class Lessons {
   get isThere() {
     const { source, facts, current, panel } = this.page;
     const { entry, plans } = this.stage;
-    return this.page.entry === entry && (!source || !("generate" in source) || source.generate === entry.generate)
-      && panel.query.value === (facts?.queries[0] ?? "") && JSON.stringify(current) === JSON.stringify(plans);
+    return (
+      this.page.entry === entry &&
+      (!source || !("generate" in source) || source.generate === entry.generate) &&
+      panel.query.value === (facts?.queries[0] ?? "") &&
+      JSON.stringify(current) === JSON.stringify(plans)
+    );
   }
 }

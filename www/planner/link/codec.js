@@ -1,11 +1,26 @@
 /**
  * A link stores an experiment, everything that a run needs, in the fragment of an address.
  *
- * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. It is checked entry by entry, is never
- * evaluated, and unpacks to 1 MB at most.
+ * The fragment is a version digit and base64url of raw deflate (RFC 1951, RFC 4648) of JSON. It is checked entry by
+ * entry, is never evaluated, and unpacks to 1 MB at most.
  */
 import { decodeFragment, encodeFragment } from "../../formats/fragment.js";
-import { flag, formed, json, list, must, name, number, oneOf, record, rule, settings, text, whole, withDefaults } from "../../formats/rules.js";
+import {
+  flag,
+  formed,
+  json,
+  list,
+  must,
+  name,
+  number,
+  oneOf,
+  record,
+  rule,
+  settings,
+  text,
+  whole,
+  withDefaults,
+} from "../../formats/rules.js";
 import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { KEY_TEXT } from "../../domain/key-text.js";
 
@@ -19,29 +34,40 @@ const LIMITS = { characters: 65535, bytes: 1 << 20 };
 /** Steps of a drive, and characters of its keys, at most. */
 const DRIVE = { steps: 1_000_000, keys: 65_535 };
 
-const experimentRule = withDefaults({
-  version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
-  // A built-in scene, or a scenario from a file.
-  scene: name,
-  document: /** @type {Rule<Record<string, unknown>>} */ (record({}, json(16))),
-  // Names of queries are free text in a scenario; they are only compared.
-  query: text,
-  lanes: list(record({ algorithm: name, settings }), 1, 4),
-  iteration: whole(Number.MAX_SAFE_INTEGER),
-  view: record({
-    axes: list(whole(63), 2, 2), refused: flag, strobe: flag, poses: whole(99), raw: flag, slice: flag, optimum: flag, regions: flag, projector: flag,
-    lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
-  }),
-  // Of the scene.
-  options: settings,
-  // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys as `keyText` writes
-  // them, and the steps made; then one control, v, phi and seconds, whose motion is shown. Beside
-  // the exact arc Euler's path, with a step in seconds.
-  pose: list(number, 1, 64),
-  drive: record({ start: list(number, 3, 3), keys: formed(KEY_TEXT, DRIVE.keys), steps: whole(DRIVE.steps) }),
-  roll: /** @type {Rule<[number, number, number]>} */ (list(number, 3, 3)),
-  euler: oneOf(EULER_STEPS),
-}, { version: /** @type {const} */ (1), iteration: 0, view: {} });
+const experimentRule = withDefaults(
+  {
+    version: /** @type {Rule<1>} */ (rule((value) => value === 1)),
+    // A built-in scene, or a scenario from a file.
+    scene: name,
+    document: /** @type {Rule<Record<string, unknown>>} */ (record({}, json(16))),
+    // Names of queries are free text in a scenario; they are only compared.
+    query: text,
+    lanes: list(record({ algorithm: name, settings }), 1, 4),
+    iteration: whole(Number.MAX_SAFE_INTEGER),
+    view: record({
+      axes: list(whole(63), 2, 2),
+      refused: flag,
+      strobe: flag,
+      poses: whole(99),
+      raw: flag,
+      slice: flag,
+      optimum: flag,
+      regions: flag,
+      projector: flag,
+      lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
+    }),
+    // Of the scene.
+    options: settings,
+    // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys
+    // as `keyText` writes them, and the steps made; then one control, v, phi and seconds, whose motion is shown. Beside
+    // the exact arc Euler's path, with a step in seconds.
+    pose: list(number, 1, 64),
+    drive: record({ start: list(number, 3, 3), keys: formed(KEY_TEXT, DRIVE.keys), steps: whole(DRIVE.steps) }),
+    roll: /** @type {Rule<[number, number, number]>} */ (list(number, 3, 3)),
+    euler: oneOf(EULER_STEPS),
+  },
+  { version: /** @type {const} */ (1), iteration: 0, view: {} },
+);
 
 /** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */
 function requireExperiment(value) {
@@ -69,7 +95,8 @@ export async function encodeLink(experiment) {
 
 /**
  * @param {string} fragment  with or without `#`
- * @returns {Promise<{ experiment: Experiment, fault: null } | { experiment: null, fault: string }>}  never rejects; `fault` is a sentence for people
+ * @returns {Promise<{ experiment: Experiment, fault: null } | { experiment: null, fault: string }>}  never rejects;
+ *   `fault` is a sentence for people
  */
 export async function decodeLink(fragment) {
   const { value, fault } = await decodeFragment(fragment, LIMITS, requireExperiment);

@@ -1,6 +1,6 @@
 /**
- * Converts the state of the page to an experiment and back. Names in a link that the page does not know, and values that it would
- * refuse, are left out, with a sentence for each.
+ * Converts the state of the page to an experiment and back. Names in a link that the page does not know, and values
+ * that it would refuse, are left out, with a sentence for each.
  */
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
 import { keyText } from "../../domain/key-text.js";
@@ -11,7 +11,10 @@ import { isProjected } from "../../app/projector.js";
 /** @import { Session } from "../session.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../../domain/types.js" */
-/** @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the entry's own */
+/**
+ * @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the
+ *   entry's own
+ */
 
 /** Configurations drawn along a path, by default. */
 export const POSES = 8;
@@ -38,8 +41,16 @@ export function experimentOf({ entry, source, facts, state, current, panel, race
     }),
     iteration: state.clock.now,
     view: {
-      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes, refused, strobe, poses: poses === POSES ? undefined : poses, raw, slice, optimum, regions,
-      projector: isProjected(), lens: current.length > 1 ? race?.picture : undefined,
+      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes,
+      refused,
+      strobe,
+      poses: poses === POSES ? undefined : poses,
+      raw,
+      slice,
+      optimum,
+      regions,
+      projector: isProjected(),
+      lens: current.length > 1 ? race?.picture : undefined,
     },
   };
   const made = "generate" in source ? source.generate : null;
@@ -50,7 +61,11 @@ export function experimentOf({ entry, source, facts, state, current, panel, race
   return { ...experiment, ...inHand(session) };
 }
 
-/** The configuration in hand, or the drive by keys with the control that is shown. @param {Session} session @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">} */
+/**
+ * The configuration in hand, or the drive by keys with the control that is shown.
+ * @param {Session} session
+ * @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">}
+ */
 function inHand({ shown, driving }) {
   const recording = driving?.record();
   if (!shown?.hand) return {};
@@ -61,16 +76,26 @@ function inHand({ shown, driving }) {
     drive: {
       start: String(start) === String(shown.start) ? undefined : start,
       // Of a recording that is being replayed, all of it.
-      keys: keyText([...record, ...(tape?.record ?? [])]), steps: tape?.steps ?? steps,
+      keys: keyText([...record, ...(tape?.record ?? [])]),
+      steps: tape?.steps ?? steps,
     },
     roll: rollout ? rolled : undefined,
     euler: dt || undefined,
   };
 }
 
-/** The settings that differ from the usual ones, sorted by name so that equal experiments have equal links. @param {Settings} settings @param {(name: string) => unknown} usual @returns {Settings} */
+/**
+ * The settings that differ from the usual ones, sorted by name so that equal experiments have equal links.
+ * @param {Settings} settings
+ * @param {(name: string) => unknown} usual
+ * @returns {Settings}
+ */
 function changed(settings, usual) {
-  return Object.fromEntries(Object.entries(settings).filter(([name, value]) => value !== usual(name)).sort());
+  return Object.fromEntries(
+    Object.entries(settings)
+      .filter(([name, value]) => value !== usual(name))
+      .sort(),
+  );
 }
 
 /**
@@ -86,26 +111,40 @@ export function find({ scene = "", document, lanes, options = {} }, { scenes, ge
     const table = withSeed(generators.find(({ id }) => id === kind)?.options ?? [], "scene");
     return { generate: { kind, options: { ...base, ...sift(options, table, faults) } } };
   };
-  const plans = lanes.filter(({ algorithm }) => {
-    const known = panel.infos.some(({ id }) => id === algorithm);
-    if (!known) faults.push(`There is no planner "${algorithm}".`);
-    return known;
-  }).map(({ algorithm, settings }) => ({ algorithm, settings: sift(settings, panel.parametersOf(algorithm), faults) }));
+  const plans = lanes
+    .filter(({ algorithm }) => {
+      const known = panel.infos.some(({ id }) => id === algorithm);
+      if (!known) faults.push(`There is no planner "${algorithm}".`);
+      return known;
+    })
+    .map(({ algorithm, settings }) => ({ algorithm, settings: sift(settings, panel.parametersOf(algorithm), faults) }));
   const found = { plans: plans.length > 0 ? plans : undefined };
   if (document) return { ...found, source: { document }, entry: undefined };
   const made = generators.find(({ id }) => MADE + id === scene);
   if (made) return { ...found, source: generated(made.id), entry: undefined };
   const entry = scenes.find(({ id }) => id === scene);
   if (!entry) faults.push(`There is no scene "${scene}"; the first scene is shown instead.`);
-  return { ...found, source: entry?.generate ? generated(entry.generate.kind, entry.generate.options) : null, entry: entry ?? scenes[0] };
+  return {
+    ...found,
+    source: entry?.generate ? generated(entry.generate.kind, entry.generate.options) : null,
+    entry: entry ?? scenes[0],
+  };
 }
 
-/** The settings that a table accepts; each other one adds a sentence to the faults. @param {Settings} settings @param {ParameterInfo[]} table @param {string[]} faults @returns {Settings} */
+/**
+ * The settings that a table accepts; each other one adds a sentence to the faults.
+ * @param {Settings} settings
+ * @param {ParameterInfo[]} table
+ * @param {string[]} faults
+ * @returns {Settings}
+ */
 function sift(settings, table, faults) {
-  return Object.fromEntries(Object.entries(settings).filter(([name, value]) => {
-    const info = table.find((one) => one.name === name);
-    const reason = info ? reasonAgainst(info, value) : "There is no such option.";
-    if (reason) faults.push(`${info?.title || name}: ${reason}`);
-    return reason === "";
-  }));
+  return Object.fromEntries(
+    Object.entries(settings).filter(([name, value]) => {
+      const info = table.find((one) => one.name === name);
+      const reason = info ? reasonAgainst(info, value) : "There is no such option.";
+      if (reason) faults.push(`${info?.title || name}: ${reason}`);
+      return reason === "";
+    }),
+  );
 }

@@ -13,7 +13,12 @@ import { POSES, experimentOf, find } from "./experiment.js";
 /** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
 
 export class Link {
-  /** @param {Page} page @param {SceneEntry[]} scenes @param {GeneratorInfo[]} generators @param {Projector} projector */
+  /**
+   * @param {Page} page
+   * @param {SceneEntry[]} scenes
+   * @param {GeneratorInfo[]} generators
+   * @param {Projector} projector
+   */
   constructor(page, scenes, generators, projector) {
     this.page = page;
     this.projector = projector;
@@ -27,7 +32,9 @@ export class Link {
       return encodeLink(experimentOf(page));
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
-    page.onOpen(() => { this.wanted = null; });
+    page.onOpen(() => {
+      this.wanted = null;
+    });
     page.onState(({ clock, playing, refusal, settled, growing }) => {
       const { wanted } = this;
       if (wanted === null) return;
@@ -39,7 +46,10 @@ export class Link {
     });
   }
 
-  /** Opens the experiment in a fragment; where it is damaged, the first scene unless one is open. @param {string} fragment */
+  /**
+   * Opens the experiment in a fragment; where it is damaged, the first scene unless one is open.
+   * @param {string} fragment
+   */
   async open(fragment) {
     const { page } = this;
     this.faults = [];
@@ -69,7 +79,17 @@ export class Link {
     const [across, up] = view.axes ?? usual;
     const areThere = Math.max(across, up) < facts.dimension && across !== up;
     if (view.axes && !areThere) faults.push(`This robot has no coordinates ${across} and ${up}.`);
-    const { refused = false, strobe = false, poses = POSES, raw = false, slice = false, optimum = false, regions = false, projector = false, lens = "workspace" } = view;
+    const {
+      refused = false,
+      strobe = false,
+      poses = POSES,
+      raw = false,
+      slice = false,
+      optimum = false,
+      regions = false,
+      projector = false,
+      lens = "workspace",
+    } = view;
     page.setView({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice, optimum, regions });
     this.projector.turn(projector);
     if (page.current.length > 1) page.race?.setPicture(lens);
@@ -95,7 +115,8 @@ export class Link {
         if (errorInfo(error).code === "internal") throw error;
         faults.push(errorInfo(error).message.replace(/\.?$/, "."));
       }
-    } else if (pose && pose.length !== facts?.dimension) faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
+    } else if (pose && pose.length !== facts?.dimension)
+      faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
     else if (pose) page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));
   }
 
@@ -106,9 +127,19 @@ export class Link {
 
 /** What a link stores, in words. @param {Session} session */
 function contentsOf({ clock, shown, driving }) {
-  const hand = driving?.on ? driving.rollout ? "the drive with its control" : "the drive" : shown?.hand ? "the configuration in hand" : "";
-  return hand ? `the scene, the settings, ${timeText(clock)} and ${hand}` : `the scene, the settings and ${timeText(clock)}`;
+  const hand = driving?.on
+    ? driving.rollout
+      ? "the drive with its control"
+      : "the drive"
+    : shown?.hand
+      ? "the configuration in hand"
+      : "";
+  return hand
+    ? `the scene, the settings, ${timeText(clock)} and ${hand}`
+    : `the scene, the settings and ${timeText(clock)}`;
 }
 
 /** @param {{ now: number, isRace: boolean }} clock */
-function timeText({ now, isRace }) { return isRace ? `${grouped(now)} clearance evaluations` : `iteration ${grouped(now)}`; }
+function timeText({ now, isRace }) {
+  return isRace ? `${grouped(now)} clearance evaluations` : `iteration ${grouped(now)}`;
+}

@@ -21,7 +21,9 @@ export class Pose {
   build({ coordinates, start }) {
     this.sliders = coordinates.map(({ name, low, high, unit }, i) => {
       const value = start?.[i] ?? (low + high) / 2;
-      const slider = new Slider({ name: `pose-${i}`, title: name, unit, min: low, max: high }, value, () => this.onPose(this.sliders.map(({ current }) => current)));
+      const slider = new Slider({ name: `pose-${i}`, title: name, unit, min: low, max: high }, value, () =>
+        this.onPose(this.sliders.map(({ current }) => current)),
+      );
       slider.number.step = "0.01";
       return slider;
     });

@@ -1,4 +1,7 @@
-/** Posing the robot by hand: its configuration, its collisions, and whether it has reached the goal. Other pointers point at elements. */
+/**
+ * Posing the robot by hand: its configuration, its collisions, and whether it has reached the goal. Other pointers
+ * point at elements.
+ */
 import { once } from "../../app/once.js";
 import { contained, coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 
@@ -26,7 +29,8 @@ export class PoseByHand {
     if (shown?.hand) {
       this.release();
       session.timeline.play();
-    } else if (shown) this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
+    } else if (shown)
+      this.hold(Float64Array.from(shown.start ?? coordinatesOf(shown).map(({ low, high }) => (low + high) / 2)));
   }
 
   /** Poses the robot. @param {Float64Array} pose */
@@ -60,7 +64,10 @@ export class PoseByHand {
 
   /** Ends posing and driving. */
   release() {
-    const { session: { shown }, pointing } = this;
+    const {
+      session: { shown },
+      pointing,
+    } = this;
     if (pointing) pointing.grip = null;
     if (!shown) return;
     this.session.driving?.stop();
@@ -79,10 +86,13 @@ export class PoseByHand {
     if (pose) this.hold(pose);
   }
 
-  /** Updates the element under the pointer; there is none while the robot is posed or the scene edited. @param {Shown} shown */
+  /**
+   * Updates the element under the pointer; there is none while the robot is posed or the scene edited.
+   * @param {Shown} shown
+   */
   hover(shown) {
     const { session } = this;
-    shown.hover = shown.hand || session.editor?.on ? null : this.pointing?.find(session.lanes, shown.hover) ?? null;
+    shown.hover = shown.hand || session.editor?.on ? null : (this.pointing?.find(session.lanes, shown.hover) ?? null);
   }
 }
 
@@ -96,5 +106,7 @@ function isAtGoal(shown, pose) {
   }
   if (!goal) return false;
   if (placed) return placed.isNear(pose, goal, shown);
-  return scenario.distance(pose, Float64Array.from(goal)) <= (scenario.robot === "arm" ? 0.06 * scenario.dimension : near);
+  return (
+    scenario.distance(pose, Float64Array.from(goal)) <= (scenario.robot === "arm" ? 0.06 * scenario.dimension : near)
+  );
 }

@@ -10,10 +10,14 @@ const NAMED = 3;
 export function nameAll(plans, titleOf) {
   if (plans.length === 1) return [titleOf(plans[0].algorithm)];
   return plans.map(({ algorithm, settings }, lane) => {
-    const names = new Set(plans.flatMap((plan) => (plan.algorithm === algorithm ? Object.keys(plan.settings) : ["seed"])));
-    const differing = [...names].filter((name) => plans.some((plan) => {
-      return (name === "seed" || plan.algorithm === algorithm) && plan.settings[name] !== settings[name];
-    }));
+    const names = new Set(
+      plans.flatMap((plan) => (plan.algorithm === algorithm ? Object.keys(plan.settings) : ["seed"])),
+    );
+    const differing = [...names].filter((name) =>
+      plans.some((plan) => {
+        return (name === "seed" || plan.algorithm === algorithm) && plan.settings[name] !== settings[name];
+      }),
+    );
     const words = differing.slice(0, NAMED).map((name) => `${name.replaceAll("_", " ")} ${valueOf(settings[name])}`);
     if (differing.length > NAMED) words.push("\u2026");
     return [`${letter(lane)} ${titleOf(algorithm)}`, ...words].join(", ");

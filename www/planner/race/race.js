@@ -1,6 +1,6 @@
 /**
- * A race: the panel's planner and up to three rivals on one scenario, with the same number of clearance evaluations. Each planner has a
- * figure on the stage and a row in the table.
+ * A race: the panel's planner and up to three rivals on one scenario, with the same number of clearance evaluations.
+ * Each planner has a figure on the stage and a row in the table.
  */
 import { letter } from "./standings.js";
 import { byId, make } from "../../app/dom.js";
@@ -32,7 +32,13 @@ export class Race {
     this.choice = make("select", { id: "rival" });
     this.button = button("add-rival", "Add", () => this.add());
     this.hint = make("p", { className: "hint" });
-    const row = make("div", { className: "row" }, make("label", { htmlFor: "rival" }, "Against"), this.choice, this.button);
+    const row = make(
+      "div",
+      { className: "row" },
+      make("label", { htmlFor: "rival" }, "Against"),
+      this.choice,
+      this.button,
+    );
     byId("race", HTMLElement).append(this.list, row, this.hint);
     this.offer();
     this.lens = this.makeLens();
@@ -44,19 +50,39 @@ export class Race {
   /** A choice of the kind of figure for all planners. */
   makeLens() {
     const choice = (/** @type {PaneKind} */ kind, /** @type {string} */ words) => {
-      return make("label", {}, make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.setPicture(kind) }), words);
+      return make(
+        "label",
+        {},
+        make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.setPicture(kind) }),
+        words,
+      );
     };
-    return make("fieldset", { className: "lens", hidden: true }, make("legend", { className: "visually-hidden" }, "Picture"),
-      choice("workspace", "Workspace"), choice("cspace", "Configuration space"));
+    return make(
+      "fieldset",
+      { className: "lens", hidden: true },
+      make("legend", { className: "visually-hidden" }, "Picture"),
+      choice("workspace", "Workspace"),
+      choice("cspace", "Configuration space"),
+    );
   }
 
-  /** Offers the planners for the robot, and removes other rivals. @returns {{ lane: number, algorithm: string }[]} those removed */
+  /**
+   * Offers the planners for the robot, and removes other rivals.
+   * @returns {{ lane: number, algorithm: string }[]} those removed
+   */
   offer() {
-    const { choice, page: { panel, panel: { served } } } = this;
+    const {
+      choice,
+      page: {
+        panel,
+        panel: { served },
+      },
+    } = this;
     const before = choice.value;
     choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
     // By default a planner with two trees.
-    choice.value = served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
+    choice.value =
+      served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
     const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value));
     this.rivals = this.rivals.filter((rival) => !dropped.includes(rival));
     for (const { form } of this.rivals) {
@@ -100,7 +126,10 @@ export class Race {
   /** Replaces the rivals by those of a link. @param {Plan[]} plans */
   adopt([first, ...others]) {
     this.rivals = [];
-    for (const { algorithm, settings: { seed, ...settings } } of others) {
+    for (const {
+      algorithm,
+      settings: { seed, ...settings },
+    } of others) {
       this.enter({ algorithm, settings: seed === first.settings.seed ? settings : { seed, ...settings } });
     }
     this.number();
@@ -112,13 +141,16 @@ export class Race {
     this.rivals.forEach((rival, i) => rival.place(i + 1));
     const { length } = this.rivals;
     this.button.disabled = this.choice.disabled = length === MOST;
-    this.hint.textContent = length === 0
-      ? "A second planner on the same scene, with the settings above; then change one."
-      : `The planner above is A. All get the same number of clearance evaluations.${length === MOST ? " Four race at most." : ""}`;
+    this.hint.textContent =
+      length === 0
+        ? "A second planner on the same scene, with the settings above; then change one."
+        : `The planner above is A. All get the same number of clearance evaluations.${length === MOST ? " Four race at most." : ""}`;
   }
 
   /** @param {number} lane @param {string} pointer @param {string} reason */
-  refuse(lane, pointer, reason) { this.rivals[lane - 1]?.form.refuse(pointer, reason); }
+  refuse(lane, pointer, reason) {
+    this.rivals[lane - 1]?.form.refuse(pointer, reason);
+  }
 
   get hasSquare() {
     const { facts } = this.page;
@@ -126,7 +158,9 @@ export class Race {
   }
 
   /** The kind of figure for each planner. @returns {PaneKind} */
-  get picture() { return this.hasSquare ? this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace") : "workspace"; }
+  get picture() {
+    return this.hasSquare ? (this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace")) : "workspace";
+  }
 
   /** @param {PaneKind} kind */
   setPicture(kind) {

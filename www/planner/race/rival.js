@@ -1,4 +1,7 @@
-/** A rival in a race: its planner, its settings, and a button that removes it. Without a seed of its own it has that of planner A. */
+/**
+ * A rival in a race: its planner, its settings, and a button that removes it. Without a seed of its own it has that of
+ * planner A.
+ */
 import { make } from "../../app/dom.js";
 import { SettingsForm } from "../settings/form.js";
 import { letter } from "./standings.js";
@@ -25,8 +28,13 @@ export class Rival {
     this.name = make("legend", {});
     this.remove = make("button", { type: "button", onclick: on.remove }, "Remove");
     const more = make("details", {}, make("summary", {}, "More parameters"), rest);
-    this.element = make("fieldset", { className: "rival" }, this.name, make("div", { className: "row" }, this.planner, this.remove),
-      make("details", {}, make("summary", {}, "Settings"), first, more));
+    this.element = make(
+      "fieldset",
+      { className: "rival" },
+      this.name,
+      make("div", { className: "row" }, this.planner, this.remove),
+      make("details", {}, make("summary", {}, "Settings"), first, more),
+    );
   }
 
   /** Gives it a lane. @param {number} lane  1 to 3 */

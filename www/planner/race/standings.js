@@ -19,10 +19,11 @@ export function letters(lanes) {
 }
 
 /**
- * The leaders. All planners get the same number of evaluations, so the first one at one time stays first. The shortest path is one of at
- * least two, in the same metric. A path that collides counts for neither.
+ * The leaders. All planners get the same number of evaluations, so the first one at one time stays first. The shortest
+ * path is one of at least two, in the same metric. A path that collides counts for neither.
  * @param {Standing[]} standings
- * @returns {{ first: number[], shortest: number[], isOver: boolean, isAlike: boolean }} lanes, several where they tie; `isAlike`: one metric
+ * @returns {{ first: number[], shortest: number[], isOver: boolean, isAlike: boolean }} lanes, several where they tie;
+ *   `isAlike`: one metric
  */
 export function leaders(standings) {
   const isAlike = new Set(standings.map(({ metric }) => metric)).size === 1;

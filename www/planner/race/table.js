@@ -8,7 +8,17 @@ import { duration, percent } from "../../widgets/format.js";
 /** @import { Sheets } from "../sheets.js" */
 /** @import { LaneState, State } from "../../domain/types.js" */
 
-const COLUMNS = ["Planner", "Vertices", "Edges", "Motions", "Clearance evaluations", "Iterations", "First path after", "Path length", "Path vertices"];
+const COLUMNS = [
+  "Planner",
+  "Vertices",
+  "Edges",
+  "Motions",
+  "Clearance evaluations",
+  "Iterations",
+  "First path after",
+  "Path length",
+  "Path vertices",
+];
 /** Of roadmaps, which are searched. */
 const OF_SEARCHES = ["Vertices visited", "Time to search"];
 
@@ -19,35 +29,68 @@ export class Table {
     /** @type {HTMLTableRowElement[]} */
     this.rows = [];
     this.remark = make("p", { className: "hint" });
-    this.caution = make("p", { className: "hint" }, "Standings at equal cost (one seed): over many seeds the winner may differ.");
+    this.caution = make(
+      "p",
+      { className: "hint" },
+      "Standings at equal cost (one seed): over many seeds the winner may differ.",
+    );
   }
 
   /** Makes a row for each planner. @param {string[]} names */
   build(names) {
-    this.rows = names.map((name) => make("tr", {}, make("th", { scope: "row" }, name), ...[...COLUMNS.slice(1), ...OF_SEARCHES].map(() => make("td", {}))));
+    this.rows = names.map((name) =>
+      make(
+        "tr",
+        {},
+        make("th", { scope: "row" }, name),
+        ...[...COLUMNS.slice(1), ...OF_SEARCHES].map(() => make("td", {})),
+      ),
+    );
     this.host.replaceChildren();
     if (names.length === 0) return;
-    const table = make("table", { className: "standings" },
+    const table = make(
+      "table",
+      { className: "standings" },
       make("caption", {}, "Standings at equal cost (one seed)"),
-      make("thead", {}, make("tr", {}, ...[...COLUMNS, ...OF_SEARCHES].map((title) => make("th", { scope: "col" }, title)))),
-      make("tbody", {}, ...this.rows));
-    this.host.append(labelled("region", "Standings", make("div", { className: "scroll", tabIndex: 0 }, table)), this.remark, this.caution);
+      make(
+        "thead",
+        {},
+        make("tr", {}, ...[...COLUMNS, ...OF_SEARCHES].map((title) => make("th", { scope: "col" }, title))),
+      ),
+      make("tbody", {}, ...this.rows),
+    );
+    this.host.append(
+      labelled("region", "Standings", make("div", { className: "scroll", tabIndex: 0 }, table)),
+      this.remark,
+      this.caution,
+    );
   }
 
   /** @param {State} state @param {Sheets} sheets */
   show({ lanes }, sheets) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].dataset, { status, fingerprint }));
     const isSearched = lanes.some(({ visited }) => visited !== null);
-    for (const { cells } of this.host.querySelectorAll("tr")) for (const cell of [...cells].slice(COLUMNS.length)) cell.hidden = !isSearched;
+    for (const { cells } of this.host.querySelectorAll("tr"))
+      for (const cell of [...cells].slice(COLUMNS.length)) cell.hidden = !isSearched;
     const { first, shortest, isOver, isAlike } = leaders(lanes.map(({ standing }) => standing));
     lanes.forEach((lane, i) => {
       const { found } = lane.standing;
       const texts = [
         ...[lane.vertices, lane.edges, lane.motions, lane.evaluations, lane.iteration].map(grouped),
-        found === null ? nothing(lane) : noted(grouped(found), first.includes(i) && (first.length > 1 ? "tied for first" : "first")),
-        found === null ? "\u2013" : noted(`${lane.cost.toFixed(2)} ${lane.unit}`.trim(), lane.gap !== null && `gap ${percent(lane.gap)}`, lane.standing.collides ? "it collides" : !lane.isProven && "not proven", shortest.includes(i) && `shortest${isOver ? "" : " so far"}`),
+        found === null
+          ? nothing(lane)
+          : noted(grouped(found), first.includes(i) && (first.length > 1 ? "tied for first" : "first")),
+        found === null
+          ? "\u2013"
+          : noted(
+              `${lane.cost.toFixed(2)} ${lane.unit}`.trim(),
+              lane.gap !== null && `gap ${percent(lane.gap)}`,
+              lane.standing.collides ? "it collides" : !lane.isProven && "not proven",
+              shortest.includes(i) && `shortest${isOver ? "" : " so far"}`,
+            ),
         lane.waypoints === null ? "\u2013" : grouped(lane.waypoints),
-        lane.visited === null ? "\u2013" : grouped(lane.visited), lane.visited === null || !lane.stats ? "\u2013" : searchTime(lane.stats.search),
+        lane.visited === null ? "\u2013" : grouped(lane.visited),
+        lane.visited === null || !lane.stats ? "\u2013" : searchTime(lane.stats.search),
       ];
       sheets.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
@@ -63,7 +106,11 @@ function noted(text, ...notes) {
 }
 
 /** Browsers round their clocks to a tenth of a millisecond. @param {number} seconds */
-function searchTime(seconds) { return seconds < 0.00005 ? "below 0.1 ms" : duration(seconds); }
+function searchTime(seconds) {
+  return seconds < 0.00005 ? "below 0.1 ms" : duration(seconds);
+}
 
 /** The text in place of a path. @param {LaneState} lane */
-function nothing({ status, phase, reason }) { return status === "running" ? phase : status === "none" ? "not started" : endText(reason); }
+function nothing({ status, phase, reason }) {
+  return status === "running" ? phase : status === "none" ? "not started" : endText(reason);
+}

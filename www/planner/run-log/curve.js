@@ -7,8 +7,9 @@ import { PAST } from "./run-log.js";
 const POINTS = 300;
 
 /**
- * For each run rows of time, vertices and cost, which is Infinity without a path. The times, from 0 to `head`, are the same for all runs
- * and include those of the first paths; from 1 on their ratios are even if `isLog`, else their differences.
+ * For each run rows of time, vertices and cost, which is Infinity without a path. The times, from 0 to `head`, are the
+ * same for all runs and include those of the first paths; from 1 on their ratios are even if `isLog`, else their
+ * differences.
  * @param {RunLog[]} runs
  * @param {number} column  of the history, -1 for iterations
  * @param {number} head    the latest time
@@ -23,8 +24,12 @@ export function thinned(runs, column, head, isLog = false) {
     if (found >= 0) times.add(run.clockAt(column, found));
   }
   const sorted = [...times].sort((a, b) => a - b);
-  return runs.map((run) => Float64Array.from(sorted.flatMap((time) => {
-    const row = run.history.row(run.iterationAt(column, time));
-    return [time, row[PAST.vertices], row[PAST.cost]];
-  })));
+  return runs.map((run) =>
+    Float64Array.from(
+      sorted.flatMap((time) => {
+        const row = run.history.row(run.iterationAt(column, time));
+        return [time, row[PAST.vertices], row[PAST.cost]];
+      }),
+    ),
+  );
 }

@@ -1,6 +1,6 @@
 /**
- * The frontier of a search on a roadmap at the iteration shown: the vertices reached and not yet expanded. It follows from the log: an
- * expanded vertex has reached its neighbours.
+ * The frontier of a search on a roadmap at the iteration shown: the vertices reached and not yet expanded. It follows
+ * from the log: an expanded vertex has reached its neighbours.
  */
 import { EVENT, PAST } from "./run-log.js";
 

@@ -1,6 +1,6 @@
 /**
- * A growing table of numbers: rows of one width in a typed array that doubles when it is full. Rows are added and never changed, so a
- * drawing needs only a cursor.
+ * A growing table of numbers: rows of one width in a typed array that doubles when it is full. Rows are added and never
+ * changed, so a drawing needs only a cursor.
  * @template {Float64Array | Uint32Array | Uint8Array} A
  */
 export class Rows {
@@ -30,7 +30,9 @@ export class Rows {
   }
 
   /** A view of one row, valid until the next `add`. @param {number} index @returns {A} */
-  row(index) { return this.slice(index, index + 1); }
+  row(index) {
+    return this.slice(index, index + 1);
+  }
 
   /** A view of rows, valid until the next `add`. @param {number} first @param {number} end @returns {A} */
   slice(first, end) {

@@ -1,6 +1,7 @@
 /**
- * A run: the log of the worker's planner, and the iteration that is shown. The log only grows, and each iteration adds a row of counts
- * to the history. The graph at an earlier iteration is therefore the beginning of the log: going back needs no planning.
+ * A run: the log of the worker's planner, and the iteration that is shown. The log only grows, and each iteration adds
+ * a row of counts to the history. The graph at an earlier iteration is therefore the beginning of the log: going back
+ * needs no planning.
  */
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
@@ -17,7 +18,16 @@ import { grownSince } from "../worker/stepper.js";
 /** @typedef {{ phases: readonly string[], planners: PlannerInfo[] }} Catalogue   of the package */
 
 /** Kinds of event, by the numbers of the package. */
-export const EVENT = { rejected: 0, refused: 1, expanded: 2, solved: 3, discarded: 4, guard: 5, removed: 6, rewired: 7 };
+export const EVENT = {
+  rejected: 0,
+  refused: 1,
+  expanded: 2,
+  solved: 3,
+  discarded: 4,
+  guard: 5,
+  removed: 6,
+  rewired: 7,
+};
 
 /** Columns of a row of history, in the order of the package. */
 export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, motions: 5, evaluations: 6, cost: 7 };
@@ -50,8 +60,8 @@ export class RunLog {
     /** For each vertex its root, of `SIDE`. */
     this.sides = new Rows((n) => new Uint8Array(n), 1);
     /**
-     * Configurations on curved edges, and controls along driven edges: rows that begin with the number of the edge; and for each such
-     * edge its first row.
+     * Configurations on curved edges, and controls along driven edges: rows that begin with the number of the edge; and
+     * for each such edge its first row.
      */
     this.traces = new Rows((n) => new Float64Array(n), 1 + dimension);
     /** @type {Map<number, number>} */
@@ -94,29 +104,59 @@ export class RunLog {
     this.components = null;
     const { planner } = this;
     this.take({
-      history: Float64Array.of(planner.vertexCount, planner.edgeCount, planner.eventCount, Math.max(0, phases.indexOf(planner.phase)), 0, 0, 0, Infinity),
-      ...grownSince(planner, { vertices: 0, edges: 0, events: 0 }), status: planner.status, phase: planner.phase, stats: planner.stats(), result: planner.result(),
-      path: null, rawPath: null,
+      history: Float64Array.of(
+        planner.vertexCount,
+        planner.edgeCount,
+        planner.eventCount,
+        Math.max(0, phases.indexOf(planner.phase)),
+        0,
+        0,
+        0,
+        Infinity,
+      ),
+      ...grownSince(planner, { vertices: 0, edges: 0, events: 0 }),
+      status: planner.status,
+      phase: planner.phase,
+      stats: planner.stats(),
+      result: planner.result(),
+      path: null,
+      rawPath: null,
     });
   }
 
   /** The number of iterations in the log. */
-  get made() { return this.history.count - 1; }
+  get made() {
+    return this.history.count - 1;
+  }
 
   /** The counts at the iteration shown. @returns {Float64Array} */
-  get past() { return this.history.row(this.shown); }
+  get past() {
+    return this.history.row(this.shown);
+  }
 
-  get isNewest() { return this.shown === this.made; }
+  get isNewest() {
+    return this.shown === this.made;
+  }
 
   /** The status at the iteration shown. */
-  get status() { return this.isNewest ? this.now.status : "running"; }
+  get status() {
+    return this.isNewest ? this.now.status : "running";
+  }
 
-  get ended() { return this.now.status !== "running"; }
+  get ended() {
+    return this.now.status !== "running";
+  }
 
   /** The phase at the iteration shown. @returns {string} */
-  get phase() { return this.isNewest ? this.now.phase : this.phases[this.past[PAST.phase]]; }
+  get phase() {
+    return this.isNewest ? this.now.phase : this.phases[this.past[PAST.phase]];
+  }
 
-  /** The last iteration at which a clock of the log is at most a value. Column -1 counts iterations. @param {number} column @param {number} value */
+  /**
+   * The last iteration at which a clock of the log is at most a value. Column -1 counts iterations.
+   * @param {number} column
+   * @param {number} value
+   */
   iterationAt(column, value) {
     if (column < 0) return Math.min(this.made, Math.max(0, Math.floor(value)));
     // Time 0 is before the first iteration, even if that costs nothing.
@@ -132,7 +172,9 @@ export class RunLog {
   }
 
   /** A clock of the log at the newest iteration. @param {number} column */
-  clock(column) { return this.clockAt(column, this.made); }
+  clock(column) {
+    return this.clockAt(column, this.made);
+  }
 
   /** The latest time that is completely in the log; Infinity once the run has ended. @param {number} column */
   reached(column) {
@@ -172,7 +214,11 @@ export class RunLog {
     if (rawPath) this.rawPath = rawPath;
   }
 
-  /** The configurations along an edge, as rows; between them it is nearly straight. @param {number} edge @returns {Float64Array} */
+  /**
+   * The configurations along an edge, as rows; between them it is nearly straight.
+   * @param {number} edge
+   * @returns {Float64Array}
+   */
   along(edge) {
     const places = rowsOf(edge, this.traces, this.traced);
     const [from, to] = this.edges.row(edge);
@@ -180,7 +226,9 @@ export class RunLog {
   }
 
   /** A car's controls along an edge: rows of speed, steering angle and seconds. @param {number} edge */
-  motionsOf(edge) { return rowsOf(edge, this.motions, this.driven); }
+  motionsOf(edge) {
+    return rowsOf(edge, this.motions, this.driven);
+  }
 
   /** The edge of a tree to a vertex; -1 without one. @param {number} vertex */
   edgeTo(vertex) {
@@ -188,30 +236,50 @@ export class RunLog {
     return this.isTree ? this.adjacency.edgeTo(vertex, this.past[PAST.edges]) : -1;
   }
 
-  /** The length of an edge as it counts for a path: of a car the metres driven, else in the metric of the run. @param {number} edge */
+  /**
+   * The length of an edge as it counts for a path: of a car the metres driven, else in the metric of the run.
+   * @param {number} edge
+   */
   lengthOf(edge) {
-    if (this.scenario.robot !== "car") return this.adjacency.distance(this.edges.data[2 * edge], this.edges.data[2 * edge + 1]);
+    if (this.scenario.robot !== "car")
+      return this.adjacency.distance(this.edges.data[2 * edge], this.edges.data[2 * edge + 1]);
     const rows = this.motionsOf(edge);
     let sum = 0;
     for (let at = 0; at < rows.length; at += 3) sum += Math.abs(rows[at] * rows[at + 2]);
     return sum;
   }
 
-  /** The number of events of a kind among the first of the log. @param {number} kind  of `EVENT` @param {number} [events]  those up to the iteration shown */
+  /**
+   * The number of events of a kind among the first of the log.
+   * @param {number} kind  of `EVENT`
+   * @param {number} [events]  those up to the iteration shown
+   */
   countOf(kind, events = this.past[PAST.events]) {
     const indices = this.kinds[kind];
     return firstIndex(0, indices.length, (i) => indices[i] >= events);
   }
 
   /** The number of vertices that the search of a roadmap has visited: those expanded, and the goal. */
-  get visited() { return this.isTree ? 0 : this.countOf(EVENT.expanded) + this.countOf(EVENT.solved); }
+  get visited() {
+    return this.isTree ? 0 : this.countOf(EVENT.expanded) + this.countOf(EVENT.solved);
+  }
 
   /** Whether a vertex is in the graph shown, and not removed. @param {number} vertex @param {number} [events] */
-  isThere(vertex, events = this.past[PAST.events]) { return !((this.gone.get(vertex) ?? Infinity) < events); }
+  isThere(vertex, events = this.past[PAST.events]) {
+    return !((this.gone.get(vertex) ?? Infinity) < events);
+  }
 
-  /** Whether an edge is in the graph shown: its ends are not removed, and the second has no other parent. @param {number} edge @param {Readonly<{ edges: number, events: number }>} [counts] */
+  /**
+   * Whether an edge is in the graph shown: its ends are not removed, and the second has no other parent.
+   * @param {number} edge
+   * @param {Readonly<{ edges: number, events: number }>} [counts]
+   */
   isEdgeThere(edge, { edges, events } = { edges: this.past[PAST.edges], events: this.past[PAST.events] }) {
-    return this.isThere(this.edges.data[2 * edge], events) && this.isThere(this.edges.data[2 * edge + 1], events) && !this.adjacency.isReplaced(edge, edges);
+    return (
+      this.isThere(this.edges.data[2 * edge], events) &&
+      this.isThere(this.edges.data[2 * edge + 1], events) &&
+      !this.adjacency.isReplaced(edge, edges)
+    );
   }
 
   /** Gives new vertices of trees the roots of their parents. An edge is (parent, child). @param {number} first */
@@ -227,7 +295,9 @@ export class RunLog {
   }
 
   /** Whether an event of a kind happened up to the iteration shown. @param {number} kind  of `EVENT` */
-  has(kind) { return this.countOf(kind) > 0; }
+  has(kind) {
+    return this.countOf(kind) > 0;
+  }
 
   /** The length of the path before shortcutting; Infinity without a path. */
   get rawLength() {
@@ -235,7 +305,10 @@ export class RunLog {
     return found < 0 ? Infinity : this.history.row(found)[PAST.cost];
   }
 
-  /** The edges of the best path so far of trees that go on to shorter ones, in no order; of the iteration shown. @returns {number[]} */
+  /**
+   * The edges of the best path so far of trees that go on to shorter ones, in no order; of the iteration shown.
+   * @returns {number[]}
+   */
   get bestEdges() {
     const found = this.countOf(EVENT.solved);
     if (!this.isTree || found === 0) return [];
@@ -243,7 +316,8 @@ export class RunLog {
     const [vertex, other] = data.subarray(this.kinds[EVENT.solved][found - 1] * width + 2);
     const edges = this.edgesUp(vertex);
     // Two trees meet along an edge.
-    if (this.kind === "trees") edges.push(this.adjacency.edgeBetween(vertex, other, this.past[PAST.edges]), ...this.edgesUp(other));
+    if (this.kind === "trees")
+      edges.push(this.adjacency.edgeBetween(vertex, other, this.past[PAST.edges]), ...this.edgesUp(other));
     return edges;
   }
 
@@ -255,18 +329,22 @@ export class RunLog {
   }
 
   /** Whether edges of its roadmap are tested only once a path wants them. */
-  get isLazy() { return this.algorithm.startsWith("lazy-"); }
+  get isLazy() {
+    return this.algorithm.startsWith("lazy-");
+  }
 
   /** The components of a roadmap without a path, or else null. */
   get pieces() {
     if (this.isTree || this.isLazy || this.status !== "exhausted" || this.visited === 0) return null;
     // A faulty search may miss a path within one component.
     if (this.known?.result.reason === "search-failed") return null;
-    return this.components ??= componentsOf(this);
+    return (this.components ??= componentsOf(this));
   }
 
   /** Whether the result at the newest iteration is known. */
-  get hasResult() { return this.known?.made === this.made; }
+  get hasResult() {
+    return this.known?.made === this.made;
+  }
 
   /** The result at the newest iteration. @throws {Error} it is unknown @returns {ResultDocument} */
   get result() {
@@ -287,26 +365,41 @@ export class RunLog {
     if (now[PAST.vertices] > before[PAST.vertices]) marks.add("vertex");
     if (now[PAST.edges] > before[PAST.edges]) marks.add("edge");
     const words = Object.keys(EVENT);
-    for (let i = before[PAST.events]; i < now[PAST.events]; i++) marks.add(words[this.events.data[i * this.events.width]]);
+    for (let i = before[PAST.events]; i < now[PAST.events]; i++)
+      marks.add(words[this.events.data[i * this.events.width]]);
     return marks;
   }
 
-  free() { this.planner.free(); }
+  free() {
+    this.planner.free();
+  }
 }
 
 /** Rows of numbers as arrays. @param {Float64Array} numbers @param {number} width @returns {number[][]} */
 function rowsIn(numbers, width) {
-  return Array.from({ length: numbers.length / width }, (_, i) => Array.from(numbers.subarray(i * width, (i + 1) * width)));
+  return Array.from({ length: numbers.length / width }, (_, i) =>
+    Array.from(numbers.subarray(i * width, (i + 1) * width)),
+  );
 }
 
-/** Adds rows that begin with the number of their edge. @param {Float64Array} fresh @param {Rows<Float64Array>} rows @param {Map<number, number>} firsts */
+/**
+ * Adds rows that begin with the number of their edge.
+ * @param {Float64Array} fresh
+ * @param {Rows<Float64Array>} rows
+ * @param {Map<number, number>} firsts
+ */
 function take(fresh, rows, firsts) {
   const { width, count } = rows;
   if (fresh.length > 0) rows.add(fresh);
   for (let i = count; i < rows.count; i++) if (!firsts.has(rows.data[i * width])) firsts.set(rows.data[i * width], i);
 }
 
-/** The rows of an edge, without its number. @param {number} edge @param {Rows<Float64Array>} rows @param {Map<number, number>} firsts */
+/**
+ * The rows of an edge, without its number.
+ * @param {number} edge
+ * @param {Rows<Float64Array>} rows
+ * @param {Map<number, number>} firsts
+ */
 function rowsOf(edge, { data, width, count }, firsts) {
   const first = firsts.get(edge) ?? count;
   let end = first;

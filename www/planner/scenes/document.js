@@ -1,4 +1,7 @@
-/** The documents of the built-in scenes, by id: a file of `scenes/`, which need not be in the gallery, or a scene made by a generator. */
+/**
+ * The documents of the built-in scenes, by id: a file of `scenes/`, which need not be in the gallery, or a scene made
+ * by a generator.
+ */
 import { Scenario } from "planarium";
 import { loadScene } from "../../app/resources.js";
 import { SCENES } from "./scenes.js";

@@ -54,7 +54,16 @@ export function showSceneOptions(page, generators) {
       output.value = `${options[option]}${unit && ` ${unit}`}`;
       input.setAttribute("aria-valuetext", output.value);
     };
-    return { show, element: make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input, output) };
+    return {
+      show,
+      element: make(
+        "label",
+        { className: "row", htmlFor: id },
+        make("span", { className: "name" }, title),
+        input,
+        output,
+      ),
+    };
   }
 
   /** @param {Source} source @param {SceneEntry} [entry] */
@@ -70,14 +79,27 @@ export function showSceneOptions(page, generators) {
     if (!next) return;
     const { source, entry } = next;
     next = null;
-    const opening = page.open(source, { entry, plans: page.plans ?? undefined, query: page.panel.query.value, play: page.autoplay });
+    const opening = page.open(source, {
+      entry,
+      plans: page.plans ?? undefined,
+      query: page.panel.query.value,
+      play: page.autoplay,
+    });
     void page.app.track(opening, "This scene cannot be generated.");
   }
 }
 
-/** A form for the generators of scenes. @param {GeneratorInfo[]} generators @param {(kind: GeneratorInfo["id"], options: Settings) => void} onMake */
+/**
+ * A form for the generators of scenes.
+ * @param {GeneratorInfo[]} generators
+ * @param {(kind: GeneratorInfo["id"], options: Settings) => void} onMake
+ */
 function makeForm(generators, onMake) {
-  const kind = make("select", { id: "make-kind" }, ...generators.map(({ id, title }) => make("option", { value: id }, title)));
+  const kind = make(
+    "select",
+    { id: "make-kind" },
+    ...generators.map(({ id, title }) => make("option", { value: id }, title)),
+  );
   const summary = make("p", { className: "hint" });
   const rows = make("div", {});
   /** @type {Options} */
@@ -89,8 +111,20 @@ function makeForm(generators, onMake) {
   };
   kind.addEventListener("change", build);
   build();
-  const kindRow = make("label", { className: "row", htmlFor: "make-kind" }, make("span", { className: "name" }, "Kind"), kind);
-  const form = make("form", { id: "make", noValidate: true }, kindRow, summary, rows, make("button", { type: "submit" }, "Generate"));
+  const kindRow = make(
+    "label",
+    { className: "row", htmlFor: "make-kind" },
+    make("span", { className: "name" }, "Kind"),
+    kind,
+  );
+  const form = make(
+    "form",
+    { id: "make", noValidate: true },
+    kindRow,
+    summary,
+    rows,
+    make("button", { type: "submit" }, "Generate"),
+  );
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     // Defaults are left out: some options go with certain others only.

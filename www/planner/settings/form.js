@@ -1,4 +1,7 @@
-/** A planner's settings: its presets, its main parameters, and the others in groups. A preset sets all parameters but the seed. */
+/**
+ * A planner's settings: its presets, its main parameters, and the others in groups. A preset sets all parameters but
+ * the seed.
+ */
 import { make } from "../../app/dom.js";
 import { namesOfDocuments } from "../../domain/option-names.js";
 import { Field, withSeed } from "../../widgets/field.js";
@@ -7,7 +10,18 @@ import { Fields } from "../../widgets/options.js";
 /** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
 /** The main parameters. */
-export const FIRST = new Set(["k", "k_rule", "samples", "failures", "batch_size", "step", "blossom", "goal_bias", "sampler", "seed"]);
+export const FIRST = new Set([
+  "k",
+  "k_rule",
+  "samples",
+  "failures",
+  "batch_size",
+  "step",
+  "blossom",
+  "goal_bias",
+  "sampler",
+  "seed",
+]);
 
 /** The groups of the others; parameters of no group come last. @type {[string, string[]][]} */
 const GROUPS = [
@@ -52,8 +66,16 @@ export class SettingsForm extends Fields {
     this.lead = new Set();
     /** @type {PlannerInfo["presets"]} */
     this.presets = [];
-    this.preset = make("select", { id: "preset", onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}) });
-    this.presetRow = make("label", { className: "row", htmlFor: "preset" }, make("span", { className: "name" }, "Settings"), this.preset);
+    this.preset = make("select", {
+      id: "preset",
+      onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}),
+    });
+    this.presetRow = make(
+      "label",
+      { className: "row", htmlFor: "preset" },
+      make("span", { className: "name" }, "Settings"),
+      this.preset,
+    );
     planner.addEventListener("change", () => {
       this.build();
       onChange();
@@ -62,14 +84,19 @@ export class SettingsForm extends Fields {
 
   /** Offers planners; the one selected stays so, or else the first one is. @param {PlannerInfo[]} infos */
   offer(infos) {
-    const { planner, planner: { value } } = this;
+    const {
+      planner,
+      planner: { value },
+    } = this;
     this.infos = infos;
     planner.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
     planner.value = value;
     if (planner.selectedIndex < 0) planner.selectedIndex = 0;
   }
 
-  get info() { return this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0]; }
+  get info() {
+    return this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
+  }
 
   /** The plan, or null while a field holds an invalid value. @returns {Plan | null} */
   get plan() {
@@ -88,19 +115,31 @@ export class SettingsForm extends Fields {
   /** Makes the fields of the planner. */
   build() {
     const { family, info } = this;
-    const option = (/** @type {string} */ value, /** @type {string} */ title) => make("option", { value, disabled: value === "own" }, title);
+    const option = (/** @type {string} */ value, /** @type {string} */ title) =>
+      make("option", { value, disabled: value === "own" }, title);
     this.presets = info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
     this.presetRow.hidden = this.presets.length === 0;
-    this.preset.replaceChildren(option("own", "custom"), option("", "defaults"), ...this.presets.map(({ id, title }) => option(id, title)));
+    this.preset.replaceChildren(
+      option("own", "custom"),
+      option("", "defaults"),
+      ...this.presets.map(({ id, title }) => option(id, title)),
+    );
     this.selectPreset();
-    this.fields = withSeed(info.parameters).filter(this.fits).map((given) => {
-      const parameter = given.name === "seed" ? { ...given, ...this.seed } : given;
-      const field = new Field(parameter, this.given[parameter.name] ?? parameter.default, () => {
-        this.store(field);
-        this.onChange();
-      }, family);
-      return field;
-    });
+    this.fields = withSeed(info.parameters)
+      .filter(this.fits)
+      .map((given) => {
+        const parameter = given.name === "seed" ? { ...given, ...this.seed } : given;
+        const field = new Field(
+          parameter,
+          this.given[parameter.name] ?? parameter.default,
+          () => {
+            this.store(field);
+            this.onChange();
+          },
+          family,
+        );
+        return field;
+      });
     const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.lead.has(name);
     this.first.replaceChildren(this.presetRow, ...this.fields.filter(isFirst).map(({ element }) => element));
     this.rest.replaceChildren(...groupsOf(this.fields.filter((field) => !isFirst(field))));
@@ -118,8 +157,10 @@ export class SettingsForm extends Fields {
   selectPreset() {
     const { given, info } = this;
     const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
-    const isEqual = (/** @type {Settings} */ settings) => Object.keys({ ...given, ...settings })
-      .every((name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)));
+    const isEqual = (/** @type {Settings} */ settings) =>
+      Object.keys({ ...given, ...settings }).every(
+        (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),
+      );
     this.preset.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");
   }
 }

@@ -24,11 +24,18 @@ export class Panel {
     this.robot = "arm";
     const newSeed = button("new-seed", "New seed", () => this.reseed());
     const rest = byId("more-parameters", HTMLElement);
-    this.form = new SettingsForm(this.planner, byId("parameters", HTMLElement), rest, (info) => this.fits(info), onChange, ({ summary }) => {
-      byId("planner-summary", HTMLElement).textContent = summary;
-      this.form.field("seed")?.element.append(newSeed);
-      byId("more", HTMLDetailsElement).hidden = rest.childElementCount === 0;
-    });
+    this.form = new SettingsForm(
+      this.planner,
+      byId("parameters", HTMLElement),
+      rest,
+      (info) => this.fits(info),
+      onChange,
+      ({ summary }) => {
+        byId("planner-summary", HTMLElement).textContent = summary;
+        this.form.field("seed")?.element.append(newSeed);
+        byId("more", HTMLDetailsElement).hidden = rest.childElementCount === 0;
+      },
+    );
     this.query.addEventListener("change", onQuery);
     this.planner.disabled = false;
   }
@@ -40,10 +47,14 @@ export class Panel {
   }
 
   /** The planners for the robot. */
-  get served() { return this.infos.filter((info) => this.fits(info)); }
+  get served() {
+    return this.infos.filter((info) => this.fits(info));
+  }
 
   /** Whether a planner is for the robot. @param {string} algorithm */
-  serves(algorithm) { return this.served.some(({ id }) => id === algorithm); }
+  serves(algorithm) {
+    return this.served.some(({ id }) => id === algorithm);
+  }
 
   /** Offers the planners for a robot. @param {string} robot */
   offer(robot) {
@@ -51,7 +62,12 @@ export class Panel {
     this.form.offer(this.served);
   }
 
-  /** Selects a planner and some of its parameters. @param {string} algorithm @param {Settings} settings @param {Settings} [scene]  those of the scene itself */
+  /**
+   * Selects a planner and some of its parameters.
+   * @param {string} algorithm
+   * @param {Settings} settings
+   * @param {Settings} [scene]  those of the scene itself
+   */
   suggest(algorithm, settings, scene = {}) {
     this.planner.value = algorithm;
     this.form.given = { ...settings };
@@ -60,18 +76,26 @@ export class Panel {
   }
 
   /** @param {string} algorithm */
-  titleOf(algorithm) { return this.infos.find(({ id }) => id === algorithm)?.title ?? algorithm; }
+  titleOf(algorithm) {
+    return this.infos.find(({ id }) => id === algorithm)?.title ?? algorithm;
+  }
 
   /** Offers the queries of a scenario. @param {string[]} names @param {string | undefined} selected */
   offerQueries(names, selected) {
-    this.query.replaceChildren(...names.map((name) => make("option", { value: name, selected: name === selected }, name)));
+    this.query.replaceChildren(
+      ...names.map((name) => make("option", { value: name, selected: name === selected }, name)),
+    );
     this.queryRow.hidden = names.length < 2;
   }
 
   /** Changes the texts of the queries. @param {string[]} texts */
-  nameQueries(texts) { texts.forEach((text, i) => write(this.query.options[i], text)); }
+  nameQueries(texts) {
+    texts.forEach((text, i) => write(this.query.options[i], text));
+  }
 
-  get algorithm() { return this.planner.value; }
+  get algorithm() {
+    return this.planner.value;
+  }
 
   /** The parameters of a planner and its seed; none for an unknown planner. @param {string} algorithm */
   parametersOf(algorithm) {
@@ -79,7 +103,12 @@ export class Panel {
     return info ? withSeed(info.parameters) : [];
   }
 
-  /** A plan with all parameters, defaults included. @param {string} algorithm @param {Settings} settings @returns {Plan} */
+  /**
+   * A plan with all parameters, defaults included.
+   * @param {string} algorithm
+   * @param {Settings} settings
+   * @returns {Plan}
+   */
   planFrom(algorithm, settings) {
     /** @type {Settings} */
     const all = {};
@@ -87,7 +116,9 @@ export class Panel {
     return { algorithm, settings: { ...all, ...settings } };
   }
 
-  get plan() { return this.form.plan; }
+  get plan() {
+    return this.form.plan;
+  }
 
   reseed() {
     const field = this.form.field("seed");

@@ -1,6 +1,7 @@
 /**
- * The configuration space of an arm or a body: a square of two of its coordinates. With two coordinates the obstacles are the
- * configurations in collision; with more, those of a slice. A motion that leaves the square on one side enters on the other.
+ * The configuration space of an arm or a body: a square of two of its coordinates. With two coordinates the obstacles
+ * are the configurations in collision; with more, those of a slice. A motion that leaves the square on one side enters
+ * on the other.
  */
 import { View } from "planarium/draw";
 import { coordinatesOf } from "../../domain/coordinates.js";
@@ -15,9 +16,15 @@ import { folded, unrolled } from "../../draw/trace.js";
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
 /** @import { Coordinate, Scenario } from "../../domain/types.js" */
-/** @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles in the worker; null after an error */
+/**
+ * @typedef {(painting: Painting) => Promise<ImageBitmap | null>} Painter   paints obstacles in the worker; null after
+ *   an error
+ */
 
-/** Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for so many device pixels. */
+/**
+ * Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for so many device
+ * pixels.
+ */
 const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
 /** Cells a side of a slice: each is a configuration to check. */
 const SLICE = { rough: 24, fine: 96 };
@@ -34,9 +41,15 @@ export class CSpace extends Pane {
     this.circles = [];
     /** Paints obstacles. @type {Painter | null} */
     this.painter = null;
-    /** The picture of the obstacles, and its cells a side. @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null} */
+    /**
+     * The picture of the obstacles, and its cells a side.
+     * @type {{ key: string, name: string, side: number, image: ImageBitmap | null } | null}
+     */
     this.cells = null;
-    /** The picture to be painted, and its resolutions from rough to fine. @type {{ key: string, sides: number[] } | null} */
+    /**
+     * The picture to be painted, and its resolutions from rough to fine.
+     * @type {{ key: string, sides: number[] } | null}
+     */
     this.wanted = null;
     this.isPainting = false;
     /** The world shown, and how many there have been. */
@@ -44,10 +57,14 @@ export class CSpace extends Pane {
   }
 
   /** @param {Scenario} scenario @override */
-  isPlaneOf({ robot, dimension }) { return robot !== "disc" && dimension === 2; }
+  isPlaneOf({ robot, dimension }) {
+    return robot !== "disc" && dimension === 2;
+  }
 
   /** @param {Lane} lane @override */
-  fits({ scenario }) { return scenario.robot !== "disc" && scenario.dimension >= 2; }
+  fits({ scenario }) {
+    return scenario.robot !== "disc" && scenario.dimension >= 2;
+  }
 
   /** @param {Lane} lane @param {number} width @param {number} height @override */
   makeView(lane, width, height) {
@@ -56,9 +73,17 @@ export class CSpace extends Pane {
     this.axes = a < n && b < n && a !== b ? [a, b] : [0, 1];
     this.named = this.axes.map((axis) => coordinatesOf(lane.shown)[axis]);
     const [x, y] = this.named;
-    const margin = /** @type {typeof MARGIN} */ (Object.fromEntries(Object.entries(MARGIN).map(([side, room]) => [side, room * this.bold])));
+    const margin = /** @type {typeof MARGIN} */ (
+      Object.fromEntries(Object.entries(MARGIN).map(([side, room]) => [side, room * this.bold]))
+    );
     // Two coordinates in metres have the same scale.
-    return new View({ min: [x.low, y.low], max: [x.high, y.high] }, width, height, margin, x.unit !== "m" || y.unit !== "m");
+    return new View(
+      { min: [x.low, y.low], max: [x.high, y.high] },
+      width,
+      height,
+      margin,
+      x.unit !== "m" || y.unit !== "m",
+    );
   }
 
   /** @param {Lane} lane @override */
@@ -68,15 +93,23 @@ export class CSpace extends Pane {
     const { document } = shown;
     if (this.world.document !== document.world) this.world = { document: document.world, count: this.world.count + 1 };
     // Pictures of the previous scenario are dropped.
-    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" ")) this.cells = null;
+    if (this.cells?.name !== document.name || scenario.dimension > 2 !== this.cells.key.includes(" "))
+      this.cells = null;
   }
 
-  /** Requests a picture of the obstacles: all of two coordinates; of more, a slice through the current configuration if the view shows it. @param {Lane} lane @override */
+  /**
+   * Requests a picture of the obstacles: all of two coordinates; of more, a slice through the current configuration if
+   * the view shows it.
+   * @param {Lane} lane @override
+   */
   refine(lane) {
     const { view, painter } = this;
     if (!view || !painter) return;
-    const { scenario: { dimension }, shown } = lane;
-    const pose = dimension > 2 && shown.view.slice ? lane.pose ?? shown.start : null;
+    const {
+      scenario: { dimension },
+      shown,
+    } = lane;
+    const pose = dimension > 2 && shown.view.slice ? (lane.pose ?? shown.start) : null;
     this.wanted = dimension > 2 && !pose ? null : this.picture(shown, pose);
     if (!this.wanted) {
       if (this.cells) this.repaint(null);
@@ -90,21 +123,38 @@ export class CSpace extends Pane {
     this.isPainting = true;
     const { name } = shown.document;
     void painter({
-      document: shown.document, side, slice: pose && { pose: Array.from(pose), axes: this.axes, box: view.box },
-      width: Math.round(width * ratio), height: Math.round(height * ratio), palette: /** @type {Palette} */ (this.palette),
-    }).then((image) => {
-      // After an error it is not requested again.
-      if (this.view && this.lane?.shown.document.name === name) this.repaint({ key, name, side: image ? side : Infinity, image });
-    }).finally(() => { this.isPainting = false; });
+      document: shown.document,
+      side,
+      slice: pose && { pose: Array.from(pose), axes: this.axes, box: view.box },
+      width: Math.round(width * ratio),
+      height: Math.round(height * ratio),
+      palette: /** @type {Palette} */ (this.palette),
+    })
+      .then((image) => {
+        // After an error it is not requested again.
+        if (this.view && this.lane?.shown.document.name === name)
+          this.repaint({ key, name, side: image ? side : Infinity, image });
+      })
+      .finally(() => {
+        this.isPainting = false;
+      });
   }
 
-  /** A key of all that the picture depends on, and its resolutions. @param {Shown} shown @param {ArrayLike<number> | null} pose */
+  /**
+   * A key of all that the picture depends on, and its resolutions.
+   * @param {Shown} shown
+   * @param {ArrayLike<number> | null} pose
+   */
   picture({ rough }, pose) {
     const { width, height } = this.frame();
     const { ratio } = this.layers.ground;
     const { palette, axes } = this;
     const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.obstacleEdge}`;
-    if (pose) return { key: `${look} ${Array.from(pose, (value, j) => (axes.includes(j) ? `axis ${axes.indexOf(j)}` : value)).join()}`, sides: rough ? [SLICE.rough] : [SLICE.rough, SLICE.fine] };
+    if (pose)
+      return {
+        key: `${look} ${Array.from(pose, (value, j) => (axes.includes(j) ? `axis ${axes.indexOf(j)}` : value)).join()}`,
+        sides: rough ? [SLICE.rough] : [SLICE.rough, SLICE.fine],
+      };
     const fine = Math.round(Math.min(CELLS.most, Math.max(CELLS.least, (width * ratio) / CELLS.pixels)));
     return { key: look, sides: rough ? [CELLS.rough] : [CELLS.rough, fine] };
   }
@@ -134,7 +184,12 @@ export class CSpace extends Pane {
   frame() {
     const view = /** @type {View} */ (this.view);
     const { min, max } = view.box;
-    return { x: view.x(min[0]), y: view.y(max[1]), width: (max[0] - min[0]) * view.scaleX, height: (max[1] - min[1]) * view.scaleY };
+    return {
+      x: view.x(min[0]),
+      y: view.y(max[1]),
+      width: (max[0] - min[0]) * view.scaleX,
+      height: (max[1] - min[1]) * view.scaleY,
+    };
   }
 
   /** @param {Float64Array} rows @override */

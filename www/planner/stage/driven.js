@@ -56,7 +56,10 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
     const [across, up] = far > 1 ? [(x - fromX) / far, (y - fromY) / far] : [0, -1];
     drawLabel(context, `Euler, ${beside.dt} s`, x + 68 * across, y + 26 * up, palette.unproven, palette);
   }
-  for (const [what, rows] of /** @type {[typeof blocked, Float64Array][]} */ ([[blocked, trace], [rollout?.blocked ?? null, rollout?.poses ?? trace]])) {
+  for (const [what, rows] of /** @type {[typeof blocked, Float64Array][]} */ ([
+    [blocked, trace],
+    [rollout?.blocked ?? null, rollout?.poses ?? trace],
+  ])) {
     if (what === null) continue;
     const pose = rows.slice(rows.length - 3);
     const [x, y] = pane.pixels(pose);
@@ -65,7 +68,10 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
       continue;
     }
     pane.drawTouched(context, document, what);
-    const at = nearest(scenario.footprint(pose)[0], what === "bounds" ? boxOf(document.world.bounds) : document.world.obstacles[what]);
+    const at = nearest(
+      scenario.footprint(pose)[0],
+      what === "bounds" ? boxOf(document.world.bounds) : document.world.obstacles[what],
+    );
     const [hx, hy] = pane.place(Float64Array.from(at));
     drawHit(context, hx, hy, palette);
     if (what === "bounds") continue;
@@ -76,7 +82,12 @@ export function drawDrive(pane, context, { shown: { driven, document, scenario }
   }
 }
 
-/** Where the outlines of a car and of a thing come nearest to each other, on the thing. @param {Part} part @param {Obstacle} thing @returns {[number, number]} */
+/**
+ * Where the outlines of a car and of a thing come nearest to each other, on the thing.
+ * @param {Part} part
+ * @param {Obstacle} thing
+ * @returns {[number, number]}
+ */
 function nearest(part, thing) {
   const corners = part.type === "polygon" ? part.vertices : [];
   let least = Infinity;
@@ -93,7 +104,13 @@ function nearest(part, thing) {
     if (thing.type === "disc") {
       const [x, y] = onSegment(thing.center, corner, next);
       const far = Math.hypot(x - thing.center[0], y - thing.center[1]);
-      offer([thing.center[0] + ((x - thing.center[0]) * thing.radius) / far, thing.center[1] + ((y - thing.center[1]) * thing.radius) / far], far);
+      offer(
+        [
+          thing.center[0] + ((x - thing.center[0]) * thing.radius) / far,
+          thing.center[1] + ((y - thing.center[1]) * thing.radius) / far,
+        ],
+        far,
+      );
       return;
     }
     thing.vertices.forEach((vertex, j) => {
@@ -106,7 +123,13 @@ function nearest(part, thing) {
   return best;
 }
 
-/** The point of a segment nearest to another. @param {[number, number]} point @param {[number, number]} a @param {[number, number]} b @returns {[number, number]} */
+/**
+ * The point of a segment nearest to another.
+ * @param {[number, number]} point
+ * @param {[number, number]} a
+ * @param {[number, number]} b
+ * @returns {[number, number]}
+ */
 function onSegment([x, y], [ax, ay], [bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
   const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
@@ -116,10 +139,26 @@ function onSegment([x, y], [ax, ay], [bx, by]) {
 /** @param {ScenarioDocument["world"]["bounds"]} bounds @returns {Obstacle} */
 function boxOf(bounds) {
   const { min, max } = bounds ?? { min: [0, 0], max: [0, 0] };
-  return { type: "polygon", vertices: [[min[0], min[1]], [max[0], min[1]], [max[0], max[1]], [min[0], max[1]]] };
+  return {
+    type: "polygon",
+    vertices: [
+      [min[0], min[1]],
+      [max[0], min[1]],
+      [max[0], max[1]],
+      [min[0], max[1]],
+    ],
+  };
 }
 
-/** Poses as a line of the pane. @param {Pane} pane @param {CanvasRenderingContext2D} context @param {Float64Array} rows @param {string} colour @param {number} width @param {number[]} dash */
+/**
+ * Poses as a line of the pane.
+ * @param {Pane} pane
+ * @param {CanvasRenderingContext2D} context
+ * @param {Float64Array} rows
+ * @param {string} colour
+ * @param {number} width
+ * @param {number[]} dash
+ */
 function line(pane, context, rows, colour, width, dash) {
   if (rows.length < 6) return;
   // A pixel or so between two places is fine enough: of long traces only some are drawn.

@@ -23,7 +23,9 @@ export class Glow {
   }
 
   /** Sparks of a kind that may be added at once. @param {GlowKind} kind */
-  room(kind) { return this.enabled ? MOST[kind] : 0; }
+  room(kind) {
+    return this.enabled ? MOST[kind] : 0;
+  }
 
   /** @param {GlowKind} kind @param {number} born @param {Float64Array} points */
   add(kind, born, points) {
@@ -37,7 +39,9 @@ export class Glow {
   }
 
   /** Whether anything still glows. */
-  get alive() { return Object.values(this.sparks).some((list) => list.length > 0); }
+  get alive() {
+    return Object.values(this.sparks).some((list) => list.length > 0);
+  }
 
   /** @param {CanvasRenderingContext2D} context @param {Palette} palette @param {number} now */
   draw(context, palette, now) {

@@ -1,7 +1,7 @@
 /**
- * Draws the log of a run on the layers of a pane, up to the iteration that is shown. Forward it adds what is new; after a
- * jump it starts from the nearest snapshot. Each layer is drawn in the order of the log, one mark at a time, so that the
- * picture of an iteration is the same to the pixel however it was reached.
+ * Draws the log of a run on the layers of a pane, up to the iteration that is shown. Forward it adds what is new; after
+ * a jump it starts from the nearest snapshot. Each layer is drawn in the order of the log, one mark at a time, so that
+ * the picture of an iteration is the same to the pixel however it was reached.
  */
 import { difference } from "planarium/draw";
 import { EVENT, PAST } from "../run-log/run-log.js";
@@ -35,7 +35,9 @@ export class Growth {
     /** How many vertices are removed, and edges replaced, in what is drawn. */
     this.gone = 0;
     this.snapshots = {
-      edges: new Snapshots(pane.layers.edges), vertices: new Snapshots(pane.layers.vertices), events: new Snapshots(pane.layers.marks),
+      edges: new Snapshots(pane.layers.edges),
+      vertices: new Snapshots(pane.layers.vertices),
+      events: new Snapshots(pane.layers.marks),
     };
   }
 
@@ -51,7 +53,9 @@ export class Growth {
   }
 
   /** Rows to be drawn. @returns {Counts} */
-  get target() { return countsOf(this.pane.lane?.run ?? null); }
+  get target() {
+    return countsOf(this.pane.lane?.run ?? null);
+  }
 
   get caughtUp() {
     const { drawn, target } = this;
@@ -59,8 +63,8 @@ export class Growth {
   }
 
   /**
-   * Draws what is new until the clock passes `until`, and at least one batch of each kind. A snapshot takes a frame of its own,
-   * as the browser rasterizes all pending drawing before it copies.
+   * Draws what is new until the clock passes `until`, and at least one batch of each kind. A snapshot takes a frame of
+   * its own, as the browser rasterizes all pending drawing before it copies.
    * @param {number} now @param {number} until @param {number} most  rows at most
    * @returns {boolean} whether it made a snapshot
    */
@@ -77,14 +81,27 @@ export class Growth {
     // A redraw without what is gone is done in one frame, as half of it would flicker.
     const limit = this.shed(run, target) ? Infinity : until;
     const { edges, vertices } = this.drawn;
-    const isRoom = () => limit === Infinity || (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
-    do { this.drawEdges(run, target.edges, now); } while (this.drawn.edges < target.edges && isRoom());
-    do { this.drawVertices(run, target.vertices, now); } while (this.drawn.vertices < target.vertices && isRoom());
-    do { this.drawEvents(run, target.events, now); } while (this.drawn.events < target.events && performance.now() < until);
+    const isRoom = () =>
+      limit === Infinity ||
+      (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
+    do {
+      this.drawEdges(run, target.edges, now);
+    } while (this.drawn.edges < target.edges && isRoom());
+    do {
+      this.drawVertices(run, target.vertices, now);
+    } while (this.drawn.vertices < target.vertices && isRoom());
+    do {
+      this.drawEvents(run, target.events, now);
+    } while (this.drawn.events < target.events && performance.now() < until);
     return false;
   }
 
-  /** Empties the layers if other vertices are removed, or other edges replaced, now. @param {RunLog} run @param {Counts} target @returns {boolean} whether it did */
+  /**
+   * Empties the layers if other vertices are removed, or other edges replaced, now.
+   * @param {RunLog} run
+   * @param {Counts} target
+   * @returns {boolean} whether it did
+   */
   shed(run, target) {
     const gone = run.countOf(EVENT.removed, target.events) + run.countOf(EVENT.rewired, target.events);
     if (gone === this.gone) return false;
@@ -127,16 +144,23 @@ export class Growth {
     for (let e = first; e < end; e++) {
       if (gone > 0 && !run.isEdgeThere(e, counts)) continue;
       const its = run.sides.data[run.edges.data[2 * e]];
-      if (its !== side) context.strokeStyle = pane.sideColour(side = its);
+      if (its !== side) context.strokeStyle = pane.sideColour((side = its));
       strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
     }
     context.globalAlpha = 1;
     this.drawn.edges = end;
     const glowing = Math.max(first, this.old.edges, target - pane.glow.room("edge"));
-    for (let e = glowing; e < end; e++) pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
+    for (let e = glowing; e < end; e++)
+      pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
 
-  /** Edges as lines in pixels; curved edges as several segments. @param {RunLog} run @param {number} first @param {number} end @returns {import("./pane.js").Lines} */
+  /**
+   * Edges as lines in pixels; curved edges as several segments.
+   * @param {RunLog} run
+   * @param {number} first
+   * @param {number} end
+   * @returns {import("./pane.js").Lines}
+   */
   linesOf(run, first, end) {
     const n = run.dimension;
     if (run.traces.count === 0) {
@@ -175,12 +199,13 @@ export class Growth {
     }
     this.drawn.vertices = end;
     const glowing = Math.max(first, this.old.vertices, target - pane.glow.room("vertex"));
-    for (let v = glowing; v < end; v++) pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
+    for (let v = glowing; v < end; v++)
+      pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
   }
 
   /**
-   * Vertices expanded by the search are dots, guards are rings, rejected samples are crosses, rejected motions are dashed lines
-   * up to the collision. Rejected ones flash, and stay if the view shows them.
+   * Vertices expanded by the search are dots, guards are rings, rejected samples are crosses, rejected motions are
+   * dashed lines up to the collision. Rejected ones flash, and stay if the view shows them.
    * @param {RunLog} run @param {number} target @param {number} now
    */
   drawEvents(run, target, now) {
@@ -253,14 +278,20 @@ export class Growth {
     setStroke(context, palette.rejected, 1.6);
     for (let i = first.events; i < past[PAST.events]; i++) {
       const kind = data[i * width];
-      if (kind === EVENT.rejected || kind === EVENT.discarded) cross(context, places[2 * (i - first.events)], places[2 * (i - first.events) + 1], 3.6 * pane.fineness);
+      if (kind === EVENT.rejected || kind === EVENT.discarded)
+        cross(context, places[2 * (i - first.events)], places[2 * (i - first.events) + 1], 3.6 * pane.fineness);
     }
     context.setLineDash([4, 4]);
     for (const line of refused.values()) strokeLine(context, line, 0, line.length / 2);
     context.restore();
   }
 
-  /** The configurations of events: their vertex, or the configuration of the event itself. @param {RunLog} run @param {number} first @param {number} end */
+  /**
+   * The configurations of events: their vertex, or the configuration of the event itself.
+   * @param {RunLog} run
+   * @param {number} first
+   * @param {number} end
+   */
   placesOf(run, first, end) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -268,15 +299,22 @@ export class Growth {
     for (let i = first; i < end; i++) {
       const kind = data[i * width];
       const vertex = data[i * width + 2];
-      const at = kind === EVENT.expanded || kind === EVENT.guard
-        ? run.vertices.row(vertex)
-        : data.subarray(i * width + 4, i * width + 4 + n);
+      const at =
+        kind === EVENT.expanded || kind === EVENT.guard
+          ? run.vertices.row(vertex)
+          : data.subarray(i * width + 4, i * width + 4 + n);
       rows.set(at, (i - first) * n);
     }
     return rows;
   }
 
-  /** Lines of rejected motions, from their vertex to the collision, by the number of the event. @param {RunLog} run @param {number} first @param {number} end @param {number} least  older events are left out */
+  /**
+   * Lines of rejected motions, from their vertex to the collision, by the number of the event.
+   * @param {RunLog} run
+   * @param {number} first
+   * @param {number} end
+   * @param {number} least  older events are left out
+   */
   refusedLines(run, first, end, least) {
     const n = run.dimension;
     const { data, width } = run.events;
@@ -284,7 +322,8 @@ export class Growth {
     const lines = new Map();
     /** @type {number[]} */
     const which = [];
-    for (let i = Math.max(first, least); i < end; i++) if (data[i * width] === EVENT.refused && data[i * width + 2] >= 0) which.push(i);
+    for (let i = Math.max(first, least); i < end; i++)
+      if (data[i * width] === EVENT.refused && data[i * width + 2] >= 0) which.push(i);
     if (which.length === 0) return lines;
     const ends = new Float64Array(which.length * 2 * n);
     which.forEach((i, k) => {
@@ -313,7 +352,13 @@ export function motionsAlong(rows, n) {
   return ends;
 }
 
-/** Shortens motions to fractions of themselves, in place. @param {Float64Array} ends @param {number} n @param {Float64Array} parts @param {boolean[]} circles */
+/**
+ * Shortens motions to fractions of themselves, in place.
+ * @param {Float64Array} ends
+ * @param {number} n
+ * @param {Float64Array} parts
+ * @param {boolean[]} circles
+ */
 function shortened(ends, n, parts, circles) {
   for (let m = 0; m < parts.length; m++) {
     for (let j = 0; j < n; j++) {

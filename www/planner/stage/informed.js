@@ -1,6 +1,6 @@
 /**
- * Where an informed planner looks: the configurations through which a path may be shorter than the best one. Of a disc that is the
- * inside of an ellipse with the foci start and goal, whose axis is as long as the path.
+ * Where an informed planner looks: the configurations through which a path may be shorter than the best one. Of a disc
+ * that is the inside of an ellipse with the foci start and goal, whose axis is as long as the path.
  */
 import { setStroke } from "../../draw/marks.js";
 import { PAST } from "../run-log/run-log.js";
@@ -16,9 +16,18 @@ export function isInformed({ run, scenario }) {
   return run !== null && scenario.robot === "disc" && INFORMED.has(run.algorithm) && run.past[PAST.cost] < Infinity;
 }
 
-/** The ellipse of the iteration shown. @param {CanvasRenderingContext2D} context @param {View} view @param {Lane} lane @param {string} colour */
+/**
+ * The ellipse of the iteration shown.
+ * @param {CanvasRenderingContext2D} context
+ * @param {View} view
+ * @param {Lane} lane
+ * @param {string} colour
+ */
 export function drawInformed(context, view, lane, colour) {
-  const { run, shown: { start, goal } } = lane;
+  const {
+    run,
+    shown: { start, goal },
+  } = lane;
   if (!run || !start || !goal || !isInformed(lane)) return;
   const [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
   const cost = run.past[PAST.cost];
@@ -30,7 +39,15 @@ export function drawInformed(context, view, lane, colour) {
   context.lineCap = "round";
   context.beginPath();
   const [x, y] = [start[0] + dx / 2, start[1] + dy / 2];
-  context.ellipse(view.x(x), view.y(y), (cost / 2) * view.scaleX, (across / 2) * view.scaleX, Math.atan2(-dy, dx), 0, 2 * Math.PI);
+  context.ellipse(
+    view.x(x),
+    view.y(y),
+    (cost / 2) * view.scaleX,
+    (across / 2) * view.scaleX,
+    Math.atan2(-dy, dx),
+    0,
+    2 * Math.PI,
+  );
   context.stroke();
   context.restore();
 }

@@ -1,6 +1,6 @@
 /**
- * A pane draws a lane on its layers. Workspace and configuration space differ in their ground and in how configurations and
- * motions become pixels.
+ * A pane draws a lane on its layers. Workspace and configuration space differ in their ground and in how configurations
+ * and motions become pixels.
  */
 import { SIDE } from "../run-log/run-log.js";
 import { Glow } from "./glow.js";
@@ -21,12 +21,17 @@ import { Strobe } from "./strobe.js";
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Look, Scenario } from "../../domain/types.js" */
 /** @import { View } from "planarium/draw" */
-/** @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to firsts[i + 1]; NaN lifts the pen */
+/**
+ * @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to
+ *   firsts[i + 1]; NaN lifts the pen
+ */
 
 export class Pane {
   /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
   constructor(canvases) {
-    this.layers = /** @type {Record<LayerName, Layer>} */ (Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])])));
+    this.layers = /** @type {Record<LayerName, Layer>} */ (
+      Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])]))
+    );
     this.growth = new Growth(this);
     /** The Voronoi regions of a tree, once they are asked for. @type {Regions | null} */
     this.regions = null;
@@ -61,15 +66,28 @@ export class Pane {
   // To be overridden by each kind of pane.
 
   /** Whether it can show a lane. @param {Lane} _lane */
-  fits(_lane) { return true; }
+  fits(_lane) {
+    return true;
+  }
   /** @param {Lane} _lane @param {number} _width @param {number} _height @returns {View} */
-  makeView(_lane, _width, _height) { throw new Error("a pane must make its view"); }
+  makeView(_lane, _width, _height) {
+    throw new Error("a pane must make its view");
+  }
   /** @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawGround(_context, _lane) {}
   /** Configurations to pixels. @param {Float64Array} _rows @returns {Float64Array} */
-  pixels(_rows) { throw new Error("a pane must place configurations"); }
-  /** Motions to lines in pixels. @param {Float64Array} _ends  rows of from, to @param {boolean[]} [_circles]  coordinates whose motions take the shorter way round @returns {Lines} */
-  lines(_ends, _circles) { throw new Error("a pane must trace motions"); }
+  pixels(_rows) {
+    throw new Error("a pane must place configurations");
+  }
+  /**
+   * Motions to lines in pixels.
+   * @param {Float64Array} _ends  rows of from, to
+   * @param {boolean[]} [_circles]  coordinates whose motions take the shorter way round
+   * @returns {Lines}
+   */
+  lines(_ends, _circles) {
+    throw new Error("a pane must trace motions");
+  }
   /** Prepares for another scenario. @param {Lane} _lane */
   survey(_lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
@@ -77,7 +95,9 @@ export class Pane {
   /** Requests what the ground still lacks. @param {Lane} _lane */
   refine(_lane) {}
   /** Whether the ground is complete. */
-  get isRefined() { return true; }
+  get isRefined() {
+    return true;
+  }
   /** Clips to the border of the picture. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
@@ -96,7 +116,8 @@ export class Pane {
     this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();
     this.survey(lane);
-    for (const name of /** @type {const} */ (["edges", "vertices", "marks"])) layers[name].enclose((context) => this.clip(context));
+    for (const name of /** @type {const} */ (["edges", "vertices", "marks"]))
+      layers[name].enclose((context) => this.clip(context));
     this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
   }
@@ -132,10 +153,19 @@ export class Pane {
   }
 
   /** Whether everything that is shown has been drawn. */
-  get caughtUp() { return !this.view || this.growth.caughtUp; }
+  get caughtUp() {
+    return !this.view || this.growth.caughtUp;
+  }
 
-  /** @param {number} now @param {number} until @param {number} [most]  rows at most @returns {boolean} whether it made a snapshot */
-  grow(now, until, most = Infinity) { return this.view !== null && this.palette !== null && this.growth.draw(now, until, most); }
+  /**
+   * @param {number} now
+   * @param {number} until
+   * @param {number} [most]  rows at most
+   * @returns {boolean} whether it made a snapshot
+   */
+  grow(now, until, most = Infinity) {
+    return this.view !== null && this.palette !== null && this.growth.draw(now, until, most);
+  }
 
   /** @param {number} side */
   sideColour(side) {
@@ -173,9 +203,15 @@ export class Pane {
   }
 
   /** Whether each point of the pane is one configuration. @param {Scenario} scenario */
-  isPlaneOf({ robot }) { return robot === "disc"; }
+  isPlaneOf({ robot }) {
+    return robot === "disc";
+  }
 
-  /** The Voronoi regions of a tree, where each point of the pane is one configuration. @param {CanvasRenderingContext2D} context @param {Lane} lane */
+  /**
+   * The Voronoi regions of a tree, where each point of the pane is one configuration.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Lane} lane
+   */
   drawRegions(context, lane) {
     const { view } = this;
     if (!view || !this.isPlaneOf(lane.scenario)) return;
@@ -184,22 +220,42 @@ export class Pane {
     if (!image) return;
     context.save();
     context.imageSmoothingEnabled = false;
-    context.drawImage(image, view.x(min[0]), view.y(max[1]), (max[0] - min[0]) * view.scaleX, (max[1] - min[1]) * view.scaleY);
+    context.drawImage(
+      image,
+      view.x(min[0]),
+      view.y(max[1]),
+      (max[0] - min[0]) * view.scaleX,
+      (max[1] - min[1]) * view.scaleY,
+    );
     context.restore();
   }
 
-  /** In a roadmap without a path: the connected components of start and goal. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */
+  /**
+   * In a roadmap without a path: the connected components of start and goal.
+   * @param {CanvasRenderingContext2D} context
+   * @param {RunLog} run
+   * @param {Palette} palette
+   */
   drawPieces(context, { pieces }, palette) {
     const { places } = this;
     if (!pieces || !places) return;
     places.follow();
-    for (const [members, colour] of /** @type {[number[], string][]} */ ([[pieces.start, palette.start], [pieces.goal, palette.goal]])) {
+    for (const [members, colour] of /** @type {[number[], string][]} */ ([
+      [pieces.start, palette.start],
+      [pieces.goal, palette.goal],
+    ])) {
       context.fillStyle = colour;
-      for (const vertex of members) disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
+      for (const vertex of members)
+        disc(context, places.points[2 * vertex], places.points[2 * vertex + 1], 3.2 * this.fineness);
     }
   }
 
-  /** The vertices in the open list of the search, as small rings. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette */
+  /**
+   * The vertices in the open list of the search, as small rings.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Lane} lane
+   * @param {Palette} palette
+   */
   drawWaiting(context, { run }, palette) {
     const { places } = this;
     if (!run || !places || run.frontier.count === 0) return;
@@ -216,10 +272,18 @@ export class Pane {
     context.stroke();
   }
 
-  /** A ring around the configuration under the pointer. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  /**
+   * A ring around the configuration under the pointer.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Hover} hover
+   * @param {Palette} palette
+   */
   drawHover(context, { pose, check }, palette) {
     const [x, y] = this.pixels(pose);
-    for (const [width, colour] of /** @type {[number, string][]} */ ([[4.6, palette.stage], [1.8, check.free ? palette.ink : palette.collision]])) {
+    for (const [width, colour] of /** @type {[number, string][]} */ ([
+      [4.6, palette.stage],
+      [1.8, check.free ? palette.ink : palette.collision],
+    ])) {
       context.lineWidth = width;
       context.strokeStyle = colour;
       ring(context, x, y, 9);
@@ -230,11 +294,17 @@ export class Pane {
   strobe(playback) {
     const { strobe, poses } = /** @type {Lane} */ (this.lane).shown.view;
     if (!strobe) return null;
-    if (this.flashes?.playback !== playback || this.flashes.count !== poses) this.flashes = new Strobe(this, playback, poses);
+    if (this.flashes?.playback !== playback || this.flashes.count !== poses)
+      this.flashes = new Strobe(this, playback, poses);
     return this.flashes;
   }
 
-  /** Where shorter paths may be, if the pane shows that. @param {CanvasRenderingContext2D} _context @param {Lane} _lane @param {Palette} _palette */
+  /**
+   * Where shorter paths may be, if the pane shows that.
+   * @param {CanvasRenderingContext2D} _context
+   * @param {Lane} _lane
+   * @param {Palette} _palette
+   */
   drawInformed(_context, _lane, _palette) {}
 
   /** The best path so far. @param {CanvasRenderingContext2D} context @param {RunLog} run @param {Palette} palette */
@@ -248,7 +318,13 @@ export class Pane {
     }
   }
 
-  /** A thin line along configurations: the path before shortcutting, or dashed the shortest one. @param {CanvasRenderingContext2D} context @param {Float64Array} rows @param {string} colour @param {number[]} [dash] */
+  /**
+   * A thin line along configurations: the path before shortcutting, or dashed the shortest one.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Float64Array} rows
+   * @param {string} colour
+   * @param {number[]} [dash]
+   */
   drawThin(context, rows, colour, dash = []) {
     const { dimension } = /** @type {Lane} */ (this.lane).scenario;
     const lines = this.thinLines.get(rows) ?? this.lines(motionsAlong(rows, dimension));
@@ -266,9 +342,14 @@ export class Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette */
   drawPath(context, playback, palette) {
-    const { samples: { rows, parts }, scenario } = playback;
-    if (this.pathLines?.playback !== playback) this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
-    if (playback.raw && /** @type {Lane} */ (this.lane).shown.view.raw) this.drawThin(context, playback.raw, palette.path);
+    const {
+      samples: { rows, parts },
+      scenario,
+    } = playback;
+    if (this.pathLines?.playback !== playback)
+      this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
+    if (playback.raw && /** @type {Lane} */ (this.lane).shown.view.raw)
+      this.drawThin(context, playback.raw, palette.path);
     const { lines } = this.pathLines;
     let pieces = 0;
     while (pieces + 1 < parts.length && parts[pieces + 1] <= playback.drawn) pieces++;
@@ -278,7 +359,10 @@ export class Pane {
     // A path that is not proven is hollow, and dashed if it misses the goal: colour is not the only sign.
     const colour = this.pathColour(playback);
     /** @type {[number, string, number][]} */
-    const strokes = [[8 * this.bold, palette.stage, 0.75], [(playback.isProven ? 3.4 : 5) * this.bold, colour, 1]];
+    const strokes = [
+      [8 * this.bold, palette.stage, 0.75],
+      [(playback.isProven ? 3.4 : 5) * this.bold, colour, 1],
+    ];
     if (!playback.isProven) strokes.push([1.8, palette.stage, 1]);
     if (playback.isMiss) context.setLineDash([9, 8]);
     for (const [width, stroke, alpha] of strokes) {

@@ -7,12 +7,20 @@ const CLOSE = 3;
 export class Passages extends VertexIndex {
   /** Rows of traces in the index. */
   rows = 0;
-  /** For each point the row after it, and its fraction of the way from the row before. @type {{ row: number, part: number }[]} */
+  /**
+   * For each point the row after it, and its fraction of the way from the row before.
+   * @type {{ row: number, part: number }[]}
+   */
   places = [];
 
   /** @override */
   follow() {
-    const { run: { traces, dimension }, rows, places, pane } = this;
+    const {
+      run: { traces, dimension },
+      rows,
+      places,
+      pane,
+    } = this;
     if (rows === traces.count) return;
     const { data, width, count } = traces;
     const fresh = pane.pixels(traces.slice(rows, count).filter((_, i) => i % width >= width - dimension));
@@ -32,15 +40,27 @@ export class Passages extends VertexIndex {
     this.rows = count;
   }
 
-  /** The nearest edge within reach, of the first `edges`, and the configuration there; null: none. @param {number} x @param {number} y @param {number} edges @param {(edge: number) => boolean} counts */
+  /**
+   * The nearest edge within reach, of the first `edges`, and the configuration there; null: none.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} edges
+   * @param {(edge: number) => boolean} counts
+   */
   find(x, y, edges, counts) {
-    const { run: { traces, scenario }, places } = this;
+    const {
+      run: { traces, scenario },
+      places,
+    } = this;
     const { data, width } = traces;
     const edgeOf = (/** @type {number} */ point) => data[places[point].row * width];
     const point = this.nearest(x, y, Infinity, (one) => edgeOf(one) < edges && counts(edgeOf(one)));
     if (point < 0) return null;
     const { row, part } = places[point];
     const pose = data.slice(row * width + 1, (row + 1) * width);
-    return { edge: edgeOf(point), pose: part === 1 ? pose : scenario.interpolate(data.slice((row - 1) * width + 1, row * width), pose, part) };
+    return {
+      edge: edgeOf(point),
+      pose: part === 1 ? pose : scenario.interpolate(data.slice((row - 1) * width + 1, row * width), pose, part),
+    };
   }
 }

@@ -1,6 +1,6 @@
 /**
- * Bodies and cars: orientation marks, wheels, goal regions, the handle that turns them, and motions that are arcs. Loaded with the first
- * of them.
+ * Bodies and cars: orientation marks, wheels, goal regions, the handle that turns them, and motions that are arcs.
+ * Loaded with the first of them.
  */
 import { obstaclePath, wrap } from "planarium/draw";
 
@@ -28,10 +28,13 @@ export class Placed {
     /** How far the shape extends in front of its origin, metres. */
     this.front = Math.max(...vertices.map(([x]) => x));
     /**
-     * Where the front axle is drawn, metres before the rear one: at the wheelbase, or within a body that ends before it. There the
-     * wheels turn by less, so that they roll without slipping along the same arcs.
+     * Where the front axle is drawn, metres before the rear one: at the wheelbase, or within a body that ends before
+     * it. There the wheels turn by less, so that they roll without slipping along the same arcs.
      */
-    this.axle = robot.type === "car" ? Math.min(robot.wheelbase, this.front > 0 ? this.front / (1 + WHEEL.length / 2) : Infinity) : 0;
+    this.axle =
+      robot.type === "car"
+        ? Math.min(robot.wheelbase, this.front > 0 ? this.front / (1 + WHEEL.length / 2) : Infinity)
+        : 0;
     this.front = Math.max(this.front, this.axle * (1 + WHEEL.length / 2));
     this.half = Math.max(...vertices.map(([, y]) => Math.abs(y)));
     this.reach = Math.max(...vertices.map(([x, y]) => Math.hypot(x, y)));
@@ -41,7 +44,15 @@ export class Placed {
 
   // Drawing.
 
-  /** An arrow for the orientation of a body; axles and wheels of a car. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {number} steering  radians @param {string} colour @param {string} [outline]  of what extends beyond the body */
+  /**
+   * An arrow for the orientation of a body; axles and wheels of a car.
+   * @param {CanvasRenderingContext2D} context
+   * @param {View} view
+   * @param {ArrayLike<number>} pose
+   * @param {number} steering  radians
+   * @param {string} colour
+   * @param {string} [outline]  of what extends beyond the body
+   */
   drawMarks(context, view, pose, steering, colour, outline = colour) {
     const { robot } = this;
     context.save();
@@ -79,7 +90,10 @@ export class Placed {
       }
       context.stroke();
       context.globalAlpha = 1;
-      for (const [x, turn] of [[0, 0], [base, turned]]) {
+      for (const [x, turn] of [
+        [0, 0],
+        [base, turned],
+      ]) {
         for (const y of [-track, track]) {
           context.save();
           context.translate(x, y);
@@ -94,7 +108,14 @@ export class Placed {
     context.restore();
   }
 
-  /** The goal region: a circle of positions, and the range of orientations. @param {CanvasRenderingContext2D} context @param {View} view @param {Configuration} goal @param {Shown} shown @param {string} colour */
+  /**
+   * The goal region: a circle of positions, and the range of orientations.
+   * @param {CanvasRenderingContext2D} context
+   * @param {View} view
+   * @param {Configuration} goal
+   * @param {Shown} shown
+   * @param {string} colour
+   */
   drawRegion(context, view, goal, { document, query }, colour) {
     const tolerance = document.queries.find(({ name }) => name === query)?.goal_tolerance;
     if (!tolerance) return;
@@ -124,7 +145,13 @@ export class Placed {
     context.restore();
   }
 
-  /** The area that the robot sweeps along an edge. @param {Workspace} pane @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette */
+  /**
+   * The area that the robot sweeps along an edge.
+   * @param {Workspace} pane
+   * @param {CanvasRenderingContext2D} context
+   * @param {Hover} hover
+   * @param {Palette} palette
+   */
   drawSwept(pane, context, { lane: { run, scenario }, edge = -1 }, palette) {
     const view = /** @type {View} */ (pane.view);
     if (!run || edge < 0) return;
@@ -145,9 +172,15 @@ export class Placed {
     }
     const { width, height, ratio } = pane.layers.top;
     const outlines = this.swept.parts;
-    /** A picture of all outlines. @param {(ink: CanvasRenderingContext2D, each: (draw: () => void) => void) => void} draw */
+    /**
+     * A picture of all outlines.
+     * @param {(ink: CanvasRenderingContext2D, each: (draw: () => void) => void) => void} draw
+     */
     const picture = (draw) => {
-      const canvas = new OffscreenCanvas(Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio)));
+      const canvas = new OffscreenCanvas(
+        Math.max(1, Math.round(width * ratio)),
+        Math.max(1, Math.round(height * ratio)),
+      );
       const ink = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (canvas.getContext("2d")));
       ink.setTransform(ratio, 0, 0, ratio, 0, 0);
       ink.strokeStyle = ink.fillStyle = palette.newest;
@@ -177,22 +210,42 @@ export class Placed {
     context.restore();
   }
 
-  /** Is a pose in the region of the goal, or as near to it as a hand can put it? @param {ArrayLike<number>} pose @param {ArrayLike<number>} goal @param {Shown} shown */
+  /**
+   * Is a pose in the region of the goal, or as near to it as a hand can put it?
+   * @param {ArrayLike<number>} pose
+   * @param {ArrayLike<number>} goal
+   * @param {Shown} shown
+   */
   isNear(pose, goal, { document, query, scenario }) {
     const { min, max } = scenario.extent();
     const near = { translation: 0.015 * Math.max(max[0] - min[0], max[1] - min[1]), rotation: 0.08 };
-    const { translation = 0, rotation = 0 } = document.queries.find(({ name }) => name === query)?.goal_tolerance ?? near;
-    return Math.hypot(pose[0] - goal[0], pose[1] - goal[1]) <= Math.max(translation, near.translation)
-      && Math.abs(wrap(pose[2] - goal[2])) <= Math.max(rotation, near.rotation);
+    const { translation = 0, rotation = 0 } =
+      document.queries.find(({ name }) => name === query)?.goal_tolerance ?? near;
+    return (
+      Math.hypot(pose[0] - goal[0], pose[1] - goal[1]) <= Math.max(translation, near.translation) &&
+      Math.abs(wrap(pose[2] - goal[2])) <= Math.max(rotation, near.rotation)
+    );
   }
 
-  /** Where its handle for turning is, pixels. @param {ArrayLike<number>} pose @param {View} view @returns {[number, number]} */
+  /**
+   * Where its handle for turning is, pixels.
+   * @param {ArrayLike<number>} pose
+   * @param {View} view
+   * @returns {[number, number]}
+   */
   handle(pose, view) {
     const far = this.front * view.scaleX + HANDLE;
     return [view.x(pose[0]) + far * Math.cos(pose[2]), view.y(pose[1]) - far * Math.sin(pose[2])];
   }
 
-  /** The handle: a dot on a line before the body. @param {CanvasRenderingContext2D} context @param {View} view @param {ArrayLike<number>} pose @param {string} colour @param {string} ground */
+  /**
+   * The handle: a dot on a line before the body.
+   * @param {CanvasRenderingContext2D} context
+   * @param {View} view
+   * @param {ArrayLike<number>} pose
+   * @param {string} colour
+   * @param {string} ground
+   */
   drawHandle(context, view, pose, colour, ground) {
     const [x, y] = this.handle(pose, view);
     context.save();
@@ -212,19 +265,30 @@ export class Placed {
 
   // Motions.
 
-  /** The pose after part of a motion: an exact arc, as in the core. @param {ArrayLike<number>} from @param {Motion} motion @param {number} part  of its time @returns {Float64Array} */
+  /**
+   * The pose after part of a motion: an exact arc, as in the core.
+   * @param {ArrayLike<number>} from
+   * @param {Motion} motion
+   * @param {number} part  of its time
+   * @returns {Float64Array}
+   */
   after(from, [v, phi, seconds], part) {
     const length = this.robot.type === "car" ? this.robot.wheelbase : 1;
     const time = seconds * part;
     const turn = ((v * Math.tan(phi)) / length) * time;
     const half = turn / 2;
     const chord = v * time * (half === 0 ? 1 : Math.sin(half) / half);
-    return Float64Array.of(from[0] + chord * Math.cos(from[2] + half), from[1] + chord * Math.sin(from[2] + half), wrap(from[2] + turn));
+    return Float64Array.of(
+      from[0] + chord * Math.cos(from[2] + half),
+      from[1] + chord * Math.sin(from[2] + half),
+      wrap(from[2] + turn),
+    );
   }
 
   /** The controls along an edge, in words. @param {Float64Array} motions  rows of speed, steering angle, seconds */
   motionsText(motions) {
-    const number = (/** @type {number} */ value, /** @type {number} */ digits) => value.toFixed(digits).replace("-", "\u2212");
+    const number = (/** @type {number} */ value, /** @type {number} */ digits) =>
+      value.toFixed(digits).replace("-", "\u2212");
     /** @type {string[]} */
     const words = [];
     for (let i = 0; i < motions.length; i += 3) {
@@ -235,5 +299,7 @@ export class Placed {
   }
 
   /** The metres that a motion drives. @param {Motion} motion */
-  lengthOf([v, , seconds]) { return Math.abs(v * seconds); }
+  lengthOf([v, , seconds]) {
+    return Math.abs(v * seconds);
+  }
 }

@@ -1,6 +1,7 @@
 /**
- * Copies of a growing layer, so that a jump in time starts from the nearest copy and not from an empty layer. Their number is
- * limited by their bytes: when there are too many, every other one is dropped and they are taken half as often.
+ * Copies of a growing layer, so that a jump in time starts from the nearest copy and not from an empty layer. Their
+ * number is limited by their bytes: when there are too many, every other one is dropped and they are taken half as
+ * often.
  */
 
 /** @import { Layer } from "../../draw/layer.js" */
@@ -18,7 +19,10 @@ export class Snapshots {
     /** @type {{ count: number, canvas: OffscreenCanvas }[]} */
     this.copies = [];
     this.spacing = SPACING;
-    /** Canvases of dropped copies, to be used again: garbage of this size makes the browser collect it often. @type {OffscreenCanvas[]} */
+    /**
+     * Canvases of dropped copies, to be used again: garbage of this size makes the browser collect it often.
+     * @type {OffscreenCanvas[]}
+     */
     this.spare = [];
   }
 
@@ -30,7 +34,9 @@ export class Snapshots {
   }
 
   /** Whether to copy a layer of this number of marks. @param {number} count */
-  isDue(count) { return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing; }
+  isDue(count) {
+    return count >= (this.copies.at(-1)?.count ?? 0) + this.spacing;
+  }
 
   /** Copies the layer. @param {number} count   marks that it holds */
   copy(count) {
@@ -51,7 +57,9 @@ export class Snapshots {
   }
 
   /** The latest copy with at most `count` marks. @param {number} count */
-  best(count) { return this.copies.findLast((copy) => copy.count <= count); }
+  best(count) {
+    return this.copies.findLast((copy) => copy.count <= count);
+  }
 
   /** Restores that copy, or an empty layer. @param {number} count @returns {number} marks that the layer holds now */
   restore(count) {

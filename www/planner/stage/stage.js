@@ -1,6 +1,6 @@
 /**
- * The panes of the planner's page: the lane of each, its size and colours. It draws one frame at a time: a bounded slice of
- * growth, and the top.
+ * The panes of the planner's page: the lane of each, its size and colours. It draws one frame at a time: a bounded
+ * slice of growth, and the top.
  */
 import { CSpace } from "./cspace-pane.js";
 import { Workspace } from "./workspace-pane.js";
@@ -37,7 +37,12 @@ export class Stage {
     this.turn = 0;
   }
 
-  /** @param {string} id @param {PaneKind} kind @param {number} lane @param {Record<LayerName, HTMLCanvasElement>} canvases */
+  /**
+   * @param {string} id
+   * @param {PaneKind} kind
+   * @param {number} lane
+   * @param {Record<LayerName, HTMLCanvasElement>} canvases
+   */
   add(id, kind, lane, canvases) {
     const pane = new KINDS[kind](canvases);
     if (pane instanceof CSpace) pane.painter = this.painter;
@@ -51,7 +56,12 @@ export class Stage {
     this.stale.delete(id);
   }
 
-  /** @param {string} id @param {number} width @param {number} height  CSS pixels @returns {boolean} whether it had another size */
+  /**
+   * @param {string} id
+   * @param {number} width
+   * @param {number} height  CSS pixels
+   * @returns {boolean} whether it had another size
+   */
   resize(id, width, height) {
     const place = this.places.get(id);
     if (!place || (place.pane.width === width && place.pane.height === height)) return false;
@@ -97,23 +107,35 @@ export class Stage {
   }
 
   /** @param {string} id @returns {Place | undefined} */
-  at(id) { return this.places.get(id); }
+  at(id) {
+    return this.places.get(id);
+  }
 
-  get panes() { return [...this.places.values()].map(({ pane }) => pane); }
+  get panes() {
+    return [...this.places.values()].map(({ pane }) => pane);
+  }
 
   /** Whether something remains to be drawn, or still glows. */
-  get busy() { return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isRefined || pane.glow.alive); }
+  get busy() {
+    return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isRefined || pane.glow.alive);
+  }
 
   /** Whether everything that is shown has been drawn. */
-  get caughtUp() { return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp); }
+  get caughtUp() {
+    return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp);
+  }
 
   /** Whether all grounds are complete. */
-  get isRefined() { return this.panes.every((pane) => pane.isRefined); }
+  get isRefined() {
+    return this.panes.every((pane) => pane.isRefined);
+  }
 
   /**
-   * Draws one frame. While it plays, the rows drawn are limited by the time that frames take: a script only records drawing
-   * that the browser rasterizes later.
-   * @param {Lane[]} lanes @param {number} now @param {number} until  end of drawing growth, on the clock of performance.now()
+   * Draws one frame. While it plays, the rows drawn are limited by the time that frames take: a script only records
+   * drawing that the browser rasterizes later.
+   * @param {Lane[]} lanes
+   * @param {number} now
+   * @param {number} until  end of drawing growth, on the clock of performance.now()
    * @param {boolean} isPlaying
    */
   frame(lanes, now, until, isPlaying) {

@@ -1,13 +1,16 @@
 /**
- * Configurations at equal distances along the path. Time shows in the colour, from start to goal, and in the width of the
- * line, so that colour is not the only sign.
+ * Configurations at equal distances along the path. Time shows in the colour, from start to goal, and in the width of
+ * the line, so that colour is not the only sign.
  */
 import { disc } from "../../draw/marks.js";
 
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
 /** @import { Part } from "../../domain/types.js" */
 /** @import { Pane } from "./pane.js" */
-/** @typedef {{ part: number, parts: Part[], x: number, y: number, colour: string }} Flash   `part`: 0 to 1 along the path; `x` and `y` in pixels of the pane */
+/**
+ * @typedef {{ part: number, parts: Part[], x: number, y: number, colour: string }} Flash   `part`: 0 to 1 along the
+ *   path; `x` and `y` in pixels of the pane
+ */
 
 export class Strobe {
   /** @param {Pane} pane @param {PathPlayback} playback @param {number} count */
@@ -20,14 +23,26 @@ export class Strobe {
       const part = (i + 1) / (count + 1);
       const pose = playback.configuration(part);
       const [x, y] = pane.pixels(pose);
-      return { part, parts: playback.scenario.footprint(pose), x, y, colour: `color-mix(in oklab, ${goal} ${100 * part}%, ${start})` };
+      return {
+        part,
+        parts: playback.scenario.footprint(pose),
+        x,
+        y,
+        colour: `color-mix(in oklab, ${goal} ${100 * part}%, ${start})`,
+      };
     });
   }
 
   /** Those on the part of the path that is drawn. */
-  get seen() { return this.flashes.filter(({ part }) => part <= this.playback.drawn); }
+  get seen() {
+    return this.flashes.filter(({ part }) => part <= this.playback.drawn);
+  }
 
-  /** A dot for each configuration, growing along the path. @param {CanvasRenderingContext2D} context @param {string} ground */
+  /**
+   * A dot for each configuration, growing along the path.
+   * @param {CanvasRenderingContext2D} context
+   * @param {string} ground
+   */
   draw(context, ground) {
     for (const { part, x, y, colour } of this.seen) {
       context.fillStyle = ground;

@@ -1,6 +1,7 @@
 /**
- * The vertices of a run in CSS pixels of a pane, and the nearest of them to a point: a grid with cells as wide as the reach of
- * a pointer, so that a query visits nine cells. Vertices are only added; a new layout or run makes a new index.
+ * The vertices of a run in CSS pixels of a pane, and the nearest of them to a point: a grid with cells as wide as the
+ * reach of a pointer, so that a query visits nine cells. Vertices are only added; a new layout or run makes a new
+ * index.
  */
 
 /** @import { Pane } from "./pane.js" */
@@ -39,7 +40,13 @@ export class VertexIndex {
     points.push(x, y);
   }
 
-  /** The nearest of the first `count` points within reach, the older of two at the same distance; -1: none. @param {number} x @param {number} y @param {number} count @param {(point: number) => boolean} [counts]  filter */
+  /**
+   * The nearest of the first `count` points within reach, the older of two at the same distance; -1: none.
+   * @param {number} x
+   * @param {number} y
+   * @param {number} count
+   * @param {(point: number) => boolean} [counts]  filter
+   */
   nearest(x, y, count, counts = () => true) {
     this.follow();
     let best = -1;
@@ -59,4 +66,6 @@ export class VertexIndex {
 }
 
 /** @param {number} x @param {number} y */
-function keyOf(x, y) { return Math.floor(x / NEAR) * 65536 + Math.floor(y / NEAR); }
+function keyOf(x, y) {
+  return Math.floor(x / NEAR) * 65536 + Math.floor(y / NEAR);
+}

@@ -51,9 +51,18 @@ export class Workspace extends Pane {
     const thin = "radius" in robot && (robot.radius ?? 0) * view.scaleX < 1.6;
     const width = thin ? 2 : 1.5;
     if (goal) shown.placed?.drawRegion(context, view, goal, shown, palette.goal);
-    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([...goals.map((pose) => [pose, palette.goal, 0.14 / goals.length, [5, 4]]), [start, palette.start, 0.16, []]])) {
+    for (const [pose, colour, fill, dash] of /** @type {[Configuration | null, string, number, number[]][]} */ ([
+      ...goals.map((pose) => [pose, palette.goal, 0.14 / goals.length, [5, 4]]),
+      [start, palette.start, 0.16, []],
+    ])) {
       if (!pose) continue;
-      drawGhost(context, view, scenario.footprint(pose), { colour, fill, stroke: dash.length > 0 && goals.length > 1 ? 0.5 : 0.95, dash, width });
+      drawGhost(context, view, scenario.footprint(pose), {
+        colour,
+        fill,
+        stroke: dash.length > 0 && goals.length > 1 ? 0.5 : 0.95,
+        dash,
+        width,
+      });
       shown.placed?.drawMarks(context, view, pose, 0, colour);
     }
     if (robot.type === "arm") drawBase(context, view, robot.base, palette);
@@ -64,7 +73,8 @@ export class Workspace extends Pane {
   drawEnds(context, lane, palette) {
     super.drawEnds(context, lane, palette);
     const { target } = lane.shown;
-    if (target && this.view) drawTarget(context, this.view.x(target.point[0]), this.view.y(target.point[1]), target.orientation, palette);
+    if (target && this.view)
+      drawTarget(context, this.view.x(target.point[0]), this.view.y(target.point[1]), target.orientation, palette);
   }
 
   /** @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Palette} palette @override */
@@ -75,7 +85,8 @@ export class Workspace extends Pane {
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette @override */
   drawPath(context, playback, palette) {
     for (const { part, parts, colour } of this.strobe(playback)?.seen ?? []) {
-      if (this.view) drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
+      if (this.view)
+        drawGhost(context, this.view, parts, { colour, fill: 0.05, stroke: 0.55, dash: [], width: 0.7 + 1.5 * part });
     }
     if (this.view && playback.flaw && playback.drawn >= playback.flaw.at) {
       const style = { colour: palette.collision, fill: 0.3, stroke: 1, dash: [], width: 2 };
@@ -91,11 +102,18 @@ export class Workspace extends Pane {
     if (!view || !palette || !pose) return;
     const { scenario, hand, check } = lane.shown;
     const parts = scenario.footprint(pose);
-    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () => drawRobot(context, view, parts, palette));
+    this.drawTouching(context, lane, parts, hand && check ? check.touching : [], () =>
+      drawRobot(context, view, parts, palette),
+    );
     lane.shown.placed?.drawMarks(context, view, pose, lane.steering, palette.robotEdge, palette.robot);
   }
 
-  /** The robot at the configuration under the pointer, in thin lines. @param {CanvasRenderingContext2D} context @param {Hover} hover @param {Palette} palette @override */
+  /**
+   * The robot at the configuration under the pointer, in thin lines.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Hover} hover
+   * @param {Palette} palette @override
+   */
   drawHover(context, hover, palette) {
     const { view } = this;
     if (!view) return;
@@ -108,13 +126,35 @@ export class Workspace extends Pane {
     super.drawHover(context, hover, palette);
   }
 
-  /** Draws a robot and the obstacles that it touches. @param {CanvasRenderingContext2D} context @param {Lane} lane @param {Part[]} parts @param {Check["touching"]} touching @param {() => void} draw  the robot */
-  drawTouching(context, { shown: { scenario, document: { world } } }, parts, touching, draw) {
+  /**
+   * Draws a robot and the obstacles that it touches.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Lane} lane
+   * @param {Part[]} parts
+   * @param {Check["touching"]} touching
+   * @param {() => void} draw  the robot
+   */
+  drawTouching(
+    context,
+    {
+      shown: {
+        scenario,
+        document: { world },
+      },
+    },
+    parts,
+    touching,
+    draw,
+  ) {
     const brush = this.brush(context);
     if (brush) drawTouching(brush, { scenario, world, parts, touching }, draw);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {ScenarioDocument} document @param {number | "bounds"} obstacle */
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {ScenarioDocument} document
+   * @param {number | "bounds"} obstacle
+   */
   drawTouched(context, { world }, obstacle) {
     const brush = this.brush(context);
     if (brush) drawTouched(brush, world, obstacle);

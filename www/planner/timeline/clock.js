@@ -1,6 +1,6 @@
 /**
- * The clock of the session. Time is the number of iterations, or in a race of clearance evaluations: a measure of work that is the same
- * on every machine.
+ * The clock of the session. Time is the number of iterations, or in a race of clearance evaluations: a measure of work
+ * that is the same on every machine.
  */
 import { PAST } from "../run-log/run-log.js";
 
@@ -28,23 +28,35 @@ export class Clock {
   }
 
   /** The column of the history with this time; -1 counts iterations. */
-  get column() { return this.isRace ? PAST.evaluations : -1; }
+  get column() {
+    return this.isRace ? PAST.evaluations : -1;
+  }
 
   /** The time in a step. */
-  get unit() { return this.isRace ? PER_STEP : 1; }
+  get unit() {
+    return this.isRace ? PER_STEP : 1;
+  }
 
-  get speed() { return this.rushing ? Infinity : this.pace * this.unit; }
+  get speed() {
+    return this.rushing ? Infinity : this.pace * this.unit;
+  }
 
   /** Lets time pass while it plays; a delay adds up to a quarter of a second at most. @param {number} seconds */
   pass(seconds) {
     if (!this.playing) return;
     const { speed } = this;
     if (speed === Infinity) this.wanted = Infinity;
-    else this.wanted = Math.min((this.wanted === Infinity ? this.now : this.wanted) + speed * seconds, this.now + speed / 4 + this.unit);
+    else
+      this.wanted = Math.min(
+        (this.wanted === Infinity ? this.now : this.wanted) + speed * seconds,
+        this.now + speed / 4 + this.unit,
+      );
   }
 
   /** Whether the wanted time is not reached. */
-  get owes() { return this.wanted >= this.now + 1; }
+  get owes() {
+    return this.wanted >= this.now + 1;
+  }
 
   halt() {
     this.playing = false;

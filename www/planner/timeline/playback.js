@@ -1,6 +1,6 @@
 /**
- * Moves the time of a session. Each frame approaches the wanted time: the log is replayed, and beyond its end the worker plans the next
- * block while one is drawn.
+ * Moves the time of a session. Each frame approaches the wanted time: the log is replayed, and beyond its end the
+ * worker plans the next block while one is drawn.
  */
 
 /** @import { Growth } from "../worker/stepper.js" */
@@ -19,7 +19,9 @@ export class Timeline {
     this.sent = -1;
   }
 
-  get clock() { return this.session.clock; }
+  get clock() {
+    return this.session.clock;
+  }
 
   toggle() {
     if (this.clock.playing) this.pause();
@@ -102,7 +104,9 @@ export class Timeline {
   }
 
   /** Whether the worker plans for the current runs. */
-  get isAsking() { return this.pending === this.session.plannings; }
+  get isAsking() {
+    return this.pending === this.session.plannings;
+  }
 
   /** Has the worker begin the current runs, with the first step of those that play. */
   begin() {
@@ -110,14 +114,19 @@ export class Timeline {
     void session.app.track(this.request(clock.playing ? clock.unit : NONE, !clock.playing));
   }
 
-  /** Has the worker plan up to a time, unless it is busy or the log reaches it. @param {number} wanted  may be Infinity */
+  /**
+   * Has the worker plan up to a time, unless it is busy or the log reaches it.
+   * @param {number} wanted  may be Infinity
+   */
   plan(wanted) {
-    if (!this.isAsking && this.reached() < wanted) void this.session.app.track(this.request(wanted, !this.clock.playing));
+    if (!this.isAsking && this.reached() < wanted)
+      void this.session.app.track(this.request(wanted, !this.clock.playing));
   }
 
   /** Requests the results of the runs as they are now, where they are unknown. */
   conclude() {
-    if (!this.isAsking && this.session.lanes.some(({ run }) => run?.isNewest && !run.hasResult)) void this.session.app.track(this.request(NONE, true));
+    if (!this.isAsking && this.session.lanes.some(({ run }) => run?.isNewest && !run.hasResult))
+      void this.session.app.track(this.request(NONE, true));
   }
 
   /**
@@ -125,10 +134,16 @@ export class Timeline {
    * @param {number} wanted  the time to reach @param {boolean} isResult  with the results once it is reached
    */
   async request(wanted, isResult) {
-    const { session, clock: { column } } = this;
+    const {
+      session,
+      clock: { column },
+    } = this;
     const { plannings, lanes, shown } = session;
     if (!shown) return;
-    const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.planOf(session.query)) };
+    const fresh =
+      this.sent === plannings
+        ? null
+        : { document: shown.document, plans: lanes.map((lane) => lane.planOf(session.query)) };
     this.sent = this.pending = plannings;
     try {
       const growths = await session.team.advance({ fresh, column, wanted, isResult });
@@ -143,7 +158,10 @@ export class Timeline {
 
   /** Adds a block to the logs. @param {Growth[]} growths */
   take(growths) {
-    const { session: { lanes }, clock } = this;
+    const {
+      session: { lanes },
+      clock,
+    } = this;
     const isShown = lanes.every(({ run }) => run?.isNewest);
     const isLatest = clock.now === clock.head;
     growths.forEach((growth, i) => lanes[i].run?.take(growth));
@@ -168,7 +186,9 @@ export class Timeline {
   /** The latest time at which all runs are known. */
   get limit() {
     const reached = this.reached();
-    return reached < Infinity ? reached : Math.max(0, ...this.session.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
+    return reached < Infinity
+      ? reached
+      : Math.max(0, ...this.session.lanes.map(({ run }) => run?.clock(this.clock.column) ?? 0));
   }
 
   /** Moves the robots along their paths, all at the same part. @param {number} elapsed  seconds */

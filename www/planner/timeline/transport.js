@@ -1,4 +1,7 @@
-/** The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the path. */
+/**
+ * The transport: back, play, steps, run to the end, reset, speed, the timeline, and once solved the position along the
+ * path.
+ */
 import { byId, grouped, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
 import { capital } from "../../widgets/format.js";
@@ -34,14 +37,21 @@ export class Transport {
     this.unit = 1;
     /** Whether the field holds a time that was not entered yet. */
     this.isTyping = false;
-    this.timeline.addEventListener("input", () => page.act(({ timeline }) => timeline.seek(Number(this.timeline.value))));
+    this.timeline.addEventListener("input", () =>
+      page.act(({ timeline }) => timeline.seek(Number(this.timeline.value))),
+    );
     this.along.addEventListener("input", () => page.act(({ timeline }) => timeline.along(Number(this.along.value))));
-    this.time.addEventListener("input", () => { this.isTyping = true; });
-    this.time.addEventListener("blur", () => { this.isTyping = false; });
+    this.time.addEventListener("input", () => {
+      this.isTyping = true;
+    });
+    this.time.addEventListener("blur", () => {
+      this.isTyping = false;
+    });
     this.time.addEventListener("change", () => {
       this.isTyping = false;
       const time = Number(this.time.value);
-      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0) page.act(({ timeline }) => timeline.seek(time));
+      if (this.time.value.trim() !== "" && Number.isSafeInteger(time) && time >= 0)
+        page.act(({ timeline }) => timeline.seek(time));
     });
     this.speed.addEventListener("input", () => {
       this.showSpeed();
@@ -64,7 +74,8 @@ export class Transport {
   set pace(pace) {
     const last = Number(this.speed.max);
     const part = Math.log(pace) / Math.log(FASTEST);
-    this.speed.value = pace === Infinity ? this.speed.max : String(Math.round(Math.min(1, Math.max(0, part)) * (last - 1)));
+    this.speed.value =
+      pace === Infinity ? this.speed.max : String(Math.round(Math.min(1, Math.max(0, part)) * (last - 1)));
     this.showSpeed();
   }
 
@@ -73,17 +84,25 @@ export class Transport {
     const speed = pace * this.unit;
     const text = pace === Infinity ? "max" : `${speed < 10 ? speed.toFixed(1) : grouped(Math.round(speed))}/s`;
     this.speedValue.textContent = text;
-    this.speed.setAttribute("aria-valuetext", pace === Infinity ? "as fast as possible" : `${text.replace("/s", "")} ${this.name} a second`);
+    this.speed.setAttribute(
+      "aria-valuetext",
+      pace === Infinity ? "as fast as possible" : `${text.replace("/s", "")} ${this.name} a second`,
+    );
   }
 
   /** The name of the unit of time. */
-  get name() { return this.unit > 1 ? "clearance evaluations" : "iterations"; }
+  get name() {
+    return this.unit > 1 ? "clearance evaluations" : "iterations";
+  }
 
   /** Changes the unit of time. @param {State["clock"]} clock */
   setUnit({ unit }) {
     this.unit = unit;
     const { name } = this;
-    this.timeline.setAttribute("aria-label", unit > 1 ? "Timeline: clearance evaluations shown" : "Timeline: iteration shown");
+    this.timeline.setAttribute(
+      "aria-label",
+      unit > 1 ? "Timeline: clearance evaluations shown" : "Timeline: iteration shown",
+    );
     byId("time-name", HTMLElement).textContent = unit > 1 ? "Clearance evaluations" : "Iteration";
     this.back.setAttribute("aria-label", unit > 1 ? `Back ${unit} ${name}` : "Step back");
     this.steps.forEach((button, i) => {
@@ -113,7 +132,10 @@ export class Transport {
     const head = String(clock.head);
     if (this.timeline.max !== head) this.timeline.max = head;
     if (!this.timeline.matches(":active")) this.timeline.value = String(clock.now);
-    this.timeline.setAttribute("aria-valuetext", `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`);
+    this.timeline.setAttribute(
+      "aria-valuetext",
+      `${grouped(clock.now)} of ${grouped(clock.head)}${clock.isRace ? " clearance evaluations" : ""}`,
+    );
     if (!this.isTyping) this.time.value = String(clock.now);
     write(byId("brief", HTMLElement), brief(lanes));
     write(byId("time-head", HTMLElement), `of ${grouped(clock.head)}${clock.isRace ? " evaluations" : ""}`);

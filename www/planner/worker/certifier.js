@@ -18,14 +18,26 @@ export class Certifier {
     this.sent = 0;
   }
 
-  /** Divides cells, as many as a part of those there are, for a limited time. @param {number} part   Infinity: all in that time @param {number} budget   milliseconds @returns {Division} */
+  /**
+   * Divides cells, as many as a part of those there are, for a limited time.
+   * @param {number} part   Infinity: all in that time
+   * @param {number} budget   milliseconds
+   * @returns {Division}
+   */
   advance(part, budget) {
     const { subdivision, sent } = this;
     const until = performance.now() + budget;
-    for (let left = Math.ceil(part * subdivision.cellCount); left > 0 && subdivision.status === "running" && performance.now() < until; left--) subdivision.step(1);
+    for (
+      let left = Math.ceil(part * subdivision.cellCount);
+      left > 0 && subdivision.status === "running" && performance.now() < until;
+      left--
+    )
+      subdivision.step(1);
     this.sent = subdivision.cellCount;
     return { cells: subdivision.cellsSince(sent), certificate: subdivision.verdict && subdivision.certificate() };
   }
 
-  free() { this.subdivision.free(); }
+  free() {
+    this.subdivision.free();
+  }
 }

@@ -1,6 +1,6 @@
 /**
- * Steps several planners with equal work: the one that has done least is stepped next. So a block that ends early leaves them
- * nearly level, whatever their iterations cost.
+ * Steps several planners with equal work: the one that has done least is stepped next. So a block that ends early
+ * leaves them nearly level, whatever their iterations cost.
  */
 
 /** @import { Stepper } from "./stepper.js" */
@@ -19,7 +19,9 @@ const LEAD = 1000;
 export function compete(runs, column, wanted, until) {
   const bursts = new Map(runs.map((run) => [run, run.burst()]));
   for (;;) {
-    const behind = runs.filter((run) => !run.hasPassed(column, wanted)).sort((a, b) => a.clock(column) - b.clock(column));
+    const behind = runs
+      .filter((run) => !run.hasPassed(column, wanted))
+      .sort((a, b) => a.clock(column) - b.clock(column));
     if (behind.length === 0) return true;
     const [last, next = last] = behind;
     if (!last.advance(column, Math.min(wanted, next.clock(column) + LEAD), until, bursts.get(last))) return false;

@@ -8,7 +8,8 @@ import { paint, soften } from "../../draw/mask.js";
  * @typedef {object} Painting
  * @property {ScenarioDocument} document
  * @property {number} side      cells a side
- * @property {{ pose: number[], axes: [number, number], box: Box } | null} slice   with more than two coordinates: the others are those of the pose
+ * @property {{ pose: number[], axes: [number, number], box: Box } | null} slice   with more than two coordinates: the
+ *   others are those of the pose
  * @property {number} width     device pixels
  * @property {number} height
  * @property {Palette} palette
@@ -20,7 +21,12 @@ export function paintObstacles(scenario, { side, slice, width, height, palette }
   return paint(soften(cells, side), side, width, height, palette).transferToImageBitmap();
 }
 
-/** Cells of a slice, rows from the lowest coordinates, 1 is collision. @param {Scenario} scenario @param {number} side @param {NonNullable<Painting["slice"]>} slice */
+/**
+ * Cells of a slice, rows from the lowest coordinates, 1 is collision.
+ * @param {Scenario} scenario
+ * @param {number} side
+ * @param {NonNullable<Painting["slice"]>} slice
+ */
 function sliceOf(scenario, side, { pose, axes: [across, up], box: { min, max } }) {
   const q = Float64Array.from(pose);
   const cells = new Uint8Array(side * side);

@@ -1,11 +1,13 @@
 /**
- * A planner in the worker: it is stepped in slices, and what has grown is sent as typed arrays that are transferred, not
- * copied.
+ * A planner in the worker: it is stepped in slices, and what has grown is sent as typed arrays that are transferred,
+ * not copied.
  */
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 
-/** @import { Planner, ResultDocument, Scenario, ScenarioDocument, Settings, Stats, Status } from "../../domain/types.js" */
+/**
+ * @import { Planner, ResultDocument, Scenario, ScenarioDocument, Settings, Stats, Status } from "../../domain/types.js"
+ */
 
 /**
  * @typedef {object} Growth   what a run has grown since the last block; rows as in the package
@@ -23,7 +25,10 @@ import { withOptions } from "../../domain/option-names.js";
  * @property {Float64Array | null} rawPath
  */
 
-/** @typedef {ReturnType<Stepper["ask"]>} Answer   of a roadmap: the result, the seconds that it took, the number of vertices that the search visited */
+/**
+ * @typedef {ReturnType<Stepper["ask"]>} Answer   of a roadmap: the result, the seconds that it took, the number of
+ *   vertices that the search visited
+ */
 
 /** Iterations in one slice at most. */
 const LONGEST = 64;
@@ -31,9 +36,16 @@ const LONGEST = 64;
 /** Most vertices and edges of one block: as many as a frame can draw. */
 const BURST = { vertices: 400, edges: 240 };
 
-/** Steps one planner. `column` selects the clock: a column of the history, such as clearance evaluations, or -1 for iterations. */
+/**
+ * Steps one planner. `column` selects the clock: a column of the history, such as clearance evaluations, or -1 for
+ * iterations.
+ */
 export class Stepper {
-  /** @param {Scenario} scenario @param {string} algorithm @param {Settings} settings  the query's name, the seed and the planner's parameters */
+  /**
+   * @param {Scenario} scenario
+   * @param {string} algorithm
+   * @param {Settings} settings  the query's name, the seed and the planner's parameters
+   */
   constructor(scenario, algorithm, settings) {
     this.planner = withOptions({ ...planned(algorithm, settings), algorithm }, (options) => scenario.planner(options));
     this.planner.record();
@@ -43,9 +55,18 @@ export class Stepper {
   }
 
   /** Iterations made. */
-  get made() { return this.planner.iterations; }
+  get made() {
+    return this.planner.iterations;
+  }
 
-  get counts() { return { iterations: this.made, vertices: this.planner.vertexCount, edges: this.planner.edgeCount, events: this.planner.eventCount }; }
+  get counts() {
+    return {
+      iterations: this.made,
+      vertices: this.planner.vertexCount,
+      edges: this.planner.edgeCount,
+      events: this.planner.eventCount,
+    };
+  }
 
   /** The time of the last iteration; 0 before the first. @param {number} column */
   clock(column) {
@@ -54,8 +75,8 @@ export class Stepper {
   }
 
   /**
-   * Whether all iterations up to a time are made. Several may have the same time on a clock that does not count iterations: then
-   * only a later time shows it.
+   * Whether all iterations up to a time are made. Several may have the same time on a clock that does not count
+   * iterations: then only a later time shows it.
    * @param {number} column @param {number} wanted
    */
   hasPassed(column, wanted) {
@@ -89,16 +110,23 @@ export class Stepper {
     this.planner.step(Number.MAX_SAFE_INTEGER);
     this.ended = true;
     // The page makes start and goals itself.
-    this.sent = { iterations: 0, vertices: 1 + this.planner.goals().length / this.planner.dimension, edges: 0, events: 0 };
+    this.sent = {
+      iterations: 0,
+      vertices: 1 + this.planner.goals().length / this.planner.dimension,
+      edges: 0,
+      events: 0,
+    };
     return this.growth(true);
   }
 
   /** The counts at which a block is full. */
-  burst() { return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges }; }
+  burst() {
+    return { vertices: this.planner.vertexCount + BURST.vertices, edges: this.planner.edgeCount + BURST.edges };
+  }
 
   /**
-   * Plans until it has passed the time `wanted`, the run ends, the clock passes `until`, or the block is full. Slices are short
-   * at first and grow while they are cheap, so that no slice is long.
+   * Plans until it has passed the time `wanted`, the run ends, the clock passes `until`, or the block is full. Slices
+   * are short at first and grow while they are cheap, so that no slice is long.
    * @param {number} column  of the history, -1 for iterations
    * @param {number} wanted  may be Infinity
    * @param {number} until   on the clock of performance.now(), milliseconds
@@ -128,19 +156,33 @@ export class Stepper {
     const { planner, sent, ended } = this;
     this.sent = this.counts;
     return {
-      history: planner.historySince(sent.iterations), ...grownSince(planner, sent), status: planner.status, phase: planner.phase, stats: planner.stats(),
+      history: planner.historySince(sent.iterations),
+      ...grownSince(planner, sent),
+      status: planner.status,
+      phase: planner.phase,
+      stats: planner.stats(),
       result: isResult || ended ? planner.result() : null,
-      path: ended ? planner.path() : null, rawPath: ended ? planner.rawPath() : null,
+      path: ended ? planner.path() : null,
+      rawPath: ended ? planner.rawPath() : null,
     };
   }
 
-  free() { this.planner.free(); }
+  free() {
+    this.planner.free();
+  }
 }
 
-/** The rows of a planner since these counts. @param {Planner} planner @param {{ vertices: number, edges: number, events: number }} counts */
+/**
+ * The rows of a planner since these counts.
+ * @param {Planner} planner
+ * @param {{ vertices: number, edges: number, events: number }} counts
+ */
 export function grownSince(planner, { vertices, edges, events }) {
   return {
-    vertices: planner.verticesSince(vertices), edges: planner.edgesSince(edges), events: planner.eventsSince(events),
-    traces: planner.tracesSince(edges), motions: planner.motionsSince(edges),
+    vertices: planner.verticesSince(vertices),
+    edges: planner.edgesSince(edges),
+    events: planner.eventsSince(events),
+    traces: planner.tracesSince(edges),
+    motions: planner.motionsSince(edges),
   };
 }

@@ -1,6 +1,7 @@
 /**
- * The workers that plan: in a race one for each planner, as far as there are processors. What a planner grows depends neither on its
- * worker nor on the other planners; a planner that is faster than another gets ahead, and what is ahead is not shown.
+ * The workers that plan: in a race one for each planner, as far as there are processors. What a planner grows depends
+ * neither on its worker nor on the other planners; a planner that is faster than another gets ahead, and what is ahead
+ * is not shown.
  */
 import { errorInfo } from "../../app/error-info.js";
 
@@ -32,7 +33,12 @@ export class Team {
     }
     // A worker that gets no new planners frees those that it had.
     const asked = fresh ? workers : workers.slice(0, this.busy);
-    const parts = asked.map((worker, i) => worker.advance({ ...advance, fresh: fresh && { ...fresh, plans: fresh.plans.filter((_, lane) => lane % this.busy === i) } }));
+    const parts = asked.map((worker, i) =>
+      worker.advance({
+        ...advance,
+        fresh: fresh && { ...fresh, plans: fresh.plans.filter((_, lane) => lane % this.busy === i) },
+      }),
+    );
     try {
       return interleaved(await Promise.all(parts), this.busy);
     } catch (error) {
@@ -44,13 +50,22 @@ export class Team {
   }
 
   /** Queries the roadmap of the first planner. @param {number[]} start @param {number[]} goal */
-  ask(start, goal) { return this.workers[0].ask(start, goal); }
+  ask(start, goal) {
+    return this.workers[0].ask(start, goal);
+  }
 
   /** Repairs the roadmap of the first planner in an edited scenario. @param {ScenarioDocument} document */
-  repair(document) { return this.workers[0].repair(document); }
+  repair(document) {
+    return this.workers[0].repair(document);
+  }
 }
 
-/** The planners' blocks in the order of the planners. @param {Growth[][]} parts   of each worker @param {number} busy @returns {Growth[]} */
+/**
+ * The planners' blocks in the order of the planners.
+ * @param {Growth[][]} parts   of each worker
+ * @param {number} busy
+ * @returns {Growth[]}
+ */
 function interleaved(parts, busy) {
   return Array.from({ length: parts.flat().length }, (_, lane) => parts[lane % busy][Math.floor(lane / busy)]);
 }

@@ -1,6 +1,6 @@
 /**
- * The worker of the planner's page: it steps planners and makes pictures that take longer than a frame, so that the page waits
- * for neither.
+ * The worker of the planner's page: it steps planners and makes pictures that take longer than a frame, so that the
+ * page waits for neither.
  */
 import * as library from "planarium";
 import { serve } from "../../app/worker-server.js";
@@ -37,14 +37,17 @@ let certifier = null;
 function begin({ document, plans }) {
   for (const stepper of steppers.splice(0)) stepper.free();
   scenario?.free();
-  const opened = scenario = library.Scenario.parse(document);
+  const opened = (scenario = library.Scenario.parse(document));
   steppers = plans.map(({ algorithm, settings }) => new Stepper(opened, algorithm, settings));
 }
 
 /** @template T @param {Source} source @param {(scenario: Scenario) => T} then @returns {T} */
 function within(source, then) {
   const { Scenario } = library;
-  const opened = "generate" in source ? Scenario.generate(source.generate.kind, source.generate.options) : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
+  const opened =
+    "generate" in source
+      ? Scenario.generate(source.generate.kind, source.generate.options)
+      : Scenario.parse(/** @type {ScenarioDocument} */ (source.document));
   try {
     return then(opened);
   } finally {
@@ -63,14 +66,22 @@ const commands = {
   ask: (start, goal) => steppers[0].ask(start, goal),
   /** The shortest path of a query. @param {ScenarioDocument} document @param {OptimumOptions} options */
   optimum: (document, options) => within({ document }, (opened) => opened.optimum(options)),
-  /** Begins a subdivision, in place of one before. @param {ScenarioDocument} document @param {CertifyOptions} options */
+  /**
+   * Begins a subdivision, in place of one before.
+   * @param {ScenarioDocument} document
+   * @param {CertifyOptions} options
+   */
   certify: (document, options) => {
     certifier?.free();
     certifier = within({ document }, (opened) => new Certifier(opened, options));
   },
   /** Divides one block. @param {number} part   of as many cells as there are */
   divide: (part) => /** @type {Certifier} */ (certifier).advance(part, BLOCK),
-  /** Repairs the roadmap of the first planner in an edited scenario. @param {ScenarioDocument} document @returns {Growth} */
+  /**
+   * Repairs the roadmap of the first planner in an edited scenario.
+   * @param {ScenarioDocument} document
+   * @returns {Growth}
+   */
   repair: (document) => steppers[0].reopen(document),
   /** @param {Painting} painting @returns {ImageBitmap} */
   obstacles: (painting) => within({ document: painting.document }, (opened) => paintObstacles(opened, painting)),
@@ -81,4 +92,11 @@ const commands = {
 /** @typedef {import("../../app/worker-client.js").Remote<typeof commands>} PlannerWorker */
 
 // After a panic of the core all its objects are lost.
-serve({ planner: { commands, reset: () => { [scenario, steppers, certifier] = [null, [], null]; } } });
+serve({
+  planner: {
+    commands,
+    reset: () => {
+      [scenario, steppers, certifier] = [null, [], null];
+    },
+  },
+});

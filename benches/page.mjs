@@ -71,7 +71,7 @@ async function tasks(page, meanwhile) {
     traceEvents
       .filter(
         ({ name, pid, tid, tdur }) =>
-          /RunTask$/.test(name) && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""),
+          name.endsWith("RunTask") && tdur !== undefined && thread.test(threads.get(`${pid} ${tid}`) ?? ""),
       )
       .map(({ tdur }) => (tdur ?? 0) / 1000);
   return { page: of(/^CrRendererMain$/), worker: of(/DedicatedWorker/) };

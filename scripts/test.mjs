@@ -38,6 +38,9 @@ const CRATES = ["-p", "planarium", "-p", "planarium-cli", "-p", "own-planner"];
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
 
+/** The files that oxfmt formats. */
+const JAVASCRIPT = "**/*.{js,mjs,ts}";
+
 /** How many lines of the output of a failed suite are repeated at the end. */
 const REPEATED_LINES = 40;
 
@@ -79,6 +82,16 @@ const suites = [
     name: "Rust documentation",
     run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }),
   },
+  {
+    groups: ["check"],
+    name: "JavaScript format",
+    run: () => tool("oxfmt/bin/oxfmt", "--check", JAVASCRIPT),
+  },
+  {
+    groups: ["check"],
+    name: "JavaScript lint",
+    run: () => tool("oxlint/bin/oxlint", "--deny-warnings"),
+  },
   ...["js", "scripts", "www"].map((project) => ({
     groups: ["check"],
     name: `JavaScript types, ${project}`,
@@ -87,7 +100,7 @@ const suites = [
   {
     groups: ["check"],
     name: "spelling",
-    run: () => command(process.execPath, [join(root, "node_modules", "cspell", "bin.mjs"), "--no-progress"]),
+    run: () => tool("cspell/bin.mjs", "--no-progress"),
   },
   {
     groups: ["rust", "quick"],
@@ -154,6 +167,11 @@ async function command(program, args, env) {
   return code === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
+/** Runs a program of an npm package. @param {string} path  in node_modules @param {string[]} args */
+function tool(path, ...args) {
+  return command(process.execPath, [join(root, "node_modules", path), ...args]);
+}
+
 /**
  * Runs Rust's test harness, natively or in WebAssembly.
  * @param {string} program
@@ -195,7 +213,7 @@ function webdriverFile() {
 
 /** Checks the types of JavaScript with the settings of a folder. @param {string} project */
 function types(project) {
-  return command(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "--noEmit", "-p", project]);
+  return tool("typescript/bin/tsc", "--noEmit", "-p", project);
 }
 
 /**

@@ -153,7 +153,7 @@ function rewriteLinks({ tokens, env }) {
       const address = href && linkInSite(href, file);
       if (address) token.attrSet("href", address);
       if (token.type === "link_open") isDropped = !address;
-      if (isDropped && /^link_/.test(token.type)) token.type = "text";
+      if (isDropped && token.type.startsWith("link_")) token.type = "text";
     }
   }
 }

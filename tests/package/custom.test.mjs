@@ -196,7 +196,7 @@ test("a function may use everything but the planner that calls it", () => {
   const scenario = Scenario.parse(arm);
   /** @type {import("planarium").Planner | undefined} */ let planner;
   const other = new Problem(disc).planner({ algorithm: "rrt", seed: 3 });
-  let codes = new Set();
+  const codes = new Set();
   const problem = new Problem({
     ...disc,
     clearance(rows, clearances) {

@@ -142,6 +142,7 @@ test("configurations", () => {
   fails(() => scenario.check([0, NaN]), "not-finite", "/q/1", /NaN/);
   fails(() => scenario.check([0, Infinity]), "not-finite", "/q/1");
   fails(() => scenario.check(/** @type {any} */ ([0, "1"])), "wrong-type", "/q/1", /"1"/);
+  // oxlint-disable-next-line no-sparse-arrays -- a hole is what is tested
   fails(() => scenario.check(/** @type {any} */ ([0, ,])), "wrong-type", "/q/1");
   fails(() => scenario.check(/** @type {any} */ (new BigInt64Array(2))), "wrong-type", "/q");
   fails(() => scenario.distance([0, 0], [0]), "wrong-dimension", "/b");

@@ -170,7 +170,7 @@ for (const seed of [1, 2, 3]) {
 
     const scenario = Scenario.parse(arm);
     /** @type {any[]} */
-    let handles = [
+    const handles = [
       scenario,
       Scenario.parse(disc),
       Scenario.parse(body),

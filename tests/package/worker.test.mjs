@@ -357,8 +357,10 @@ test("errors have their code and pointer", () =>
         await assert.rejects(pool.plan(scenario, options, settings), (error) => {
           assert.ok(error instanceof PlanariumError);
           const { code, pointer, message } = error;
-          for (const [name, value] of Object.entries(expected))
-            name === "message" ? assert.match(message, value) : assert.equal({ code, pointer }[name], value, message);
+          for (const [name, value] of Object.entries(expected)) {
+            if (name === "message") assert.match(message, value);
+            else assert.equal({ code, pointer }[name], value, message);
+          }
           return true;
         });
       }

@@ -411,7 +411,7 @@ test("by keys alone things are put, selected, moved, changed, copied and deleted
     await press(page, ["Insert"], "title", "Obstacle 1, a polygon, vertex 1");
     await press(page, ["Shift+ArrowDown"], "undo", 8);
     await assertFaultless(page, "a vertex selected");
-    let {
+    const {
       document: {
         world: { obstacles },
       },

@@ -2,11 +2,12 @@
 import assert from "node:assert/strict";
 import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { test } from "node:test";
-import { Scenario, planners } from "planarium";
+import { planners } from "planarium";
 import { LESSONS, beginningOf, stageAt } from "../../www/planner/lessons/script.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { isFree, open, pieces, ran, sceneOf, touchedBy } from "./library.mjs";
 
+/** @import { Scenario } from "planarium" */
 /** @typedef {ReturnType<typeof ran> & { scenario: Scenario }} Played */
 
 /** @param {string} id */

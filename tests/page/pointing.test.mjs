@@ -7,12 +7,12 @@ import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/planner/stage/snapshots.js";
 import { drawInformed } from "../../www/planner/stage/informed.js";
 import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
-import { LocalRun, runOf } from "./runs.mjs";
+import { runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
 
 /**
  * Who waits, told the slow way: from the whole log up to the iteration.
- * @param {LocalRun} run
+ * @param {import("./runs.mjs").LocalRun} run
  * @param {number[]} roots
  */
 function waitingOf(run, roots) {

@@ -9,6 +9,7 @@ function plain(text) {
   // eslint-disable-next-line no-control-regex
   assert.doesNotMatch(
     text,
+    // oxlint-disable-next-line no-control-regex -- XML forbids these characters
     /[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/,
     "a character that XML cannot hold",
   );

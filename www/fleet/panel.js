@@ -38,7 +38,7 @@ export function showPanel(session, actions) {
     for (const entry of SCENES) gallery.draw(entry.id, thumbnailOf(entry));
   };
   /** The kind whose form is shown, and the planner. */
-  let shown = { kind: "", planner: "" };
+  const shown = { kind: "", planner: "" };
   /** @type {Options | null} */
   let options = null;
   app.onTheme(drawAll);

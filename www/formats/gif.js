@@ -91,7 +91,10 @@ export class GifWriter {
       }
     }
     // A frame has at least one pixel.
-    if (!right) ((left = top = 0), (right = bottom = 1));
+    if (!right) {
+      left = top = 0;
+      right = bottom = 1;
+    }
     this.#owed += delayMs / 10;
     const delay = Math.max(2, Math.round(this.#owed));
     this.#owed -= delay;

@@ -5,7 +5,7 @@ import { View, drawPath, drawRobot, motionCurves } from "planarium/draw";
 import { rowsOf } from "../../domain/coordinates.js";
 import { keysOf } from "../../domain/key-text.js";
 import { withOptions } from "../../domain/option-names.js";
-import { PathPlayback, playbackOfResult } from "../../domain/path-playback.js";
+import { playbackOfResult } from "../../domain/path-playback.js";
 import { drawBase, drawGround } from "../../draw/ground.js";
 import { setStroke } from "../../draw/marks.js";
 import { drawGhost, drawGoal, drawLabel, drawStart } from "../../draw/shapes.js";
@@ -18,6 +18,7 @@ import { Placed } from "../../planner/stage/placed.js";
 import { drawDots, drawSquare, thinned } from "./sheet.js";
 
 /** @import { GeneratorId, Planner } from "planarium" */
+/** @import { PathPlayback } from "../../domain/path-playback.js" */
 /** @import { Configuration, Plan, Query, ResultDocument, ScenarioDocument, Settings } from "../../domain/types.js" */
 /** @import { Brush } from "../../draw/figure.js" */
 /** @import { Entry } from "../format.js" */

@@ -82,7 +82,7 @@ pub fn roadmap(bytes: &[u8]) {
     own_roadmap(&document);
 }
 
-/// Continues the roadmap of a robot of one's own, all of whose space is free, and that of its fingerprint made right.
+/// Continues the roadmap of a custom robot, all of whose space is free, and that of its fingerprint made right.
 fn own_roadmap(document: &RoadmapDocument) {
     let (RoadmapMetric::Space(space), Some(q)) = (&document.metric, document.rows().next()) else { return };
     let clearance = Free::by_clearance(|_, clearances| {

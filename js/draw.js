@@ -7,6 +7,8 @@
  * argument; those left out have their default.
  */
 
+import { eventKinds } from "./tables.js";
+
 /** @import { Box, Obstacle, Part, Planner, ResultDocument, Scenario, ScenarioDocument } from "./core.js" */
 
 /**
@@ -53,7 +55,7 @@ function coloursOf(colours) {
 /** A part thinner than this on the canvas is drawn as a line. */
 const THIN = 1.6;
 /** The kind of the event that a vertex got another parent. */
-const REWIRED = 7;
+const REWIRED = eventKinds.indexOf("rewired");
 /** Longest turn of one joint in one straight piece of a drawn curve, radians. */
 const PIECE = 0.14;
 /** Straight pieces of a drawn blend. */

@@ -1,7 +1,4 @@
-/**
- * Functions beside the core: the lists of what there is to choose from, the names of numbers in tables, and a plan in
- * one call.
- */
+/** Functions beside the core: the lists of choices, and a plan in one call. */
 import catalogue from "./catalogue.js";
 import { Problem, Scenario } from "./core.js";
 import { requireCore } from "./runtime.js";
@@ -9,30 +6,6 @@ import { requireCore } from "./runtime.js";
 /**
  * @import { GeneratorInfo, IndexInfo, PlannerInfo, PlannerOptions, ResultDocument, ScenarioDocument } from "./core.js"
  */
-
-/** The phases: a row of `planner.historySince` holds an index into this list. */
-export const phases = Object.freeze(
-  /** @type {const} */ (["sampling", "connecting", "guarding", "searching", "growing", "improving", "done"]),
-);
-
-/** The kinds of events: a row of `planner.eventsSince` begins with an index into this list. */
-export const eventKinds = Object.freeze(
-  /** @type {const} */ (["rejected", "refused", "expanded", "solved", "discarded", "guard", "removed", "rewired"]),
-);
-
-/** The columns of `planner.historySince`; `length` is that of the best path so far. */
-export const historyColumns = Object.freeze(
-  /** @type {const} */ ([
-    "vertices",
-    "edges",
-    "events",
-    "phase",
-    "configurationChecks",
-    "motionChecks",
-    "clearanceEvaluations",
-    "length",
-  ]),
-);
 
 /** The lists, of which callers get copies of their own. @internal */
 export function chosen() {

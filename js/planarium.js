@@ -8,7 +8,8 @@ import { isSound, load, loadSync } from "./runtime.js";
 
 export * from "./core.js";
 export { PlanariumError } from "./error.js";
-export { eventKinds, generators, historyColumns, neighbourIndexes, phases, planners, solve } from "./functions.js";
+export { generators, neighbourIndexes, planners, solve } from "./functions.js";
+export { eventKinds, historyColumns, phases } from "./tables.js";
 export { version } from "./version.js";
 
 /** @import { InitInput, InitOptions, InitSyncInput, InitSyncOptions } from "./core.js" */

@@ -6,9 +6,6 @@
  */
 export type PseudocodeMark = Phase | EventKind | "vertex" | "edge";
 
-/** The kind of an event: see `planner.eventsSince`. */
-export type EventKind = "rejected" | "refused" | "expanded" | "solved" | "discarded" | "guard" | "removed" | "rewired";
-
 /** One option of a generator. */
 export type OptionInfo = ParameterInfo;
 

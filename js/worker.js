@@ -41,7 +41,7 @@ import { budgetOf, fieldsOf, plain } from "./plain.js";
  */
 
 /**
- * A problem of a robot of your own, whose functions are in a module: a worker imports it, since functions cannot be
+ * A problem of a custom robot, whose functions are in a module: a worker imports it, since functions cannot be
  * sent.
  * @typedef {object} ProblemModule
  * @property {string | { readonly href: string }} module  its absolute address, such as `new URL("./robot.js",

@@ -25,7 +25,16 @@ import { createRequire } from "node:module";
 import { homedir } from "node:os";
 import { basename, dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
-import { coreDeclarations, forJavaScript, ofScenarios, optionTypes, reachable, rowsOf } from "./declarations.mjs";
+import {
+  coreDeclarations,
+  forJavaScript,
+  kindType,
+  ofScenarios,
+  optionTypes,
+  reachable,
+  rowsOf,
+  tablesOf,
+} from "./declarations.mjs";
 import { assembleOneFile, assemblePage } from "./page.mjs";
 import { Problem, ask, isMain, root, run, script } from "./run.mjs";
 import { QUICK_TOOL, ensureNodeModules, ensureWasmTarget, lockedVersion, targetFolder } from "./setup.mjs";
@@ -217,7 +226,11 @@ function withLoss(script) {
  */
 function makeCatalogue(core) {
   const glue = glueOf(core);
-  const whole = forJavaScript(JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8")));
+  const document = JSON.parse(readFileSync(join(root, "schema", "catalogue.json"), "utf8"));
+  const whole = forJavaScript(document);
+  const tables = tablesOf(document);
+  writeFileSync(join(glue, "tables.js"), tables.script);
+  writeFileSync(join(glue, "tables.d.ts"), tables.declarations);
   const catalogue = core === FULL ? whole : ofScenarios(whole);
   const renamed = [
     ...new Set(
@@ -247,6 +260,7 @@ export declare const renamed: readonly string[];
     join(glue, "core.d.ts"),
     `/// <reference lib="esnext.disposable" preserve="true" />
 ${readFileSync(join(root, "js", "types.d.ts"), "utf8")}
+${kindType(document)}
 ${optionTypes(whole)}
 ${declarations}`,
   );
@@ -267,6 +281,7 @@ async function makeTypes() {
   // Those of the core are the same module by two names.
   for (const { name } of [LIGHT, FULL])
     cpSync(join(dist, "glue", name, "core.d.ts"), join(types, name === FULL.name ? "full.core.d.ts" : "core.d.ts"));
+  cpSync(join(dist, "glue", LIGHT.name, "tables.d.ts"), join(types, "tables.d.ts"));
   const own = [...declarationsOf(["planarium", ...SHARED_ENTRIES])]
     .filter((name) => name !== "core.d.ts")
     .map((name) => readFileSync(join(types, name), "utf8"));
@@ -294,6 +309,7 @@ async function assemblePackage() {
     });
     writeFileSync(join(out, core.folder, "planarium_glue.js"), code);
   }
+  cpSync(join(glueOf(LIGHT), "tables.js"), join(out, "tables.js"));
   for (const file of readdirSync(join(root, "js"))) {
     const name = basename(file, ".js");
     if (!file.endsWith(".js")) continue;

@@ -6,7 +6,8 @@
  * @typedef {{ id: string, parameters: Row[], options: Row[], presets?: { settings: Record<string, unknown> }[] }} Entry
  * @typedef {{ planners: Entry[], generators: Entry[], reach_methods: Entry[], indexes: Entry[], fleet_planners:
  *   Entry[], fleet_generators: Entry[], navigation_generators: Entry[], rollouts: Row[], training: Row[], comparison:
- *   Row[], trajectories: Row[], particle: Row[], errors?: unknown }} Catalogue
+ *   Row[], trajectories: Row[], particle: Row[], errors: unknown, phases: string[], event_kinds: string[], history_columns: string[] }} Catalogue
+ * @typedef {Omit<Catalogue, "errors" | "phases" | "event_kinds" | "history_columns">} Choices
  */
 
 /** @param {string} name */
@@ -15,11 +16,18 @@ export function camelCase(name) {
 }
 
 /**
- * The catalogue with the settings of presets by their names in JavaScript.
+ * The choices of the catalogue, with the settings of presets by their names in JavaScript.
  * @param {Catalogue} catalogue
- * @returns {Catalogue}
+ * @returns {Choices}
  */
-export function forJavaScript({ planners, errors: _, ...others }) {
+export function forJavaScript({
+  planners,
+  errors: _errors,
+  phases: _phases,
+  event_kinds: _kinds,
+  history_columns: _columns,
+  ...others
+}) {
   const renamed = (/** @type {Record<string, unknown>} */ settings) =>
     Object.fromEntries(Object.entries(settings).map(([name, value]) => [camelCase(name), value]));
   return {
@@ -33,14 +41,14 @@ export function forJavaScript({ planners, errors: _, ...others }) {
 
 /**
  * What is chosen for scenarios and problems: the catalogue of the light core.
- * @param {Catalogue} catalogue
- * @returns {Pick<Catalogue, "planners" | "generators" | "indexes">}
+ * @param {Choices} choices
+ * @returns {Pick<Choices, "planners" | "generators" | "indexes">}
  */
 export function ofScenarios({ planners, generators, indexes }) {
   return { planners, generators, indexes };
 }
 
-/** All rows of options. @param {Partial<Catalogue>} catalogue */
+/** All rows of options. @param {Partial<Choices>} choices */
 export function rowsOf({
   planners = [],
   generators = [],
@@ -113,7 +121,42 @@ function merged(rows) {
   return [...all.values()];
 }
 
-/** The types of options. @param {Catalogue} catalogue */
+/**
+ * The lists that give the numbers in rows their meaning, as a module and its declarations.
+ * @param {Catalogue} catalogue
+ */
+export function tablesOf({ phases, event_kinds, history_columns }) {
+  const tables = [
+    {
+      name: "phases",
+      text: "The phases: a row of `planner.historySince` holds an index into this list.",
+      words: phases,
+    },
+    {
+      name: "eventKinds",
+      text: "The kinds of events: a row of `planner.eventsSince` begins with an index into this list.",
+      words: event_kinds,
+    },
+    {
+      name: "historyColumns",
+      text: "The columns of `planner.historySince`; `length` is that of the best path so far.",
+      words: history_columns.map(camelCase),
+    },
+  ];
+  const each = (/** @type {(name: string, list: string) => string} */ write) =>
+    tables.map(({ name, text, words }) => `${comment(text)}\n${write(name, JSON.stringify(words))}\n`).join("");
+  return {
+    script: each((name, list) => `export const ${name} = Object.freeze(${list});`),
+    declarations: each((name, list) => `export declare const ${name}: readonly ${list};`),
+  };
+}
+
+/** The type of an event's kind. @param {Catalogue} catalogue */
+export function kindType({ event_kinds }) {
+  return `${comment("The kind of an event: see `planner.eventsSince`.")}\nexport type EventKind = ${union(event_kinds)};\n`;
+}
+
+/** The types of options. @param {Choices} choices */
 export function optionTypes({
   planners,
   generators,

@@ -13,7 +13,7 @@ const HOST = "127.0.0.1";
  * one beside it is sent compressed to those who accept it.
  * @param {{ root: string, port: number, policy?: string, docs?: string, reloads?: boolean }} options  two folders; port
  *   0 chooses a free one; the policy is sent with every file of the first; pages that reload load themselves again when
- *   they are told to
+ *   asked to
  * @returns {Promise<{ url: string, close: () => Promise<void>, reload: () => void }>}
  * @throws {Problem} if the port is in use or not allowed
  */

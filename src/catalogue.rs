@@ -4,10 +4,12 @@
 
 use crate::error::Code;
 use crate::fleet::{fleet_generators, fleet_planners};
+use crate::graph::EventKind;
 use crate::ik::methods;
 use crate::navigation::{ComparisonOptions, RolloutOptions, TrainingOptions, navigation_generators};
 use crate::options::{Info, Kind, OptionInfo, Options, Value, in_camel_case};
-use crate::planner::{self, ByControls, PlannerOptions, Preset, planners};
+use crate::planner::{self, ByControls, Phase, PlannerOptions, Preset, planners};
+use crate::run::HISTORY_COLUMNS;
 use crate::run::neighbours::{self, indexes};
 use crate::trajectories::{ParticleOptions, TrajectoryOptions};
 use crate::worlds::generators;
@@ -227,6 +229,9 @@ pub fn catalogue() -> Json {
         "comparison": table(&ComparisonOptions::table()),
         "trajectories": table(&TrajectoryOptions::table()),
         "particle": table(&ParticleOptions::table()),
+        "phases": Phase::ALL.iter().map(|phase| phase.as_str()).collect::<Vec<_>>(),
+        "event_kinds": EventKind::ALL.iter().map(|kind| kind.as_str()).collect::<Vec<_>>(),
+        "history_columns": HISTORY_COLUMNS,
         "errors": Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect::<Vec<_>>(),
     })
 }

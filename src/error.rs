@@ -56,7 +56,7 @@ pub enum Code {
     Unsupported,
     /// A search has reached its limit without a result; that does not prove that there is none.
     GaveUp,
-    /// A function that tells what is free, of a robot of your own, has failed: in JavaScript it has thrown an exception.
+    /// A function that decides what is free, of a custom robot, has failed: in JavaScript it has thrown an exception.
     CallbackFailed,
     /// A file cannot be read or written (command line only).
     File,

@@ -36,9 +36,9 @@
 //! - [`PlanningWorld`] prepares a scenario once: space, collision world and broad phase;
 //! - [`run::start`] starts a planner with typed [`run::Options`] and returns a [`run::Run`]; [`run::planners`] lists the planners
 //!   and their options, and [`run::Request`] reads options by name;
-//! - [`run::start_problem`] starts one for a robot of your own: a space, and a function that decides what is free;
+//! - [`run::start_problem`] starts one for a custom robot: a space, and a function that decides what is free;
 //!   [`space::Space`] and [`problem::Validity`] are the traits below it;
-//! - [`run::start_with`] runs a planner of your own ([`planner::Planner`]) for the robots of scenarios, [`run::start_on`] in any
+//! - [`run::start_with`] runs a custom planner ([`planner::Planner`]) for the robots of scenarios, [`run::start_on`] in any
 //!   space;
 //! - [`run::storage`] saves a roadmap, [`run::resume`] continues with it, [`run::inspect`] answers a viewer's questions,
 //!   [`run::neighbours`] indexes configurations;
@@ -62,7 +62,7 @@
 //! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and [`trajectories`]. On top stand the bindings to JavaScript
 //! and the command line. A module uses only modules below it: a planner sees a space and the traits [`problem::Validity`] and
 //! [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
-//! a test enforces this. It calls no code of its caller but the function that tells what is free, and planners of your own.
+//! a test enforces this. It calls no code of its caller but the function that decides what is free, and custom planners.
 //! Modules hidden from this page are public for the tests, the benches and the command line only; they may change at any time.
 #![deny(missing_docs)]
 #![deny(unsafe_code)]

@@ -77,7 +77,7 @@ pub fn generate(id: &str, options: &Json) -> Result<Scenario, Error> {
     generate_with(id, &given(options)?)
 }
 
-/// The options without those of [`EnsureOptions`], and those.
+/// The options without the [`EnsureOptions`], and the [`EnsureOptions`].
 ///
 /// # Errors
 /// Those of reading them.

@@ -14,18 +14,6 @@ use planarium::scenario::Scenario;
 use std::collections::BTreeSet;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// The kinds of event by the numbers that viewers see, each with its mark.
-const KINDS: [(EventKind, Mark); 8] = [
-    (EventKind::SampleRejected, Mark::Rejected),
-    (EventKind::EdgeRefused, Mark::Refused),
-    (EventKind::VertexExpanded, Mark::Expanded),
-    (EventKind::SolutionFound, Mark::Solved),
-    (EventKind::SampleDiscarded, Mark::Discarded),
-    (EventKind::GuardAdded, Mark::Guard),
-    (EventKind::VertexRemoved, Mark::Removed),
-    (EventKind::ParentChanged, Mark::Rewired),
-];
-
 /// The word of a mark, as viewers see it.
 fn word(mark: Mark) -> String {
     <&str>::from(mark).to_owned()
@@ -36,19 +24,17 @@ fn marks_of_one(run: &mut dyn Run) -> BTreeSet<String> {
     let (vertices, edges, events) = (run.vertex_count(), run.edge_count(), run.event_count());
     let mut marks = BTreeSet::from([run.phase().as_str().to_owned()]);
     run.step(1);
-    let mut add = |is_so: bool, mark: Mark| {
-        if is_so {
-            marks.insert(word(mark));
-        }
-    };
-    add(run.vertex_count() > vertices, Mark::Vertex);
-    add(run.edge_count() > edges, Mark::Edge);
+    let more = [
+        (run.vertex_count() > vertices, Mark::Vertex),
+        (run.edge_count() > edges, Mark::Edge),
+        (run.status() != Status::Running, Mark::Done),
+    ];
+    marks.extend(more.into_iter().filter(|(is_so, _)| *is_so).map(|(_, mark)| word(mark)));
     for row in run.event_rows(events).chunks(EVENT_HEAD + run.dimension()) {
-        let (kind, mark) = KINDS[row[0] as usize];
+        let kind = EventKind::ALL[row[0] as usize];
         assert_eq!(f64::from(kind as u8), row[0]);
-        add(true, mark);
+        marks.insert(kind.as_str().to_owned());
     }
-    add(run.status() != Status::Running, Mark::Done);
     marks
 }
 

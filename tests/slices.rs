@@ -1,4 +1,4 @@
-//! The law of slices: whatever is stepped ends the same in slices of 1, of 7, and in one. Robots of your own, saved roadmaps and
+//! The law of slices: whatever is stepped ends the same in slices of 1, of 7, and in one. Custom robots, saved roadmaps and
 //! fleets in a corridor obey it in their own tests; so do experiments and drives, which are not `Stepped`.
 
 use crate::as_reported::{REPORTED, REPORTED_DRIVEN};

@@ -42,7 +42,7 @@ impl Outputs {
         Ok(Output { name: name.map(str::to_owned), kind, force: self.force })
     }
 
-    /// Refuses a file that is an input or an earlier output. Only regular files and new ones are told apart.
+    /// Refuses a file that is an input or an earlier output. Only regular files and new ones are compared.
     ///
     /// # Errors
     /// `would-overwrite`

@@ -101,7 +101,7 @@ export function makeTube(points, radius, name) {
   return mesh;
 }
 
-/** Balls of one colour, placed anew by rows of x, y, z and radius. @param {number} count @param {string} name */
+/** Balls of one colour, placed again by rows of x, y, z and radius. @param {number} count @param {string} name */
 export function makeBalls(count, name) {
   const mesh = new THREE.InstancedMesh(
     new THREE.SphereGeometry(1, 28, 20),

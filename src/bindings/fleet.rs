@@ -149,7 +149,7 @@ members! { FleetPlanner(self): wasm_bindgen;
 #[wasm_bindgen]
 impl FleetPlanner {
     /// The trajectory of a robot in rows of t, x, y, theta: linear between rows, angles the short way round; the robot stands at
-    /// the last for ever. Empty before it has planned. A copy.
+    /// the last forever. Empty before it has planned. A copy.
     /// @throws {PlanariumError} `out-of-range`, `wrong-type`, `not-finite`
     pub fn trajectory(&self, robot: &JsNumber) -> Result<Vec<f64>, Error> {
         let run = &self.0.borrow().run;

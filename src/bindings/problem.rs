@@ -1,4 +1,4 @@
-//! A problem of a robot of your own, for JavaScript: a function of the caller decides what is free.
+//! A problem of a custom robot, for JavaScript: a function of the caller decides what is free.
 
 use super::arguments::{Fields, fields, finite, row, text_or_bytes};
 use super::clock::Thrown;
@@ -30,8 +30,8 @@ extern "C" {
     fn thrown(this: &Function) -> JsValue;
 }
 
-/// A planning problem of a robot of your own: a space, described as a product of circles, intervals and lines, a start, goals,
-/// and a function that tells what is free, for batches of configurations. By `clearance` edges are proven, by `isFree` they are
+/// A planning problem of a custom robot: a space, described as a product of circles, intervals and lines, a start, goals,
+/// and a function that decides what is free, for batches of configurations. By `clearance` edges are proven, by `isFree` they are
 /// sampled, and the `edge_check` of results says so. Planners keep the functions until both they and the problem are freed.
 #[wasm_bindgen]
 pub struct Problem {

@@ -258,7 +258,7 @@ impl Scenario {
 
     /// The motion of the car from `q` under one control: speed `v` (metres per second) and steering angle `phi` (radians, to the
     /// left if positive) within the car's limits, for a `duration` (seconds, at most a million steps), as far as it is proven
-    /// free. With the integration `euler` the poses are those of Euler's steps, each checked and nothing proven.
+    /// free. With the integration `euler` the poses follow Euler's steps, each checked and nothing proven.
     /// @throws {PlanariumError} `unsupported` for any robot but a car; `out-of-range`, `not-finite`, `unknown-field`
     pub fn rollout(
         &self,

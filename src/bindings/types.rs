@@ -235,7 +235,7 @@ export interface BySamples {
   resolution?: number;
 }
 
-/** A problem of a robot of your own: see `Problem`. */
+/** A problem of a custom robot: see `Problem`. */
 export type ProblemDescription = {
   /** The configurations. */
   space: SpaceDescription;

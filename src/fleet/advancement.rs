@@ -96,7 +96,7 @@ struct Pair<'a> {
 /// The motions of two robots during an interval in which both are straight.
 struct Interval {
     begin: f64,
-    /// Seconds; infinite if both stand for ever.
+    /// Seconds; infinite if both stand forever.
     duration: f64,
     from: [Pose; 2],
     /// The change of each coordinate until the end.

@@ -217,7 +217,7 @@ impl Generator for CrossroadsOptions {
         let mut random = Random::new(seed, Stream::Scenario);
         let (lane, gap) = (2.6 * robots.radius, 2.4 * robots.radius);
         let street = 2.0 * lane;
-        // So many robots wait one behind the other.
+        // The robots that wait one behind the other.
         let depth = count.div_ceil(4);
         let block = gap * (depth as f64 + 1.0) + 2.0 * robots.radius;
         let side = 2.0 * block + street;

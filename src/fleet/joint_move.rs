@@ -14,7 +14,7 @@ use crate::geometry::sort_stably;
 use crate::random::Random;
 use std::sync::Arc;
 
-/// So many vertices are tried for each robot, on average, until a move is given up.
+/// The average number of vertices tried for each robot before a move is given up.
 const TRIES: usize = 60;
 
 /// The choice of one robot.

@@ -1,6 +1,6 @@
 //! Several robots that share a floor: a fleet, its planners, and the verifier of their plans.
 //!
-//! A [`Fleet`] is a world with discs and bodies, each with a start and a goal. Every robot is in the floor for ever: it stands at
+//! A [`Fleet`] is a world with discs and bodies, each with a start and a goal. Every robot is in the floor forever: it stands at
 //! its start before it leaves, and at its goal after it arrives. A plan has a [`Trajectory`] for every robot. Two robots are in
 //! conflict at a time if they touch; a plan is proven free of conflict at every time, not only at samples.
 //!

@@ -66,7 +66,7 @@ pub struct RobotTrajectory {
     /// The time of every row, in seconds; the first is 0.
     pub times: Vec<f64>,
     /// Where the robot is at these times; between them it moves at constant rates, angles the short way round, or stands. It
-    /// stands at the last for ever.
+    /// stands at the last forever.
     pub path: Vec<Vec<f64>>,
 }
 

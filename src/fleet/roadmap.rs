@@ -17,7 +17,7 @@ use std::collections::{BTreeSet, BinaryHeap};
 
 /// After this many clearance evaluations an iteration tries no further direct edge.
 const MOST_EVALUATIONS: u64 = 1 << 14;
-/// So many samples are drawn at most for one that is wanted: in the rest of the time there is little free space.
+/// The most samples drawn for one that is wanted. If they do not suffice, there is little free space.
 const DRAWS: u64 = 50;
 
 /// A roadmap that grows.

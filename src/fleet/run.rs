@@ -61,7 +61,7 @@ impl Stepped for FleetPlanner {
 }
 
 impl FleetPlanner {
-    /// Begins, with options or those of a planner alone. Import [`Stepped`] to step it.
+    /// Begins, with [`FleetOptions`], or with the options of a planner alone. Import [`Stepped`] to step it.
     ///
     /// # Errors
     /// `out-of-range` and `not-finite` for values of options; `out-of-range` with a pointer into `/order` if it does not name

@@ -309,7 +309,7 @@ impl Search {
                 begun.intervals = i + 1;
                 self.completed(begun);
             }
-            // Without safe intervals, others stand there for ever.
+            // Without safe intervals, others stand there forever.
             if count == 0 {
                 let stand = Motion::standing([0.0, f64::INFINITY], scene.roadmap.pose(next));
                 if let Some((other, _)) = scene.first_in_conflict(&stand, &mut self.proofs)? {

@@ -4,7 +4,7 @@ use super::motion::{Footprint, Motion, Pair, Pose, difference};
 use crate::geometry::{Aabb, Point, wrap};
 
 /// A row for every time at which the motion changes; between two rows the robot moves at constant rates, the short way round, or
-/// stands. It stands at the last pose for ever.
+/// stands. It stands at the last pose forever.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     times: Vec<f64>,

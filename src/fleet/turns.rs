@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// The iterations of a turn of a search of single robots, and as many more for each robot.
 const TURN: [u64; 2] = [5000, 1000];
-/// A joint move takes so much less time that it gets so many times as many iterations.
+/// How many times as many iterations a joint move gets, since one takes less time.
 const JOINT: u64 = 8;
 
 /// One of the searches.

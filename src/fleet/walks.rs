@@ -14,10 +14,10 @@ use crate::problem::Status;
 use crate::random::{Random, Stream};
 use std::sync::Arc;
 
-/// Each half of a walk has so many moves at most, and so many times as many as edges lead from the farthest vertex to a goal.
+/// The most moves of each half of a walk, as a multiple of the edges that lead from the farthest vertex to a goal.
 const MOVES: [f64; 2] = [20.0, 2.0];
 
-/// How often a walk begins at the starts: one time of so many.
+/// A walk begins at the starts once in this number of times.
 const AFRESH: u64 = 4;
 
 /// The walks. An iteration tries one vertex for one robot, or computes the distances to one place.

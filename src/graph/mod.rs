@@ -19,6 +19,7 @@ pub use union_find::UnionFind;
 use crate::fingerprint::Fingerprint;
 use crate::problem::Motion;
 use crate::space::Space;
+use strum::{IntoStaticStr, VariantArray};
 
 /// The number of a vertex, from 0 in the order of creation; never reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -33,26 +34,44 @@ impl VertexId {
 }
 
 /// The kind of an event; viewers see its number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, VariantArray)]
 #[non_exhaustive]
 pub enum EventKind {
     /// A sample in collision was rejected; the state is the sample.
+    #[strum(serialize = "rejected")]
     SampleRejected = 0,
     /// A motion could not be proven free: from the vertex to the state (of the other vertex, if there is one), or, in a tree
     /// that grows against the direction of its motions, from the state to the vertex.
+    #[strum(serialize = "refused")]
     EdgeRefused = 1,
     /// The search expanded the vertex.
+    #[strum(serialize = "expanded")]
     VertexExpanded = 2,
     /// A solution was found at the vertex.
+    #[strum(serialize = "solved")]
     SolutionFound = 3,
     /// A free sample was discarded: it connects to nothing, or to nothing new; the state is the sample.
+    #[strum(serialize = "discarded")]
     SampleDiscarded = 4,
     /// The vertex became a guard of a visibility roadmap.
+    #[strum(serialize = "guard")]
     GuardAdded = 5,
     /// The vertex and the edge to it were removed from the tree, as others are better. Its number is not reused.
+    #[strum(serialize = "removed")]
     VertexRemoved = 6,
     /// The vertex of a tree has another parent; `other` is the former one. The last edge to a vertex of a tree is its edge.
+    #[strum(serialize = "rewired")]
     ParentChanged = 7,
+}
+
+impl EventKind {
+    /// Every kind, in the order of the numbers.
+    pub const ALL: &[EventKind] = EventKind::VARIANTS;
+
+    /// The name of the kind, the same everywhere.
+    pub fn as_str(self) -> &'static str {
+        self.into()
+    }
 }
 
 /// One event.

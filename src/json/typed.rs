@@ -58,7 +58,7 @@ enum Reason {
     /// A word that is none of those known.
     Word(String),
     /// All else: a code and a sentence.
-    Told(Code, String),
+    Refused(Code, String),
 }
 
 impl Reason {
@@ -101,7 +101,7 @@ impl Fault {
             }
             Reason::Word(sentence) if pointer.ends_with("/type") => (Code::UnknownType, sentence),
             Reason::Word(sentence) => (Code::OutOfRange, sentence),
-            Reason::Told(code, sentence) => (code, sentence),
+            Reason::Refused(code, sentence) => (code, sentence),
         };
         Error::new(code, pointer, sentence)
     }
@@ -117,7 +117,7 @@ impl std::error::Error for Fault {}
 
 impl de::Error for Box<Fault> {
     fn custom<T: fmt::Display>(sentence: T) -> Self {
-        Reason::Told(Code::OutOfRange, sentence.to_string()).fault()
+        Reason::Refused(Code::OutOfRange, sentence.to_string()).fault()
     }
 
     fn invalid_type(_: Unexpected, wanted: &dyn Expected) -> Self {
@@ -138,7 +138,7 @@ impl de::Error for Box<Fault> {
 
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {
         let sentence = format!("the field {} is not known here; known are {}", quoted(field), known.join(", "));
-        Reason::Told(Code::UnknownField, sentence).fault()
+        Reason::Refused(Code::UnknownField, sentence).fault()
     }
 
     fn missing_field(field: &'static str) -> Self {
@@ -149,7 +149,7 @@ impl de::Error for Box<Fault> {
 /// The error about an array of another length.
 #[cold]
 fn wrong_length(count: usize, length: usize) -> Box<Fault> {
-    Reason::Told(Code::WrongDimension, format!("this must have {count} entries, not {length}")).fault()
+    Reason::Refused(Code::WrongDimension, format!("this must have {count} entries, not {length}")).fault()
 }
 
 /// A value for a sentence.

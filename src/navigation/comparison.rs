@@ -1,6 +1,6 @@
 //! Ways to drive far, compared on the same floor with the same queries: the policy alone, straight edges of a roadmap that are
-//! proven free, with and without a margin, and PRM-RL. Straight edges are driven twice, by a controller that looks at no rays
-//! and by the policy: what PRM-RL gains over the latter is due to its edges alone.
+//! proven free, with and without a margin, and PRM-RL. Straight edges are driven twice, by a controller that does not use its
+//! rays and by the policy: what PRM-RL gains over the latter is due to its edges alone.
 //!
 //! An iteration is one of a roadmap's planner, or one execution. Queries are drawn from the seed; every execution has noise of
 //! its own.
@@ -48,7 +48,7 @@ crate::options! {
 pub enum Method {
     /// The policy drives to the goal, without a plan.
     Policy,
-    /// A roadmap of straight edges, proven free, tracked by a controller that looks at no rays.
+    /// A roadmap of straight edges, proven free, tracked by a controller that does not use its rays.
     Straight,
     /// The same with edges that are proven for a larger robot.
     StraightMargin,
@@ -134,7 +134,7 @@ pub struct Comparison {
     queries: Vec<NavigationQuery>,
     /// Of straight edges, of those with a margin, and of PRM-RL.
     roadmaps: [Box<dyn Run>; 3],
-    /// Of the controller that looks at no rays, and of the policy.
+    /// Of the controller that does not use its rays, and of the policy.
     executors: [Executor; 2],
     /// The paths of the present query, by roadmap; empty if there is none.
     paths: [Vec<[f64; 2]>; 3],

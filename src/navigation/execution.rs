@@ -7,7 +7,7 @@ use super::rollout::{Controller, Drive, Simulation, State, generator};
 use crate::error::{Code, Error};
 use crate::random::{Stream, check_seed};
 
-/// Executes paths on a floor, under a policy or a controller that looks at no rays.
+/// Executes paths on a floor, under a policy or a controller that does not use its rays.
 pub struct Executor {
     simulation: Simulation,
     controller: Controller,

@@ -43,7 +43,7 @@ enum Shape {
     Polygon(BodyCollision),
 }
 
-/// The edges and discs that may be near the robot, gathered anew for each time step.
+/// The edges and discs that may be near the robot, gathered again for each time step.
 #[derive(Default)]
 struct Near {
     edges: Vec<Segment>,

@@ -113,7 +113,7 @@ pub(super) enum Shape {
 
 by_type!(Shape { "disc" => Disc, "polygon" => Polygon });
 
-/// Standard deviations of normally distributed noise, drawn anew in every time step.
+/// Standard deviations of normally distributed noise, drawn again in every time step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -160,7 +160,7 @@ impl Noise {
     }
 }
 
-/// Standard deviations of the normally distributed noise of a carrier of cargo, drawn anew in every time step.
+/// Standard deviations of the normally distributed noise of a carrier of cargo, drawn again in every time step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

@@ -10,7 +10,7 @@ use crate::path::{Improvement, Wanted, length};
 use crate::problem::Problem;
 use crate::space::{MotionSpace, Space};
 
-/// Lines of the grid across each coordinate, besides those of start and goal.
+/// Lines of the grid across each coordinate, besides the lines of start and goal.
 const LINES: usize = 360;
 
 /// Grids around the corners of the path, each with lines closer by this factor than those before, and this number on either side.

@@ -21,7 +21,7 @@ pub enum LengthMeasure {
     EuclideanOfJoints,
     /// Metres and radians of a rigid body, weighted by its `metric`.
     Weighted,
-    /// Distances in the metric of the space of a robot of your own.
+    /// Distances in the metric of the space of a custom robot.
     Space,
 }
 
@@ -80,7 +80,7 @@ pub struct ResultDocument {
     /// The length of the path, by the measure that planners minimise; 0 without one.
     #[serde(deserialize_with = "json::not_negative")]
     pub length: f64,
-    /// What the length measures. Absent in results written before it was named, and for a robot in a space of your own type.
+    /// What the length measures. Absent in results written before it was named, and for a robot in a custom type of space.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(
         target_arch = "wasm32",

@@ -1,4 +1,4 @@
-//! Motions proven free by lower bounds on clearance alone: the collision checker of a robot of your own.
+//! Motions proven free by lower bounds on clearance alone: the collision checker of a custom robot.
 //!
 //! A clearance c at a configuration is a ball of radius c about it without collision. A motion is proven free if balls about some
 //! of its configurations cover it: Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking for single and multiple

@@ -17,7 +17,7 @@ pub enum Status {
     Solved,
     /// No path, for a [`Reason`].
     Exhausted,
-    /// The collision checker of a robot of your own has failed: see [`Validity::failure`](super::Validity::failure).
+    /// The collision checker of a custom robot has failed: see [`Validity::failure`](super::Validity::failure).
     Failed,
 }
 
@@ -141,7 +141,7 @@ pub struct Stats {
     pub iterations: u64,
     /// Vertices of the graph.
     pub vertices: u64,
-    /// Edges of the graph, those of a tree that rewiring has replaced included.
+    /// Edges of the graph, including the edges of a tree that rewiring has replaced.
     pub edges: u64,
     /// Configurations tested for collision.
     pub configuration_checks: u64,

@@ -13,7 +13,7 @@ const MOST: f64 = 16_384.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Samples {
-    /// So many; the far end alone if that is 0 or 1.
+    /// This number of checks; the far end alone if it is 0 or 1.
     Count(u32),
     /// As many as it takes for neighbours to be no farther apart than this, in the metric of the space; greater than 0.
     Spacing(f64),

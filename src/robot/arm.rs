@@ -192,7 +192,7 @@ impl Arm {
         self.base
     }
 
-    /// The lengths of the links from the base outwards, in metres; those of prismatic links at the coordinate 0.
+    /// The lengths of the links from the base outwards, in metres; a prismatic link has this length at the coordinate 0.
     pub fn links(&self) -> &[f64] {
         &self.links
     }
@@ -303,7 +303,7 @@ impl Serialize for Arm {
     }
 }
 
-/// Returns an error unless base, lengths and radius are those of an arm.
+/// Returns an error unless base, lengths and radius describe an arm.
 fn check_chain(base: Point, links: &[f64], radius: f64) -> Result<(), Error> {
     for (i, &coordinate) in base.coords.iter().enumerate() {
         check_range(&format!("/base/{i}"), "a coordinate", coordinate, -LARGEST)?;

@@ -1,4 +1,4 @@
-//! Robots of your own: a space, described as a product of circles, intervals and lines, and a function that decides what is free.
+//! Custom robots: a space, described as a product of circles, intervals and lines, and a function that decides what is free.
 //!
 //! The function evaluates configurations in batches, as rows of coordinates. There are two kinds ([`Free`]): a lower bound on
 //! clearance, by which motions are proven ([`ClearanceValidity`]); or only whether a configuration is free, and then motions are
@@ -81,7 +81,7 @@ impl Free {
     }
 }
 
-/// A planning problem of a robot of your own: see [`start_problem`].
+/// A planning problem of a custom robot: see [`start_problem`].
 #[derive(Clone)]
 pub struct CustomProblem {
     space: SpaceDescription,
@@ -151,8 +151,8 @@ impl CustomProblem {
     }
 }
 
-/// Begins a run on a problem of a robot of your own. Every planner without controls serves
-/// it. The result document names no scenario and no query. Planning uses one thread. If the function that tells what is free
+/// Begins a run on a problem of a custom robot. Every planner without controls serves
+/// it. The result document names no scenario and no query. Planning uses one thread. If the function that decides what is free
 /// fails, the run ends with its error: see [`Run::failure`].
 ///
 /// [`path::verify`](crate::path::verify()) is for scenarios; check such a path by your function along
@@ -201,7 +201,7 @@ pub(super) fn launch_problem(
     let planner = options.planner_for(None);
     check_use(&planner, OWN)?;
     if options.query.is_some() {
-        return unsupported("/query", "a problem of your own has no queries by name");
+        return unsupported("/query", "a custom problem has no queries by name");
     }
     let edges = planner.group::<EdgeOptions>().copied().unwrap_or_default();
     let mut info = RunInfo { measure: Some(LengthMeasure::Space), ..RunInfo::of(&planner, options.seed) };

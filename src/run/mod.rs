@@ -15,7 +15,7 @@
 //! | then the conditions of [`Termination`] hold, or it has as many `vertices` as were asked for | as if it had just found the path |
 //! | or a limit is spent without a new vertex, or, where not the number of iterations but other conditions are awaited, without a shorter path, or the graph is full | the same, with a reason |
 //! | `stop_evaluations` are made without a path | `Exhausted` |
-//! | the collision checker of a robot of your own has failed | `Failed` |
+//! | the collision checker of a custom robot has failed | `Failed` |
 //!
 //! An iteration is never interrupted, and nothing depends on where a slice ends: so 1000 slices of one iteration give the same
 //! run, to the bit, as one slice of 1000. An `Exhausted` run has a [`Reason`]. A run that has ended does nothing more.
@@ -24,7 +24,7 @@
 //! # Files
 //! - `options.rs`: typed options; `request.rs`: options by names; `suitable.rs`: which are for which robots;
 //! - `factory.rs`: from scenario and options to a run ([`start`]); `goals.rs`: the goals of a query with a target;
-//!   `own_planner.rs`: the same with a planner from outside ([`start_with`]); `custom.rs`: a run of a robot of your own;
+//!   `own_planner.rs`: the same with a planner from outside ([`start_with`]); `custom.rs`: a run of a custom robot;
 //!   `description.rs`: its space;
 //! - `launch.rs`: what they share, and `info.rs`: what a run knows of how it was launched;
 //! - `runner/`: the one implementation of [`Run`]; `termination.rs`: when it ends a planner; `work.rs`: what limits of work
@@ -86,9 +86,21 @@ use crate::world::PlanningWorld;
 /// Columns of an event row before its configuration: kind, iteration, vertex, other vertex.
 pub const EVENT_HEAD: usize = 4;
 
-/// Numbers of a row of [`Run::history_since`]: vertices, edges, events, phase (its number in [`Phase::ALL`]), configuration
-/// checks, motion checks, clearance evaluations, and the length of the best path so far.
-pub const HISTORY_WIDTH: usize = 8;
+/// The numbers of a row of [`Run::history_since`]. `phase` is a number in [`Phase::ALL`], `length` that of the best path so
+/// far.
+pub const HISTORY_COLUMNS: [&str; 8] = [
+    "vertices",
+    "edges",
+    "events",
+    "phase",
+    "configuration_checks",
+    "motion_checks",
+    "clearance_evaluations",
+    "length",
+];
+
+/// Numbers of a row of [`Run::history_since`].
+pub const HISTORY_WIDTH: usize = HISTORY_COLUMNS.len();
 
 mod sealed {
     /// Only this crate has runs, so that [`Run`](super::Run) may get further methods.
@@ -152,7 +164,7 @@ pub trait Run: MaybeSend + sealed::Sealed {
     fn explanation(&self) -> Option<String>;
 
     /// The error that a run with the status `Failed` has ended with, and that of a failed [`Run::query`] or [`Run::first_hits`];
-    /// the same from then on. Only a robot of your own can fail.
+    /// the same from then on. Only a custom robot can fail.
     fn failure(&self) -> Option<Error>;
 
     /// The phase of the run: a planner's, `Improving`, or `Done`.

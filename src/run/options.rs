@@ -45,7 +45,7 @@ impl Options {
         Self { planner: Some(planner.into()), ..Self::default() }
     }
 
-    /// The planner: that which suits the robot if none is named. `None` is a robot of your own.
+    /// The planner: that which suits the robot if none is named. `None` is a custom robot.
     pub(super) fn planner_for(&self, robot: Option<&Robot>) -> PlannerOptions {
         self.planner.unwrap_or_else(|| default_planner(robot))
     }
@@ -63,7 +63,7 @@ impl<P: Into<PlannerOptions>> From<P> for Options {
     }
 }
 
-/// The planner for a robot if none is named, or with `None` for a robot of your own: RRT-Connect, whose path is then shortened
+/// The planner for a robot if none is named, or with `None` for a custom robot: RRT-Connect, whose path is then shortened
 /// (`reduce`, 200 shortcuts), as raw paths of trees are long. A car that curves do not lead everywhere has RRT by controls.
 pub fn default_planner(robot: Option<&Robot>) -> PlannerOptions {
     let by_controls = |car: &Car| !follows_curves(car);

@@ -1,4 +1,4 @@
-//! A planner of your own for the robots of scenarios.
+//! A custom planner for the robots of scenarios.
 
 use super::Run;
 use super::factory::{Setup, Source};
@@ -12,7 +12,7 @@ use crate::random::check_seed;
 use crate::space::MotionSpace;
 use crate::world::PlanningWorld;
 
-/// How a planner of your own plans for the robot of a scenario.
+/// How a custom planner plans for the robot of a scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OwnPlanner {
     /// The id of the planner in results.
@@ -40,7 +40,7 @@ impl Default for OwnPlanner {
     }
 }
 
-/// Begins a run of a planner of your own for the robot of a scenario, in the space of its configurations: states are `N` numbers,
+/// Begins a run of a custom planner for the robot of a scenario, in the space of its configurations: states are `N` numbers,
 /// of which those beyond the robot's dimension are 0. With `N` = 4 it plans for discs, bodies, cars and arms of up to four links,
 /// with [`MAX_DIMENSION`](crate::space::MAX_DIMENSION) for every robot. Everything but the planner is as for the planners of this
 /// crate: motions are proven, limits hold, the path is improved, slices do not change the result. Its roadmap, if it builds one,

@@ -1,4 +1,4 @@
-//! Continuing with a saved roadmap: whether it fits the scenario, or the space of a robot of your own, whether all of it is
+//! Continuing with a saved roadmap: whether it fits the scenario, or the space of a custom robot, whether all of it is
 //! free, and which options it admits.
 
 use super::custom::{CustomProblem, launch_problem};
@@ -53,7 +53,7 @@ pub(super) fn check_scenario(scenario: &Scenario, document: &RoadmapDocument) ->
         return Err(Error::new(Code::OtherScenario, "/fingerprint", sentence));
     }
     if matches!(document.metric, RoadmapMetric::Space(_)) {
-        return Err(damaged("/metric", "the metric is that of a robot of your own"));
+        return Err(damaged("/metric", "the metric is that of a custom robot"));
     }
     let dimension = scenario.robot().dimension();
     if document.dimension() != dimension {
@@ -73,7 +73,7 @@ pub(super) fn check_scenario(scenario: &Scenario, document: &RoadmapDocument) ->
     Ok(())
 }
 
-/// The same for a robot of your own: its function proves or samples all of the roadmap again, whatever function it was built
+/// The same for a custom robot: its function proves or samples all of the roadmap again, whatever function it was built
 /// with. So a roadmap can be continued after obstacles have moved, as long as all of it is still free. Start and goals are those
 /// of the problem.
 ///

@@ -21,7 +21,7 @@ const NOT_LEARNED: [&str; 3] = ["edge_check", "edge_samples", "free_ends"];
 /// A robot by its type, in words.
 fn whose(robot: &str) -> &str {
     match robot {
-        OWN => "a robot of your own",
+        OWN => "a custom robot",
         LEARNED => "learned edges, which are checked by rollouts in the plane",
         kind => kind,
     }

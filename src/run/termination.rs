@@ -9,7 +9,7 @@ use crate::planner::{Limits, Reason, StopWhen, Termination};
 /// A path this near to a lower bound on the costs of all paths is the shortest.
 const SHORTEST: f64 = 1.0 + 1e-12;
 
-/// The fewest iterations since the first path whose last half tells whether the length has converged.
+/// The fewest iterations since the first path whose last half shows whether the length has converged.
 const FEWEST: u32 = 1000;
 
 /// The lengths of the paths so far, and the conditions.

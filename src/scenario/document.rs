@@ -69,7 +69,7 @@ objects! {
     pub(crate) struct Arm {
         /// The position of the base; no obstacle may lie within `radius` of it.
         pub base: Point,
-        /// The lengths of the links in metres, from the base outwards; those of prismatic links at the coordinate 0.
+        /// The lengths of the links in metres, from the base outwards; a prismatic link has this length at the coordinate 0.
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8)))]
         pub links: Vec<Positive>,
         /// Half the width of the links in metres; 0 makes them segments.

@@ -24,7 +24,7 @@ pub(super) fn shortcut<S: Space>(
     if space.distance(&from.state, &to.state) >= super::length(space, &detour) {
         return;
     }
-    // The pieces of the cut edges are proven anew: rounding may move them by a bit off the edges.
+    // The pieces of the cut edges are proven again: rounding may move them by a bit off the edges.
     if !is_free(problem, &[before, from.state, to.state, after], checks) {
         return;
     }

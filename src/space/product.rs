@@ -1,4 +1,4 @@
-//! A product of circles, circles cut open, intervals and lines: the space of arms, discs and bodies, and of robots of your own.
+//! A product of circles, circles cut open, intervals and lines: the space of arms, discs and bodies, and of custom robots.
 //!
 //! LaValle 2006, "Planning Algorithms", sections 4.1.2 and 4.2 (products of circles and intervals) and 5.1.2 (metrics).
 

@@ -169,7 +169,7 @@ fn run(
                 if let Some(ended) = waiting.remove(&number) {
                     break ended;
                 }
-                let (other, ended) = finished.recv().expect("threads run until they are told to end");
+                let (other, ended) = finished.recv().expect("threads run until the channel closes");
                 waiting.insert(other, ended);
             };
             match ended {

@@ -272,7 +272,7 @@ fn existing(name: &str) -> io::Result<Option<File>> {
     }
 }
 
-/// At most so many bytes of a file from a place on; none if there is no such file.
+/// At most this number of bytes of a file from a position; none if there is no such file.
 fn beginning(name: &str, start: u64, most: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     if let Some(mut file) = existing(name)? {

@@ -1,4 +1,4 @@
-//! A planner of your own, in a crate of your own: expansive space trees, as simple as possible (Hsu, Latombe and Motwani 1997, "Path planning
+//! A custom planner, in your own crate: expansive space trees, as simple as possible (Hsu, Latombe and Motwani 1997, "Path planning
 //! in expansive configuration spaces").
 //!
 //! The tree grows from a vertex that has grown seldom so far, a limited way towards a sample. It knows a space, samples and proven

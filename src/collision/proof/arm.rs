@@ -19,7 +19,7 @@
 //! each of the roughly 30 roundings costs less than 8 S times 2^-53: below 3e-14 S in all. Links that grow add some 10 roundings,
 //! less than S / 4 to the first, and by the inequality of Cauchy and Schwarz less than S to the second.
 //!
-//! Unit vectors are products of those of `rotation.rs`: the absolute angle at the start, off by 1.4e-14 at most; half the turn by
+//! Unit vectors are products of `rotation.rs`'s: the absolute angle at the start, off by 1.4e-14 at most; half the turn by
 //! 2.8e-14; a quarter, an eighth and so on by half as much each, 2.8e-14 together; and a product a level, at most 50, by 3 times
 //! 2^-53 each: 9e-14 in all, and so much times S. Links that turn by more than 12.8 radians are not squared up but reduced level
 //! by level, each off by 1.4e-14, until they are small: of eight circles one level, with the widest limits nine, 1.3e-13 more.

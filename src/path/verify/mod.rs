@@ -224,7 +224,7 @@ fn check_numbers(dimension: usize, path: &[Vec<f64>]) -> Result<(), String> {
     Ok(())
 }
 
-/// Returns an error if paths of this robot are not measured as the result says. One that was planned for in a space of your own
+/// Returns an error if paths of this robot are not measured as the result says. One that was planned for in a custom space
 /// may have either metric of an arm.
 fn check_measure(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
     use LengthMeasure::{EuclideanOfJoints, Metres, Space, SumOfJoints, Weighted};

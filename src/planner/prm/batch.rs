@@ -111,7 +111,7 @@ impl<S: Space> Build<S> for Batch<S> {
     }
 }
 
-/// How a roadmap grows while its number of samples is not given: the number of neighbours for so many vertices in so many
+/// How a roadmap grows while its number of samples is not given: the number of neighbours for a number of vertices and of
 /// dimensions, or `None` if it stays.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Growing(pub Option<fn(usize, usize) -> usize>);

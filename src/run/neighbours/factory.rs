@@ -87,7 +87,7 @@ impl<S: Space, I: Nearest<S>> Neighbours for TypedIndex<S, I> {
         }
         let (wanted, most) = (self.len() + rows.len() / dimension, self.most);
         if wanted > most {
-            let kind = if most < MAX_CONFIGURATIONS { " of so many trees" } else { "" };
+            let kind = if most < MAX_CONFIGURATIONS { " with this number of trees" } else { "" };
             let sentence = format!("an index{kind} holds at most {most} configurations, not {wanted}");
             return Err(Error::new(Code::TooLarge, "/rows", sentence));
         }

@@ -1,4 +1,4 @@
-//! What a roadmap was built for, as 64 bits: a scenario, or the space of a robot of your own.
+//! What a roadmap was built for, as 64 bits: a scenario, or the space of a custom robot.
 
 use super::RoadmapMetric;
 use crate::fingerprint::Fingerprint;
@@ -20,7 +20,7 @@ pub fn fingerprint(scenario: &Scenario) -> u64 {
     hash.value()
 }
 
-/// The same over the space of a robot of your own, described in full. Its function has no fingerprint.
+/// The same over the space of a custom robot, described in full. Its function has no fingerprint.
 pub(crate) fn fingerprint_of_space(space: &SpaceDescription) -> u64 {
     let mut hash = Fingerprint::default();
     add(&mut hash, &RoadmapMetric::Space(space.clone()).to_tree()["space"]);

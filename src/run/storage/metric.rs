@@ -36,7 +36,7 @@ pub enum RoadmapMetric {
         /// The turning radius, in metres.
         radius: f64,
     },
-    /// Of a robot of your own: its space, with every weight and the metric.
+    /// Of a custom robot: its space, with every weight and the metric.
     Space(SpaceDescription),
 }
 

@@ -1,7 +1,7 @@
 //! Saved roadmaps: the document of one that was built, as JSON, as bytes, and as GraphML for other programs.
 //!
 //! It holds a fingerprint of the world and the robot, how it was built, its vertices and its edges, and ends with a checksum. Of
-//! a robot of your own it holds the space; what is free there is known to a function alone. Reading refuses damaged documents;
+//! a custom robot it holds the space; what is free there is known to a function alone. Reading refuses damaged documents;
 //! whether edges are free is proven again by [`run::resume`](crate::run::resume) and
 //! [`run::resume_problem`](crate::run::resume_problem), since a file proves nothing.
 
@@ -33,9 +33,9 @@ const MOST_SAMPLES: u32 = 10_000;
 /// A roadmap with everything needed to query it again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoadmapDocument {
-    /// The name of the scenario, for people; empty for a robot of your own.
+    /// The name of the scenario, for people; empty for a custom robot.
     pub scenario: String,
-    /// What the roadmap depends on: the [`fingerprint`] of world and robot; for a robot of your own, that of its space.
+    /// What the roadmap depends on: the [`fingerprint`] of world and robot; for a custom robot, that of its space.
     pub fingerprint: u64,
     /// For every coordinate of a configuration whether it is a circle, an angle that wraps at a full turn; 1 to 8 of them.
     pub circles: Vec<bool>,
@@ -49,7 +49,7 @@ pub struct RoadmapDocument {
     pub radius: f64,
     /// How its edges were checked.
     pub edge_check: EdgeCheck,
-    /// The number of checks per edge: given if, and only if, edges are sampled; but not if a robot of your own is sampled at the
+    /// The number of checks per edge: given if, and only if, edges are sampled; but not if a custom robot is sampled at the
     /// resolution of its problem.
     pub edge_samples: Option<u32>,
     /// The parameter `tolerance` of the proofs, a fraction of the world's longer side.

@@ -39,11 +39,22 @@ test("the tarball holds exactly the files of the package", () => {
     "planarium",
     "planarium_glue",
     "runtime",
+    "tables",
     "version",
     "worker",
     "worker-entry",
   ];
-  const declarations = ["core", "draw", "error", "functions", "planarium", "version", "worker", "worker-entry"];
+  const declarations = [
+    "core",
+    "draw",
+    "error",
+    "functions",
+    "planarium",
+    "tables",
+    "version",
+    "worker",
+    "worker-entry",
+  ];
   // The modules that hold a core, once more.
   const own = [
     "callback",

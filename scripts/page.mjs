@@ -4,29 +4,79 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } f
 import { createRequire } from "node:module";
 import { basename, join, relative, sep } from "node:path";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
+import { assembleFront, slides } from "./front.mjs";
 import { assembleGallery } from "./gallery.mjs";
 import { addPageNotices, packageNotices } from "./notices.mjs";
 import { root } from "./run.mjs";
 
 const dist = join(root, "dist");
 
-/** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
+/**
+ * The pages, in the order of the links between them: the file, the name in the links, the title on the start page, and
+ * what one learns there. The first is the planner's, the others are rooms; the start page, `index.html`, is not listed.
+ */
 const PAGES = [
-  ["index", "Plan"],
-  ["reach", "Reach"],
-  ["neighbours", "Neighbours"],
-  ["trajectories", "Trajectories"],
-  ["fleet", "Fleet"],
-  ["prm-rl", "PRM-RL"],
-  ["experiments", "Experiments"],
-  ["gallery", "Gallery"],
+  {
+    name: "plan",
+    link: "Planners",
+    title: "Planners",
+    learns: "How roadmaps and trees search for a path: fourteen planners, step by step, alone or in a race.",
+  },
+  {
+    name: "reach",
+    link: "Kinematics",
+    title: "Kinematics",
+    learns: "How joint angles place the tip of an arm, and how inverse kinematics finds angles for a point.",
+  },
+  {
+    name: "neighbours",
+    link: "Neighbours",
+    title: "Nearest neighbours",
+    learns: "Which configurations are close when angles wrap around, and what an index saves.",
+  },
+  {
+    name: "trajectories",
+    link: "Trajectories",
+    title: "Trajectories",
+    learns: "Why each further trajectory that crosses no other one is harder to find.",
+  },
+  {
+    name: "fleet",
+    link: "Robot fleets",
+    title: "Robot fleets",
+    learns: "Who waits for whom when robots share a floor, and why the order of planning decides.",
+  },
+  {
+    name: "prm-rl",
+    link: "Learned edges",
+    title: "Learned edges",
+    learns: "What a roadmap gains when a trained policy drives its edges (PRM-RL), and what it cannot prove.",
+  },
+  {
+    name: "experiments",
+    link: "Experiments",
+    title: "Experiments",
+    learns: "Whether one planner is really better: hundreds of trials, with intervals and tests.",
+  },
+  {
+    name: "gallery",
+    link: "Gallery",
+    title: "Gallery",
+    learns: "What to look for: figures from course reports, each a run that you can open and change.",
+  },
 ];
+/** The pages that bring their own body, and no core: the start page, which loads it later, and the slides of a class. */
+const START = "index";
+const SLIDES = "class";
 /** The part of the package that needs no core: each script has what it uses of it. */
 const DRAW = { "planarium/draw": join(dist, "package", "draw.js") };
 const NOTICES = "THIRD-PARTY-NOTICES.txt";
-const ROOMS = PAGES.slice(1).map(([name]) => name);
-/** The gallery's entries as a draft has them. */
-let draft = "";
+const ROOMS = PAGES.slice(1).map(({ name }) => name);
+/**
+ * What the build draws: the gallery's entries, the start page's cards and the link of its run. A draft draws them once.
+ * @type {{ figures: string, cards: string, run: string } | null}
+ */
+let drawn = null;
 /** The page that computes nothing: it needs neither the core nor a script to be read. */
 const GALLERY = "gallery";
 
@@ -67,17 +117,23 @@ export async function assemblePage({ out = join(dist, "page"), isDraft = false }
   const planner = joinModules(join(page, "planner", "main.js"), "", beside);
   joinModules(join(page, "planner", "worker", "worker.js"), "", beside);
   const rooms = assembleRooms(inParts);
-  const figures = isDraft && draft !== "" ? draft : (draft = await assembleGallery(join(out, GALLERY)));
-  for (const [name] of PAGES) {
+  const others = assembleOthers(out);
+  if (!isDraft || drawn === null)
+    drawn = { figures: await assembleGallery(join(out, GALLERY)), ...(await assembleFront(out, PAGES)) };
+  const { figures, ...front } = drawn;
+  const made = { ...front, slides: slides() };
+  for (const name of [START, SLIDES, ...PAGES.map((page) => page.name)]) {
     const scripts = ROOMS.includes(name)
       ? importsOf(rooms, `www/${name}/main.js`)
-      : importsOf(planner, "www/planner/main.js");
+      : name === PAGES[0].name
+        ? importsOf(planner, "www/planner/main.js")
+        : [];
     writeFileSync(
       join(out, `${name}.html`),
       documentOf(
         name,
         scripts.map((file) => relative(out, file).split(sep).join("/")),
-        name === GALLERY ? { figures } : {},
+        name === GALLERY ? { figures } : made,
       ),
     );
   }
@@ -96,7 +152,7 @@ export async function assemblePage({ out = join(dist, "page"), isDraft = false }
     },
   });
   // Not among the files that are stored for use without a network.
-  addPageNotices(join(dist, "package", NOTICES), join(out, NOTICES), [planner, rooms].flatMap(includedIn));
+  addPageNotices(join(dist, "package", NOTICES), join(out, NOTICES), [planner, rooms, ...others].flatMap(includedIn));
   files.forEach((file) => compress(join(out, file)));
 }
 
@@ -160,6 +216,23 @@ function assembleRooms(inParts) {
   return made;
 }
 
+/**
+ * The scripts and styles of the start page and of the slides, and the script that sends the planner's old links to its
+ * page.
+ * @param {string} out
+ */
+function assembleOthers(out) {
+  const www = join(root, "www");
+  joinModules(join(www, "start", "forward.js"), join(out, "start", "forward.js"), { format: "iife", sourcemap: false });
+  return ["start", "class"].map((folder) => {
+    joinModules(join(www, folder, "style.css"), join(out, folder, "style.css"));
+    return joinModules(join(www, folder, "main.js"), join(out, folder, "main.js"), {
+      alias: { ...DRAW, planarium: "../planarium/planarium.js" },
+      external: ["../planarium/planarium.js"],
+    });
+  });
+}
+
 /** The names of the files of ready experiments, and the titles of their documents. */
 function readyExperiments() {
   const folder = join(root, "www", "experiments", "documents");
@@ -179,10 +252,10 @@ function readyExperiments() {
  */
 function documentOf(name, scripts, made = {}) {
   const links = PAGES.map(
-    ([other, title]) =>
-      `<a href="${other === "index" ? "./" : `${other}.html`}"${other === name ? ' aria-current="page"' : ""}>${title}</a>`,
+    (other) => `<a href="${other.name}.html"${other.name === name ? ' aria-current="page"' : ""}>${other.link}</a>`,
   );
   links.push('<a href="docs/">Docs</a>');
+  const isStart = name === START;
   const isRoom = ROOMS.includes(name);
   // A page lists its slots: the name of each in a comment at the start of a line, then its content.
   const own = readFileSync(join(root, "www", `${name}.html`), "utf8")
@@ -190,17 +263,28 @@ function documentOf(name, scripts, made = {}) {
     .slice(1);
   /** @type {Record<string, string>} */
   const slots = {
-    folder: isRoom ? `${name}/` : "",
+    folder: isStart ? "start/" : isRoom || name === SLIDES ? `${name}/` : "",
     core: isRoom ? "full" : "planarium",
-    product: isRoom ? '<p class="product"><a href="./">Planarium</a></p>' : "<h1>Planarium</h1>",
+    product:
+      scripts === null
+        ? '<p class="product">Planarium</p>'
+        : `<p class="product"><a href="./"${isStart ? ' aria-current="page"' : ""}>Planarium</a></p>`,
     imports: (scripts ?? []).map((file) => `<link rel="modulepreload" href="${file}">`).join("\n  "),
     pages: scripts === null ? "" : `<nav class="rooms" aria-label="Pages">${links.join(" ")}</nav>`,
+    ...made,
   };
-  for (let i = 0; i < own.length; i += 2) slots[own[i]] = own[i + 1].trim();
-  const shell = readFileSync(join(root, "www", "app", "shell.html"), "utf8");
-  return (
-    name === GALLERY ? shell.replace(/ *<(link rel="\w*preload" href="planarium|noscript>).*\n/g, "") : shell
-  ).replace(/<!-- (\w+) -->/g, (_, slot) => made[slot] ?? slots[slot] ?? "");
+  for (let i = 0; i < own.length; i += 2) slots[own[i]] ??= own[i + 1].trim();
+  let shell = readFileSync(join(root, "www", "app", "shell.html"), "utf8");
+  if (isStart || name === SLIDES || name === GALLERY)
+    shell = shell.replace(/ *<(link rel="\w*preload" href="planarium|noscript>).*\n/g, "");
+  if (slots.body) shell = shell.replace(/(?<=<body>)[^]*(?=<\/body>)/, () => `\n${slots.body}\n`);
+  if (isStart)
+    shell = shell
+      .replace(/<main[^]*<\/main>/, () => slots.main)
+      .replace(/ *<(p id="where"|span id="tools").*\n/g, "")
+      // Before anything is drawn.
+      .replace(/( *)<meta name="description"/, '$1<script src="start/forward.js"></script>\n$&');
+  return shell.replace(/<!-- (\w+) -->/g, (_, slot) => slots[slot] ?? "");
 }
 
 /**
@@ -238,7 +322,7 @@ export function assembleOneFile() {
       JSON.stringify(JSON.parse(text(join(page, "scenes", name)))),
     ]),
   ];
-  const html = documentOf("index", null)
+  const html = documentOf("plan", null)
     .replace(
       /<meta http-equiv="Content-Security-Policy"[^>]*>/,
       () => `<meta http-equiv="Content-Security-Policy" content="${policy}">`,

@@ -5,6 +5,9 @@ import { createServer } from "node:http";
 import { join } from "node:path";
 import { Problem, root as project } from "./run.mjs";
 
+/** What is answered as long as there is no documentation. */
+const NO_DOCS =
+  "The documentation is not built yet. npm start builds it after the pages; npm run site builds it alone.\n";
 /** Only requests from this machine are served. */
 const HOST = "127.0.0.1";
 
@@ -36,7 +39,8 @@ export async function serve({ root, port, policy, docs, reloads = false }) {
     const inDocs = docs === undefined ? null : /^\/docs(\/.*)$/.exec(request.url ?? "");
     if (inDocs) request.url = inDocs[1];
     (inDocs ? documentation : files)(request, response, () => {
-      response.writeHead(404, { "content-type": "text/plain; charset=utf-8" }).end("Not found\n");
+      const text = inDocs && !existsSync(join(/** @type {string} */ (docs), "index.html")) ? NO_DOCS : "Not found\n";
+      response.writeHead(404, { "content-type": "text/plain; charset=utf-8" }).end(text);
     });
   });
   await listen(server, port);

@@ -1,7 +1,10 @@
-/** `npm start`: installs tools, builds, and serves the pages and their documentation on PORT (8080). */
+/**
+ * `npm start`: installs tools, builds, and serves the pages and their documentation on PORT (8080). It also writes the
+ * planner's page as one file.
+ */
 import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
-import { assemblePage } from "./page.mjs";
+import { assembleOneFile, assemblePage } from "./page.mjs";
 import { root, script } from "./run.mjs";
 import { pagePolicy, requireFreePort, serve, wantedPort } from "./serve.mjs";
 import { buildSite } from "./site.mjs";
@@ -12,13 +15,16 @@ await script(async () => {
   await requireFreePort(port);
   await buildPackage();
   await assemblePage();
+  assembleOneFile();
   const { url } = await serve({
     root: join(root, "dist", "page"),
     port,
     policy: pagePolicy(),
     docs: join(root, "dist", "site"),
   });
-  console.log(`\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute.`);
+  console.log(
+    `\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute; dist/planarium.html is the planner's page in one file.`,
+  );
   await buildSite();
   console.log(`\nThe documentation is at ${url}docs/`);
 });

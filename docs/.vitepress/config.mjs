@@ -1,6 +1,6 @@
 /**
- * The documentation site: VitePress over README, CHANGELOG and docs/, where TypeDoc has written docs/api/. `npm run
- * site` builds it.
+ * The documentation site: VitePress over docs/, where TypeDoc has written docs/api/, README and CHANGELOG. `npm run site`
+ * builds it. `docs/index.md` is its first page.
  */
 import { Graphviz } from "@hpcc-js/wasm-graphviz";
 import { cpSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -15,7 +15,7 @@ import { BASE, anchorOf, rustReference } from "../../scripts/site.mjs";
  * folder.
  */
 const REWRITES = {
-  "README.md": "index.md",
+  "README.md": "readme.md",
   "CHANGELOG.md": "changelog.md",
   "SECURITY.md": "security.md",
   "docs/:page*": ":page*",
@@ -25,7 +25,7 @@ const REWRITES = {
  * The sidebar; a page that does not exist is left out, and a page of docs/ that no group names follows in the last one.
  */
 const GROUPS = [
-  ["Begin", ["README.md", "docs/start.md", "docs/teaching.md"]],
+  ["Begin", ["docs/index.md", "docs/start.md", "docs/teaching.md", "docs/worksheet.md"]],
   ["How it works", ["docs/proof.md", "docs/experiments.md", "docs/benchmarks.md"]],
   [
     "Reference",
@@ -45,6 +45,7 @@ const GROUPS = [
       "docs/architecture.md",
       "docs/adding-a-planner.md",
       ...markdownIn("docs/decisions"),
+      "README.md",
       "SECURITY.md",
       "CHANGELOG.md",
     ],
@@ -53,7 +54,8 @@ const GROUPS = [
 
 /** What the site calls a page, where that is not its heading. @type {Record<string, string>} */
 const TITLES = {
-  "README.md": "What it is",
+  "README.md": "README",
+  "docs/index.md": "Overview",
   "docs/javascript.md": "JavaScript",
   "docs/in-rust.md": "Rust",
   "docs/teaching.md": "Teaching",
@@ -80,8 +82,8 @@ function markdownIn(folder) {
 function addressOf(file) {
   return `/${file
     .replace(/^docs\//, "")
-    .replace(/^README\.md$/, "")
-    .replace(/^(CHANGELOG|SECURITY)\.md$/, (name) => name.toLowerCase())}`;
+    .replace(/^index\.md$/, "")
+    .replace(/^(README|CHANGELOG|SECURITY)\.md$/, (name) => name.toLowerCase())}`;
 }
 
 /** @param {string} file */
@@ -137,11 +139,16 @@ function linkInSite(link, file) {
   if (/^(\w+:|#|\/)/.test(link)) return link;
   const [path, anchor] = link.split("#");
   const target = posix.normalize(posix.join(posix.dirname(file), path));
+  if (/^www\/[\w-]+\.html$/.test(target))
+    return `/../${target.slice("www/".length)}${anchor === undefined ? "" : `#${anchor}`}`;
   if (target.endsWith(".md")) return `${addressOf(target)}${anchor === undefined ? "" : `#${anchor}`}`;
   if (statSync(join(root, target)).isDirectory()) return null;
   linkedFiles.set(target, `files/${/\.(html|json|txt)$/.test(target) ? target : `${target}.txt`}`);
   return `/${linkedFiles.get(target)}`;
 }
+
+/** A page of `www`, which lies in the folder above the site. @param {string} address */
+const isPage = (address) => address.startsWith("/../");
 
 /** Gives the links of a page their addresses in the site. @param {import("markdown-it/index.js").StateCore} state */
 function rewriteLinks({ tokens, env }) {
@@ -152,6 +159,8 @@ function rewriteLinks({ tokens, env }) {
       const href = token.type === "link_open" ? token.attrGet("href") : null;
       const address = href && linkInSite(href, file);
       if (address) token.attrSet("href", address);
+      // The site's own script follows links between its pages only.
+      if (address && isPage(address)) token.attrSet("target", "_self");
       if (token.type === "link_open") isDropped = !address;
       if (isDropped && token.type.startsWith("link_")) token.type = "text";
     }
@@ -222,7 +231,7 @@ export default defineConfig({
     },
   },
   // `scripts/site.mjs` checks the links to these.
-  ignoreDeadLinks: [/^\/files\//],
+  ignoreDeadLinks: [/^\/files\//, /^\/\.\.\//],
   buildEnd({ outDir }) {
     for (const [file, place] of linkedFiles) cpSync(join(root, file), join(outDir, place));
   },
@@ -235,8 +244,11 @@ export default defineConfig({
     logo: "/icon.svg",
     outline: [2, 3],
     search: { provider: "local", options: { detailedView: true } },
+    logoLink: { link: `${BASE}../`, target: "_self" },
     nav: [
+      { text: "Pages", link: "/../plan.html", target: "_self" },
       { text: "Start", link: "/start" },
+      { text: "Teaching", link: "/teaching" },
       { text: "Planners", link: "/planners" },
       { text: "Proof", link: "/proof" },
       {

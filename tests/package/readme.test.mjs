@@ -150,7 +150,24 @@ test("no example is left out: code is JavaScript, Rust, JSON, shell, or one of t
   }
 });
 
-test("every link leads to a file, and to a heading in it", () => {
+/**
+ * A fragment of a link of a page is a step of a lesson or a run of the planner's page, or an experiment.
+ * @param {string} page @param {string} fragment @param {string} message
+ */
+async function assertOpens(page, fragment, message) {
+  const [, lesson, step] = /^lesson=([\w-]+)\.(\d+)$/.exec(fragment) ?? [];
+  if (page === "plan" && lesson) {
+    const { LESSONS } = await import("../../www/planner/lessons/script.js");
+    assert.ok(LESSONS.find(({ id }) => id === lesson)?.steps[Number(step) - 1], message);
+    return;
+  }
+  const { decodeLink } = await import("../../www/planner/link/codec.js");
+  const { decodeExperiment } = await import("../../www/experiments/link.js");
+  const read = { plan: decodeLink, experiments: decodeExperiment }[page] ?? assert.fail(message);
+  assert.equal((await read(fragment)).fault || "", "", message);
+}
+
+test("every link leads to a file, and to a heading in it; those of pages open", async () => {
   let count = 0;
   for (const [name, text] of texts) {
     for (const [, link] of text.matchAll(/\]\((?!https?:)([^)\s]+)\)/g)) {
@@ -161,11 +178,27 @@ test("every link leads to a file, and to a heading in it", () => {
         .split("\n")
         .filter((line) => /^#+ /.test(line))
         .map((line) => anchorOf(line.replace(/^#+ /, "")));
-      if (anchor !== undefined) assert.ok(headings.includes(anchor), `${name} links to ${link}`);
+      const page = /^www\/(.+)\.html$/.exec(file)?.[1];
+      if (page && anchor !== undefined) await assertOpens(page, anchor, `${name} links to ${link}`);
+      else if (anchor !== undefined) assert.ok(headings.includes(anchor), `${name} links to ${link}`);
       count++;
     }
   }
   assert.ok(count > 20, `${count} links`);
+});
+
+test("the plan of a class has nine steps of five minutes, each with a question, a page and an answer", async () => {
+  const { classPlan, slides } = await import("../../scripts/front.mjs");
+  const plan = classPlan();
+  assert.deepEqual(
+    plan.map(({ minute }) => minute),
+    Array.from({ length: 9 }, (_, i) => 5 * i),
+  );
+  for (const { page, question, answer } of plan) {
+    assert.match(page, /^(plan|experiments)\.html#1[\w-]+$/);
+    assert.ok(/[?.]$/.test(question) && /\.$/.test(answer), question);
+  }
+  assert.equal(slides().match(/<section class="slide"/g)?.length, plan.length);
 });
 
 test("the README is short, and its picture light", () => {

@@ -19,12 +19,15 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 /** @typedef {import("../../www/draw/layer.js").LayerName} LayerName */
 /**
  * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the
- *   page, its query and fragment
+ *   page, its query and fragment; the planner's page where it names none
  */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
 /** Are all cases tried, and not only those that differ in kind? */
 export const isDeep = process.env.PLANARIUM_DEEP === "1";
+
+/** The planner's page. */
+export const PLAN = "plan.html";
 
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
@@ -140,7 +143,7 @@ export async function onPage(options, test, { before, expectErrors = false, path
     if (viewport) await page.setViewportSize(viewport);
     await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
     await before?.(page);
-    await page.goto(url + path);
+    await page.goto(url + (/^([?#]|$)/.test(path) ? PLAN : "") + path);
     await test(page, url);
     if (!expectErrors) assert.deepEqual(faults, []);
     isKept = key !== "";

@@ -137,7 +137,7 @@ test("every link is one that its page reads", async () => {
   };
   for (const { id, page } of entries) {
     const [path, fragment] = addresses[id].split("#");
-    assert.equal(path, page === "planner" ? "./" : `${page}.html`, id);
+    assert.equal(path, page === "planner" ? "plan.html" : `${page}.html`, id);
     assert.equal((await read[page](fragment)).fault || "", "", id);
   }
 });
@@ -153,7 +153,7 @@ for (const name of /** @type {Entry["page"][]} */ (Object.keys(READY))) {
       const wrong = [];
       for (const entry of own) {
         const [path, fragment] = addresses[entry.id].split("#");
-        if (isFirst) await page.goto(`${url}${path.replace("./", "")}#${fragment}`);
+        if (isFirst) await page.goto(`${url}${path}#${fragment}`);
         // The page's own listener comes first, so that the state is being opened when the promise resolves.
         else
           await page.evaluate(

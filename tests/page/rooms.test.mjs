@@ -13,21 +13,23 @@ useBrowser();
 test("the pages link each other, say which of them one is on, and share their colours", () =>
   onReach(
     async (page, url) => {
-      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Reach");
+      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Kinematics");
       const addresses = await page
         .locator(".rooms a")
         .evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
       for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
-      await page.click(".rooms a >> text=Plan");
+      await page.click(".rooms a >> text=Planners");
       await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-      assert.equal(page.url(), url);
-      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Plan");
-      await page.click(".rooms a >> text=Reach");
+      assert.equal(page.url(), `${url}plan.html`);
+      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Planners");
+      await page.click(".rooms a >> text=Kinematics");
       await page.waitForSelector("body[data-state=ready]");
       await page.click("#theme");
       assert.equal(await page.getAttribute("html", "data-theme"), "dark");
-      await page.goto(url);
-      await page.waitForSelector("html[data-theme=dark]");
+      for (const name of ["plan.html", ""]) {
+        await page.goto(url + name);
+        await page.waitForSelector("html[data-theme=dark]");
+      }
     },
     { ...DESK, colorScheme: "light" },
   ));
@@ -242,6 +244,8 @@ const BELOW = {
   fleet: KIT,
   "prm-rl": KIT,
   reach: `${KIT} planner/link planner/scenes`,
+  start: KIT,
+  class: "app",
   rooms: "app experiments fleet neighbours prm-rl reach trajectories",
   experiments: `${KIT} planner/link planner/scenes`,
   gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
@@ -289,11 +293,25 @@ test("every page has the same policy as the planner's, and its own entry, style 
     const html = readFileSync(join(pageRoot, name), "utf8");
     assert.equal(policy(html), policy(index), name);
     assert.doesNotMatch(html, /<!-- (rooms|masthead) -->|<style|\sstyle=|\son\w+="/, name);
-    assert.equal(html.match(/aria-current="page"/g)?.length, 1, name);
+    // Slides have no links between pages.
+    if (name !== "class.html") assert.equal(html.match(/aria-current="page"/g)?.length, 1, name);
     const cores = Array.from(html.matchAll(/href="planarium\/(\w+)_bg\.wasm"/g), ([, core]) => core);
-    assert.deepEqual(cores, name === "index.html" ? ["planarium"] : name === "gallery.html" ? [] : ["full"], name);
-    for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)"/g))
-      if (address !== "docs/") assert.ok(existsSync(join(pageRoot, address)), `${name}: ${address}`);
+    assert.deepEqual(
+      cores,
+      name === "plan.html"
+        ? ["planarium"]
+        : ["index.html", "gallery.html", "class.html"].includes(name)
+          ? []
+          : ["full"],
+      name,
+    );
+    for (const [, address] of html.matchAll(/(?:src|href)="([^"#:]+)[^":]*"/g)) {
+      // A page of the documentation is made from a text of the same name.
+      const text = /^docs\/(.*?)(\.html)?$/.exec(address)?.[1];
+      const file =
+        text === undefined ? join(pageRoot, address) : join(root, "docs", text === "" ? "index.md" : `${text}.md`);
+      assert.ok(existsSync(file), `${name}: ${address}`);
+    }
   }
 });
 

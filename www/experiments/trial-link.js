@@ -46,5 +46,5 @@ export async function trialLink(document, resolved, rows, trial) {
       seed: cell("world_seed"),
     });
   } else experiment.document = { ...world.scenario };
-  return `./#${await encodeLink(experiment)}`;
+  return `plan.html#${await encodeLink(experiment)}`;
 }

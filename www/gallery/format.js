@@ -137,10 +137,10 @@
 export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold", unclear: "cannot be told" };
 /** The pages, as the links to them are called. @type {Record<PageName, string>} */
 export const PAGES = {
-  planner: "Plan",
-  reach: "Reach",
+  planner: "Planners",
+  reach: "Kinematics",
   neighbours: "Neighbours",
   trajectories: "Trajectories",
-  "prm-rl": "PRM-RL",
+  "prm-rl": "Learned edges",
   experiments: "Experiments",
 };

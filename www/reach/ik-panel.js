@@ -260,7 +260,7 @@ export class IkPanel {
       iteration: 0,
       view: {},
     }).then(
-      (fragment) => `./#${fragment}`,
+      (fragment) => `plan.html#${fragment}`,
       () => "",
     );
     if (run === session.run) Object.assign(byId("plan", HTMLAnchorElement), { href, hidden: href === "" });

@@ -11,7 +11,7 @@ const LiveStage = defineComponent({
     const { isDark } = useData();
     const isLive = ref(false);
     const frame = ref(/** @type {HTMLIFrameElement | null} */ (null));
-    const page = withBase("/../");
+    const page = withBase("/../plan.html");
 
     /** Plays as soon as the page in the frame tells its state. @param {MessageEvent} message */
     function play({ source, data }) {

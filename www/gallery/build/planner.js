@@ -51,7 +51,7 @@ export async function openPlanner({ state, world }, documents) {
     runs.length === 1
       ? (runs[0].planner?.iterations ?? 0)
       : Math.max(...runs.map(({ result }) => result?.stats.clearance_evaluations ?? 0));
-  const address = `./#${await encodeLink({ version: 1, view: {}, ...state, document, iteration })}`;
+  const address = `plan.html#${await encodeLink({ version: 1, view: {}, ...state, document, iteration })}`;
   const isFlat = runs.length === 1 && scenario.robot === "arm" && scenario.dimension === 2;
   const workspaces = runs.map((one, i) => (/** @type {Brush} */ brush) => {
     drawWorkspace(

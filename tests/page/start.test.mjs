@@ -1,0 +1,126 @@
+/** The start page: it is light, its picture grows by a run of the planner, and old links open the planner's page. */
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { Scenario } from "planarium";
+import { encodeLink } from "../../www/planner/link/codec.js";
+import { beginRun } from "../../www/start/growth.js";
+import { RUN } from "../../www/start/run.js";
+import { DESK, PHONE, onPage, pageRoot, useBrowser, violations } from "./browser.mjs";
+
+useBrowser();
+
+const START = { path: "index.html" };
+const CALM = /** @type {const} */ ({ ...DESK, reducedMotion: "reduce" });
+
+test("its script has at most 60 KB, and asks for the core only after the first paint", () =>
+  onPage(
+    DESK,
+    async (page) => {
+      await page.waitForSelector("#grown[data-state=running], #grown[data-state=solved]");
+      const { painted, core } = await page.evaluate(() => ({
+        painted: performance.getEntriesByName("first-contentful-paint")[0].startTime,
+        core: performance.getEntriesByType("resource").find(({ name }) => name.endsWith(".wasm"))?.startTime ?? NaN,
+      }));
+      assert.ok(core > painted, `${core} after ${painted}`);
+      const html = readFileSync(join(pageRoot, "index.html"), "utf8");
+      assert.doesNotMatch(html, /<link[^>]*planarium\//);
+      const scripts = Array.from(html.matchAll(/<script[^>]*src="([^"]+)"/g), ([, path]) => path);
+      assert.deepEqual(scripts, ["start/forward.js", "start/main.js"]);
+      const bytes = scripts.reduce((sum, path) => sum + statSync(join(pageRoot, path)).size, 0);
+      assert.ok(bytes <= 60 * 1024, `${bytes}`);
+    },
+    START,
+  ));
+
+test("its picture is the end of a run of the planner, which grows again and opens on the planner's page", () => {
+  const { planner } = beginRun({ Scenario });
+  while (planner.step(1000) === "running");
+  const { iterations } = planner;
+  const { fingerprint } = planner.result();
+  return onPage(
+    CALM,
+    async (page, url) => {
+      await page.waitForSelector("#grow:enabled");
+      assert.equal(await page.getAttribute("#grown", "data-state"), "picture");
+      assert.equal(await page.isVisible("#grown img"), true);
+      await page.click("#grow");
+      await page.waitForSelector("#grown[data-state=running]");
+      assert.equal(await page.isVisible("#grown img"), false);
+      await page.click("#grow");
+      await page.waitForSelector("#grown[data-state=paused]");
+      const paused = Number(await page.getAttribute("#grown", "data-iterations"));
+      assert.ok(paused > 0 && paused < iterations, `${paused}`);
+      await page.click("#grow");
+      await page.waitForSelector(`#grown[data-state=solved][data-iterations="${iterations}"]`);
+      assert.match(await page.innerText("#count"), /^Iteration [\d]+, a path of \d\.\d{3} m$/);
+      await page.click("text=Open this run");
+      await page.waitForSelector(`#counters[data-settled=true][data-iterations="${iterations}"]`, {
+        state: "attached",
+      });
+      assert.ok(page.url().startsWith(`${url}plan.html#1`));
+      assert.equal(await page.getAttribute("#counters", "data-fingerprint"), fingerprint);
+      assert.equal(await page.inputValue("#planner"), RUN.algorithm);
+    },
+    START,
+  );
+});
+
+test("without its core it keeps the picture and says so", () =>
+  onPage(
+    DESK,
+    async (page) => {
+      await page.waitForSelector("#grown[data-state=failed]");
+      assert.equal(await page.isVisible("#grown img"), true);
+      assert.match(await page.innerText("#count"), /could not be loaded/);
+    },
+    {
+      ...START,
+      expectErrors: true,
+      before: async (page) => void (await page.route(/\.wasm$/, (route) => route.abort())),
+    },
+  ));
+
+test("links of the planner's page, made when it was index.html, open that page with the same fragment and query", async () => {
+  const lanes = [{ algorithm: "rrt", settings: { seed: 3 } }];
+  const link = `#${await encodeLink({ version: 1, view: {}, scene: "firs", lanes, iteration: 20 })}`;
+  for (const path of [`index.html${link}`, `./${link}`, "index.html#lesson=neighbours.2", `index.html?embed=1${link}`])
+    await onPage(
+      CALM,
+      async (page, url) => {
+        await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
+        assert.equal(page.url(), url + path.replace(/^(index\.html|\.\/)/, "plan.html"));
+        assert.equal(await page.isHidden("#notice"), true);
+        if (path.includes("embed")) assert.equal(await page.isVisible(".masthead"), false);
+        if (!path.includes("lesson")) assert.equal(await page.getAttribute("#counters", "data-iterations"), "20");
+      },
+      { path },
+    );
+  // A link that is typed while the page is open, and a broken one.
+  await onPage(
+    CALM,
+    async (page, url) => {
+      await page.evaluate(() => void (location.hash = "#1broken"));
+      await page.waitForSelector("#notice:not([hidden])");
+      assert.equal(page.url(), `${url}plan.html#1broken`);
+    },
+    START,
+  );
+  await onPage(CALM, async (page, url) => assert.equal(page.url(), `${url}index.html#class`), {
+    path: "index.html#class",
+  });
+});
+
+test("it breaks no rule that axe checks, light and dark, and fits a phone", async () => {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"]))
+    await onPage({ ...CALM, colorScheme }, async (page) => assert.deepEqual(await violations(page), []), START);
+  await onPage(
+    { ...PHONE, reducedMotion: "reduce" },
+    async (page) => {
+      await page.setViewportSize({ width: 320, height: 640 });
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320);
+    },
+    START,
+  );
+});

@@ -1,0 +1,64 @@
+/**
+ * The slides of a class: one question and one live page each. The arrow keys turn the slides and A shows the answer;
+ * after Escape in the live page the keys belong to the slides again. The fragment is the number of the slide.
+ *
+ * For tests: `#deck` carries `data-slide`, counted from 1.
+ */
+import { byId } from "../app/dom.js";
+import { watchTheme } from "../app/theme.js";
+
+const deck = byId("deck", HTMLElement);
+const slides = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".slide")]);
+const [answer, previous, next] = ["answer", "previous", "next"].map((id) => byId(id, HTMLButtonElement));
+const own = byId("own", HTMLAnchorElement);
+let at = -1;
+
+/** @param {boolean} isShown */
+function showAnswer(isShown) {
+  const [text] = slides[at].getElementsByClassName("answer");
+  /** @type {HTMLElement} */ (text).hidden = !isShown;
+  answer.ariaPressed = String(isShown);
+}
+
+/** Only the page that is shown is loaded; a new frame adds nothing to the history. */
+function load() {
+  const { page = "", title = "" } = slides[at].dataset;
+  own.href = page;
+  const frame = Object.assign(document.createElement("iframe"), { title });
+  frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
+  byId("frame", HTMLElement).replaceChildren(frame);
+}
+
+/** @param {number} index */
+function turnTo(index) {
+  const to = Math.min(Math.max(index, 0), slides.length - 1);
+  if (to === at) return;
+  at = to;
+  slides.forEach((slide, i) => {
+    slide.hidden = i !== at;
+  });
+  showAnswer(false);
+  load();
+  previous.disabled = at === 0;
+  next.disabled = at === slides.length - 1;
+  byId("at", HTMLElement).textContent = `${at + 1} of ${slides.length}`;
+  deck.dataset.slide = String(at + 1);
+  history.replaceState(null, "", `#${at + 1}`);
+}
+
+const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);
+
+// The page in the frame reads the theme when it opens.
+watchTheme(load);
+answer.addEventListener("click", () => showAnswer(answer.ariaPressed !== "true"));
+previous.addEventListener("click", () => turnTo(at - 1));
+next.addEventListener("click", () => turnTo(at + 1));
+addEventListener("hashchange", open);
+addEventListener("keydown", ({ key, ctrlKey, metaKey, altKey }) => {
+  if (ctrlKey || metaKey || altKey) return;
+  if (key === "ArrowRight" || key === "PageDown") turnTo(at + 1);
+  else if (key === "ArrowLeft" || key === "PageUp") turnTo(at - 1);
+  else if (key === "a" || key === "A") answer.click();
+});
+answer.disabled = false;
+open();

@@ -27,13 +27,16 @@ export const commands = {
 
   /**
    * Goes on with a job for about some time: trials from the first up to, but not including, the last.
-   * @param {[number, number] | null} job  a new one, or null @param {number} milliseconds
+   * @param {[number, number] | null} job  a new one, which replaces the one before, or null @param {number} milliseconds
    * @returns {{ first: number, rows: Cell[][], seconds: Float64Array, isDone: boolean }}  the rows of trials that
    *   ended, from the first of them on; two times of each
    */
   advance(job, milliseconds) {
     if (!experiment) throw new Error("No experiment is open.");
-    if (job) [next, end] = job;
+    if (job) {
+      freeTrial();
+      [next, end] = job;
+    }
     const { columns } = experiment;
     const until = performance.now() + milliseconds;
     const first = next;
@@ -49,12 +52,6 @@ export const commands = {
       next++;
     } while (next < end && performance.now() < until);
     return { first, rows, seconds: Float64Array.from(seconds), isDone: next >= end };
-  },
-
-  /** Leaves the job as it is. */
-  stop() {
-    freeTrial();
-    next = end;
   },
 };
 

@@ -85,7 +85,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   app.rebuild = () => {};
 
   run.addEventListener("click", toggle);
-  cancel.addEventListener("click", () => void app.track(session.cancel()));
+  cancel.addEventListener("click", () => session.cancel());
   watchKeys([stage], { " ": toggle });
   chartHost.addEventListener("click", ({ target }) => {
     const trial = target instanceof Element ? target.getAttribute("data-trial") : null;
@@ -234,8 +234,10 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   function toggle() {
     if (run.disabled) return;
     if (session.phase === "running") void app.track(session.pause());
-    else if (session.phase === "done") void app.track(session.cancel()).then(start);
-    else start();
+    else {
+      if (session.phase === "done") session.cancel();
+      start();
+    }
   }
 
   /** @param {Change} change */

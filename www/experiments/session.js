@@ -9,7 +9,7 @@ import { planners, generators } from "planarium/full";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
-import { Pool } from "./pool.js";
+import { Pool, Queue } from "./pool.js";
 import { retitled } from "./ready.js";
 import { lengthUnit, resolved, robotsOf } from "./worlds.js";
 
@@ -37,7 +37,8 @@ export class ExperimentSession extends Observable {
     this.resolved = null;
     /** @type {Info | null} */
     this.info = null;
-    this.rows = new Rows([], 0);
+    /** The trials that have ended, and the others. */
+    this.queue = new Queue(null, new Rows([], 0));
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
     this.unit = "";
@@ -47,10 +48,11 @@ export class ExperimentSession extends Observable {
     this.phase = "checking";
     /** @type {ErrorInfo | null} */
     this.refusal = null;
-    /** The run under way. @type {Promise<void>} */
+    /** The run under way, and what pauses it. @type {Promise<void>} */
     this.running = Promise.resolve();
-    /** Checks begun. */
-    this.checks = 0;
+    this.pausing = new AbortController();
+    /** Stops whatever is under way for this document: a check, a run, or certificates. */
+    this.stopping = new AbortController();
     /** Milliseconds that trials have run, and when they were started or went on. */
     this.elapsed = 0;
     this.since = 0;
@@ -65,6 +67,10 @@ export class ExperimentSession extends Observable {
       const [title, own] = [info?.title ?? "", nameOfColumn(column)];
       return { title: title.toLowerCase() === own ? own : title ? `${title} (${own})` : own, unit: info?.unit ?? "" };
     };
+  }
+
+  get rows() {
+    return this.queue.rows;
   }
 
   /** All measures, shares first. @returns {string[]} */
@@ -110,19 +116,27 @@ export class ExperimentSession extends Observable {
     this.update("view");
   }
 
+  /** Stops what is under way. @returns {AbortSignal}  of what comes next */
+  begin() {
+    this.stopping.abort();
+    this.pausing.abort();
+    this.stopping = new AbortController();
+    return this.stopping.signal;
+  }
+
   /** Lets the core check the document; rows are dropped. @returns {Promise<boolean>} */
   async check() {
-    const check = ++this.checks;
+    const signal = this.begin();
     this.refusal = this.info = this.resolved = null;
-    this.rows = new Rows([], 0);
+    this.queue = new Queue(null, new Rows([], 0));
     this.factors = [];
     this.setPhase("checking");
     try {
       const document = await resolved(this.document);
-      if (check !== this.checks) return false;
+      if (signal.aborted) return false;
       this.robots = robotsOf(document);
       const info = await this.pool.open(document);
-      if (check !== this.checks || !info) return false;
+      if (signal.aborted) return false;
       if (info.trialCount > MOST) {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
@@ -130,21 +144,28 @@ export class ExperimentSession extends Observable {
       Object.assign(this, {
         resolved: document,
         info,
-        elapsed: 0,
         unit: lengthUnit(document),
         factors: factorsOf(document, this.naming),
       });
-      this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
-      this.setPhase("ready");
+      this.clear();
       this.update("checked");
       return true;
     } catch (error) {
-      if (check !== this.checks) return false;
+      if (signal.aborted) return false;
       this.refusal = errorInfo(error);
       this.setPhase("refused");
       this.update("checked");
       return false;
     }
+  }
+
+  /** Begins without rows. */
+  clear() {
+    const { columns = [], trialCount = 0, fingerprint } = this.info ?? {};
+    this.queue = new Queue(this.resolved, new Rows(columns, trialCount, fingerprint));
+    this.elapsed = 0;
+    this.refusal = null;
+    this.setPhase("ready");
   }
 
   /** @param {Phase} phase */
@@ -156,16 +177,19 @@ export class ExperimentSession extends Observable {
   /** Runs the trials that have not ended. @returns {Promise<void>} */
   async start() {
     if (!["ready", "paused", "failed"].includes(this.phase)) return;
-    const check = this.checks;
+    const { signal } = this.stopping;
     this.refusal = null;
     this.since = performance.now();
+    this.pausing = new AbortController();
     this.setPhase("running");
-    this.running = this.pool.run(this.rows, () => this.update("rows"));
+    this.running = this.pool.run(this.queue, this.pausing.signal, () => {
+      if (!signal.aborted) this.update("rows");
+    });
     try {
       await this.running;
-      if (check === this.checks) this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+      if (!signal.aborted) this.halt(this.rows.done === this.rows.count ? "done" : "paused");
     } catch (error) {
-      if (check !== this.checks) return;
+      if (signal.aborted) return;
       this.refusal = errorInfo(error);
       this.halt("failed");
       throw error;
@@ -182,23 +206,16 @@ export class ExperimentSession extends Observable {
   /** Pauses; trials that run now are continued later. */
   async pause() {
     if (this.phase !== "running") return;
-    this.pool.isRunning = false;
+    this.pausing.abort();
     this.setPhase("pausing");
     await this.running.catch(() => {});
   }
 
   /** Stops, and drops the rows. */
-  async cancel() {
-    const { info } = this;
-    if (!info) return;
-    const check = ++this.checks;
-    await this.pool.cancel();
-    // Meanwhile the document may have been changed.
-    if (check !== this.checks) return;
-    this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
-    this.elapsed = 0;
-    this.refusal = null;
-    this.setPhase("ready");
+  cancel() {
+    if (!this.info) return;
+    this.begin();
+    this.clear();
     this.update("rows");
   }
 

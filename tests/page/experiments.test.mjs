@@ -450,7 +450,7 @@ test("what is put across is not up any more: another factor is", () => {
   }));
   const shown = (/** @type {string} */ axis, /** @type {string} */ second, all = factors) => {
     const { kind, axis: across, second: up } = completed({ chart: "heat", axis, second }, all, [], ["solved"]);
-    return [kind, across?.column, up?.column];
+    return [kind.id, across?.column, up?.column];
   };
   assert.deepEqual(shown("world", "planner"), ["heat", "world", "planner"]);
   assert.deepEqual(shown("world", "world"), ["heat", "world", "planner.k"]);

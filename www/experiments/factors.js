@@ -90,9 +90,10 @@ export function factorsOf({ worlds, planners }, naming) {
  * The groups with a trial that has ended, in the order of the values.
  * @param {Rows} rows
  * @param {Factor[]} factors
+ * @param {Uint8Array | null} [which]  the trials that count
  * @returns {Group[]}
  */
-export function groupsOf(rows, factors) {
+export function groupsOf(rows, factors, which = null) {
   /** @type {Map<number, Group>} */
   const groups = new Map();
   // The place of each value of the rows among those of the factor.
@@ -103,6 +104,7 @@ export function groupsOf(rows, factors) {
     places: /** @type {number[]} */ ([]),
   }));
   for (const trial of rows.ended()) {
+    if (which && !which[trial]) continue;
     let key = 0;
     for (const { factor, codes, known, places } of columns) {
       const code = codes?.[trial] ?? 0;

@@ -5,6 +5,7 @@
  * relative to `experiments/documents/`.
  */
 import { decodeState, encodeState } from "../app/link.js";
+import { CHARTS } from "./charts.js";
 import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
 
 /** @import { Allowed, Rule } from "../formats/rules.js" */
@@ -20,12 +21,9 @@ import { flag, json, list, name, number, oneOf, record, rule, text, whole, withD
  */
 /** @typedef {Allowed<typeof viewRule>} View */
 
-/** The kinds of charts. */
-export const CHARTS = /** @type {const} */ (["success", "box", "ecdf", "cost", "line", "heat"]);
-
 /** What is shown of the rows; what is absent is chosen by the page. */
 const viewRule = record({
-  chart: oneOf(CHARTS),
+  chart: oneOf(CHARTS.map(({ id }) => id)),
   // A measure of the core, or "solved": the share of trials with a path.
   measure: name,
   // The measure across, of the charts over work.
@@ -34,6 +32,8 @@ const viewRule = record({
   axis: text,
   second: text,
   isLog: flag,
+  // Lengths and work over the worlds and seeds that every setting solved.
+  isCommon: flag,
   // The name of the setting that all others are compared with.
   baseline: text,
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */

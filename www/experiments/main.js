@@ -17,7 +17,7 @@ import { pngPicture, svgPicture } from "../draw/picture.js";
 import { csvFile } from "../formats/csv.js";
 import { showFiles } from "../widgets/downloads.js";
 import { capital } from "../widgets/format.js";
-import { KINDS, chartOf, completed } from "./charts.js";
+import { chartOf, completed, remarkOf } from "./charts.js";
 import { comparisons } from "./comparisons.js";
 import { watchControls } from "./controls.js";
 import { plannerTitle } from "./factors.js";
@@ -106,7 +106,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       .replace(/[^a-z0-9]+/g, "-")
       .replace(/^-+|-+$/g, "")
       .slice(0, 40);
-  const chartName = () => `${name()}-${chart?.kind ?? "chart"}`;
+  const chartName = () => `${name()}-${chart?.kind.id ?? "chart"}`;
   const shown = () => {
     if (!picture || !chart) throw new Error("There is no chart yet.");
     return { picture, chart, ground: app.look.palette.stage };
@@ -344,12 +344,12 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       });
     if (picture) chartHost.replaceChildren(picture);
     else chartHost.replaceChildren(...waiting());
-    byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
-    byId("remark", HTMLElement).textContent = chart ? remark(chart) : "";
+    byId("caption", HTMLElement).textContent = chart ? `${chart.kind.title}: ${chart.title}` : "";
+    byId("remark", HTMLElement).textContent = chart ? remarkOf(chart) : "";
     showTable();
     showWords();
     showTrials();
-    Object.assign(document.body.dataset, { chart: chart?.kind ?? "", drawn: rows.done });
+    Object.assign(document.body.dataset, { chart: chart?.kind.id ?? "", drawn: rows.done });
     drawnAt = performance.now();
     took = drawnAt - began;
   }
@@ -378,7 +378,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const { about, sentences, names, baseline } = comparisons(
       rows,
       factors,
-      kind === "ecdf" ? work : measure,
+      kind.controls.includes("measure") ? measure : work,
       view.baseline,
     );
     byId("baseline-row", HTMLElement).hidden = names.length < 2;
@@ -417,27 +417,6 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     );
   }
 });
-
-/** What a chart shows, in a sentence. @param {ChartData} chart */
-function remark({ kind, up, across, points }) {
-  const of = up.title.endsWith("%") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
-  const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
-  const share = up.title.startsWith("valid")
-    ? "share of paths that the verifier accepts"
-    : "share of trials with a path";
-  const whole =
-    "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
-  if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
-  if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
-  if (kind === "ecdf")
-    return `Share of all trials that had found a path, by work. Trials without a path stay in the denominator. ${whole}`;
-  if (kind === "cost")
-    return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
-  if (kind === "heat")
-    return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
-  const [marks, intervals] = across.isNumeric ? ["Line", "band"] : ["Dots", "lines"];
-  return `${marks}: ${of.startsWith("W") ? share : "median"}; ${intervals}: ${of}.`;
-}
 
 /** @param {import("./rows.js").Cell} cell */
 function cellText(cell) {

@@ -81,6 +81,7 @@ import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./m
  * @property {number[]} counted   the numbers of trials behind its marks
  * @property {{ least: number, most: number }} counts   their range
  * @property {Common | null} common   the trials that it is restricted to
+ * @property {number | null} ceiling   per cent that can be solved, where this is less than all and the same everywhere
  * @property {NonNullable<View["reported"]>} reported
  * @property {string[]} columns   of the table behind it
  * @property {() => Cell[][]} rows   of the table
@@ -133,9 +134,10 @@ export function completed(view, factors, asked, all) {
  * @param {View} view
  * @param {string[]} asked
  * @param {string} lengthUnit
+ * @param {{ most: number } | null} [ceiling]  per cent of trials that can be solved
  * @returns {ChartData}
  */
-export function chartOf(rows, factors, view, asked, lengthUnit) {
+export function chartOf(rows, factors, view, asked, lengthUnit, ceiling = null) {
   const { isLog, isCommon, ...what } = completed(view, factors, asked, allMeasures(rows.columns));
   const { kind, axis, measure } = what;
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
@@ -178,6 +180,7 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
     counted: [],
     counts: { least: 0, most: 0 },
     common,
+    ceiling: null,
     reported: view.reported ?? [],
     columns: [],
     rows: () => [],
@@ -191,6 +194,9 @@ export function chartOf(rows, factors, view, asked, lengthUnit) {
     const sorted = counted.toSorted((a, b) => a - b);
     chart.counts = { least: sorted[0], most: sorted[sorted.length - 1] };
   }
+  const isOfPaths = kind.isOfAll || (measure === SOLVED && !kind.controls.includes("second"));
+  const isSame = !factors.some(({ column }) => /^(?:world|query)/.test(column));
+  if (ceiling && ceiling.most < 100 && isOfPaths && isSame) chart.ceiling = ceiling.most;
   return withReported(chart);
 }
 
@@ -204,6 +210,7 @@ export function remarkOf(chart) {
   const { kind, common, counted: all } = chart;
   const sentences = [kind.remark(chart)];
   if (all.length > 0) sentences.push(`${countsOf(chart)}.`);
+  if (chart.ceiling !== null) sentences.push("Dotted line: what can be solved at most.");
   if (common) {
     const { pairs, settings, left } = common;
     const names = left.length > 3 ? counted(left.length, "setting") : left.join("; ");

@@ -1,8 +1,16 @@
 /** The commands of this page, which each worker of its pool runs: an experiment, and some of its trials. */
-import { Experiment } from "planarium/full";
+import { Experiment, Scenario } from "planarium/full";
+import { errorInfo } from "../app/error-info.js";
+import { withOptions } from "../domain/option-names.js";
 
-/** @import { ExperimentDocument, Trial } from "planarium/full" */
+/** @import { CertificateVerdict, ExperimentDocument, Trial } from "planarium/full" */
+/** @import { TrialWorld } from "./worlds.js" */
 /** @import { Cell } from "./rows.js" */
+
+/** What a certificate says, or that there is none for the robot. @typedef {CertificateVerdict | "unsupported"} Verdict */
+
+/** Cells of a subdivision, at most: about a second. */
+const CELLS = 5000;
 
 /** @type {Experiment | null} */
 let experiment = null;
@@ -52,6 +60,31 @@ export const commands = {
       next++;
     } while (next < end && performance.now() < until);
     return { first, rows, seconds: Float64Array.from(seconds), isDone: next >= end };
+  },
+
+  /**
+   * Whether a query of a world has a path.
+   * @param {TrialWorld} world
+   * @param {string} query
+   * @returns {Verdict}
+   */
+  certify(world, query) {
+    const scenario =
+      "scenario" in world
+        ? Scenario.parse(world.scenario)
+        : withOptions(world.options, (options) => Scenario.generate(world.generate, options));
+    try {
+      const subdivision = scenario.certify({ query, cells: CELLS });
+      while (subdivision.stepFor(1000) === "running");
+      const { verdict } = subdivision;
+      subdivision.free();
+      return verdict ?? "unknown";
+    } catch (error) {
+      if (errorInfo(error).code === "unsupported") return "unsupported";
+      throw error;
+    } finally {
+      scenario.free();
+    }
   },
 };
 

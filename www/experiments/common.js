@@ -1,6 +1,6 @@
 /**
- * Trials with the same world, query and seed are pairs, whatever their setting. Lengths are compared fairly over those
- * that every setting solved: otherwise a setting that solves only easy worlds has short paths.
+ * Trials with the same world, query and seed are a pair, whatever their setting. Lengths are compared fairly over the
+ * pairs that every setting solved: otherwise a setting that solves only easy worlds has short paths.
  */
 import { groupsOf, labelOf } from "./factors.js";
 import { SOLVED } from "./measures.js";
@@ -28,10 +28,24 @@ export function settingsOf(rows, factors) {
   }));
 }
 
-/** What two trials of a pair have in common. @param {Rows} rows @returns {(trial: number) => string} */
-export function pairOf(rows) {
-  const columns = rows.columns.filter((column) => /^(?:world|query$|seed$)/.test(column));
-  return (trial) => columns.map((column) => rows.cell(trial, column)).join("\n");
+/**
+ * Trials by what they have in common.
+ * @param {Rows} rows
+ * @param {number[]} trials
+ * @param {RegExp} [which]  the columns
+ * @returns {Map<string, number[]>}
+ */
+export function pairsOf(rows, trials, which = /^(?:world|query$|seed$)/) {
+  const columns = rows.columns.filter((column) => which.test(column));
+  /** @type {Map<string, number[]>} */
+  const pairs = new Map();
+  for (const trial of trials) {
+    const key = columns.map((column) => rows.cell(trial, column)).join("\n");
+    const pair = pairs.get(key);
+    if (pair) pair.push(trial);
+    else pairs.set(key, [trial]);
+  }
+  return pairs;
 }
 
 /** @param {Rows} rows @param {Factor[]} factors @returns {Common} */
@@ -39,22 +53,16 @@ export function commonTrials(rows, factors) {
   const all = settingsOf(rows, factors);
   const half = all.filter(({ share }) => share >= 0.5);
   const kept = half.length > 0 ? half : all;
-  const key = pairOf(rows);
-  /** How many settings solved a pair. @type {Map<string, number>} */
-  const times = new Map();
   const solved = kept.flatMap(({ trials }) => {
     const sample = sampleOf(rows, trials, SOLVED);
     return trials.filter((_, i) => sample[i] === 1);
   });
-  const keys = solved.map(key);
-  for (const one of keys) times.set(one, (times.get(one) ?? 0) + 1);
+  const pairs = [...pairsOf(rows, solved).values()].filter(({ length }) => length === kept.length);
   const which = new Uint8Array(rows.count);
-  solved.forEach((trial, i) => {
-    which[trial] = Number(times.get(keys[i]) === kept.length);
-  });
+  for (const trial of pairs.flat()) which[trial] = 1;
   return {
     which,
-    pairs: [...times.values()].filter((count) => count === kept.length).length,
+    pairs: pairs.length,
     settings: kept.length,
     left: all.filter((one) => !kept.includes(one)).map(({ name }) => name),
   };

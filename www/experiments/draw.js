@@ -9,8 +9,10 @@ import { LETTER, SIDES } from "./charts/parts.js";
 /** @import { Palette } from "../app/palette.js" */
 /** @import { ChartData, Style } from "./charts.js" */
 
-/** Pixels of a line of the legend. */
+/** Pixels of a line of the legend or the caption, of the title, and beside them. */
 const LINE = 20;
+const HEAD = 36;
+const EDGE = 12;
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SYMBOLS = /** @type {const} */ (["circle", "square", "triangle", "diamond", "cross", "star", "wye"]);
 
@@ -49,7 +51,13 @@ export function drawChart(chart, look) {
       // Of its own: the page's policy allows no style element.
       style: { fontSize: `${12 * bold}px`, fontFamily: "inherit", overflow: "visible" },
       ...options,
-      marks: [...marks, ...reported(chart, palette)],
+      marks: [
+        ...marks,
+        ...(chart.ceiling === null
+          ? []
+          : [Plot.ruleY([chart.ceiling], { stroke: palette.quiet, strokeWidth: 2, strokeDasharray: "2 5" })]),
+        ...reported(chart, palette),
+      ],
     })
   );
   picture.querySelector("style")?.remove();
@@ -174,4 +182,42 @@ function legendElement({ entries }, palette, { kind }) {
       );
     }),
   );
+}
+
+/**
+ * The picture with a title above and a caption below, for an export.
+ * @param {SVGSVGElement} picture
+ * @param {{ title: string, caption: string, palette: Palette }} words
+ * @returns {SVGSVGElement}
+ */
+export function captioned(picture, { title, caption, palette }) {
+  const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
+  const lines = linesOf(caption, Math.floor((width - 2 * EDGE) / LETTER));
+  const head = title ? HEAD : 0;
+  const whole = height + head + (lines.length > 0 ? LINE * lines.length + EDGE : 0);
+  const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
+  chart.setAttribute("y", String(head));
+  const text = (/** @type {number} */ y, /** @type {string} */ words, more = {}) =>
+    element("text", { x: EDGE, y, fill: palette.ink, ...more }, words);
+  const frame = element(
+    "svg",
+    { width, height: whole, viewBox: `0 0 ${width} ${whole}`, "font-size": 12 },
+    ...(title ? [text(24, title, { "font-size": 17, "font-weight": 600 })] : []),
+    chart,
+    ...lines.map((line, i) => text(head + height + LINE * i + EDGE, line)),
+  );
+  frame.style.color = palette.ink;
+  return frame;
+}
+
+/** A text in lines of some letters at most. @param {string} text @param {number} letters */
+function linesOf(text, letters) {
+  return text.split(/\s+/).reduce((/** @type {string[]} */ lines, word) => {
+    const longer = lines.length > 0 ? `${lines[lines.length - 1]} ${word}` : word;
+    return lines.length > 0 && longer.length <= letters
+      ? [...lines.slice(0, -1), longer]
+      : word
+        ? [...lines, word]
+        : lines;
+  }, []);
 }

@@ -54,9 +54,10 @@ export function wordOf(value, words) {
 /**
  * @param {ExperimentDocument} document  that the core has accepted
  * @param {Naming} naming
+ * @param {(string | undefined)[]} [titles]  of its worlds
  * @returns {Factor[]}  those with more than one value
  */
-export function factorsOf({ worlds, planners }, naming) {
+export function factorsOf({ worlds, planners }, naming, titles = []) {
   const queries = worlds.flatMap((world) => world.queries ?? []);
   /** @param {string} column @param {string} title @param {Cell[]} values */
   const plain = (column, title, values) => ({ column, title, unit: "", values, isNumeric: false });
@@ -77,7 +78,10 @@ export function factorsOf({ worlds, planners }, naming) {
       words: new Map(planners.map((entry) => [nameOf(entry), plannerTitle(entry)])),
     },
     ...varied("planner", planners),
-    plain("world", "world", worlds.map(nameOf)),
+    {
+      ...plain("world", "world", worlds.map(nameOf)),
+      words: new Map(worlds.map((entry, i) => [nameOf(entry), titles[i] ?? nameOf(entry)])),
+    },
     ...varied(
       "world",
       worlds.map((world) => ("generate" in world ? world : {})),

@@ -6,7 +6,20 @@
  */
 import { decodeState, encodeState } from "../app/link.js";
 import { CHARTS } from "./charts.js";
-import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
+import {
+  flag,
+  formed,
+  json,
+  list,
+  name,
+  number,
+  oneOf,
+  record,
+  rule,
+  text,
+  whole,
+  withDefaults,
+} from "../formats/rules.js";
 
 /** @import { Allowed, Rule } from "../formats/rules.js" */
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
@@ -34,8 +47,11 @@ const viewRule = record({
   isLog: flag,
   // Lengths and work over the worlds and seeds that every setting solved.
   isCommon: flag,
-  // The name of the setting that all others are compared with.
+  // The names of the settings that are compared: all others with the first, too.
   baseline: text,
+  other: text,
+  // Instead of what the marks mean.
+  caption: formed(/^[^]*$/, 600),
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */
   reported: list(
     record({
@@ -55,6 +71,8 @@ export const stateRule = Object.assign(
     {
       document: /** @type {Rule<LinkedDocument>} */ (record({}, json(16))),
       view: viewRule,
+      // Whether the trials run without a click, where they are few; absent: unless motion is reduced.
+      run: flag,
     },
     { view: /** @type {View} */ ({}) },
   ),
@@ -64,10 +82,10 @@ export const stateRule = Object.assign(
   },
 );
 
-/** @typedef {{ document: LinkedDocument, view: View }} ExperimentState */
+/** @typedef {{ document: LinkedDocument, view: View, run?: boolean }} ExperimentState */
 
 /**
- * @param {{ document: LinkedDocument, view?: View }} experiment
+ * @param {{ document: LinkedDocument, view?: View, run?: boolean }} experiment
  * @returns {Promise<string>}  the fragment of `experiments.html`, without `#`
  * @throws {Error} in words
  */

@@ -6,12 +6,13 @@ import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium/full";
+import { ceilingOf, tasksOf } from "./ceiling.js";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
 import { Pool, Queue } from "./pool.js";
 import { retitled } from "./ready.js";
-import { lengthUnit, resolved, robotsOf } from "./worlds.js";
+import { lengthUnit, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ExperimentDocument } from "planarium/full" */
@@ -19,6 +20,9 @@ import { lengthUnit, resolved, robotsOf } from "./worlds.js";
 /** @import { Info } from "./commands.js" */
 /** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
 /** @import { ExperimentWorker } from "./pool.js" */
+
+/** Worlds that are certified, at most. */
+const MOST_CERTIFIED = 400;
 
 /** @typedef {"document" | "checked" | "view" | "rows" | "phase"} Change */
 /** @typedef {"checking" | "refused" | "ready" | "running" | "pausing" | "paused" | "failed" | "done"} Phase */
@@ -42,6 +46,10 @@ export class ExperimentSession extends Observable {
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
     this.unit = "";
+    /** How many trials can be solved, once all have ended. @type {import("./ceiling.js").Ceiling | null} */
+    this.ceiling = null;
+    /** Worlds whose certificates are still to come. */
+    this.uncertified = 0;
     /** The types of robots of the worlds; none where they are not known. @type {import("./worlds.js").Robot[]} */
     this.robots = [];
     /** @type {Phase} */
@@ -127,7 +135,7 @@ export class ExperimentSession extends Observable {
   /** Lets the core check the document; rows are dropped. @returns {Promise<boolean>} */
   async check() {
     const signal = this.begin();
-    this.refusal = this.info = this.resolved = null;
+    this.refusal = this.info = this.resolved = this.ceiling = null;
     this.queue = new Queue(null, new Rows([], 0));
     this.factors = [];
     this.setPhase("checking");
@@ -145,7 +153,12 @@ export class ExperimentSession extends Observable {
         resolved: document,
         info,
         unit: lengthUnit(document),
-        factors: factorsOf(document, this.naming),
+        // Files of the site are known by their names.
+        factors: factorsOf(
+          document,
+          this.naming,
+          this.document.worlds.map((world) => ("scene" in world ? titleOf(world) : undefined)),
+        ),
       });
       this.clear();
       this.update("checked");
@@ -163,8 +176,8 @@ export class ExperimentSession extends Observable {
   clear() {
     const { columns = [], trialCount = 0, fingerprint } = this.info ?? {};
     this.queue = new Queue(this.resolved, new Rows(columns, trialCount, fingerprint));
-    this.elapsed = 0;
-    this.refusal = null;
+    this.elapsed = this.uncertified = 0;
+    this.refusal = this.ceiling = null;
     this.setPhase("ready");
   }
 
@@ -187,13 +200,50 @@ export class ExperimentSession extends Observable {
     });
     try {
       await this.running;
-      if (!signal.aborted) this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+      if (signal.aborted) return;
+      this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+      if (this.phase === "done") await this.certify(signal);
     } catch (error) {
       if (signal.aborted) return;
       this.refusal = errorInfo(error);
       this.halt("failed");
       throw error;
     }
+  }
+
+  /**
+   * Asks for a certificate of each world in which no trial found a path.
+   * @param {AbortSignal} signal
+   */
+  async certify(signal) {
+    const { resolved: document, rows } = this;
+    if (!document) return;
+    const tasks = tasksOf(rows, document);
+    /** @type {Map<string, import("./ceiling.js").Verdict>} */
+    const verdicts = new Map();
+    const open = tasks.filter(({ hasPath }) => !hasPath).slice(0, MOST_CERTIFIED);
+    this.uncertified = open.length;
+    await this.pool.share(open, signal, async (worker, { key, trials: [trial] }) => {
+      const query = String(rows.cell(trial, "query"));
+      // A worker that was lost leaves it unknown.
+      const verdict = await worker.certify(worldOfTrial(document, rows, trial), query).catch(() => undefined);
+      if (signal.aborted) return;
+      verdicts.set(key, verdict ?? "unknown");
+      this.uncertified--;
+      this.update("phase");
+    });
+    if (signal.aborted) return;
+    this.ceiling = ceilingOf(tasks, verdicts);
+    this.update("rows");
+  }
+
+  /** Another title, which is no part of the trials: they stay. @param {string} title */
+  rename(title) {
+    const { title: _, ...rest } = this.document;
+    this.document = title ? { ...rest, title } : rest;
+    if (this.resolved) Object.assign(this.resolved, { title: title || "Experiment" });
+    if (this.info) this.info.title = title;
+    this.update("view");
   }
 
   /** @param {Phase} phase */

@@ -48,7 +48,7 @@ export const line = {
             plot,
             chart,
             some.filter((_, j) => j % each === 0),
-            { x: "x", frameAnchor: "top", dy: -7 - ROW * (series.length - 1 - i), fill: style.colour },
+            { x: "x", frameAnchor: "top", dy: -10 - ROW * (series.length - 1 - i), fill: style.colour },
           )
         : [];
       // No line joins categories; dots of one are side by side.
@@ -68,7 +68,7 @@ export const line = {
     });
     return {
       marks,
-      above: hasCounts ? ROW * (series.length - 1) : 0,
+      above: hasCounts ? ROW * (series.length - 1) + 4 : 0,
       options: { x: { ...acrossOptions(across), ...place }, y: upOptions(chart.up, false), color: IDENTITY },
     };
   },

@@ -7,7 +7,9 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium/full";
-import { completed } from "../../www/experiments/charts.js";
+import { ceilingOf, tasksOf } from "../../www/experiments/ceiling.js";
+import { CHARTS, chartOf, completed, remarkOf } from "../../www/experiments/charts.js";
+import { commonTrials } from "../../www/experiments/common.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
 import { decodeExperiment, encodeExperiment } from "../../www/experiments/link.js";
 import { Rows } from "../../www/experiments/rows.js";
@@ -47,8 +49,8 @@ const small = {
   verify: true,
 };
 
-/** The names of its planners. @type {Record<string, string>} */
-const titles = { prm: "PRM", "rrt-connect": "RRT-Connect" };
+/** The names of its planners and worlds. @type {Record<string, string>} */
+const titles = { prm: "PRM", "rrt-connect": "RRT-Connect", stones: "Two links among stones", made: "made" };
 
 /** Runs many trials, one worker or three. @param {number} workers */
 const processors = (workers) => (/** @type {Page} */ page) =>
@@ -175,7 +177,7 @@ test("charts have the values of the rows; pictures and files hold them", () =>
     for (const record of await tableOf(page, "success")) {
       const which = (/** @type {TrialRow} */ row) =>
         String(row["planner.k"] ?? "null") === record["planner.k"] &&
-        record.series === `${titles[String(row.planner)]}, ${row.world}`;
+        record.series === `${titles[String(row.planner)]}, ${titles[String(row.world)]}`;
       const one = share(Array.from(rows.filter(which), ({ status }) => Number(status === "solved")));
       assert.deepEqual([record.trials, record.percent, record.low, record.high].map(Number), [
         one.n,
@@ -187,7 +189,7 @@ test("charts have the values of the rows; pictures and files hold them", () =>
       const some = rows.filter(
         (row) =>
           String(row["planner.k"] ?? "null") === record["planner.k"] &&
-          record.series === `${titles[String(row.planner)]}, ${row.world}`,
+          record.series === `${titles[String(row.planner)]}, ${titles[String(row.world)]}`,
       );
       const one = share(Array.from(some, ({ valid }) => (valid === null ? NaN : Number(valid))));
       assert.deepEqual([record.trials, record.missing, record.percent].map(Number), [
@@ -199,7 +201,7 @@ test("charts have the values of the rows; pictures and files hold them", () =>
     for (const record of await tableOf(page, "box")) {
       const which = (/** @type {TrialRow} */ row) =>
         String(row["planner.k"] ?? "null") === record["planner.k"] &&
-        record.series === `${titles[String(row.planner)]}, ${row.world}`;
+        record.series === `${titles[String(row.planner)]}, ${titles[String(row.world)]}`;
       const { n, missing, values } = quartiles(sample(which, "length"));
       assert.deepEqual([record.trials, record.missing].map(Number), [n, missing]);
       if (values)
@@ -242,69 +244,89 @@ test("charts have the values of the rows; pictures and files hold them", () =>
     }
     for (const kind of ["cost", "line"]) assert.ok((await tableOf(page, kind)).length > 1, kind);
 
-    // In words: each setting against the first one that solves at least half of its trials, trial by trial.
+    // In words, two settings at a time, trial by trial: a yes or no by McNemar's test, a length by Wilcoxon's.
     await page.click("#kinds [data-kind=success]");
     await fill(page, "#view-measure", "solved");
     await page.waitForSelector("body[data-chart=success][data-settled=true]");
-    await page.locator("#words-fold > summary").click();
     const settings = /** @type {const} */ ([
       ["prm", 2, "PRM, k = 2"],
       ["prm", 4, "PRM, k = 4"],
       ["rrt-connect", null, "RRT-Connect"],
     ]).map(([planner, k, name]) => {
       const own = rows.filter((row) => row.planner === planner && row["planner.k"] === k);
-      const solved = Float64Array.from(own, ({ status }) => Number(status === "solved"));
       return {
         name,
-        solved,
+        solved: Float64Array.from(own, ({ status }) => Number(status === "solved")),
         lengths: Float64Array.from(own, (row) => Number(row.length ?? NaN)),
-        share: Number(share(solved).share),
       };
     });
-    const base = settings.find((one) => one.share >= 0.5);
-    assert.ok(base, "one solves half");
-    const others = settings.filter((one) => one !== base);
-    await page.waitForSelector("#words li:nth-child(2)");
-    assert.equal(
-      await page.innerText("#words-about"),
-      `The baseline is ${base.name}, the first setting that solves at least half of its trials. Trials of a pair have the same world and seed.`,
-    );
-    assert.deepEqual(
-      (await page.locator("#words li").allInnerTexts()).map((text) =>
-        /^(.*) finds? a path (more|equally) often.* (?:A|The) difference is /.exec(text)?.slice(1),
-      ),
-      others.map(({ name, solved }) => {
-        const { larger, smaller } = paired(solved, base.solved, name, base.name, "", 2);
-        return larger === smaller
-          ? [`${name} and ${base.name}`, "equally"]
-          : [larger > smaller ? name : base.name, "more"];
-      }),
-    );
+    const words = () => page.locator("#words li").allInnerTexts();
+    const rounded = (/** @type {number} */ p) =>
+      Math.round(p * 1e4) > 0 ? `p = ${Math.round(p * 1e4) / 1e4}` : "p < 0.0001";
+    for (const [a, b] of [
+      [settings[1], settings[0]],
+      [settings[2], settings[0]],
+      [settings[0], settings[2]],
+    ]) {
+      await page.selectOption("#baseline", b.name);
+      await page.selectOption("#other", a.name);
+      assert.deepEqual([await page.inputValue("#other"), await page.inputValue("#baseline")], [a.name, b.name]);
+      const shares = paired(a.solved, b.solved, a.name, b.name, "");
+      const sentences = await words();
+      assert.ok(sentences.length <= 4, sentences.join("\n"));
+      assert.match(sentences[1], /McNemar\u2019s exact test/);
+      assert.ok(sentences[1].includes(rounded(shares.sign_p)), sentences[1]);
+      assert.ok(
+        sentences[1].startsWith(shares.larger > shares.smaller ? a.name : shares.larger < shares.smaller ? b.name : ""),
+        sentences[1],
+      );
+    }
     await page.click("#kinds [data-kind=box]");
     await fill(page, "#view-measure", "length");
     await page.waitForSelector("body[data-chart=box][data-settled=true]");
-    const [compared, without] = [true, false].map((has) =>
-      others.filter(({ lengths }) => lengths.some((length, i) => !Number.isNaN(length - base.lengths[i])) === has),
-    );
-    assert.deepEqual(await page.locator("#words li").allInnerTexts(), [
-      ...compared.map(
-        ({ name, lengths }) => paired(lengths, base.lengths, name, base.name, "path length", compared.length).words,
+    const [a, , b] = settings;
+    const lengths = paired(a.lengths, b.lengths, a.name, b.name, "");
+    const [, pair] = await words();
+    assert.ok(
+      pair.startsWith(
+        `The path length of ${a.name} is smaller than that of ${b.name} in ${lengths.smaller} of ${lengths.n} pairs that both solved, larger in ${lengths.larger}`,
       ),
-      ...without.map(({ name }) => `No pair has a value of both the baseline and ${name}.`),
-    ]);
-    const last = settings[settings.length - 1];
-    await page.selectOption("#baseline", last.name);
-    await page.waitForFunction(
-      (name) => document.getElementById("words-about")?.textContent?.startsWith(`The baseline is ${name}, as chosen.`),
-      last.name,
+      pair,
     );
+    assert.ok(pair.includes(`Wilcoxon\u2019s signed-rank test, ${rounded(lengths.wilcoxon_p)}`), pair);
+
+    // Lengths over the worlds and seeds that every setting solved, if it solves at least half.
+    const kept = settings.filter(({ solved }) => Number(share(solved).share) >= 0.5);
+    assert.ok(kept.length > 1, "two settings solve half");
+    const common = Array.from(kept[0].solved.keys()).filter((i) => kept.every(({ solved }) => solved[i] === 1));
+    await page.locator("label[for=view-common]").click();
+    await page.waitForSelector("body[data-settled=true]");
+    assert.ok((await page.innerText("#remark")).includes(`Only the ${common.length} worlds and seeds that all`));
+    const box = await tableOf(page, "box");
+    assert.equal(
+      box.reduce((sum, { trials }) => sum + Number(trials), 0),
+      kept.length * common.length,
+    );
+    assert.equal(
+      box.reduce((sum, { missing }) => sum + Number(missing), 0),
+      0,
+    );
+    await page.locator("label[for=view-common]").click();
+
+    // Title and caption are in the exported chart, and no trial is run again for them.
+    await fill(page, "#title", "Trials & errors");
+    await page.fill("#own-caption", "A caption by the reader.");
+    await page.waitForSelector("body[data-phase=done][data-done='48'][data-settled=true]");
+    assert.equal(await page.innerText("#remark"), "A caption by the reader.");
     await tableOf(page, "line");
 
     const png = await taken(page, "png");
     assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
     const svg = await taken(page, "svg");
     assert.match(svg.text, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
-    assert.match(svg.text, /path length/);
+    for (const part of ["path length", "Trials &amp; errors", "A caption by the reader.", "n = "])
+      assert.ok(svg.text.includes(part), part);
+    assert.equal(svg.name.startsWith("trials-errors"), true, svg.name);
     assert.doesNotMatch(svg.text, /var\(--/);
     const shown = await tableOf(page, "line");
     const lines = (await taken(page, "table")).text.trimEnd().split("\r\n");
@@ -450,7 +472,7 @@ test("what is put across is not up any more: another factor is", () => {
   }));
   const shown = (/** @type {string} */ axis, /** @type {string} */ second, all = factors) => {
     const { kind, axis: across, second: up } = completed({ chart: "heat", axis, second }, all, [], ["solved"]);
-    return [kind, across?.column, up?.column];
+    return [kind.id, across?.column, up?.column];
   };
   assert.deepEqual(shown("world", "planner"), ["heat", "world", "planner"]);
   assert.deepEqual(shown("world", "world"), ["heat", "world", "planner.k"]);
@@ -504,10 +526,11 @@ test("what is refused shows code and pointer before any trial, and the page goes
       await page.waitForSelector("body[data-phase=ready][data-count='48'][data-settled=true]");
       assert.equal(await page.isHidden("#notice"), true);
       await pickFile(page, "own.json", readFileSync(join(root, "www", "scenes", "pillar.json"), "utf8"));
-      await page.waitForSelector("body[data-phase=ready][data-count='24'][data-settled=true]");
+      // One world has 100 seeds.
+      await page.waitForSelector("body[data-phase=ready][data-count='300'][data-settled=true]");
       await page.fill("#vary-0-values", "2 to 6 by 2");
       await page.press("#vary-0-values", "Enter");
-      await page.waitForSelector("body[data-phase=ready][data-count='32']");
+      await page.waitForSelector("body[data-phase=ready][data-count='400']");
       assert.equal(
         await page.evaluate(() => document.activeElement?.id),
         "vary-0-values",
@@ -592,7 +615,7 @@ test("an edited ready experiment is one of the reader's own; by a link it keeps 
     { path: "experiments.html" },
   ));
 
-test("settings without a path are no baseline, and are in one sentence", () => {
+test("settings without a path are no baseline; four sentences are enough for any number of settings", () => {
   const rows = new Rows(["planner", "seed", "status", "length"], 12);
   // Two settings without paths, and two with them.
   for (let trial = 0; trial < 12; trial++)
@@ -602,18 +625,174 @@ test("settings without a path are no baseline, and are in one sentence", () => {
       [0, 0],
     );
   const factor = { column: "planner", title: "planner", unit: "", values: [..."abcd"], isNumeric: false };
-  const { about, sentences } = comparisons(rows, [factor], "length");
-  assert.match(comparisons(rows, [factor], "length", "d").about, /^The baseline is d, as chosen\./);
-  assert.match(about, /^The baseline is c, the first/);
-  assert.deepEqual(sentences, [
-    paired(Float64Array.of(9, 10, 11), Float64Array.of(6, 7, 8), "d", "c", "path length", 1).words,
-    "No pair has a value of both the baseline and any of a; b.",
-  ]);
-  assert.deepEqual(
-    comparisons(rows, [factor], "solved").sentences.map((text) => text.split(":")[0]),
-    ["c finds a path more often than a", "c finds a path more often than b", "d and c find a path equally often"],
+  const lengths = comparisons(rows, [factor], "length");
+  assert.deepEqual([lengths.baseline, lengths.other], ["c", "d"]);
+  assert.match(lengths.sentences[0], /smallest for c, 7 \(n = 3\), and largest for d, 10 \(n = 3\)/);
+  assert.match(lengths.sentences[1], /^The path length of d is smaller than that of c in 0 of 3 pairs/);
+  assert.equal(comparisons(rows, [factor], "length", { baseline: "d" }).baseline, "d");
+  assert.equal(
+    comparisons(rows, [factor], "length", { other: "a" }).sentences[1],
+    "No pair has a value of both a and c.",
   );
+  const solved = comparisons(rows, [factor], "solved", { baseline: "b", other: "d" }).sentences;
+  assert.match(solved[1], /^d finds a path more often than b, alone in 3 of 3 pairs, and b alone in 0/);
+  assert.match(
+    solved[2],
+    /^Of the 3 other settings, these differ significantly from b: more often none, less often none\.$/,
+  );
+  const { which, pairs, left } = commonTrials(rows, [factor]);
+  assert.deepEqual([[...which], pairs, left], [[0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1], 3, ["a", "b"]]);
 });
+
+test("every chart has a button, fits a measure and says what its marks mean", () => {
+  assert.equal(new Set(CHARTS.map(({ id }) => id)).size, CHARTS.length);
+  const rows = new Rows(["planner", "planner.k", "seed", "status", "length", "iterations", "clearance_evaluations"], 8);
+  for (let trial = 0; trial < 8; trial++)
+    rows.set(
+      trial,
+      ["ab"[trial % 2], trial >> 2, (trial >> 1) % 2, trial === 5 ? "failed" : "solved", trial, 1, 2],
+      [0, 0],
+    );
+  const of = (/** @type {string} */ column, /** @type {any[]} */ values, /** @type {boolean} */ isNumeric) => ({
+    column,
+    title: column,
+    unit: "",
+    values,
+    isNumeric,
+  });
+  const factors = [of("planner", ["a", "b"], false), of("planner.k", [0, 1], true)];
+  for (const { id, fits, title } of CHARTS) {
+    assert.ok(["solved", "length"].some(fits) && title, id);
+    const chart = chartOf(rows, factors, { chart: id }, ["length"], "m", { most: 75 });
+    assert.deepEqual([chart.kind.id, chart.rows().length > 0, chart.counted.length > 0], [id, true, true]);
+    assert.match(remarkOf(chart), /^[A-Z].* n = \d+ (?:each|to \d+)\./, id);
+    assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
+    // Worlds across or in series have ceilings of their own.
+    const worlds = [...factors, of("world", ["u", "v"], false)];
+    assert.equal(chartOf(rows, worlds, { chart: id }, ["length"], "m", { most: 75 }).ceiling, null, id);
+  }
+});
+
+test("the ceiling counts worlds with a proven path, certified ones and unknown ones", () => {
+  const document = /** @type {ExperimentDocument} */ ({
+    format: "planarium-experiment-1",
+    worlds: [{ generate: "discs", seeds: { from: 0, count: 4 } }],
+    planners: [{ algorithm: "prm" }, { algorithm: "prm", name: "leaps", set: { edge_check: "none" } }],
+    seeds: [0],
+  });
+  const rows = new Rows(["world", "world_seed", "query", "planner", "seed", "status", "length"], 8);
+  // World 0 is solved with proof, world 1 without; the others are not.
+  for (let trial = 0; trial < 8; trial++) {
+    const planner = ["prm", "leaps"][trial % 2];
+    const isSolved = trial === 0 || trial === 3;
+    rows.set(
+      trial,
+      ["discs", trial >> 1, "q", planner, 0, isSolved ? "solved" : "failed", isSolved ? 1 : null],
+      [0, 0],
+    );
+  }
+  const tasks = tasksOf(rows, document);
+  assert.deepEqual(
+    tasks.map(({ hasPath }) => hasPath),
+    [true, false, false, false],
+  );
+  const { most, words } = ceilingOf(
+    tasks,
+    new Map([
+      [tasks[1].key, "infeasible"],
+      [tasks[2].key, "connected"],
+    ]),
+  );
+  assert.equal(most, 75);
+  assert.equal(
+    words,
+    "Of 4 worlds 2 have a path, 1 is proven to have none and 1 may have one or not: no planner can solve more than 75 % of these trials.",
+  );
+  assert.match(ceilingOf(tasks, new Map([[tasks[1].key, "unsupported"]])).words, /certificates are for discs and arms/);
+});
+
+test("worlds without a path are counted: the page examines them when all trials have ended", () =>
+  onExperiment(
+    {
+      document: {
+        format: "planarium-experiment-1",
+        worlds: [{ generate: "forest", set: { links: 2 }, seeds: [3, 17, 1] }],
+        planners: [{ algorithm: "rrt-connect", set: { max_iterations: 3000 } }],
+        seeds: { from: 0, count: 3 },
+      },
+    },
+    async (page) => {
+      await done(page);
+      const known = "Of 3 worlds 1 has a path and 2 are proven to have none";
+      assert.ok((await page.innerText("#remark")).includes(known));
+      assert.match((await page.locator("#words li").allInnerTexts()).join(" "), new RegExp(known));
+      assert.match(await page.innerText("#story"), /3 of 9 trials found a path\. At most 33\.3 % can be solved\.$/);
+    },
+  ));
+
+/** What the planner's page hands over for "Over 100 seeds". @type {Parameters<typeof encodeExperiment>[0]} */
+const handed = {
+  document: {
+    format: "planarium-experiment-1",
+    title: "PRM against RRT-Connect",
+    worlds: [{ scene: "stones" }],
+    planners: [
+      { algorithm: "prm", set: { samples: 60, k: 4 } },
+      { algorithm: "rrt-connect", set: { max_iterations: 500 } },
+    ],
+    seeds: { from: 0, count: 100 },
+  },
+  view: { chart: "success", measure: "solved" },
+  run: true,
+};
+
+test("a short link runs by itself if it asks to, and others wait; it can be stopped", async () => {
+  const fragment = await encodeExperiment(handed);
+  assert.deepEqual((await decodeExperiment(fragment)).state, handed);
+  const path = (/** @type {string} */ of) => ({ path: `experiments.html#${of}` });
+  // It was asked for: reduced motion does not keep it from running.
+  await onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      await done(page);
+      assert.equal(await page.getAttribute("body", "data-done"), "200");
+      await page.click("#run");
+      await page.waitForSelector("body[data-phase=running]");
+      await page.click("#cancel");
+      await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
+    },
+    path(fragment),
+  );
+  const waits = async (/** @type {typeof handed} */ more, /** @type {RegExp} */ why) =>
+    onPage(
+      {},
+      async (page) => {
+        await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true] #chart button");
+        assert.match(await page.innerText("#chart"), why);
+      },
+      path(await encodeExperiment(more)),
+    );
+  await waits({ ...handed, run: false }, /^No trial has run\./);
+  const long = { ...handed.document, seeds: { from: 0, count: 201 } };
+  await waits({ ...handed, document: long }, /^More than 400 trials of a link do not start by themselves\./);
+});
+
+test("a print has the chart, its table and the sentences, and no controls", () =>
+  onExperiment({ document: small }, async (page) => {
+    await done(page);
+    await page.emulateMedia({ media: "print", colorScheme: "dark" });
+    await page.waitForSelector("#table tbody tr");
+    for (const shown of ["#story", ".plot", "#remark", "#table table", "#words li"])
+      assert.ok(await page.locator(shown).first().isVisible(), shown);
+    for (const hidden of ["#run", "#kinds", "#view", "#pair", "#trials", "#form", "#ready", ".masthead"])
+      assert.equal(await page.locator(hidden).first().isVisible(), false, hidden);
+    await page.waitForSelector("body[data-settled=true]");
+    const ink = await page.locator(".plot").evaluate((plot) => getComputedStyle(plot).color);
+    await page.emulateMedia({ media: "screen" });
+    await page.waitForSelector("#table-fold:not([open])", { state: "attached" });
+    await page.waitForSelector("body[data-settled=true]");
+    assert.notEqual(await page.locator(".plot").evaluate((plot) => getComputedStyle(plot).color), ink);
+  }));
 
 test("a trial opens on the planner's page with its settings and ends with its fingerprint", () =>
   onExperiment({ document: small, view: { chart: "box" } }, async (page) => {

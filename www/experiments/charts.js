@@ -1,18 +1,64 @@
 /**
- * A chart of the rows without its drawing: what is across and up, its series, its data, the table behind it, and all of
- * it in words.
+ * The charts: one object a kind in a table. A chart of the rows without its drawing is its data: what is across and up,
+ * its series, the table behind it, and all of it in words.
  */
-import { grouped } from "../app/dom.js";
-import { labelOf } from "./factors.js";
+import { box } from "./charts/box.js";
+import { cost } from "./charts/cost.js";
+import { ecdf } from "./charts/ecdf.js";
+import { heat } from "./charts/heat.js";
+import { line } from "./charts/line.js";
+import { success } from "./charts/success.js";
+import { counted, grouped } from "../app/dom.js";
+import { commonTrials } from "./common.js";
 import { OF_PATHS, SOLVED, allMeasures, isShare, measureInfo, titled } from "./measures.js";
-import { bins, cells, distributions, points, summaries } from "./tables.js";
 
-/** @import { View } from "./link.js" */
+/** @import { Markish, PlotOptions } from "@observablehq/plot" */
+/** @import { Palette } from "../app/palette.js" */
+/** @import { Common } from "./common.js" */
 /** @import { Factor, Words } from "./factors.js" */
+/** @import { View } from "./link.js" */
 /** @import { Cell, Rows } from "./rows.js" */
 /** @import { Bin, Distribution, Point, Summary } from "./tables.js" */
 
+/** @typedef {typeof import("@observablehq/plot")} Plot   which is loaded with the first drawing */
+
 /**
+ * @typedef {object} Chart   a kind of chart
+ * @property {string} id   in links
+ * @property {string} title   of its button
+ * @property {(measure: string) => boolean} fits   whether it shows a measure
+ * @property {("measure" | "work" | "axis" | "second" | "log")[]} controls   that choose what it shows; a chart with
+ *   `second` needs two factors
+ * @property {"bar" | "line" | "none"} swatch   of its series in the legend; series of bars are named by the axis where
+ *   nothing else is across
+ * @property {(axis: Factor | undefined) => Factor | undefined} [groupedBy]   the factor that is no part of the series;
+ *   the one across, unless it says another
+ * @property {boolean} [isOfAll]   whether it needs the trials without a path, too
+ * @property {(query: Query) => Partial<ChartData>} data
+ * @property {(plot: Plot, chart: ChartData, look: Look) => { marks: Markish[], options: PlotOptions, above?: number,
+ *   legend?: SVGElement }} marks   `above`: pixels that it needs above the frame
+ * @property {(chart: ChartData) => string} remark   what its marks mean
+ *
+ * @typedef {object} Query   what a chart is asked for
+ * @property {Rows} rows
+ * @property {Factor[]} factors
+ * @property {Uint8Array | null} which   trials that count; null: all that have ended
+ * @property {Factor | undefined} axis   across
+ * @property {Factor | undefined} second   up, of a heat map
+ * @property {Factor | undefined} by   the factor that is no part of the series
+ * @property {string} measure
+ * @property {string} work
+ * @property {(factor: Factor | undefined) => Scale} discrete
+ * @property {(measure: string, canBeLog: boolean) => Scale} continuous
+ *
+ * @typedef {object} Look
+ * @property {number} width
+ * @property {Palette} palette
+ * @property {(series: string) => Style} styleOf
+ * @property {(domain: [number, number], range: [string, string]) => (value: number) => string} scale   of colours
+ *
+ * @typedef {{ colour: string, dash: string, symbol: import("@observablehq/plot").SymbolType }} Style   of a series
+ *
  * @typedef {object} Scale   of an axis
  * @property {string} title
  * @property {boolean} isNumeric
@@ -21,8 +67,9 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
  * @property {boolean} [isLog]
  *
  * @typedef {object} ChartData
- * @property {NonNullable<View["chart"]>} kind
+ * @property {Chart} kind
  * @property {string} title
+ * @property {string} measure
  * @property {Scale} across
  * @property {Scale} up
  * @property {string[]} series   in words; one empty string where there is one only
@@ -31,24 +78,18 @@ import { bins, cells, distributions, points, summaries } from "./tables.js";
  * @property {Distribution[]} distributions
  * @property {Point[]} points
  * @property {Bin[]} bins
+ * @property {number[]} counted   the numbers of trials behind its marks
+ * @property {{ least: number, most: number }} counts   their range
+ * @property {Common | null} common   the trials that it is restricted to
+ * @property {number | null} ceiling   per cent that can be solved, where this is less than all and the same everywhere
  * @property {NonNullable<View["reported"]>} reported
  * @property {string[]} columns   of the table behind it
  * @property {() => Cell[][]} rows   of the table
  * @property {string} words
  */
 
-/** Trials drawn as dots, about. */
-const DOTS = 2000;
-
-/** The kinds of charts, with their names. @type {Record<NonNullable<View["chart"]>, string>} */
-export const KINDS = {
-  success: "Success",
-  box: "Boxes",
-  line: "Line",
-  ecdf: "Distribution",
-  cost: "Cost and work",
-  heat: "Heat map",
-};
+/** All charts, in the order of their buttons. */
+export const CHARTS = [success, box, ecdf, cost, line, heat];
 
 /**
  * What is shown where a view leaves it out, or has what is not there.
@@ -64,20 +105,27 @@ export function completed(view, factors, asked, all) {
   const axis = known(view.axis) ?? numeric[0] ?? factors[0];
   // What is across is not up, too.
   const second = [known(view.second), ...numeric, ...factors].find((factor) => factor !== undefined && factor !== axis);
-  const usualKind = numeric.length > 1 ? "heat" : (numeric[0]?.values.length ?? 0) > 3 ? "line" : "success";
-  const kind = view.chart === "heat" && !second ? "success" : (view.chart ?? usualKind);
-  const measure =
-    one(view.measure) ?? (kind === "success" || kind === "line" || kind === "heat" ? SOLVED : (asked[0] ?? "length"));
+  const usual = numeric.length > 1 ? heat : (numeric[0]?.values.length ?? 0) > 3 ? line : success;
+  const chosen = CHARTS.find(({ id }) => id === view.chart) ?? usual;
+  const kind = chosen.controls.includes("second") && !second ? success : chosen;
+  // Some charts are of shares, others of values.
+  const first = [one(view.measure), kind.fits(SOLVED) ? SOLVED : asked[0], "length"];
+  const measure = first.find((id) => id !== undefined && kind.fits(id)) ?? SOLVED;
   const work =
     one(isShare(view.work ?? "") ? undefined : view.work) ??
     asked.find((id) => ![SOLVED, ...OF_PATHS].includes(id)) ??
     "clearance_evaluations";
-  // Some charts are of shares, others of values.
-  const [fits, usual] =
-    kind === "success"
-      ? [isShare(measure), SOLVED]
-      : [kind === "line" || kind === "heat" || !isShare(measure), "length"];
-  return { kind, axis, second, measure: fits ? measure : usual, work, isLog: view.isLog ?? false };
+  const canBeCommon = !isShare(measure) && !kind.isOfAll && factors.some(({ column }) => column.startsWith("planner"));
+  return {
+    kind,
+    axis,
+    second,
+    measure,
+    work,
+    isLog: view.isLog ?? false,
+    canBeCommon,
+    isCommon: canBeCommon && (view.isCommon ?? false),
+  };
 }
 
 /**
@@ -86,92 +134,92 @@ export function completed(view, factors, asked, all) {
  * @param {View} view
  * @param {string[]} asked
  * @param {string} lengthUnit
+ * @param {{ most: number } | null} [ceiling]  per cent of trials that can be solved
  * @returns {ChartData}
  */
-export function chartOf(rows, factors, view, asked, lengthUnit) {
-  const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, allMeasures(rows.columns));
+export function chartOf(rows, factors, view, asked, lengthUnit, ceiling = null) {
+  const { isLog, isCommon, ...what } = completed(view, factors, asked, allMeasures(rows.columns));
+  const { kind, axis, measure } = what;
   const title = (/** @type {string} */ id) => titled(measureInfo(id, lengthUnit));
-  /** @param {Factor | undefined} factor @returns {Scale} */
-  const discrete = (factor) => ({
-    title: factor ? titled(factor) : "",
-    isNumeric: factor?.isNumeric ?? false,
-    values: factor?.values ?? [null],
-    words: factor?.words,
-  });
-  /** @param {string} id @param {boolean} canBeLog @returns {Scale} */
-  const continuous = (id, canBeLog) => ({
-    title: title(id),
-    isNumeric: true,
-    values: [],
-    isLog: canBeLog && isLog && !isShare(id),
-  });
-  const by = kind === "ecdf" || (kind === "cost" && !axis?.isNumeric) ? undefined : axis;
+  const by = kind.groupedBy ? kind.groupedBy(axis) : axis;
   const others = factors.filter((factor) => factor !== by);
+  const common = isCommon ? commonTrials(rows, factors) : null;
+  /** @type {Query} */
+  const query = {
+    ...what,
+    rows,
+    factors,
+    by,
+    which: common?.which ?? null,
+    discrete: (factor) => ({
+      title: factor ? titled(factor) : "",
+      isNumeric: factor?.isNumeric ?? false,
+      values: factor?.values ?? [null],
+      words: factor?.words,
+    }),
+    continuous: (id, canBeLog) => ({
+      title: title(id),
+      isNumeric: true,
+      values: [],
+      isLog: canBeLog && isLog && !isShare(id),
+    }),
+  };
   /** @type {ChartData} */
   const chart = {
     kind,
     title: title(measure),
-    across: discrete(axis),
-    up: continuous(measure, true),
+    measure,
+    across: query.discrete(axis),
+    up: query.continuous(measure, true),
     series: [],
     isOrdered: false,
     summaries: [],
     distributions: [],
     points: [],
     bins: [],
+    counted: [],
+    counts: { least: 0, most: 0 },
+    common,
+    ceiling: null,
     reported: view.reported ?? [],
     columns: [],
     rows: () => [],
     words: "",
+    ...kind.data(query),
   };
-  if (kind === "ecdf") {
-    const all = (chart.distributions = distributions(rows, factors, work));
-    chart.title = `Share of trials solved, by ${title(work)}`;
-    [chart.across, chart.up] = [
-      continuous(work, true),
-      { ...continuous(SOLVED, false), title: "share of trials solved, %" },
-    ];
-    chart.columns = ["series", work, "share_percent"];
-    chart.rows = () =>
-      all.flatMap(({ series, values, shares }) => values.map((value, i) => [series, value, shares[i]]));
-    chart.words = describe(
-      all,
-      ({ series, n, missing }) => `${series || "all trials"}: ${grouped(n)} of ${grouped(n + missing)} solved`,
-    );
-  } else if (kind === "cost") {
-    chart.title = `${title(measure)} against ${title(work)}`;
-    [chart.across, chart.up] = [continuous(work, true), continuous(measure, false)];
-    chart.points = points(rows, factors, by, measure, work, DOTS);
-    chart.bins = bins(rows, factors, by, measure, work);
-    chart.columns = ["series", "trials", work, "lower_quartile", "median", "upper_quartile"];
-    chart.rows = () =>
-      chart.bins.map(({ series, n, work: at, low, middle, high }) => [series, n, at, low, middle, high]);
-    chart.words = `${grouped(rows.done)} trials`;
-  } else if (kind === "heat" && axis && second) {
-    const all = (chart.summaries = cells(rows, axis, second, measure).filter(({ x, y }) => x !== null && y !== null));
-    chart.up = discrete(second);
-    chart.columns = [axis.column, second.column, "trials", "missing", ...statistics(measure)];
-    chart.rows = () => all.map((one) => [one.x, one.y ?? null, one.n, one.missing, ...numbers(one, measure)]);
-    chart.words = describe(all, (one) => `${labelOf([axis, second], [one.x, one.y ?? null])}: ${rounded(one.middle)}`);
-  } else {
-    const all = summaries(rows, factors, axis, measure);
-    const isLevel = kind === "line" && axis?.isNumeric;
-    chart.summaries = isLevel ? [...all.filter(({ x }) => x !== null), ...levels(all, axis)] : all;
-    if (kind === "box") chart.points = points(rows, factors, axis, measure, "iterations", DOTS);
-    chart.columns = [...(axis ? [axis.column] : []), "series", "trials", "missing", ...statistics(measure)];
-    chart.rows = () =>
-      all.map((one) => [...(axis ? [one.x] : []), one.series, one.n, one.missing, ...numbers(one, measure)]);
-    chart.words = describe(
-      all,
-      (one) =>
-        `${[axis ? labelOf([axis], [one.x]) : "", one.series].filter(Boolean).join(", ") || "all trials"}: ${rounded(one.middle)}`,
+  const { summaries, distributions, points, counted } = chart;
+  chart.series = [...new Set([...summaries, ...distributions, ...points].map(({ series }) => series))];
+  chart.isOrdered = chart.series.length > 4 && others.length === 1 && others[0].isNumeric;
+  if (counted.length > 0) {
+    const sorted = counted.toSorted((a, b) => a - b);
+    chart.counts = { least: sorted[0], most: sorted[sorted.length - 1] };
+  }
+  const isOfPaths = kind.isOfAll || (measure === SOLVED && !kind.controls.includes("second"));
+  const isSame = !factors.some(({ column }) => /^(?:world|query)/.test(column));
+  if (ceiling && ceiling.most < 100 && isOfPaths && isSame) chart.ceiling = ceiling.most;
+  return withReported(chart);
+}
+
+/** The numbers of trials behind the marks. @param {ChartData} chart */
+export function countsOf({ counts: { least, most } }) {
+  return least === most ? `n = ${grouped(most)} each` : `n = ${grouped(least)} to ${grouped(most)}`;
+}
+
+/** What a chart shows, in sentences. @param {ChartData} chart */
+export function remarkOf(chart) {
+  const { kind, common, counted: all } = chart;
+  const sentences = [kind.remark(chart)];
+  if (all.length > 0) sentences.push(`${countsOf(chart)}.`);
+  if (chart.ceiling !== null) sentences.push("Dotted line: what can be solved at most.");
+  if (common) {
+    const { pairs, settings, left } = common;
+    const names = left.length > 3 ? counted(left.length, "setting") : left.join("; ");
+    const less = left.length > 0 ? ` Left out, as they solve less than half of their trials: ${names}.` : "";
+    sentences.push(
+      `Only the ${counted(pairs, "world and seed", "worlds and seeds")} that all ${settings} settings solved.${less}`,
     );
   }
-  chart.series = [
-    ...new Set([...chart.summaries, ...chart.distributions, ...chart.points].map(({ series }) => series)),
-  ];
-  chart.isOrdered = chart.series.length > 4 && others.length === 1 && others[0].isNumeric;
-  return withReported(chart);
+  return sentences.join(" ");
 }
 
 /** The table also has the numbers to compare with. @param {ChartData} chart @returns {ChartData} */
@@ -188,39 +236,4 @@ function withReported(chart) {
     }),
   );
   return { ...chart, rows: () => [...rows(), ...more] };
-}
-
-/**
- * Settings without the parameter across, at both ends of the axis: a level line.
- * @param {Summary[]} all
- * @param {Factor} axis
- */
-function levels(all, { values }) {
-  const numeric = values.filter((value) => value !== null);
-  return all
-    .filter(({ x }) => x === null)
-    .flatMap((one) => [numeric[0], numeric[numeric.length - 1]].map((x) => ({ ...one, x })));
-}
-
-/** @param {string} measure */
-function statistics(measure) {
-  return isShare(measure)
-    ? ["percent", "low", "high"]
-    : ["least", "lower_quartile", "median", "upper_quartile", "most"];
-}
-
-/** @param {Summary} one @param {string} measure @returns {Cell[]} */
-function numbers({ least = null, low, middle, high, most = null }, measure) {
-  return isShare(measure) ? [middle, low, high] : [least, low, middle, high, most];
-}
-
-/** Some of many in words. @template T @param {T[]} all @param {(one: T) => string} sentence */
-function describe(all, sentence) {
-  const some = all.slice(0, 12).map(sentence).join("; ");
-  return all.length > 12 ? `${some}; and ${grouped(all.length - 12)} more in the table` : some;
-}
-
-/** @param {number | null} value */
-export function rounded(value) {
-  return value === null ? "no value" : String(Number(value.toPrecision(3)));
 }

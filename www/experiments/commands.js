@@ -1,8 +1,16 @@
 /** The commands of this page, which each worker of its pool runs: an experiment, and some of its trials. */
-import { Experiment } from "planarium/full";
+import { Experiment, Scenario } from "planarium/full";
+import { errorInfo } from "../app/error-info.js";
+import { withOptions } from "../domain/option-names.js";
 
-/** @import { ExperimentDocument, Trial } from "planarium/full" */
+/** @import { CertificateVerdict, ExperimentDocument, Trial } from "planarium/full" */
+/** @import { TrialWorld } from "./worlds.js" */
 /** @import { Cell } from "./rows.js" */
+
+/** What a certificate says, or that there is none for the robot. @typedef {CertificateVerdict | "unsupported"} Verdict */
+
+/** Cells of a subdivision, at most: about a second. */
+const CELLS = 5000;
 
 /** @type {Experiment | null} */
 let experiment = null;
@@ -27,13 +35,16 @@ export const commands = {
 
   /**
    * Goes on with a job for about some time: trials from the first up to, but not including, the last.
-   * @param {[number, number] | null} job  a new one, or null @param {number} milliseconds
+   * @param {[number, number] | null} job  a new one, which replaces the one before, or null @param {number} milliseconds
    * @returns {{ first: number, rows: Cell[][], seconds: Float64Array, isDone: boolean }}  the rows of trials that
    *   ended, from the first of them on; two times of each
    */
   advance(job, milliseconds) {
     if (!experiment) throw new Error("No experiment is open.");
-    if (job) [next, end] = job;
+    if (job) {
+      freeTrial();
+      [next, end] = job;
+    }
     const { columns } = experiment;
     const until = performance.now() + milliseconds;
     const first = next;
@@ -51,10 +62,29 @@ export const commands = {
     return { first, rows, seconds: Float64Array.from(seconds), isDone: next >= end };
   },
 
-  /** Leaves the job as it is. */
-  stop() {
-    freeTrial();
-    next = end;
+  /**
+   * Whether a query of a world has a path.
+   * @param {TrialWorld} world
+   * @param {string} query
+   * @returns {Verdict}
+   */
+  certify(world, query) {
+    const scenario =
+      "scenario" in world
+        ? Scenario.parse(world.scenario)
+        : withOptions(world.options, (options) => Scenario.generate(world.generate, options));
+    try {
+      const subdivision = scenario.certify({ query, cells: CELLS });
+      while (subdivision.stepFor(1000) === "running");
+      const { verdict } = subdivision;
+      subdivision.free();
+      return verdict ?? "unknown";
+    } catch (error) {
+      if (errorInfo(error).code === "unsupported") return "unsupported";
+      throw error;
+    } finally {
+      scenario.free();
+    }
   },
 };
 

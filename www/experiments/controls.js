@@ -1,18 +1,22 @@
 /** The controls of the chart: its kind, what is measured, and what is across. */
 import { byId, make } from "../app/dom.js";
 import { press } from "../widgets/elements.js";
-import { KINDS, completed } from "./charts.js";
-import { CHARTS } from "./link.js";
+import { CHARTS, completed } from "./charts.js";
 import { OF_PATHS, isShare, measureInfo, titled } from "./measures.js";
 
 /** @import { ExperimentSession } from "./session.js" */
 
 /** @param {ExperimentSession} session @returns {() => void}  shows the view */
 export function watchControls(session) {
-  const kinds = CHARTS.map((kind) =>
-    make("button", { type: "button", dataset: { kind }, onclick: () => session.show({ chart: kind }) }, KINDS[kind]),
-  );
-  byId("kinds", HTMLElement).append(...kinds);
+  const kinds = CHARTS.map((kind) => ({
+    kind,
+    element: make(
+      "button",
+      { type: "button", dataset: { kind: kind.id }, onclick: () => session.show({ chart: kind.id }) },
+      kind.title,
+    ),
+  }));
+  byId("kinds", HTMLElement).append(...kinds.map(({ element }) => element));
   const selects = Object.fromEntries(
     /** @type {const} */ ([
       ["measure", "Measure"],
@@ -24,23 +28,34 @@ export function watchControls(session) {
       return [name, { select, row: make("label", { htmlFor: select.id }, title, select) }];
     }),
   );
-  const log = make("input", {
-    type: "checkbox",
-    role: "switch",
-    id: "view-log",
-    onchange: () => session.show({ isLog: log.checked || undefined }),
+  const [log, common] = /** @type {const} */ ([
+    ["isLog", "view-log", "Logarithmic"],
+    ["isCommon", "view-common", "Only what all settings solved"],
+  ]).map(([name, id, title]) => {
+    const input = make("input", {
+      type: "checkbox",
+      role: "switch",
+      id,
+      onchange: () => session.show({ [name]: input.checked || undefined }),
+    });
+    return { input, row: make("label", { htmlFor: id }, title, input) };
   });
-  const logRow = make("label", { htmlFor: log.id }, "Logarithmic", log);
-  byId("view", HTMLElement).append(...Object.values(selects).map(({ row }) => row), logRow);
+  byId("view", HTMLElement).append(...Object.values(selects).map(({ row }) => row), log.row, common.row);
   return show;
 
   function show() {
     const { view, factors, asked, measures, unit } = session;
-    const { kind, axis, second, measure, work, isLog } = completed(view, factors, asked, measures);
-    for (const element of kinds) {
-      press(element, element.dataset.kind === kind);
+    const { kind, axis, second, measure, work, isLog, canBeCommon, isCommon } = completed(
+      view,
+      factors,
+      asked,
+      measures,
+    );
+    const has = (/** @type {typeof kind.controls[number]} */ control) => kind.controls.includes(control);
+    for (const { kind: one, element } of kinds) {
+      press(element, one === kind);
       // Factors are known once the core has accepted the document.
-      element.disabled = element.dataset.kind === "heat" && session.info !== null && !second;
+      element.disabled = one.controls.includes("second") && session.info !== null && !second;
       element.title = element.ariaDescription = element.disabled
         ? "A heat map needs two of these: planners, worlds and parameters that vary."
         : "";
@@ -61,30 +76,33 @@ export function watchControls(session) {
       select.dataset.offered = key;
       select.value = value ?? "";
     };
-    const isMixed = kind === "line" || kind === "heat";
-    const fitting = measures.filter((id) => isMixed || isShare(id) === (kind === "success"));
+    const fitting = measures.filter(kind.fits);
     offer(
       "measure",
       fitting.map((id) => [id, title(id)]),
       measure,
-      kind !== "ecdf" && fitting.length > 1,
+      has("measure") && fitting.length > 1,
     );
     offer(
       "work",
       measures.filter((id) => !isShare(id) && !OF_PATHS.includes(id)).map((id) => [id, title(id)]),
       work,
-      kind === "ecdf" || kind === "cost",
+      has("work"),
     );
-    const columns = /** @type {[string, string][]} */ (factors.map((factor) => [factor.column, factor.title]));
-    const across = kind === "cost" ? columns.filter((_, i) => factors[i].isNumeric) : columns;
-    offer("axis", across, axis?.column, kind !== "ecdf" && (kind !== "cost" || across.length > 1));
+    // Some charts put only numbers across.
+    const columns = factors
+      .filter((factor) => !kind.groupedBy || kind.groupedBy(factor) === factor)
+      .map((factor) => /** @type {[string, string]} */ ([factor.column, factor.title]));
+    offer("axis", columns, axis?.column, has("axis") && columns.length > 1);
     offer(
       "second",
       columns.filter(([column]) => column !== axis?.column),
       second?.column,
-      kind === "heat",
+      has("second"),
     );
-    logRow.hidden = kind === "success" || kind === "heat" || (kind === "line" && isShare(measure));
-    log.checked = isLog;
+    log.row.hidden = !has("log") || isShare(measure);
+    log.input.checked = isLog;
+    common.row.hidden = !canBeCommon;
+    common.input.checked = isCommon;
   }
 }

@@ -54,9 +54,10 @@ export function wordOf(value, words) {
 /**
  * @param {ExperimentDocument} document  that the core has accepted
  * @param {Naming} naming
+ * @param {(string | undefined)[]} [titles]  of its worlds
  * @returns {Factor[]}  those with more than one value
  */
-export function factorsOf({ worlds, planners }, naming) {
+export function factorsOf({ worlds, planners }, naming, titles = []) {
   const queries = worlds.flatMap((world) => world.queries ?? []);
   /** @param {string} column @param {string} title @param {Cell[]} values */
   const plain = (column, title, values) => ({ column, title, unit: "", values, isNumeric: false });
@@ -77,7 +78,10 @@ export function factorsOf({ worlds, planners }, naming) {
       words: new Map(planners.map((entry) => [nameOf(entry), plannerTitle(entry)])),
     },
     ...varied("planner", planners),
-    plain("world", "world", worlds.map(nameOf)),
+    {
+      ...plain("world", "world", worlds.map(nameOf)),
+      words: new Map(worlds.map((entry, i) => [nameOf(entry), titles[i] ?? nameOf(entry)])),
+    },
     ...varied(
       "world",
       worlds.map((world) => ("generate" in world ? world : {})),
@@ -90,9 +94,10 @@ export function factorsOf({ worlds, planners }, naming) {
  * The groups with a trial that has ended, in the order of the values.
  * @param {Rows} rows
  * @param {Factor[]} factors
+ * @param {Uint8Array | null} [which]  the trials that count
  * @returns {Group[]}
  */
-export function groupsOf(rows, factors) {
+export function groupsOf(rows, factors, which = null) {
   /** @type {Map<number, Group>} */
   const groups = new Map();
   // The place of each value of the rows among those of the factor.
@@ -103,6 +108,7 @@ export function groupsOf(rows, factors) {
     places: /** @type {number[]} */ ([]),
   }));
   for (const trial of rows.ended()) {
+    if (which && !which[trial]) continue;
     let key = 0;
     for (const { factor, codes, known, places } of columns) {
       const code = codes?.[trial] ?? 0;

@@ -21,6 +21,8 @@ import { titleOf } from "./worlds.js";
 
 /** Rows for parameters that vary, at least. */
 const VARIED = 2;
+/** Seeds of an experiment in one world. */
+const SEEDS = 100;
 
 /** @param {ExperimentSession} session */
 export function watchForm(session) {
@@ -88,7 +90,8 @@ export function watchForm(session) {
       return entry(
         maker ? `${capital(titleOf(world))} (generated)` : titleOf(world),
         parts,
-        worlds.length > 1 && (() => edit({ worlds: worlds.filter((_, j) => j !== i) }, true)),
+        worlds.length > 1 &&
+          (() => edit(enoughSeeds({ ...session.document, worlds: worlds.filter((_, j) => j !== i) }), true)),
         `world-${i}-remove`,
       );
     });
@@ -113,7 +116,7 @@ export function watchForm(session) {
         ...(name === id ? {} : { name }),
         ...(kind === "generate" ? { seeds: { from: 0, count: 10 } } : {}),
       });
-      edit({ worlds: [...worlds, world] }, true);
+      edit(enoughSeeds({ ...session.document, worlds: [...worlds, world] }), true);
     };
     return [...rows, make("div", { className: "row" }, choice, button("add-world", "Add", add))];
   }
@@ -373,6 +376,18 @@ export function watchForm(session) {
       fold,
     ];
   }
+}
+
+/**
+ * One world alone has more seeds: few say little.
+ * @param {LinkedDocument} document
+ * @returns {LinkedDocument}
+ */
+export function enoughSeeds(document) {
+  const { worlds, seeds } = document;
+  const count = (/** @type {ExperimentSeeds} */ some) => (Array.isArray(some) ? some.length : some.count);
+  const isOne = worlds.length === 1 && (!("generate" in worlds[0]) || count(worlds[0].seeds ?? [0]) === 1);
+  return isOne && count(seeds) < SEEDS ? { ...document, seeds: { from: 0, count: SEEDS } } : document;
 }
 
 /** @param {string} title @param {...HTMLElement} parts */

@@ -5,7 +5,21 @@
  * relative to `experiments/documents/`.
  */
 import { decodeState, encodeState } from "../app/link.js";
-import { flag, json, list, name, number, oneOf, record, rule, text, whole, withDefaults } from "../formats/rules.js";
+import { CHARTS } from "./charts.js";
+import {
+  flag,
+  formed,
+  json,
+  list,
+  name,
+  number,
+  oneOf,
+  record,
+  rule,
+  text,
+  whole,
+  withDefaults,
+} from "../formats/rules.js";
 
 /** @import { Allowed, Rule } from "../formats/rules.js" */
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
@@ -20,12 +34,9 @@ import { flag, json, list, name, number, oneOf, record, rule, text, whole, withD
  */
 /** @typedef {Allowed<typeof viewRule>} View */
 
-/** The kinds of charts. */
-export const CHARTS = /** @type {const} */ (["success", "box", "ecdf", "cost", "line", "heat"]);
-
 /** What is shown of the rows; what is absent is chosen by the page. */
 const viewRule = record({
-  chart: oneOf(CHARTS),
+  chart: oneOf(CHARTS.map(({ id }) => id)),
   // A measure of the core, or "solved": the share of trials with a path.
   measure: name,
   // The measure across, of the charts over work.
@@ -34,8 +45,13 @@ const viewRule = record({
   axis: text,
   second: text,
   isLog: flag,
-  // The name of the setting that all others are compared with.
+  // Lengths and work over the worlds and seeds that every setting solved.
+  isCommon: flag,
+  // The names of the settings that are compared: all others with the first, too.
   baseline: text,
+  other: text,
+  // Instead of what the marks mean.
+  caption: formed(/^[^]*$/, 600),
   /** Numbers to compare with, as points over the chart: `x` is a place on the axis across. */
   reported: list(
     record({
@@ -55,6 +71,8 @@ export const stateRule = Object.assign(
     {
       document: /** @type {Rule<LinkedDocument>} */ (record({}, json(16))),
       view: viewRule,
+      // Whether the trials run without a click, where they are few; absent: unless motion is reduced.
+      run: flag,
     },
     { view: /** @type {View} */ ({}) },
   ),
@@ -64,10 +82,10 @@ export const stateRule = Object.assign(
   },
 );
 
-/** @typedef {{ document: LinkedDocument, view: View }} ExperimentState */
+/** @typedef {{ document: LinkedDocument, view: View, run?: boolean }} ExperimentState */
 
 /**
- * @param {{ document: LinkedDocument, view?: View }} experiment
+ * @param {{ document: LinkedDocument, view?: View, run?: boolean }} experiment
  * @returns {Promise<string>}  the fragment of `experiments.html`, without `#`
  * @throws {Error} in words
  */

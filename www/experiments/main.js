@@ -17,11 +17,11 @@ import { pngPicture, svgPicture } from "../draw/picture.js";
 import { csvFile } from "../formats/csv.js";
 import { showFiles } from "../widgets/downloads.js";
 import { capital } from "../widgets/format.js";
-import { KINDS, chartOf, completed } from "./charts.js";
+import { chartOf, completed, remarkOf } from "./charts.js";
 import { comparisons } from "./comparisons.js";
 import { watchControls } from "./controls.js";
 import { plannerTitle } from "./factors.js";
-import { watchForm } from "./form.js";
+import { enoughSeeds, watchForm } from "./form.js";
 import { stateRule } from "./link.js";
 import { SOLVED } from "./measures.js";
 import { READY, loadReady, readyOf } from "./ready.js";
@@ -42,8 +42,11 @@ const PAUSE = 400;
 const REST = 8;
 /** Rows of the table of the chart, at most. */
 const MOST_ROWS = 400;
-/** Experiments with at most this number of trials run as they are opened. */
-const AT_ONCE = 5000;
+/**
+ * Trials that run as they are opened, at most: of an experiment that the reader chose here or in a file, and of a link,
+ * which may come from anyone.
+ */
+const AT_ONCE = { here: 5000, link: 400 };
 /** Image pixels a CSS pixel. */
 const SCALE = 2;
 
@@ -63,10 +66,14 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   let chart = null;
   /** @type {SVGSVGElement | null} */
   let picture = null;
+  /** The picture with title and caption. @type {() => SVGSVGElement | null} */
+  let framed = () => null;
   /** Whether the chart is out of date, when it was last drawn, and for how long. */
   let isStale = true;
   let [drawnAt, took] = [-Infinity, 0];
   let isDrawing = false;
+  /** Trials that run without a click, at most. */
+  let atOnce = AT_ONCE.here;
   /** The document that was opened last: another one is an edited one. @type {LinkedDocument | null} */
   let opened = null;
 
@@ -78,14 +85,25 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   app.onTheme(redraw);
   tableFold.addEventListener("toggle", () => showTable());
   wordsFold.addEventListener("toggle", () => showWords());
-  const baselines = byId("baseline", HTMLSelectElement);
-  baselines.addEventListener("change", () => session.show({ baseline: baselines.value }));
+  const [baselines, others] = ["baseline", "other"].map((id) => byId(id, HTMLSelectElement));
+  // The two change places where one becomes the other.
+  baselines.addEventListener("change", () =>
+    session.show({
+      baseline: baselines.value,
+      other: baselines.value === others.value ? session.view.baseline : others.value,
+    }),
+  );
+  others.addEventListener("change", () => session.show({ baseline: baselines.value, other: others.value }));
+  const [title, caption] = [byId("title", HTMLInputElement), byId("own-caption", HTMLTextAreaElement)];
+  title.addEventListener("change", () => session.rename(title.value.trim()));
+  caption.addEventListener("input", () => session.show({ caption: caption.value || undefined }));
+  watchPrint();
   app.onFrame(animate);
   // The core of a worker was lost, not the document: it is opened again with the next trial.
   app.rebuild = () => {};
 
   run.addEventListener("click", toggle);
-  cancel.addEventListener("click", () => void app.track(session.cancel()));
+  cancel.addEventListener("click", () => session.cancel());
   watchKeys([stage], { " ": toggle });
   chartHost.addEventListener("click", ({ target }) => {
     const trial = target instanceof Element ? target.getAttribute("data-trial") : null;
@@ -106,17 +124,18 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       .replace(/[^a-z0-9]+/g, "-")
       .replace(/^-+|-+$/g, "")
       .slice(0, 40);
-  const chartName = () => `${name()}-${chart?.kind ?? "chart"}`;
+  const chartName = () => `${name()}-${chart?.kind.id ?? "chart"}`;
   const shown = () => {
-    if (!picture || !chart) throw new Error("There is no chart yet.");
-    return { picture, chart, ground: app.look.palette.stage };
+    const whole = framed();
+    if (!whole || !chart) throw new Error("There is no chart yet.");
+    return { picture: whole, chart, ground: app.look.palette.stage };
   };
   showFiles(app, name, [
     {
       id: "png",
       title: "Chart",
       format: "PNG",
-      meaning: "The chart as shown.",
+      meaning: "The chart with its title and caption.",
       name: chartName,
       content: () => pngPicture(shown().picture, shown().ground, shown().chart.title, SCALE),
     },
@@ -124,7 +143,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       id: "svg",
       title: "Vector graphic",
       format: "SVG",
-      meaning: "The chart as shown, sharp at any size.",
+      meaning: "The same, sharp at any size.",
       name: chartName,
       content: () => svgPicture(shown().picture, shown().ground, shown().chart.title),
     },
@@ -178,8 +197,12 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     save: () => ({ document: session.document, view: session.view }),
     contents: "the experiment and the chart. The trials run again where it is opened",
     open: async (/** @type {ExperimentState | null} */ state) => {
-      if (state) await open(state, await readyOf(state.document));
-      else if (!session.info) await openReady(READY[0].id);
+      if (!state) {
+        if (!session.info) await openReady(READY[0].id);
+        return;
+      }
+      const { id, isKnown } = await readyOf(state.document);
+      await open(state, id, isKnown ? AT_ONCE.here : AT_ONCE.link);
     },
   });
 
@@ -200,16 +223,19 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   }
 
   /**
-   * Opens an experiment, and runs it if it is small.
+   * Opens an experiment, and runs it if it is short. One that asks to run does so with reduced motion, too.
    * @param {ExperimentState} state
    * @param {string} id  of a ready one, or empty
+   * @param {number} [most]  trials that run without a click
    */
-  async function open(state, id) {
+  async function open(state, id, most = AT_ONCE.here) {
     app.notice.hide();
     ready.value = id;
     opened = state.document;
+    atOnce = most;
     const isAccepted = await session.open(state);
-    if (isAccepted && !app.reducedMotion && (session.info?.trialCount ?? Infinity) <= AT_ONCE) start();
+    const isAsked = state.run ?? !app.reducedMotion;
+    if (isAccepted && isAsked && (session.info?.trialCount ?? Infinity) <= most) start();
   }
 
   /** @param {string} fileName @param {Uint8Array} bytes */
@@ -221,7 +247,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     const title = fileName.replace(/\.json$/, "");
     await open(
       isScenario
-        ? { document: { ...document, title, worlds: [{ scenario: read }] }, view: {} }
+        ? { document: enoughSeeds({ ...document, title, worlds: [{ scenario: read }] }), view: {} }
         : { document: read, view: {} },
       "",
     );
@@ -234,8 +260,10 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   function toggle() {
     if (run.disabled) return;
     if (session.phase === "running") void app.track(session.pause());
-    else if (session.phase === "done") void app.track(session.cancel()).then(start);
-    else start();
+    else {
+      if (session.phase === "done") session.cancel();
+      start();
+    }
   }
 
   /** @param {Change} change */
@@ -259,7 +287,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     run.disabled =
       !["ready", "running", "paused", "failed", "done"].includes(phase) ||
       (phase !== "running" && byId("form", HTMLElement).querySelector("[aria-invalid=true]") !== null);
-    cancel.disabled = !["running", "paused", "failed"].includes(phase);
+    cancel.disabled = !["running", "paused", "failed"].includes(phase) && session.uncertified === 0;
     progress.value = rows.count > 0 ? rows.done / rows.count : 0;
     byId("progress-text", HTMLElement).textContent = progressText();
     if (change === "checked" && phase === "refused" && refusal) {
@@ -270,6 +298,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
       app.notice.element.scrollIntoView({ block: "nearest" });
     } else if (change === "checked") app.notice.hide();
     if (session.document !== opened) ready.value = "";
+    if (document.activeElement !== title) title.value = session.document.title ?? "";
+    if (document.activeElement !== caption) caption.value = session.view.caption ?? "";
     app.write({ where: info ? `${grouped(rows.count)} trials${pool.most > 1 ? ` on ${pool.most} workers` : ""}` : "" });
     app.say(sentence(), { isBad: phase === "refused" || phase === "failed", isSilent: change === "rows" });
     if (change === "checked" || change === "view" || change === "document") showControls();
@@ -295,12 +325,15 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (phase !== "done")
       return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
     const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
-    return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.`;
+    const { ceiling } = session;
+    const limit = ceiling && ceiling.most < 100 ? ` At most ${Number(ceiling.most.toFixed(1))} % can be solved.` : "";
+    return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.${limit}`;
   }
 
   function progressText() {
     const { rows, phase, runtime } = session;
     if (rows.count === 0) return "";
+    if (session.uncertified > 0) return `${counted(session.uncertified, "world")} left to examine for a path`;
     const left = rows.done > 0 && session.isBusy ? (runtime / rows.done) * (rows.count - rows.done) : 0;
     const seconds =
       phase === "done" ? `, ${(runtime / 1000).toFixed(1)} s` : left > 0 ? `, ${timeText(left)} left` : "";
@@ -326,11 +359,11 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
   }
 
   async function draw() {
-    const { drawChart } = await drawing();
+    const { drawChart, captioned } = await drawing();
     const began = performance.now();
     const { rows, factors, view, asked, unit } = session;
     const { look } = app;
-    chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit) : null;
+    chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, session.ceiling) : null;
     const width = Math.max(280, Math.floor(chartHost.clientWidth));
     picture =
       chart &&
@@ -340,14 +373,17 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
         palette: look.palette,
         bold: look.bold,
       });
+    framed = () =>
+      picture &&
+      captioned(picture, { title: session.document.title ?? "", caption: captionText(), palette: look.palette });
     if (picture) chartHost.replaceChildren(picture);
     else chartHost.replaceChildren(...waiting());
-    byId("caption", HTMLElement).textContent = chart ? `${KINDS[chart.kind]}: ${chart.title}` : "";
-    byId("remark", HTMLElement).textContent = chart ? remark(chart) : "";
+    byId("caption", HTMLElement).textContent = chart ? `${chart.kind.title}: ${chart.title}` : "";
+    byId("remark", HTMLElement).textContent = captionText();
     showTable();
     showWords();
     showTrials();
-    Object.assign(document.body.dataset, { chart: chart?.kind ?? "", drawn: rows.done });
+    Object.assign(document.body.dataset, { chart: chart?.kind.id ?? "", drawn: rows.done });
     drawnAt = performance.now();
     took = drawnAt - began;
   }
@@ -359,8 +395,8 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     if (phase !== "ready") return [make("p", { className: "hint" }, "The chart grows as trials end.")];
     const why = app.reducedMotion
       ? "With reduced motion trials do not start by themselves."
-      : info.trialCount > AT_ONCE
-        ? `More than ${grouped(AT_ONCE)} trials do not start by themselves.`
+      : info.trialCount > atOnce
+        ? `More than ${grouped(atOnce)} trials${atOnce === AT_ONCE.link ? " of a link" : ""} do not start by themselves.`
         : "No trial has run.";
     return [
       make("p", { className: "hint" }, why),
@@ -368,22 +404,56 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     ];
   }
 
-  /** The comparisons, while no trial runs. */
+  /** The result in sentences, while no trial runs. */
   function showWords() {
     if (!wordsFold.open || session.isBusy) return;
-    const { rows, factors, view, asked, measures } = session;
+    const { rows, factors, view, asked, measures, ceiling } = session;
     const { kind, measure, work } = completed(view, factors, asked, measures);
-    const { about, sentences, names, baseline } = comparisons(
-      rows,
-      factors,
-      kind === "ecdf" ? work : measure,
-      view.baseline,
+    const of = kind.controls.includes("measure") ? measure : work;
+    const { sentences, names, baseline, other } = comparisons(rows, factors, of, {
+      ...view,
+      which: chart?.common?.which,
+    });
+    byId("pair", HTMLElement).hidden = names.length < 2;
+    const offer = (
+      /** @type {HTMLSelectElement} */ select,
+      /** @type {string[]} */ all,
+      /** @type {string} */ value,
+    ) => {
+      select.replaceChildren(...all.map((name) => make("option", { value: name }, name)));
+      select.value = value;
+    };
+    offer(baselines, names, baseline);
+    offer(
+      others,
+      names.filter((name) => name !== baseline),
+      other,
     );
-    byId("baseline-row", HTMLElement).hidden = names.length < 2;
-    baselines.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
-    baselines.value = baseline;
-    byId("words-about", HTMLElement).textContent = about;
-    byId("words", HTMLElement).replaceChildren(...sentences.map((text) => make("li", {}, text)));
+    byId("words", HTMLElement).replaceChildren(
+      ...[...sentences, ...(ceiling ? [ceiling.words] : [])].map((text) => make("li", {}, text)),
+    );
+  }
+
+  /** What is under the chart, in its exports too: the reader's caption, or what the marks mean. */
+  function captionText() {
+    if (!chart) return "";
+    const { view, ceiling } = session;
+    const isOfPaths = chart.measure === SOLVED || chart.kind.isOfAll;
+    return view.caption ?? [remarkOf(chart), ...(ceiling && isOfPaths ? [ceiling.words] : [])].join(" ");
+  }
+
+  /** The printed page is light, and has the table and the sentences instead of controls. */
+  function watchPrint() {
+    /** @type {HTMLDetailsElement[]} */
+    let opened = [];
+    const prepare = (/** @type {boolean} */ isPrint) => {
+      if (isPrint) opened = [tableFold, wordsFold].filter(({ open }) => !open);
+      for (const fold of opened) fold.open = isPrint;
+      byId("main", HTMLElement).style.colorScheme = isPrint ? "light" : "";
+      void app.track(draw());
+    };
+    const printing = matchMedia("print");
+    printing.addEventListener("change", () => prepare(printing.matches));
   }
 
   function showTable() {
@@ -415,27 +485,6 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
     );
   }
 });
-
-/** What a chart shows, in a sentence. @param {ChartData} chart */
-function remark({ kind, up, across, points }) {
-  const of = up.title.endsWith("%") ? "Wilson\u2019s 95 % interval" : "quartiles of trials with a path";
-  const dots = points.length > 0 ? " A dot is a trial: click it to watch its run." : "";
-  const share = up.title.startsWith("valid")
-    ? "share of paths that the verifier accepts"
-    : "share of trials with a path";
-  const whole =
-    "Work is that of the whole run, with the iterations in which a planner such as RRT* or SST improves its path.";
-  if (kind === "success") return `Bars: ${share}. Lines: ${of}.`;
-  if (kind === "box") return `Boxes: quartiles of trials with a path; lines: smallest and largest value.${dots}`;
-  if (kind === "ecdf")
-    return `Share of all trials that had found a path, by work. Trials without a path stay in the denominator. ${whole}`;
-  if (kind === "cost")
-    return `Line and band: median and quartiles of trials with a path and about the same work. ${whole}${dots}`;
-  if (kind === "heat")
-    return "Medians of trials with a path, or shares. Trials that differ in anything else are together.";
-  const [marks, intervals] = across.isNumeric ? ["Line", "band"] : ["Dots", "lines"];
-  return `${marks}: ${of.startsWith("W") ? share : "median"}; ${intervals}: ${of}.`;
-}
 
 /** @param {import("./rows.js").Cell} cell */
 function cellText(cell) {

@@ -49,25 +49,30 @@ export async function loadReady(id) {
 }
 
 /**
- * The ready experiment with the same document, or empty; its view may differ.
+ * The ready experiment with the same document, or empty; its view may differ. An experiment is known, too, where it has
+ * only some of the worlds of a ready one.
  * @param {LinkedDocument} document
- * @returns {Promise<string>}
+ * @returns {Promise<{ id: string, isKnown: boolean }>}
  */
 export async function readyOf(document) {
   const id = READY.find(({ title }) => title === document.title)?.id;
-  if (!id) return "";
+  if (!id) return { id: "", isKnown: false };
   // A link holds the scenarios that a file names.
-  const texts = await Promise.all(
-    [document, (await loadReady(id)).document].map(async (one) =>
-      JSON.stringify(await resolved(one).catch(() => null)),
-    ),
+  const [one, own] = await Promise.all(
+    [document, (await loadReady(id)).document].map((each) => resolved(each).catch(() => null)),
   );
-  return texts[0] === texts[1] ? id : "";
+  if (!one || !own || !Array.isArray(one.worlds)) return { id: "", isKnown: false };
+  const text = (/** @type {unknown} */ value) => JSON.stringify(value);
+  const worlds = own.worlds.map(text);
+  const isKnown =
+    text({ ...one, worlds: [] }) === text({ ...own, worlds: [] }) &&
+    one.worlds.every((world) => worlds.includes(text(world)));
+  return { id: isKnown && one.worlds.length === worlds.length ? id : "", isKnown };
 }
 
 /**
- * The title of a changed document: that of a ready experiment becomes one of the planners' names; one of the reader's
- * own stays.
+ * The title of a changed document: that of a ready experiment becomes one of the planners' names; a title by
+ * the reader stays.
  * @param {LinkedDocument} before
  * @param {LinkedDocument} after
  * @returns {string | undefined}

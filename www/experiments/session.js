@@ -6,12 +6,13 @@ import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium/full";
+import { ceilingOf, tasksOf } from "./ceiling.js";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
-import { Pool } from "./pool.js";
+import { Pool, Queue } from "./pool.js";
 import { retitled } from "./ready.js";
-import { lengthUnit, resolved, robotsOf } from "./worlds.js";
+import { lengthUnit, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ExperimentDocument } from "planarium/full" */
@@ -19,6 +20,9 @@ import { lengthUnit, resolved, robotsOf } from "./worlds.js";
 /** @import { Info } from "./commands.js" */
 /** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
 /** @import { ExperimentWorker } from "./pool.js" */
+
+/** Worlds that are certified, at most. */
+const MOST_CERTIFIED = 400;
 
 /** @typedef {"document" | "checked" | "view" | "rows" | "phase"} Change */
 /** @typedef {"checking" | "refused" | "ready" | "running" | "pausing" | "paused" | "failed" | "done"} Phase */
@@ -37,20 +41,26 @@ export class ExperimentSession extends Observable {
     this.resolved = null;
     /** @type {Info | null} */
     this.info = null;
-    this.rows = new Rows([], 0);
+    /** The trials that have ended, and the others. */
+    this.queue = new Queue(null, new Rows([], 0));
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
     this.unit = "";
+    /** How many trials can be solved, once all have ended. @type {import("./ceiling.js").Ceiling | null} */
+    this.ceiling = null;
+    /** Worlds whose certificates are still to come. */
+    this.uncertified = 0;
     /** The types of robots of the worlds; none where they are not known. @type {import("./worlds.js").Robot[]} */
     this.robots = [];
     /** @type {Phase} */
     this.phase = "checking";
     /** @type {ErrorInfo | null} */
     this.refusal = null;
-    /** The run under way. @type {Promise<void>} */
+    /** The run under way, and what pauses it. @type {Promise<void>} */
     this.running = Promise.resolve();
-    /** Checks begun. */
-    this.checks = 0;
+    this.pausing = new AbortController();
+    /** Stops whatever is under way for this document: a check, a run, or certificates. */
+    this.stopping = new AbortController();
     /** Milliseconds that trials have run, and when they were started or went on. */
     this.elapsed = 0;
     this.since = 0;
@@ -65,6 +75,10 @@ export class ExperimentSession extends Observable {
       const [title, own] = [info?.title ?? "", nameOfColumn(column)];
       return { title: title.toLowerCase() === own ? own : title ? `${title} (${own})` : own, unit: info?.unit ?? "" };
     };
+  }
+
+  get rows() {
+    return this.queue.rows;
   }
 
   /** All measures, shares first. @returns {string[]} */
@@ -110,19 +124,27 @@ export class ExperimentSession extends Observable {
     this.update("view");
   }
 
+  /** Stops what is under way. @returns {AbortSignal}  of what comes next */
+  begin() {
+    this.stopping.abort();
+    this.pausing.abort();
+    this.stopping = new AbortController();
+    return this.stopping.signal;
+  }
+
   /** Lets the core check the document; rows are dropped. @returns {Promise<boolean>} */
   async check() {
-    const check = ++this.checks;
-    this.refusal = this.info = this.resolved = null;
-    this.rows = new Rows([], 0);
+    const signal = this.begin();
+    this.refusal = this.info = this.resolved = this.ceiling = null;
+    this.queue = new Queue(null, new Rows([], 0));
     this.factors = [];
     this.setPhase("checking");
     try {
       const document = await resolved(this.document);
-      if (check !== this.checks) return false;
+      if (signal.aborted) return false;
       this.robots = robotsOf(document);
       const info = await this.pool.open(document);
-      if (check !== this.checks || !info) return false;
+      if (signal.aborted) return false;
       if (info.trialCount > MOST) {
         const message = `these are ${grouped(info.trialCount)} trials; the page runs ${grouped(MOST)} at most, and \u201cplanarium sweep\u201d any number`;
         throw Object.assign(new Error(message), { code: "too-large" });
@@ -130,21 +152,33 @@ export class ExperimentSession extends Observable {
       Object.assign(this, {
         resolved: document,
         info,
-        elapsed: 0,
         unit: lengthUnit(document),
-        factors: factorsOf(document, this.naming),
+        // Files of the site are known by their names.
+        factors: factorsOf(
+          document,
+          this.naming,
+          this.document.worlds.map((world) => ("scene" in world ? titleOf(world) : undefined)),
+        ),
       });
-      this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
-      this.setPhase("ready");
+      this.clear();
       this.update("checked");
       return true;
     } catch (error) {
-      if (check !== this.checks) return false;
+      if (signal.aborted) return false;
       this.refusal = errorInfo(error);
       this.setPhase("refused");
       this.update("checked");
       return false;
     }
+  }
+
+  /** Begins without rows. */
+  clear() {
+    const { columns = [], trialCount = 0, fingerprint } = this.info ?? {};
+    this.queue = new Queue(this.resolved, new Rows(columns, trialCount, fingerprint));
+    this.elapsed = this.uncertified = 0;
+    this.refusal = this.ceiling = null;
+    this.setPhase("ready");
   }
 
   /** @param {Phase} phase */
@@ -156,20 +190,60 @@ export class ExperimentSession extends Observable {
   /** Runs the trials that have not ended. @returns {Promise<void>} */
   async start() {
     if (!["ready", "paused", "failed"].includes(this.phase)) return;
-    const check = this.checks;
+    const { signal } = this.stopping;
     this.refusal = null;
     this.since = performance.now();
+    this.pausing = new AbortController();
     this.setPhase("running");
-    this.running = this.pool.run(this.rows, () => this.update("rows"));
+    this.running = this.pool.run(this.queue, this.pausing.signal, () => {
+      if (!signal.aborted) this.update("rows");
+    });
     try {
       await this.running;
-      if (check === this.checks) this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+      if (signal.aborted) return;
+      this.halt(this.rows.done === this.rows.count ? "done" : "paused");
+      if (this.phase === "done") await this.certify(signal);
     } catch (error) {
-      if (check !== this.checks) return;
+      if (signal.aborted) return;
       this.refusal = errorInfo(error);
       this.halt("failed");
       throw error;
     }
+  }
+
+  /**
+   * Asks for a certificate of each world in which no trial found a path.
+   * @param {AbortSignal} signal
+   */
+  async certify(signal) {
+    const { resolved: document, rows } = this;
+    if (!document) return;
+    const tasks = tasksOf(rows, document);
+    /** @type {Map<string, import("./ceiling.js").Verdict>} */
+    const verdicts = new Map();
+    const open = tasks.filter(({ hasPath }) => !hasPath).slice(0, MOST_CERTIFIED);
+    this.uncertified = open.length;
+    await this.pool.share(open, signal, async (worker, { key, trials: [trial] }) => {
+      const query = String(rows.cell(trial, "query"));
+      // A worker that was lost leaves it unknown.
+      const verdict = await worker.certify(worldOfTrial(document, rows, trial), query).catch(() => undefined);
+      if (signal.aborted) return;
+      verdicts.set(key, verdict ?? "unknown");
+      this.uncertified--;
+      this.update("phase");
+    });
+    if (signal.aborted) return;
+    this.ceiling = ceilingOf(tasks, verdicts);
+    this.update("rows");
+  }
+
+  /** Another title, which is no part of the trials: they stay. @param {string} title */
+  rename(title) {
+    const { title: _, ...rest } = this.document;
+    this.document = title ? { ...rest, title } : rest;
+    if (this.resolved) Object.assign(this.resolved, { title: title || "Experiment" });
+    if (this.info) this.info.title = title;
+    this.update("view");
   }
 
   /** @param {Phase} phase */
@@ -182,23 +256,16 @@ export class ExperimentSession extends Observable {
   /** Pauses; trials that run now are continued later. */
   async pause() {
     if (this.phase !== "running") return;
-    this.pool.isRunning = false;
+    this.pausing.abort();
     this.setPhase("pausing");
     await this.running.catch(() => {});
   }
 
   /** Stops, and drops the rows. */
-  async cancel() {
-    const { info } = this;
-    if (!info) return;
-    const check = ++this.checks;
-    await this.pool.cancel();
-    // Meanwhile the document may have been changed.
-    if (check !== this.checks) return;
-    this.rows = new Rows(info.columns, info.trialCount, info.fingerprint);
-    this.elapsed = 0;
-    this.refusal = null;
-    this.setPhase("ready");
+  cancel() {
+    if (!this.info) return;
+    this.begin();
+    this.clear();
     this.update("rows");
   }
 

@@ -10,6 +10,11 @@ import { SOLVED, isShare, scaleOf } from "./measures.js";
 /** @import { Cell, Rows } from "./rows.js" */
 
 /**
+ * The rows, their factors, and which trials count: all that have ended, or some.
+ * @typedef {{ rows: Rows, factors: Factor[], which: Uint8Array | null }} Selection
+ */
+
+/**
  * A record of a table. `x`: the value of the factor across; `series`: the others in words; `low` and `high`: the
  * quartiles, or the ends of Wilson's interval.
  * @typedef {{ x: Cell, y?: Cell, series: string, n: number, missing: number, middle: number | null, low: number | null,
@@ -20,6 +25,8 @@ import { SOLVED, isShare, scaleOf } from "./measures.js";
  * @typedef {{ series: string, n: number, work: number, middle: number, low: number, high: number }} Bin
  */
 
+/** Trials drawn as dots, about. */
+const DOTS = 2000;
 /** Trials of a bin at least, and bins of a series at most. */
 const LEAST = 5;
 const BINS = 12;
@@ -42,13 +49,12 @@ export function sampleOf(rows, trials, measure) {
 
 /**
  * The groups by the value of some factors across and the words for the others.
- * @param {Rows} rows
- * @param {Factor[]} factors
+ * @param {Selection} selection
  * @param {(Factor | undefined)[]} across
  */
-function grouped(rows, factors, across) {
+function grouped({ rows, factors, which }, across) {
   const others = factors.filter((factor) => !across.includes(factor));
-  return groupsOf(rows, factors).map(({ values, trials }) => ({
+  return groupsOf(rows, factors, which).map(({ values, trials }) => ({
     trials,
     series: labelOf(
       others,
@@ -60,17 +66,16 @@ function grouped(rows, factors, across) {
 
 /**
  * Statistics of a measure for each value across and each series.
- * @param {Rows} rows
- * @param {Factor[]} factors
+ * @param {Selection} selection
  * @param {Factor | undefined} axis
  * @param {string} measure
  * @returns {Summary[]}
  */
-export function summaries(rows, factors, axis, measure) {
-  return grouped(rows, factors, [axis]).map(({ trials, series, place: [x] }) => ({
+export function summaries(selection, axis, measure) {
+  return grouped(selection, [axis]).map(({ trials, series, place: [x] }) => ({
     x,
     series,
-    ...summary(rows, trials, measure),
+    ...summary(selection.rows, trials, measure),
   }));
 }
 
@@ -89,14 +94,15 @@ function summary(rows, trials, measure) {
 
 /**
  * A statistic for each pair of values; trials that differ in others are together.
- * @param {Rows} rows
+ * @param {Selection} selection
  * @param {Factor} across
  * @param {Factor} up
  * @param {string} measure
  * @returns {Summary[]}
  */
-export function cells(rows, across, up, measure) {
-  return grouped(rows, [across, up], [across, up]).map(({ trials, place: [x, y] }) => ({
+export function cells(selection, across, up, measure) {
+  const { rows } = selection;
+  return grouped({ ...selection, factors: [across, up] }, [across, up]).map(({ trials, place: [x, y] }) => ({
     x,
     y,
     series: "",
@@ -106,31 +112,29 @@ export function cells(rows, across, up, measure) {
 
 /**
  * The share of all trials of a series that have a path, by work.
- * @param {Rows} rows
- * @param {Factor[]} factors
+ * @param {Selection} selection
  * @param {string} work
  * @returns {Distribution[]}
  */
-export function distributions(rows, factors, work) {
-  return grouped(rows, factors, []).map(({ trials, series }) => {
-    const { n, missing, values, shares } = ecdf(sampleOf(rows, trials, work));
+export function distributions(selection, work) {
+  return grouped(selection, []).map(({ trials, series }) => {
+    const { n, missing, values, shares } = ecdf(sampleOf(selection.rows, trials, work));
     return { series, n, missing, values, shares: shares.map((one) => 100 * one) };
   });
 }
 
 /**
  * Some of the trials with a path, evenly.
- * @param {Rows} rows
- * @param {Factor[]} factors
+ * @param {Selection} selection
  * @param {Factor | undefined} axis
  * @param {string} measure
  * @param {string} work
- * @param {number} most  at most, about
  * @returns {Point[]}
  */
-export function points(rows, factors, axis, measure, work, most) {
-  const each = Math.ceil(rows.done / most);
-  return grouped(rows, factors, [axis]).flatMap(({ trials, series, place: [x] }) => {
+export function points(selection, axis, measure, work) {
+  const { rows } = selection;
+  const each = Math.ceil(rows.done / DOTS);
+  return grouped(selection, [axis]).flatMap(({ trials, series, place: [x] }) => {
     const some = trials.filter((_, i) => i % each === 0);
     const [values, works] = [sampleOf(rows, some, measure), sampleOf(rows, some, work)];
     return some.flatMap((trial, i) =>
@@ -142,15 +146,15 @@ export function points(rows, factors, axis, measure, work, most) {
 /**
  * The quartiles of trials with a path and about the same work, by series: those with one value of the axis, or else
  * equally many.
- * @param {Rows} rows
- * @param {Factor[]} factors
+ * @param {Selection} selection
  * @param {Factor | undefined} axis
  * @param {string} measure
  * @param {string} work
  * @returns {Bin[]}  by rising work
  */
-export function bins(rows, factors, axis, measure, work) {
-  return grouped(rows, factors, [axis])
+export function bins(selection, axis, measure, work) {
+  const { rows } = selection;
+  return grouped(selection, [axis])
     .flatMap(({ trials, series, place: [x] }) => {
       const values = sampleOf(rows, trials, measure);
       const solved = trials.filter((_, i) => !Number.isNaN(values[i]));

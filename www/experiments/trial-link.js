@@ -1,6 +1,7 @@
 /** The run of a trial as a link of the planner's page. */
 import { encodeLink } from "../planner/link/codec.js";
 import { nameOf } from "./factors.js";
+import { variedOf, worldOfTrial } from "./worlds.js";
 
 /** @import { ExperimentDocument } from "planarium/full" */
 /** @import { LinkedDocument } from "./link.js" */
@@ -15,17 +16,15 @@ import { nameOf } from "./factors.js";
  */
 export async function trialLink(document, resolved, rows, trial) {
   const cell = (/** @type {string} */ column) => rows.cell(trial, column);
-  const varied = (/** @type {string} */ prefix, /** @type {object | undefined} */ axes) =>
-    Object.fromEntries(Object.keys(axes ?? {}).map((name) => [name, cell(`${prefix}.${name}`)]));
   const planner = resolved.planners.find((entry) => nameOf(entry) === cell("planner"));
-  const at = resolved.worlds.findIndex((entry) => nameOf(entry) === cell("world"));
-  const [linked, world] = [document.worlds[at], resolved.worlds[at]];
-  if (!planner || !world) throw new Error(`Trial ${trial} is of another experiment.`);
+  const world = worldOfTrial(resolved, rows, trial);
+  const linked = document.worlds[resolved.worlds.findIndex((entry) => nameOf(entry) === cell("world"))];
+  if (!planner) throw new Error(`Trial ${trial} is of another experiment.`);
   const { budget } = resolved;
   const limit = budget && "iterations" in budget ? { max_iterations: budget.iterations } : {};
   const settings = /** @type {Settings} */ ({
     ...planner.set,
-    ...varied("planner", planner.vary),
+    ...variedOf(rows, trial, "planner", planner.vary),
     ...limit,
     seed: cell("seed"),
   });
@@ -40,11 +39,7 @@ export async function trialLink(document, resolved, rows, trial) {
   if ("scene" in linked) experiment.scene = linked.scene;
   else if ("generate" in world) {
     experiment.scene = `make-${world.generate}`;
-    experiment.options = /** @type {Settings} */ ({
-      ...world.set,
-      ...varied("world", world.vary),
-      seed: cell("world_seed"),
-    });
+    experiment.options = world.options;
   } else experiment.document = { ...world.scenario };
   return `plan.html#${await encodeLink(experiment)}`;
 }

@@ -4,11 +4,18 @@ import { withOptions } from "../domain/option-names.js";
 import { unitOf } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
 import { loadScene } from "../app/resources.js";
-import { valuesOf } from "./factors.js";
+import { nameOf, valuesOf } from "./factors.js";
 
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
 /** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+/** @import { Rows } from "./rows.js" */
+/** @import { Settings } from "../domain/types.js" */
 /** @typedef {Scenario["robot"]} Robot */
+/**
+ * The world of a trial.
+ * @typedef {{ scenario: import("planarium/full").ScenarioDocument } | { generate:
+ *   import("planarium/full").GeneratorId, options: Settings }} TrialWorld
+ */
 
 /**
  * A document that the core reads.
@@ -54,6 +61,37 @@ async function fetched(path, i) {
   const response = await fetch(new URL(path, new URL("experiments/documents/", location.href)));
   if (!response.ok) throw wrong("cannot be read");
   return response.json();
+}
+
+/**
+ * @param {ExperimentDocument} document
+ * @param {Rows} rows
+ * @param {number} trial  that has ended
+ * @returns {TrialWorld}
+ */
+export function worldOfTrial(document, rows, trial) {
+  const world = document.worlds.find((entry) => nameOf(entry) === rows.cell(trial, "world"));
+  if (!world) throw new Error(`Trial ${trial} is of another experiment.`);
+  if ("scenario" in world) return { scenario: world.scenario };
+  return {
+    generate: world.generate,
+    options: /** @type {Settings} */ ({
+      ...world.set,
+      ...variedOf(rows, trial, "world", world.vary),
+      seed: rows.cell(trial, "world_seed"),
+    }),
+  };
+}
+
+/**
+ * The parameters of a trial that vary.
+ * @param {Rows} rows
+ * @param {number} trial
+ * @param {"world" | "planner"} prefix
+ * @param {object | undefined} axes
+ */
+export function variedOf(rows, trial, prefix, axes) {
+  return Object.fromEntries(Object.keys(axes ?? {}).map((name) => [name, rows.cell(trial, `${prefix}.${name}`)]));
 }
 
 /** The title of a world. @param {LinkedWorld} world */

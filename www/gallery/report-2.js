@@ -265,6 +265,7 @@ export const REPORT_2 = {
     {
       id: "2-draw",
       title: "The arm at its start",
+      topic: "roadmaps",
       name: "draw",
       kind: "figure",
       robot: "arm",
@@ -283,6 +284,7 @@ export const REPORT_2 = {
     {
       id: "2-unconnected",
       title: "A roadmap in pieces",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -299,6 +301,7 @@ export const REPORT_2 = {
     {
       id: "2-c-space",
       title: "A roadmap that connects",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -313,6 +316,7 @@ export const REPORT_2 = {
     {
       id: "2-red",
       title: "Red in collision",
+      topic: "kinematics",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -327,6 +331,7 @@ export const REPORT_2 = {
     {
       id: "2-2r",
       title: "A simple path of two links",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -340,6 +345,7 @@ export const REPORT_2 = {
     {
       id: "2-3r",
       title: "Three links into a shelf",
+      topic: "narrow-passages",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -353,6 +359,7 @@ export const REPORT_2 = {
     {
       id: "2-clockwise",
       title: "Four links, one way round",
+      topic: "narrow-passages",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -387,6 +394,7 @@ export const REPORT_2 = {
     {
       id: "2-joint-lines",
       title: "Straight lines of joints",
+      topic: "roadmaps",
       name: "collides(q1, q2)",
       kind: "function",
       robot: "arm",
@@ -406,6 +414,7 @@ export const REPORT_2 = {
     {
       id: "2-annoy",
       title: "Neighbours of raw angles",
+      topic: "neighbours",
       name: "build_roadmap",
       kind: "algorithm",
       robot: "arm",
@@ -428,6 +437,7 @@ export const REPORT_2 = {
     {
       id: "2-higher-k",
       title: "Is a higher k faster?",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -447,6 +457,7 @@ export const REPORT_2 = {
     {
       id: "2-k",
       title: "From 1 to 30 neighbours",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -463,6 +474,7 @@ export const REPORT_2 = {
     {
       id: "2-rrt-fails",
       title: "A tree that used up its samples",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -478,6 +490,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-easy",
       title: "An easy maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -495,6 +508,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-medium",
       title: "A medium maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -513,6 +527,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-hard",
       title: "A difficult maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",

@@ -18,6 +18,7 @@ const WORLD = "The obstacles, start and goal; the report has them in its picture
 const beside = (name, world, title, samples, k, seed, texts) => ({
   id: `5-${name}`,
   title,
+  topic: "roadmaps",
   name: `${name.toUpperCase()}_test`,
   kind: "figure",
   robot: "arm",
@@ -206,6 +207,7 @@ export const REPORT_5 = {
     {
       id: "5-end-effector",
       title: "Two heuristics",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -228,6 +230,7 @@ export const REPORT_5 = {
     {
       id: "5-majority",
       title: "How many unchecked paths are free",
+      topic: "roadmaps",
       name: "Testing",
       kind: "claim",
       robot: "arm",
@@ -244,6 +247,7 @@ export const REPORT_5 = {
     {
       id: "5-k-jumps",
       title: "How often the arm jumps",
+      topic: "roadmaps",
       name: "k and num_samples",
       kind: "experiment",
       robot: "arm",

@@ -138,7 +138,7 @@
  * @property {string} where      where it is: pages, options, functions, commands; or why it is not there
  * @property {string[]} entries  ids
  * @property {Holds} holds       whether the report is right
- * @property {string} [why]      not, only in part, or not to be told
+ * @property {string} [why]      not, only in part, or unclear: why
  */
 
 /**

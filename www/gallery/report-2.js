@@ -12,7 +12,7 @@ const SIX = {
 };
 const MAZE =
   "The maze, a car of 6 by 3 cm with a speed of 0.5 m/s, and a goal region of 0.1 m: the report\u2019s goal is met within 2 units of a map that is not described.";
-const WORLD = "The world, the arm and the query: the report\u2019s own are not in its text.";
+const WORLD = "The world, the arm and the query; the report\u2019s text does not describe them.";
 
 /** @type {Report} */
 export const REPORT_2 = {
@@ -82,7 +82,7 @@ export const REPORT_2 = {
       where: "`heuristic=naive` of `prm`.",
       entries: ["2-annoy"],
       holds: "no",
-      why: "It is not the shorter of both ways round: it overestimates, and the path may not be the shortest.",
+      why: "It is not the shorter of the two directions: it overestimates, and the path may not be the shortest.",
     },
     {
       row: 48,
@@ -482,7 +482,7 @@ export const REPORT_2 = {
       world: "maze-hard",
       expect: "exhausted",
       state: { lanes: [{ algorithm: "rrt-control", settings: { ...SIX, max_iterations: 500, seed: 2 } }] },
-      see: "After 500 samples the tree of the six controls has not found the way through the difficult maze; the way that comes nearest is dashed.",
+      see: "After 500 samples the tree of the six controls has not found a path through the difficult maze; the path that comes nearest is dashed.",
       try: "Allow 2000 samples: then there is a path.",
       holds: "yes",
       chosen: `${MAZE} 500 samples.`,

@@ -221,7 +221,7 @@ export const REPORT_5 = {
       },
       expect: "solved",
       shows: { visited: [870, 230] },
-      see: "The same path. By the distance of the end effector, in A, the search visits {visited A} vertices; by that of the angles, in B, {visited B}.",
+      see: "The same path. In A the heuristic is the distance of the end effector, and the search visits {visited A} vertices; in B it is the angular distance, and the search visits {visited B}.",
       try: "Set `heuristic` to none: Dijkstra\u2019s algorithm.",
       report: "The distance of angles works for more scenarios.",
       holds: "yes",

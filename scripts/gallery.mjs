@@ -26,11 +26,12 @@ export const documents = {
   },
 };
 
-/** @param {string} out  a folder, which is made @returns {Promise<string>}  the HTML of the entries and rows */
+/** @param {string} out  a folder, which is made @returns {Promise<string>}  the HTML of topics, reports and rows */
 export async function assembleGallery(out) {
   // The package may have been built a moment ago, so it is loaded only now.
-  const [{ REPORTS }, { openEntry }, { sheetOf }, { galleryHtml }, { csvFile }] = await Promise.all([
+  const [{ ENTRIES, REPORTS }, { MORE }, { openEntry }, { sheetOf }, { galleryHtml }, { csvFile }] = await Promise.all([
     import("../www/gallery/reports.js"),
+    import("../www/gallery/more.js"),
     import("../www/gallery/build/open.js"),
     import("../www/gallery/build/sheet.js"),
     import("../www/gallery/build/page.js"),
@@ -41,7 +42,7 @@ export async function assembleGallery(out) {
   const style = coloursOf();
   /** @type {Map<string, import("../www/gallery/build/page.js").Shown>} */
   const shown = new Map();
-  for (const entry of REPORTS.flatMap(({ entries }) => entries)) {
+  for (const entry of ENTRIES) {
     const { address, panes, pane } = await openEntry(entry, documents);
     const picture = sheetOf(panes, { title: entry.title, style }, pane);
     const [, width = 0, height = 0] = /<svg [^>]*width="(\d+)" height="(\d+)"/.exec(picture)?.map(Number) ?? [];
@@ -49,7 +50,10 @@ export async function assembleGallery(out) {
     shown.set(entry.id, { entry, address, width, height });
   }
   const addresses = Object.fromEntries([...shown].map(([id, { address }]) => [id, address]));
-  writeFileSync(join(out, "reports.json"), JSON.stringify({ reports: REPORTS, addresses }));
+  writeFileSync(
+    join(out, "reports.json"),
+    JSON.stringify({ reports: REPORTS, more: ENTRIES.slice(-MORE.length), addresses }),
+  );
   const rows = REPORTS.flatMap(({ number, rows: own }) =>
     own.map(({ row, kind, name, shows, verdict, where, entries, holds, why = "" }) => [
       row,

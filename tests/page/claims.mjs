@@ -45,6 +45,13 @@ const WORDS = {
   "prm-rl": { reached: ["#story", /(\d+) of/] },
 };
 
+/** How a page displays a number of an entry: in words of its own, in a table, or as a counter. @param {Entry} entry @param {string} name */
+export function displayOf({ page, state }, name) {
+  const words = WORDS[page]?.[/** @type {keyof Shows} */ (name)];
+  if (words || name === "crossings") return `${page} ${name}`;
+  return "lanes" in state && state.lanes.length > 1 ? "column" : "counter";
+}
+
 /** An angle between -pi and pi. @param {number} angle */
 function wrapped(angle) {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
@@ -121,13 +128,13 @@ async function crossings(page, entry) {
 /**
  * Whether a displayed number is the one of a text, which may have fewer digits; null stands for a dash.
  * @param {number} shown
- * @param {number | null} told
+ * @param {number | null} named
  */
-export function isTold(shown, told) {
-  if (told === null) return Number.isNaN(shown);
-  const digits = /\.(\d+)$/.exec(String(told))?.[1].length ?? 0;
+export function isDisplayed(shown, named) {
+  if (named === null) return Number.isNaN(shown);
+  const digits = /\.(\d+)$/.exec(String(named))?.[1].length ?? 0;
   return (
-    Math.abs(shown - told) <= 0.5000001 * 10 ** -digits &&
-    (digits > 0 || Number.isInteger(shown) === Number.isInteger(told))
+    Math.abs(shown - named) <= 0.5000001 * 10 ** -digits &&
+    (digits > 0 || Number.isInteger(shown) === Number.isInteger(named))
   );
 }

@@ -310,7 +310,7 @@ test("a swap is planned for; put into an order it has no plan, and the page show
     assert.equal(result.reason, "order-limit");
     assert.match(
       await page.innerText("#story"),
-      /No plan was found in this order. At last robot 2 found no way, because robot 1 was in its way/,
+      /No plan was found in this order. At last robot 2 found no path, because robot 1 was in its way/,
     );
     assert.equal(await page.innerText("#robot-1 .when"), "in the way");
     assert.equal(await page.getAttribute("#robot-2", "data-state"), "blocked");

@@ -1,6 +1,6 @@
 /**
- * The gallery of the course reports: all rows are there, every entry opens in its page and shows what it says, and the
- * page itself works.
+ * The gallery: all rows of the reports are there, entries open in their pages and show what they say, and the page
+ * itself works. A sample of the entries is opened, which has one of each kind; with `PLANARIUM_DEEP=1` all are.
  */
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
@@ -15,15 +15,18 @@ import { REPORT_2 } from "../../www/gallery/report-2.js";
 import { REPORT_3 } from "../../www/gallery/report-3.js";
 import { REPORT_4 } from "../../www/gallery/report-4.js";
 import { REPORT_5 } from "../../www/gallery/report-5.js";
-import { REPORTS, TEXTS } from "../../www/gallery/reports.js";
+import { MORE } from "../../www/gallery/more.js";
+import { ENTRIES, REPORTS, TEXTS } from "../../www/gallery/reports.js";
+import { byTopic } from "../../www/gallery/topics.js";
+import { stateRule as fleetRule } from "../../www/fleet/state.js";
 import { stateRule as neighboursRule } from "../../www/neighbours/state.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { stateRule as learnedRule } from "../../www/prm-rl/state.js";
 import { stateRule as reachRule } from "../../www/reach/state.js";
 import { stateRule as trajectoriesRule } from "../../www/trajectories/state.js";
 import { documents } from "../../scripts/gallery.mjs";
-import { displayed, isTold } from "./claims.mjs";
-import { PHONE, coloursOf, onPage, pageRoot, textMatches, useBrowser, violations } from "./browser.mjs";
+import { displayOf, displayed, isDisplayed } from "./claims.mjs";
+import { PHONE, coloursOf, isDeep, onPage, pageRoot, textMatches, useBrowser, violations } from "./browser.mjs";
 
 /** @import { Entry, Shows } from "../../www/gallery/format.js" */
 /** @import { Page } from "./browser.mjs" */
@@ -32,7 +35,10 @@ useBrowser();
 
 /** Rows of the reports, and how many of them each has. */
 const COUNTS = [41, 23, 25, 59, 13];
-const entries = REPORTS.flatMap((report) => report.entries);
+const ofReports = REPORTS.flatMap((report) => report.entries);
+/** As the page has them. */
+const topics = byTopic(ENTRIES);
+const entries = topics.flatMap((topic) => topic.entries);
 const rows = REPORTS.flatMap((report) => report.rows);
 /** The links that the build has made, by the ids of entries. @type {Record<string, string>} */
 const addresses = JSON.parse(readFileSync(join(pageRoot, "gallery", "reports.json"), "utf8")).addresses;
@@ -44,6 +50,7 @@ const READY = {
   reach: "body[data-state=ready][data-settled=true]",
   neighbours: "body[data-state=ready][data-settled=true][data-found]",
   trajectories: "body[data-state=ready][data-settled=true]",
+  fleet: "body[data-state=ready][data-settled=true]",
   "prm-rl": "body[data-state=ready][data-settled=true]",
   experiments: "body[data-state=ready][data-settled=true]",
 };
@@ -62,7 +69,32 @@ const SHOWS = {
   found: ["top", "start", "rejected"],
   drawn: ["ground", "growth"],
   trajectories: ["ground", "growth"],
+  fleet: ["top"],
 };
+
+/** What only some entries have: an outcome on a page, a race, a number that is displayed in its own way. @param {Entry} entry */
+function kindsOf(entry) {
+  const { page, expect, state, shows = {} } = entry;
+  const isRace = "lanes" in state && state.lanes.length > 1;
+  return [
+    `${page} ${expect}`,
+    ...(isRace ? ["race"] : []),
+    ...Object.keys(shows).map((name) => displayOf(entry, name)),
+  ];
+}
+
+/** Entries that have all kinds among them, those with the most kinds first. */
+function sample() {
+  /** @type {Set<string>} */
+  const seen = new Set();
+  return [...ENTRIES]
+    .sort((a, b) => kindsOf(b).length - kindsOf(a).length)
+    .filter((entry) => {
+      const isNew = kindsOf(entry).some((kind) => !seen.has(kind));
+      for (const kind of isNew ? kindsOf(entry) : []) seen.add(kind);
+      return isNew;
+    });
+}
 
 test("all 161 rows are there, each with a verdict, its place and its entries", () => {
   assert.deepEqual(
@@ -73,7 +105,7 @@ test("all 161 rows are there, each with a verdict, its place and its entries", (
     rows.map(({ row }) => row),
     rows.map((_, i) => i + 1),
   );
-  const ids = new Set(entries.map(({ id }) => id));
+  const ids = new Set(ofReports.map(({ id }) => id));
   for (const { row, shows, verdict, where, entries: own, holds, why } of rows) {
     assert.ok(shows && where + own.join(""), `row ${row} says what it is and where`);
     assert.ok(["yes", "partly", "no"].includes(verdict) && holds in HOLDS, `row ${row}`);
@@ -86,24 +118,40 @@ test("all 161 rows are there, each with a verdict, its place and its entries", (
 test("every entry has its own id, is named by a row, and says in few words what to see", () => {
   const named = new Set(rows.flatMap((row) => row.entries));
   assert.equal(new Set(entries.map(({ id }) => id)).size, entries.length);
-  for (const report of REPORTS) {
-    for (const { id, title, see, try: tried = "", report: says = "", why = "", chosen = "", holds } of report.entries) {
-      assert.match(id, new RegExp(`^${report.number}-[a-z0-9.-]+$`), id);
-      assert.ok(named.has(id), `${id} is named by a row`);
-      assert.ok(title.length <= 48, `${id}: ${title}`);
-      assert.ok(holds === "yes" || why, `${id} says why it does not hold`);
-      const texts = [see, tried, says, why, chosen];
-      assert.ok(
-        see && texts.every((text) => text === "" || /^[^a-z].*[.:?)]$/s.test(text)),
-        `${id}: ${texts.find((text) => text && !/^[^a-z].*[.:?)]$/s.test(text))}`,
-      );
-      assert.ok(texts.join(" ").length <= 640, `${id}: ${texts.join(" ").length} characters`);
-    }
+  const reported = new Map(REPORTS.flatMap((report) => report.entries.map(({ id }) => [id, report.number])));
+  for (const { id, title, see, try: tried = "", report: says = "", why = "", chosen = "", holds } of ENTRIES) {
+    const number = reported.get(id);
+    assert.match(id, number ? new RegExp(`^${number}-[a-z0-9.-]+$`) : /^[a-z]+-[a-z-]+$/, id);
+    assert.equal(named.has(id), number !== undefined, `${id} is named by a row if it is of a report`);
+    assert.equal(holds !== undefined, number !== undefined, `${id} has a verdict if it is of a report`);
+    assert.ok(title.length <= 48, `${id}: ${title}`);
+    assert.ok(!number || holds === "yes" || why, `${id} says why it does not hold`);
+    const texts = [see, tried, says, why, chosen];
+    assert.ok(
+      see && texts.every((text) => text === "" || /^[^a-z].*[.:?)]$/s.test(text)),
+      `${id}: ${texts.find((text) => text && !/^[^a-z].*[.:?)]$/s.test(text))}`,
+    );
+    assert.ok(texts.join(" ").length <= 640, `${id}: ${texts.join(" ").length} characters`);
+  }
+});
+
+test("every entry has a topic, every topic has entries, and the best of a topic come first", () => {
+  assert.deepEqual(new Set(entries), new Set(ENTRIES));
+  for (const { id, best, entries: own } of topics) {
+    assert.ok(own.length > 0, id);
+    assert.deepEqual(
+      own.slice(0, best.length).map((entry) => entry.id),
+      best,
+      id,
+    );
   }
 });
 
 test("every number that an entry tells to see is shown by the page, or is one of its settings", () => {
-  for (const entry of [REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].flatMap((report) => report.entries)) {
+  for (const entry of [
+    ...[REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].flatMap(({ entries: own }) => own),
+    ...MORE,
+  ]) {
     const named = TEXTS.flatMap((field) => [...(entry[field] ?? "").matchAll(/\{(\w+)/g)].map(([, name]) => name));
     for (const name of Object.keys(entry.shows ?? {})) assert.ok(named.includes(name), `${entry.id} names its ${name}`);
     const settings = [
@@ -133,19 +181,29 @@ test("every link is one that its page reads", async () => {
     reach: (fragment) => decodeState(fragment, reachRule),
     neighbours: (fragment) => decodeState(fragment, neighboursRule),
     trajectories: (fragment) => decodeState(fragment, trajectoriesRule),
+    fleet: (fragment) => decodeState(fragment, fleetRule),
     "prm-rl": (fragment) => decodeState(fragment, learnedRule),
   };
-  for (const { id, page } of entries) {
+  for (const { id, page } of ENTRIES) {
     const [path, fragment] = addresses[id].split("#");
     assert.equal(path, page === "planner" ? "plan.html" : `${page}.html`, id);
     assert.equal((await read[page](fragment)).fault || "", "", id);
   }
 });
 
+test("a sample of the entries has every kind of them", (t) => {
+  const own = sample();
+  assert.deepEqual(new Set(own.flatMap(kindsOf)), new Set(ENTRIES.flatMap(kindsOf)));
+  assert.ok(own.length < ENTRIES.length / 4, `${own.length}`);
+  if (!isDeep)
+    t.diagnostic(
+      `${ENTRIES.length - own.length} of ${ENTRIES.length} entries are not opened: PLANARIUM_DEEP=1 opens all`,
+    );
+});
+
 for (const name of /** @type {Entry["page"][]} */ (Object.keys(READY))) {
-  const own = entries.filter(({ page }) => page === name);
-  if (own.length === 0) continue;
-  test(`the entries of ${name} open, and show what they say`, () =>
+  const own = (isDeep ? ENTRIES : sample()).filter(({ page }) => page === name);
+  test(`${isDeep ? "the" : "some"} entries of ${name} open, and show what they say`, () =>
     onPage({ reducedMotion: "reduce", viewport: { width: 1024, height: 640 } }, async (page, url) => {
       mkdirSync(shots, { recursive: true });
       let isFirst = true;
@@ -170,17 +228,18 @@ for (const name of /** @type {Entry["page"][]} */ (Object.keys(READY))) {
         assert.equal(await outcomeOf(page, name), entry.expect, entry.id);
         if (entry.expect !== "refused")
           assert.equal((await page.isHidden("#notice")) ? "" : await page.innerText("#notice"), "", entry.id);
-        for (const [number, told] of Object.entries(entry.shows ?? {})) {
-          const [shown, wanted] = [await displayed(page, entry, /** @type {keyof Shows} */ (number)), told].map((one) =>
-            Array.isArray(one) ? one : [one],
+        for (const [number, named] of Object.entries(entry.shows ?? {})) {
+          const [shown, wanted] = [await displayed(page, entry, /** @type {keyof Shows} */ (number)), named].map(
+            (one) => (Array.isArray(one) ? one : [one]),
           );
-          const isRight = shown.length === wanted.length && wanted.every((one, i) => isTold(Number(shown[i]), one));
+          const isRight =
+            shown.length === wanted.length && wanted.every((one, i) => isDisplayed(Number(shown[i]), one));
           if (!isRight)
             wrong.push(
               `${entry.id}: ${number} is ${shown.join(", ")} on the page, and ${wanted.join(", ")} in its text`,
             );
         }
-        const [layer, ...colours] = SHOWS[name === "trajectories" ? name : entry.expect] ?? [];
+        const [layer, ...colours] = SHOWS[name] ?? SHOWS[entry.expect] ?? [];
         if (layer)
           assert.ok((await inkOf(page, layer, colours)) > 20, `${entry.id} draws ${colours.join(" or ") || "edges"}`);
       }
@@ -204,6 +263,7 @@ function outcomeOf(page, name) {
         return dataOf("#stage").free === "true" ? "free" : "in collision";
       case "neighbours":
         return dataOf("body").ask === "false" ? "drawn" : dataOf("body").found === "" ? "nothing" : "found";
+      case "fleet":
       case "prm-rl":
       case "trajectories":
         return dataOf("#stage").status;
@@ -258,7 +318,7 @@ test("an entry opens by its address, leads to its neighbours and to its page, an
       await page.evaluate(() =>
         Promise.all(Array.from(document.images, (image) => Object.assign(image, { loading: "eager" }).decode())),
       );
-      await page.click(`#at-${CSS(first.id)} a`);
+      await page.click(`${at(first)} h3 a`);
       await page.waitForSelector(`.entry:target .detail >> text=${first.see.slice(0, 30)}`);
       await page.keyboard.press("ArrowRight");
       await page.waitForFunction((id) => location.hash === `#${id}`, second.id);
@@ -281,45 +341,137 @@ test("an entry opens by its address, leads to its neighbours and to its page, an
     { path: "gallery.html" },
   ));
 
-test("filters leave the entries that fit, and an address shows its entry all the same", () =>
+/** The ids of the entries that are shown, in their order. @param {Page} page */
+function shownIds(page) {
+  return page.locator(".entry:visible").evaluateAll((all) => all.map(({ id }) => id));
+}
+
+/** @param {Entry[]} wanted */
+function idsOf(wanted) {
+  return wanted.map(({ id }) => id);
+}
+
+test("topic, search and filters leave the entries that fit, the address says which, and opens the same", () =>
   onPage(
     {},
-    async (page) => {
+    async (page, url) => {
       await page.waitForSelector("body[data-state=ready]");
+      assert.deepEqual(await shownIds(page), idsOf(entries));
+      await page.click("#filters summary");
       await page.selectOption("#filter-holds", "no");
       await page.selectOption("#filter-robot", "arm");
-      const wanted = entries.filter(({ holds, robot }) => holds === "no" && robot === "arm");
-      assert.ok(wanted.length > 0 && wanted.length < entries.length);
-      assert.deepEqual(
-        await page.locator(".entry:visible").evaluateAll((all) => all.map(({ id }) => id)),
-        wanted.map(({ id }) => id),
+      const wrong = entries.filter(({ holds, robot }) => holds === "no" && robot === "arm");
+      assert.ok(wrong.length > 1 && wrong.length < entries.length);
+      assert.deepEqual(await shownIds(page), idsOf(wrong));
+      await textMatches(page, "#story", new RegExp(`^${wrong.length} of ${entries.length} entries`));
+      await page.click(`#topics a[data-topic=neighbours]`);
+      const near = wrong.filter(({ topic }) => topic === "neighbours");
+      assert.ok(near.length > 1 && near.length < wrong.length);
+      assert.deepEqual(await shownIds(page), idsOf(near));
+      await page.keyboard.press("/");
+      await page.keyboard.type("KD-tree wrap");
+      const found = near.filter(
+        (entry) => /kd-tree/i.test(JSON.stringify(entry)) && /wrap/i.test(JSON.stringify(entry)),
       );
-      await textMatches(page, "#story", new RegExp(`^${wanted.length} of ${entries.length} entries`));
-      const other = entries.find(({ robot }) => robot === "particle") ?? assert.fail();
-      await page.evaluate((id) => {
-        location.hash = id;
-      }, other.id);
-      await page.waitForSelector(`.entry:target:visible`);
-      assert.equal(await page.getAttribute("body", "data-shown"), String(entries.length));
+      assert.ok(found.length > 0 && found.length < near.length);
+      assert.deepEqual(await shownIds(page), idsOf(found));
+      assert.equal(await page.evaluate(() => document.activeElement?.id), "search");
+      await page.click(`${at(found[0])} h3 a`);
+      await page.waitForSelector(".entry:target");
+      const address = page.url();
+      assert.equal(address, `${url}gallery.html?topic=neighbours&q=KD-tree+wrap&holds=no&robot=arm#${found[0].id}`);
+      await page.goto("about:blank");
+      await page.goto(address);
+      await page.waitForSelector("body[data-state=ready]");
+      assert.deepEqual(await shownIds(page), idsOf(found));
+      assert.ok(await page.isVisible(".entry:target .open"));
+      // What the search no longer finds is not open either.
+      await page.fill("#search", "nothing has these words");
+      assert.deepEqual(await shownIds(page), []);
+      assert.equal(await page.evaluate(() => document.activeElement?.id), "search");
+      await textMatches(page, "#story", new RegExp(`^0 of ${entries.length}`));
+      assert.equal(new URL(page.url()).hash, "");
+      await page.click("#all");
+      assert.deepEqual(await shownIds(page), idsOf(entries));
+      assert.equal(page.url(), `${url}gallery.html`);
     },
     { path: "gallery.html" },
   ));
 
-test("an address that is no entry shows the gallery, and with the table in focus arrows open no other entry", () =>
+test("the view of the reports has their entries in order, their verdicts and all rows", () =>
+  onPage(
+    {},
+    async (page, url) => {
+      await page.waitForSelector("body[data-state=ready]");
+      assert.ok(await page.isHidden("#rows"));
+      await page.click(`${at(entries[0])} h3 a`);
+      await page.waitForSelector(".entry:target");
+      await page.click(".views [data-view=reports]");
+      assert.deepEqual(await shownIds(page), idsOf(ofReports));
+      assert.equal(page.url(), `${url}gallery.html?view=reports`);
+      assert.ok(await page.isVisible(`${at(ofReports[0])} .tag .holds`));
+      assert.equal(await page.locator("#rows tbody tr[id]:visible").count(), rows.length);
+      await page.fill("#search", "bidirectional");
+      const some = await page.locator("#rows tbody tr[id]:visible").count();
+      assert.ok(some > 0 && some < rows.length);
+      await page.fill("#search", "");
+      // An entry that is open in one view is open in the other.
+      await page.click(`${at(ofReports[1])} h3 a`);
+      await page.waitForSelector(".entry:target");
+      await page.keyboard.press("ArrowRight");
+      await page.waitForFunction((id) => location.hash === `#${id}`, ofReports[2].id);
+      await page.click(".views [data-view=topics]");
+      assert.ok(await page.isVisible(`${at(ofReports[2])}:target .open`));
+      assert.equal(page.url(), `${url}gallery.html#${ofReports[2].id}`);
+      await page.click(".entry:target .detail a[href='#report-1']");
+      await page.waitForFunction(() => document.body.dataset.view === "reports");
+      assert.ok(await page.isVisible("#report-1"));
+      await page.goBack();
+      await page.waitForFunction(() => document.body.dataset.view === "topics");
+      assert.ok(await page.isVisible(".entry:target .open"));
+    },
+    { path: "gallery.html" },
+  ));
+
+test("addresses of reports, rows, topics and entries show them, whatever is selected", async () => {
+  const other = ofReports.find(({ robot }) => robot === "particle") ?? assert.fail();
+  for (const [address, view, seen] of [
+    ["#reports", "reports", "#reports"],
+    ["#report-3", "reports", "#report-3"],
+    ["#row-120", "reports", "#row-120"],
+    ["?q=arm#rows", "reports", "#rows"],
+    ["?view=reports#cars", "topics", "#cars"],
+    [`?topic=cars#${other.id}`, "topics", `${at(other)}:target .open`],
+    ["?view=reports#fleets-ring", "topics", "#fleets-ring:target .open"],
+    ["?topic=nothing&robot=none&q=", "topics", at(entries[0])],
+    ["#100%", "topics", at(entries[0])],
+  ])
+    await onPage(
+      {},
+      async (page) => {
+        await page.waitForSelector("body[data-state=ready]");
+        assert.equal(await page.getAttribute("body", "data-view"), view, address);
+        assert.ok(await page.isVisible(seen), address);
+        assert.ok(
+          await page.locator(seen).evaluate((element) => element.getBoundingClientRect().top < innerHeight),
+          `${address} is in view`,
+        );
+      },
+      { path: `gallery.html${address}` },
+    );
+});
+
+test("with the table in focus arrows open no other entry", () =>
   onPage(
     {},
     async (page) => {
       await page.waitForSelector("body[data-state=ready]");
-      assert.equal(await page.locator(".entry:target").count(), 0);
-      await page.evaluate((id) => {
-        location.hash = id;
-      }, entries[0].id);
       await page.waitForSelector(".entry:target");
       await page.focus("#rows .scroll");
       await page.keyboard.press("ArrowRight");
-      assert.equal(await page.evaluate(() => location.hash), `#${entries[0].id}`);
+      assert.equal(await page.evaluate(() => location.hash), `#${ofReports[0].id}`);
     },
-    { path: "gallery.html#100%" },
+    { path: `gallery.html?view=reports#${ofReports[0].id}` },
   ));
 
 test("axe finds nothing in the gallery, nothing hangs over on a phone, and it can be read without a script", async () => {
@@ -327,27 +479,38 @@ test("axe finds nothing in the gallery, nothing hangs over on a phone, and it ca
     { ...PHONE, colorScheme: "dark" },
     async (page) => {
       await page.waitForSelector("body[data-state=ready]");
-      // What holds for one report holds for all, but takes axe less time.
-      await page.selectOption("#filter-report", "5");
-      assert.deepEqual(await violations(page), []);
-      await page.selectOption("#filter-report", "any");
-      for (const width of [320, 390, 820]) {
-        await page.setViewportSize({ width, height: 844 });
-        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${width} px`);
+      assert.ok(await page.isVisible("#search"));
+      for (const view of ["topics", "reports"]) {
+        await page.click(`.views [data-view=${view}]`);
+        // What holds for some entries holds for all, but takes axe less time.
+        await page.fill("#search", "edge_check");
+        assert.deepEqual(await violations(page), [], view);
+        await page.fill("#search", "");
+        for (const width of [320, 390, 820]) {
+          await page.setViewportSize({ width, height: 844 });
+          assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${width} px`);
+        }
       }
+      await page.click("#filters summary");
+      for (const control of ["#search", "#filter-report", "#filters summary", "#topics a", ".views a"])
+        assert.ok(((await page.locator(control).first().boundingBox())?.height ?? 0) >= 43.5, control);
     },
-    { path: `gallery.html#${entries[entries.length - 1].id}` },
+    { path: `gallery.html#${ofReports[ofReports.length - 1].id}` },
   );
   await onPage(
     { javaScriptEnabled: false },
     async (page) => {
       assert.ok(await page.isVisible(`.entry:target .open`));
+      await page.click(".views [data-view=reports]");
+      assert.ok(await page.isVisible("#reports h2"));
+      assert.equal(await page.locator("#rows tbody tr[id]:visible").count(), rows.length);
+      assert.deepEqual(await shownIds(page), idsOf(entries));
     },
     { path: `gallery.html#${entries[0].id}` },
   );
 });
 
-/** An id for a selector: it begins with a digit. @param {string} id */
-function CSS(id) {
-  return id.replace(/[.]/g, "\\.");
+/** A selector of an entry, whose id may begin with a digit. @param {Entry} entry */
+function at({ id }) {
+  return `[id="${id}"]`;
 }

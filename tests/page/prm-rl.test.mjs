@@ -479,7 +479,7 @@ test("a floor of one's own is opened and exported; what is wrong is refused by c
     }
     await pickFile(page, "own.json", JSON.stringify(document));
     await page.waitForSelector("#notice", { state: "hidden" });
-    await textMatches(page, "#story", /^Drag the ring/);
+    await textMatches(page, "#story", /^PRM-RL plans long routes.*Drag the ring.*press Plan/);
   }));
 
 test("every part is for everyone: axe finds nothing, nothing hangs over, and fingers find their targets", () =>

@@ -248,7 +248,7 @@ const BELOW = {
   class: "app",
   rooms: "app experiments fleet neighbours prm-rl reach trajectories",
   experiments: `${KIT} planner/link planner/scenes`,
-  gallery: `${KIT} experiments neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
+  gallery: `${KIT} experiments fleet neighbours planner/link planner/race planner/scenes planner/stage prm-rl reach trajectories`,
   planner: `${KIT} planner/certificate planner/driving planner/editor planner/export planner/lessons planner/link planner/pose planner/race planner/run-log planner/scenes planner/settings planner/stage planner/timeline planner/worker`,
   "planner/worker": KIT,
   "planner/settings": KIT,

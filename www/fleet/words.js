@@ -99,7 +99,7 @@ function failedSentence(session) {
   const reason = result?.reason;
   const { iterations = 0, restarts = 0, vertices = 0 } = result?.stats ?? {};
   if (reason === "too-late")
-    return "The plan lasts so long that the times of its fast robots cannot be told apart. Speeds that differ less may help.";
+    return "The plan lasts so long that the times of its fast robots are no longer distinct. Speeds that differ less may help.";
   const gaveUp =
     reason === "graph-full"
       ? "there is no memory for more vertices"
@@ -110,7 +110,7 @@ function failedSentence(session) {
   const last =
     robot === undefined || others.length === 0
       ? ""
-      : ` At last ${nameOf(session, robot)} found no way, because ${namesOf(session, others)} ${others.length === 1 ? "was" : "were"} in its way.`;
+      : ` At last ${nameOf(session, robot)} found no path, because ${namesOf(session, others)} ${others.length === 1 ? "was" : "were"} in its way.`;
   if (reason === "no-order") return `On this roadmap no order of priorities gives a plan.${last}`;
   if (reason === "order-limit")
     return `${algorithm === "prioritized" && restarts === 0 ? "No plan was found in this order." : `No plan was found in ${counted(restarts + 1, "order")} of priorities; there are others.`}${last}`;
@@ -123,7 +123,7 @@ function straightSentence({ conflicts, touching, robots, time }) {
   const now = touching.map(({ robots: [a, b] }) => `${a + 1} and ${b + 1}`);
   if (now.length > 0 && now.length <= 3) return `At ${num(time, 1)} s robots ${now.join(", ")} touch.`;
   if (now.length > 3) return `At ${num(time, 1)} s ${now.length} pairs of robots touch.`;
-  return `If all ${robots.length} robots drove straight to their goals at once, ${counted(conflicts.length, "pair")} would touch. Obstacles are not looked at.`;
+  return `If all ${robots.length} robots drove straight to their goals at once, ${counted(conflicts.length, "pair")} would touch. Obstacles are ignored.`;
 }
 
 /** What a robot does, for the list. @param {FleetSession} session @param {number} i */

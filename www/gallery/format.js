@@ -1,23 +1,23 @@
 /**
- * The gallery of the course reports: its data, and how to add to it.
+ * The gallery: its data, and how to add to it.
  *
- * `report-1.js` to `report-5.js` each export a report: its rows and its entries. A row is one thing that the report
+ * An entry is a picture that can be opened: a page and the state that its link holds. Every entry has a topic;
+ * `topics.js` has the topics, and which entries come first in each. The entries of the five course reports are in
+ * `report-1.js` to `report-5.js`, all others in `more.js`. A report also has rows. A row is one thing that the report
  * has, be it a figure, an algorithm or a claim; the 161 rows are numbered from 1 through all reports, in the order of
- * the texts. An entry is a picture that can be opened: a page and the state that its link holds. A row names its
- * entries by their ids; a row without one says where it is found.
+ * the texts. A row names its entries by their ids; a row without one says where it is found.
  *
- * To add an entry:
- * 1. Choose an id: the report's number, a hyphen, and a name in lower case, such as `3-fig-8`. It is the address
- * `gallery.html#3-fig-8`. 2. Choose the page, and the `state` that the page's own rule allows (see `States`); defaults
- * are left out. A world that no page has is a
- *    scenario in `worlds/NAME.json`, with `name` NAME and a `title`, and the entry's `world` is NAME: it becomes a part
- *    of the state. On the planner's page an entry without an `iteration` opens at the end of its run, as does a race.
- *    `reports.js` sets `direct=false` wherever it applies, as in the reports.
+ * An entry is one object. To add one:
+ * 1. Choose an id: a name in lower case, such as `fleets-ring`, or in a report the report's number, a hyphen and a
+ *    name, such as `3-fig-8`. It is the address `gallery.html#3-fig-8`.
+ * 2. Choose its `topic`, its page, and the `state` that the page's own rule allows (see `States`); defaults are left
+ *    out. A world that no page has is a scenario in `worlds/NAME.json`, with `name` NAME and a `title`, and the entry's
+ *    `world` is NAME: it becomes a part of the state. On the planner's page an entry without an `iteration` opens at
+ *    the end of its run, as does a race. `reports.js` sets `direct=false` wherever it applies, as in the reports.
  * 3. Say what the picture must show (`expect`), and write its texts: a sentence each, four at most. Name the report as
- * "the report".
- *    A number that the page shows is in `shows`, and in the text by its name: `{visited}`, or of the second planner of
- *    a race `{visited B}`. Every other number in `see` is one of the entry's settings.
- * 4. Add its id to the rows that it is about.
+ *    "the report". A number that the page shows is in `shows`, and in the text by its name: `{visited}`, or of the
+ *    second planner of a race `{visited B}`. Every other number in `see` is one of the entry's settings.
+ * 4. Of a report: add its id to the rows that it is about. If it is among the best of its topic: to `best` there.
  *
  * The build makes the links, the pictures and the page from this data: see `build/`. `tests/page/gallery.test.mjs`
  * checks that all rows are there, that every state is valid, and that every entry opens and shows what it should, to
@@ -32,6 +32,7 @@
 /** @import { State as NeighboursState } from "../neighbours/state.js" */
 /** @import { State as TrajectoriesState } from "../trajectories/state.js" */
 /** @import { State as LearnedState } from "../prm-rl/state.js" */
+/** @import { State as FleetState } from "../fleet/state.js" */
 
 /** Whether Planarium has it. @typedef {"yes" | "partly" | "no"} Verdict */
 /**
@@ -42,7 +43,11 @@
  * @typedef {"figure" | "table" | "animation" | "experiment" | "system" | "function" | "algorithm" | "claim" |
  *   "interaction" | "other"} Kind
  */
-/** What is planned for, or drawn. @typedef {"arm" | "point" | "body" | "car" | "drive" | "particle"} Robot */
+/** What is planned for, or drawn. @typedef {"arm" | "point" | "disc" | "body" | "car" | "drive" | "particle"} Robot */
+/**
+ * @typedef {"sampling" | "roadmaps" | "narrow-passages" | "trees" | "optimal-paths" | "cars" | "neighbours" |
+ *   "kinematics" | "fleets" | "learned-edges"} Topic
+ */
 
 /**
  * The state in the link of each page, without what the entry's world adds to it.
@@ -52,6 +57,7 @@
  * @property {Partial<NeighboursState>} neighbours
  * @property {Partial<TrajectoriesState>} trajectories
  * @property {Partial<LearnedState>} prm-rl
+ * @property {Partial<FleetState>} fleet
  * @property {{ document: string, worlds?: string[], view?: View }} experiments   the name of a document in
  *   `www/experiments/documents`, the names of those of its scenarios that are kept, all by default, and what is shown
  *   of its rows
@@ -64,8 +70,8 @@
  * path that collides;
  *   "refused" where planning is refused, as the start or the goal is in collision;
  * - of Reach "free" or "in collision", the configuration shown;
- * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories and PRM-RL "solved" or "exhausted",
- * of Experiments "open".
+ * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories, PRM-RL and Fleet "solved" or
+ * "exhausted", of Experiments "open".
  * @typedef {"solved" | "exhausted" | "running" | "flawed" | "refused" | "free" | "in collision" | "found" | "drawn" |
  *   "open"} Expect
  */
@@ -95,11 +101,10 @@
 
 /**
  * @template {PageName} P
- * @typedef {object} EntryOn
+ * @typedef {object} RunOn
  * @property {string} id
  * @property {string} title      at most 48 characters
- * @property {string} name       its number or name in the report, such as "Fig. 8"; "" where it has none
- * @property {Kind} kind
+ * @property {Topic} topic
  * @property {Robot} robot
  * @property {P} page
  * @property {States[P]} state
@@ -108,12 +113,20 @@
  * @property {Shows} [shows]     numbers of the page, for its texts
  * @property {string} see        what to see
  * @property {string} [try]      what to try
+ */
+/**
+ * What an entry of a report also has.
+ * @typedef {object} Reported
+ * @property {string} name       its number or name in the report, such as "Fig. 8"; "" where it has none
+ * @property {Kind} kind
  * @property {string} [report]   what the report says
  * @property {Holds} holds       whether what the report says or shows is right
- * @property {string} [why]      not, only in part, or not to be told: then what our own world shows
+ * @property {string} [why]      not, only in part, or unknown: then what our own world shows
  * @property {string} [chosen]   what is not in the report's text and was chosen here
  */
-/** @typedef {{ [P in PageName]: EntryOn<P> }[PageName]} Entry */
+/** @template {PageName} P @typedef {RunOn<P> & Reported} EntryOn */
+/** @typedef {{ [P in PageName]: RunOn<P> & Partial<Reported> }[PageName]} Entry */
+/** @typedef {{ [P in PageName]: EntryOn<P> }[PageName]} ReportedEntry */
 
 /**
  * @typedef {object} Row
@@ -125,22 +138,23 @@
  * @property {string} where      where it is: pages, options, functions, commands; or why it is not there
  * @property {string[]} entries  ids
  * @property {Holds} holds       whether the report is right
- * @property {string} [why]      not, only in part, or not to be told
+ * @property {string} [why]      not, only in part, or unclear: why
  */
 
 /**
- * @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: Entry[] }} Report   `about`: what it is
+ * @typedef {{ number: 1 | 2 | 3 | 4 | 5, about: string, rows: Row[], entries: ReportedEntry[] }} Report   `about`: what it is
  *   about, a sentence
  */
 
 /** Whether a report holds, in words. @type {Record<Holds, string>} */
-export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold", unclear: "cannot be told" };
+export const HOLDS = { yes: "holds", partly: "in part", no: "does not hold", unclear: "unclear" };
 /** The pages, as the links to them are called. @type {Record<PageName, string>} */
 export const PAGES = {
   planner: "Planners",
   reach: "Kinematics",
   neighbours: "Neighbours",
   trajectories: "Trajectories",
+  fleet: "Robot fleets",
   "prm-rl": "Learned edges",
   experiments: "Experiments",
 };

@@ -10,6 +10,7 @@
 const visited = (links, reported, see) => ({
   id: `1-visited-${links}r`,
   title: `Vertices visited, ${links} links`,
+  topic: "roadmaps",
   name: `R = ${links}`,
   kind: "experiment",
   robot: "arm",
@@ -295,7 +296,7 @@ export const REPORT_1 = {
       shows: "A review of PRM-RL (Faust and others): a learned controller drives the edges of a roadmap.",
       verdict: "yes",
       where:
-        "PRM-RL: a policy is trained, its reliable edges make a roadmap, and the ways to drive are compared; for a robot on wheels, and for a carrier whose load must not swing too far, the paper\u2019s second task.",
+        "PRM-RL: a policy is trained, its reliable edges make a roadmap, and the methods of driving are compared; for a robot on wheels, and for a carrier whose load must not swing too far, the paper\u2019s second task.",
       entries: ["1-prm-rl", "1-prm-rl-cargo"],
       holds: "yes",
     },
@@ -317,7 +318,7 @@ export const REPORT_1 = {
       shows:
         "Bidirectional search is slower because it computes more; whether also in larger graphs with more branches is left uncertain.",
       verdict: "yes",
-      where: "A race of both ways; the experiment `forest-bidirectional`, to 3000 samples and k = 100.",
+      where: "A race of both searches; the experiment `forest-bidirectional`, to 3000 samples and k = 100.",
       entries: ["1-bidirectional", "1-visited-2r", "1-visited-3r", "1-visited-4r"],
       holds: "no",
       why: "That was the fault in the program: by whole levels it visits a third to a sixteenth of what BFS does. A larger graph does not make up for the fault: its vertices are queued again more often.",
@@ -482,6 +483,7 @@ export const REPORT_1 = {
     {
       id: "1-prismatic",
       title: "A boom that slides",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -497,6 +499,7 @@ export const REPORT_1 = {
     {
       id: "1-no-collision",
       title: "An arm between two triangles",
+      topic: "kinematics",
       name: "no_collision",
       kind: "figure",
       robot: "arm",
@@ -504,13 +507,14 @@ export const REPORT_1 = {
       world: "two-triangles-4r",
       state: { q: [0.1, 0.2, 0.3, 0.4] },
       expect: "free",
-      see: "Four links of length 1 pass between two triangles. The triangles and the angles are those of the report.",
+      see: "Four links of length 1 pass between two triangles. The triangles and the angles are from the report.",
       try: "Drag the tip or a link: what touches a triangle turns red.",
       holds: "yes",
     },
     {
       id: "1-collision",
       title: "The same arm in collision",
+      topic: "kinematics",
       name: "collision",
       kind: "figure",
       robot: "arm",
@@ -525,6 +529,7 @@ export const REPORT_1 = {
     {
       id: "1-safe",
       title: "A motion called safe",
+      topic: "kinematics",
       name: "Safe: True",
       kind: "other",
       robot: "arm",
@@ -546,6 +551,7 @@ export const REPORT_1 = {
     {
       id: "1-2r",
       title: "A roadmap for two links",
+      topic: "roadmaps",
       name: "R = 2",
       kind: "animation",
       robot: "arm",
@@ -566,6 +572,7 @@ export const REPORT_1 = {
     {
       id: "1-3r",
       title: "A roadmap for three links",
+      topic: "roadmaps",
       name: "R = 3",
       kind: "animation",
       robot: "arm",
@@ -585,6 +592,7 @@ export const REPORT_1 = {
     {
       id: "1-4r",
       title: "A roadmap for four links",
+      topic: "roadmaps",
       name: "R = 4",
       kind: "animation",
       robot: "arm",
@@ -606,6 +614,7 @@ export const REPORT_1 = {
     {
       id: "1-poses",
       title: "All configurations in one picture",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -625,6 +634,7 @@ export const REPORT_1 = {
     {
       id: "1-bfs",
       title: "Breadth-first search",
+      topic: "roadmaps",
       name: "BFS",
       kind: "experiment",
       robot: "arm",
@@ -656,6 +666,7 @@ export const REPORT_1 = {
     {
       id: "1-a-star",
       title: "A* with radians as edges",
+      topic: "roadmaps",
       name: "A* Search",
       kind: "experiment",
       robot: "arm",
@@ -701,6 +712,7 @@ export const REPORT_1 = {
     {
       id: "1-bidirectional",
       title: "Two searches that meet, and a fault",
+      topic: "roadmaps",
       name: "Bonus 4",
       kind: "experiment",
       robot: "arm",
@@ -745,6 +757,7 @@ export const REPORT_1 = {
     {
       id: "1-searches",
       title: "A race of four searches",
+      topic: "roadmaps",
       name: "Searches",
       kind: "experiment",
       robot: "arm",
@@ -826,11 +839,12 @@ export const REPORT_1 = {
         ["breadth-first", 997],
         ["A*, radians against hops", 515],
       ],
-      "The same with 4 links, and the report\u2019s numbers as points; for the bidirectional search it repeats those of three links.",
+      "The same with 4 links, and the report\u2019s numbers as points; for the bidirectional search it repeats the numbers of three links.",
     ),
     {
       id: "1-build-times",
       title: "Time to build a roadmap",
+      topic: "roadmaps",
       name: "Time (Build Graph)",
       kind: "experiment",
       robot: "arm",
@@ -851,6 +865,7 @@ export const REPORT_1 = {
     {
       id: "1-neighbours",
       title: "One, four, nine and thirty neighbours",
+      topic: "roadmaps",
       name: "K",
       kind: "claim",
       robot: "arm",
@@ -872,6 +887,7 @@ export const REPORT_1 = {
     {
       id: "1-visibility",
       title: "Guards in a museum",
+      topic: "roadmaps",
       name: "Bonus 2",
       kind: "other",
       robot: "point",
@@ -887,6 +903,7 @@ export const REPORT_1 = {
     {
       id: "1-prm-rl",
       title: "Edges that a policy drives",
+      topic: "learned-edges",
       name: "Bonus 3",
       kind: "other",
       robot: "drive",
@@ -894,7 +911,7 @@ export const REPORT_1 = {
       expect: "solved",
       state: { planned: 1, driven: 1, time: 1000 },
       see: "Each edge of the path says how many rollouts of the policy reached its end, in both directions. Twenty drives follow it.",
-      try: "Let the policy drive alone, then along straight edges; then train one of your own.",
+      try: "Let the policy drive alone, then along straight edges; then train another policy.",
       report: "A review of the paper of Faust and others, without a program.",
       holds: "yes",
       chosen: "The floor and the policy.",
@@ -902,6 +919,7 @@ export const REPORT_1 = {
     {
       id: "1-prm-rl-cargo",
       title: "A load on a rope",
+      topic: "learned-edges",
       name: "Bonus 3",
       kind: "other",
       robot: "drive",
@@ -918,6 +936,7 @@ export const REPORT_1 = {
     {
       id: "1-naive-roadmap",
       title: "Neighbours without wrap-around",
+      topic: "neighbours",
       name: "Bonus 5",
       kind: "experiment",
       robot: "arm",
@@ -962,6 +981,7 @@ export const REPORT_1 = {
     {
       id: "1-approximate-roadmaps",
       title: "What approximate neighbours cost",
+      topic: "neighbours",
       name: "Bonus 5",
       kind: "experiment",
       robot: "arm",
@@ -989,6 +1009,7 @@ export const REPORT_1 = {
     {
       id: "1-approximate",
       title: "Really approximate neighbours",
+      topic: "neighbours",
       name: "Bonus 5",
       kind: "experiment",
       robot: "arm",
@@ -1012,6 +1033,7 @@ export const REPORT_1 = {
     {
       id: "1-particle",
       title: "A spiral where an arc should be",
+      topic: "kinematics",
       name: "particle_path",
       kind: "figure",
       robot: "particle",
@@ -1027,6 +1049,7 @@ export const REPORT_1 = {
     {
       id: "1-trajectories",
       title: "A thousand trajectories that do not cross",
+      topic: "sampling",
       name: "trajectories",
       kind: "figure",
       robot: "particle",
@@ -1043,6 +1066,7 @@ export const REPORT_1 = {
     {
       id: "1-time",
       title: "The time of each new trajectory",
+      topic: "sampling",
       name: "time_analysis",
       kind: "figure",
       robot: "particle",
@@ -1059,6 +1083,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-closed",
       title: "Two ways to reach a point",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "algorithm",
       robot: "arm",
@@ -1082,6 +1107,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-newton",
       title: "Newton\u2019s method with three links",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "algorithm",
       robot: "arm",
@@ -1104,6 +1130,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-gradient",
       title: "Gradient descent",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "algorithm",
       robot: "arm",
@@ -1126,6 +1153,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-several",
       title: "Many solutions, some in collision",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "claim",
       robot: "arm",
@@ -1148,6 +1176,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-singular",
       title: "A singular arm",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "claim",
       robot: "arm",
@@ -1162,6 +1191,7 @@ export const REPORT_1 = {
     {
       id: "1-ik-limits",
       title: "Joint limits",
+      topic: "kinematics",
       name: "Bonus 7",
       kind: "claim",
       robot: "arm",

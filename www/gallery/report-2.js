@@ -12,7 +12,7 @@ const SIX = {
 };
 const MAZE =
   "The maze, a car of 6 by 3 cm with a speed of 0.5 m/s, and a goal region of 0.1 m: the report\u2019s goal is met within 2 units of a map that is not described.";
-const WORLD = "The world, the arm and the query: the report\u2019s own are not in its text.";
+const WORLD = "The world, the arm and the query; the report\u2019s text does not describe them.";
 
 /** @type {Report} */
 export const REPORT_2 = {
@@ -82,7 +82,7 @@ export const REPORT_2 = {
       where: "`heuristic=naive` of `prm`.",
       entries: ["2-annoy"],
       holds: "no",
-      why: "It is not the shorter of both ways round: it overestimates, and the path may not be the shortest.",
+      why: "It is not the shorter of the two directions: it overestimates, and the path may not be the shortest.",
     },
     {
       row: 48,
@@ -265,6 +265,7 @@ export const REPORT_2 = {
     {
       id: "2-draw",
       title: "The arm at its start",
+      topic: "roadmaps",
       name: "draw",
       kind: "figure",
       robot: "arm",
@@ -283,6 +284,7 @@ export const REPORT_2 = {
     {
       id: "2-unconnected",
       title: "A roadmap in pieces",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -299,6 +301,7 @@ export const REPORT_2 = {
     {
       id: "2-c-space",
       title: "A roadmap that connects",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -313,6 +316,7 @@ export const REPORT_2 = {
     {
       id: "2-red",
       title: "Red in collision",
+      topic: "kinematics",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -327,6 +331,7 @@ export const REPORT_2 = {
     {
       id: "2-2r",
       title: "A simple path of two links",
+      topic: "roadmaps",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -340,6 +345,7 @@ export const REPORT_2 = {
     {
       id: "2-3r",
       title: "Three links into a shelf",
+      topic: "narrow-passages",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -353,6 +359,7 @@ export const REPORT_2 = {
     {
       id: "2-clockwise",
       title: "Four links, one way round",
+      topic: "narrow-passages",
       name: "",
       kind: "figure",
       robot: "arm",
@@ -387,6 +394,7 @@ export const REPORT_2 = {
     {
       id: "2-joint-lines",
       title: "Straight lines of joints",
+      topic: "roadmaps",
       name: "collides(q1, q2)",
       kind: "function",
       robot: "arm",
@@ -406,6 +414,7 @@ export const REPORT_2 = {
     {
       id: "2-annoy",
       title: "Neighbours of raw angles",
+      topic: "neighbours",
       name: "build_roadmap",
       kind: "algorithm",
       robot: "arm",
@@ -428,6 +437,7 @@ export const REPORT_2 = {
     {
       id: "2-higher-k",
       title: "Is a higher k faster?",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -447,6 +457,7 @@ export const REPORT_2 = {
     {
       id: "2-k",
       title: "From 1 to 30 neighbours",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -463,6 +474,7 @@ export const REPORT_2 = {
     {
       id: "2-rrt-fails",
       title: "A tree that used up its samples",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -470,7 +482,7 @@ export const REPORT_2 = {
       world: "maze-hard",
       expect: "exhausted",
       state: { lanes: [{ algorithm: "rrt-control", settings: { ...SIX, max_iterations: 500, seed: 2 } }] },
-      see: "After 500 samples the tree of the six controls has not found the way through the difficult maze; the way that comes nearest is dashed.",
+      see: "After 500 samples the tree of the six controls has not found a path through the difficult maze; the path that comes nearest is dashed.",
       try: "Allow 2000 samples: then there is a path.",
       holds: "yes",
       chosen: `${MAZE} 500 samples.`,
@@ -478,6 +490,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-easy",
       title: "An easy maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -495,6 +508,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-medium",
       title: "A medium maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",
@@ -513,6 +527,7 @@ export const REPORT_2 = {
     {
       id: "2-maze-hard",
       title: "A difficult maze",
+      topic: "cars",
       name: "",
       kind: "figure",
       robot: "car",

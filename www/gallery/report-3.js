@@ -20,6 +20,7 @@ const LIST = "The list: the report\u2019s came with the course. Here it is 100 r
 const nearest = (number, q, k, see) => ({
   id: `3-2-2-${number}`,
   title: `The ${k} placements nearest to (${q.join(", ")})`,
+  topic: "neighbours",
   name: `2.2, picture ${number}`,
   kind: "figure",
   robot: "body",
@@ -36,6 +37,7 @@ const nearest = (number, q, k, see) => ({
 const rrt = (scene, query, seed) => ({
   id: `3-2-4-${2 * scene + query - 2}`,
   title: `RRT of a body, scene ${scene}, query ${query}`,
+  topic: "trees",
   name: `2.4-${2 * scene + query - 2}`,
   kind: "animation",
   robot: "body",
@@ -57,6 +59,7 @@ const rrt = (scene, query, seed) => ({
 const prm = (scene, query, seed) => ({
   id: `3-2-5-${2 * scene + query - 2}`,
   title: `PRM of a body, scene ${scene}, query ${query}`,
+  topic: "roadmaps",
   name: `2.5-${2 * scene + query - 2}`,
   kind: "animation",
   robot: "body",
@@ -69,7 +72,7 @@ const prm = (scene, query, seed) => ({
   expect: "solved",
   see: "500 placements, each connected to some of its three nearest; one that connects to none is discarded. A* finds the path.",
   try: "Move the robot by hand and choose \u201cAsk this roadmap from here\u201d: the answer takes no further iteration.",
-  report: "PRM is slow to build; then it answers quickly, and its paths are better than those of RRT.",
+  report: "PRM is slow to build; then it answers quickly, and its paths are better than RRT paths.",
   holds: "yes",
   chosen: BODY,
 });
@@ -78,6 +81,7 @@ const prm = (scene, query, seed) => ({
 const schedule = (scene, seed) => ({
   id: `3-3-3-${scene}`,
   title: `RRT of a car, scene ${scene}`,
+  topic: "cars",
   name: `car${scene + 2}`,
   kind: "animation",
   robot: "car",
@@ -327,7 +331,7 @@ export const REPORT_3 = {
       row: 85,
       kind: "claim",
       name: "2.5",
-      shows: "PRM is slower to build, its queries are fast, its paths better than those of RRT.",
+      shows: "PRM is slower to build, its queries are fast, its paths better than RRT paths.",
       verdict: "yes",
       where: "\u201cAsk this roadmap\u201d; `planner.query`.",
       entries: ["3-rrt-prm", "3-2-5-1"],
@@ -381,6 +385,7 @@ export const REPORT_3 = {
     {
       id: "3-1-1",
       title: "Ten free configurations of a thick arm",
+      topic: "sampling",
       name: "1.1",
       kind: "figure",
       robot: "arm",
@@ -396,6 +401,7 @@ export const REPORT_3 = {
     {
       id: "3-keys",
       title: "Joints turned by 5 degrees",
+      topic: "kinematics",
       name: "rotate_joint",
       kind: "interaction",
       robot: "arm",
@@ -411,6 +417,7 @@ export const REPORT_3 = {
     {
       id: "3-1-2",
       title: "Three nearest without wrap-around",
+      topic: "neighbours",
       name: "1.2",
       kind: "figure",
       robot: "arm",
@@ -435,6 +442,7 @@ export const REPORT_3 = {
     {
       id: "3-1-3",
       title: "The average of two angles",
+      topic: "kinematics",
       name: "1.3",
       kind: "animation",
       robot: "arm",
@@ -453,6 +461,7 @@ export const REPORT_3 = {
     {
       id: "3-1-4",
       title: "RRT of a thick arm",
+      topic: "trees",
       name: "1.4",
       kind: "algorithm",
       robot: "arm",
@@ -473,6 +482,7 @@ export const REPORT_3 = {
     {
       id: "3-1-5",
       title: "PRM by neighbours that do not wrap",
+      topic: "roadmaps",
       name: "1.5",
       kind: "algorithm",
       robot: "arm",
@@ -506,6 +516,7 @@ export const REPORT_3 = {
     {
       id: "3-2-1",
       title: "Free placements of a body",
+      topic: "sampling",
       name: "2.1",
       kind: "figure",
       robot: "body",
@@ -526,13 +537,14 @@ export const REPORT_3 = {
     {
       id: "3-weights",
       title: "Half the angle",
+      topic: "neighbours",
       name: "2.2",
       kind: "function",
       robot: "body",
       page: "neighbours",
       state: { robot: "body", draw: { n: 100, seed: 0, free: false }, weights: [0.7, 0.15], q: [1.75, 1.75, 0], k: 4 },
       expect: "found",
-      see: "With 0.15 for a radian, closer placements win, whatever way they point.",
+      see: "With 0.15 for a radian, closer placements win, in whichever direction they point.",
       try: "Set the weight of a radian to 0.3.",
       report: "0.7 e + 0.3 r, with r half the difference of the angles.",
       holds: "partly",
@@ -542,6 +554,7 @@ export const REPORT_3 = {
     {
       id: "3-2-3",
       title: "A body along the straight line",
+      topic: "kinematics",
       name: "2.3-1",
       kind: "animation",
       robot: "body",
@@ -570,6 +583,7 @@ export const REPORT_3 = {
     {
       id: "3-rrt-prm",
       title: "RRT and PRM of a body compared",
+      topic: "roadmaps",
       name: "2.4, 2.5",
       kind: "claim",
       robot: "body",
@@ -585,6 +599,7 @@ export const REPORT_3 = {
     {
       id: "3-car1",
       title: "A car driven by keys",
+      topic: "cars",
       name: "car1",
       kind: "interaction",
       robot: "car",
@@ -606,6 +621,7 @@ export const REPORT_3 = {
     {
       id: "3-car2",
       title: "One control held",
+      topic: "cars",
       name: "car2",
       kind: "animation",
       robot: "car",
@@ -624,6 +640,7 @@ export const REPORT_3 = {
     {
       id: "3-late",
       title: "Shorter motions late",
+      topic: "cars",
       name: "3.3",
       kind: "claim",
       robot: "car",

@@ -82,7 +82,7 @@ export const ROWS_4 = [
     where: "\u201cMeasure\u201d; `planarium nearest` prints the time of one query.",
     entries: ["4-fig-8"],
     holds: "no",
-    why: "The times are flat: they are those of the interpreter and the clock.",
+    why: "The times are flat: they measure the interpreter and the clock.",
   },
   {
     row: 99,
@@ -236,7 +236,7 @@ export const ROWS_4 = [
     row: 113,
     kind: "claim",
     name: "1.5.3",
-    shows: "Paths of PRM and PRM* are more direct; those of RRT go back and forth.",
+    shows: "Paths of PRM and PRM* are more direct; RRT paths go back and forth.",
     verdict: "yes",
     where: "",
     entries: ["4-race", "4-comparison"],

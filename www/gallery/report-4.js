@@ -28,6 +28,7 @@ const EUCLIDEAN = { metric: "euclidean" };
 const sampled = (figure, title, world, robot, n, seed, see) => ({
   id: `4-fig-${figure}`,
   title,
+  topic: "sampling",
   name: `Fig. ${figure}`,
   kind: "figure",
   robot,
@@ -53,6 +54,7 @@ const sampled = (figure, title, world, robot, n, seed, see) => ({
 const ofArm = (figure, q, k, n, see) => ({
   id: `4-fig-${figure}`,
   title: `${k} of ${n}, nearest to (${q.join(", ")})`,
+  topic: "neighbours",
   name: `Fig. ${figure}`,
   kind: "figure",
   robot: "arm",
@@ -77,6 +79,7 @@ const ofArm = (figure, q, k, n, see) => ({
 const ofBody = (figure, q, k, see) => ({
   id: `4-fig-${figure}`,
   title: `${k} placements nearest to (${q.join(", ")})`,
+  topic: "neighbours",
   name: `Fig. ${figure}`,
   kind: "figure",
   robot: "body",
@@ -102,6 +105,7 @@ const ofBody = (figure, q, k, see) => ({
 const blossom = (scene, trials, see, report, holds, why) => ({
   id: `4-table-${scene}`,
   title: `Controls per extension, scene ${scene}`,
+  topic: "cars",
   name: `Table ${scene}`,
   kind: "table",
   robot: "car",
@@ -181,6 +185,7 @@ export const REPORT_4 = {
     {
       id: "4-unwrapped",
       title: "A kd-tree that splits at \u03c0 and does not wrap",
+      topic: "neighbours",
       name: "1.2.2",
       kind: "algorithm",
       robot: "arm",
@@ -205,6 +210,7 @@ export const REPORT_4 = {
     {
       id: "4-fig-8",
       title: "Time of a search against k",
+      topic: "neighbours",
       name: "Fig. 8",
       kind: "table",
       robot: "arm",
@@ -214,7 +220,7 @@ export const REPORT_4 = {
       expect: "found",
       see: "The twenty nearest of 100. \u201cMeasure\u201d times the scan and the kd-tree.",
       try: "Press \u201cMeasure\u201d for k = 3, 5, 10 and 20.",
-      report: "The scan takes 0.17 to 0.19 ms, the kd-tree 0.21 to 0.23 ms, whatever k is.",
+      report: "The scan takes 0.17 to 0.19 ms, the kd-tree 0.21 to 0.23 ms, for all k.",
       holds: "no",
       why: "Both take microseconds here. Equal and constant times measure the clock and the interpreter, not the search.",
       chosen: `${ARM} ${LIST}`,
@@ -222,6 +228,7 @@ export const REPORT_4 = {
     {
       id: "4-fig-9",
       title: "Time of a search against n",
+      topic: "neighbours",
       name: "Fig. 9",
       kind: "table",
       robot: "arm",
@@ -232,7 +239,7 @@ export const REPORT_4 = {
       shows: { visited: 129 },
       see: "The three nearest of 2000. The kd-tree looks at {visited} configurations, a scan at all of them. \u201cMeasure\u201d times both for longer and longer lists.",
       try: "Press \u201cMeasure\u201d.",
-      report: "The scan takes 0.17 ms, the kd-tree 0.20 to 0.24 ms, whatever n is: both are consistent.",
+      report: "The scan takes 0.17 ms, the kd-tree 0.20 to 0.24 ms, for all n: both are consistent.",
       holds: "no",
       why: "A scan of 2000 looks at twenty times as many as one of 100. Up to there the clock and the call hide it, also here; at 100,000 nothing does.",
       chosen: `${ARM} ${LIST}`,
@@ -248,6 +255,7 @@ export const REPORT_4 = {
     {
       id: "4-1-3",
       title: "The direction of the plain difference",
+      topic: "kinematics",
       name: "1.3",
       kind: "animation",
       robot: "arm",
@@ -266,6 +274,7 @@ export const REPORT_4 = {
     {
       id: "4-rrt",
       title: "RRT with 1000 vertices",
+      topic: "trees",
       name: "1.4",
       kind: "algorithm",
       robot: "arm",
@@ -299,6 +308,7 @@ export const REPORT_4 = {
     {
       id: "4-wrap",
       title: "A tree that wraps around",
+      topic: "trees",
       name: "1.4.2",
       kind: "figure",
       robot: "arm",
@@ -316,6 +326,7 @@ export const REPORT_4 = {
     {
       id: "4-prm",
       title: "PRM one by one, Dijkstra",
+      topic: "roadmaps",
       name: "1.5",
       kind: "algorithm",
       robot: "arm",
@@ -346,6 +357,7 @@ export const REPORT_4 = {
     {
       id: "4-tree1",
       title: "PRM with 100 nodes",
+      topic: "roadmaps",
       name: "arm1.5-tree1",
       kind: "animation",
       robot: "arm",
@@ -370,6 +382,7 @@ export const REPORT_4 = {
     {
       id: "4-prm-star",
       title: "PRM* with two numbers of neighbours",
+      topic: "optimal-paths",
       name: "1.5.2",
       kind: "algorithm",
       robot: "arm",
@@ -397,6 +410,7 @@ export const REPORT_4 = {
     {
       id: "4-pair-1",
       title: "A pair that cannot be asked",
+      topic: "roadmaps",
       name: "1.5.3, pair 1",
       kind: "experiment",
       robot: "arm",
@@ -418,6 +432,7 @@ export const REPORT_4 = {
     {
       id: "4-comparison",
       title: "RRT, PRM and PRM* compared",
+      topic: "optimal-paths",
       name: "1.5.3",
       kind: "experiment",
       robot: "arm",
@@ -428,12 +443,13 @@ export const REPORT_4 = {
       try: "Choose the chart of success: there is hardly a failure.",
       report: "RRT succeeds most often, PRM and PRM* rarely within 1000 nodes; their paths are more direct.",
       holds: "partly",
-      why: "The paths are more direct. Success cannot be told without its environments: in ours all three nearly always succeed.",
+      why: "The paths are more direct. Success is unclear without its environments: in ours all three nearly always succeed.",
       chosen: `${ARM} The five environments.`,
     },
     {
       id: "4-race",
       title: "RRT beside PRM",
+      topic: "trees",
       name: "1.5.3",
       kind: "claim",
       robot: "arm",
@@ -486,6 +502,7 @@ export const REPORT_4 = {
     {
       id: "4-2-3",
       title: "A body along the straight line",
+      topic: "kinematics",
       name: "2.3",
       kind: "animation",
       robot: "body",
@@ -502,6 +519,7 @@ export const REPORT_4 = {
     {
       id: "4-2-4",
       title: "RRT to the last free point",
+      topic: "trees",
       name: "Algorithm 2",
       kind: "algorithm",
       robot: "body",
@@ -520,6 +538,7 @@ export const REPORT_4 = {
     {
       id: "4-approximate",
       title: "The path to the nearest vertex",
+      topic: "trees",
       name: "Algorithm 2, end",
       kind: "algorithm",
       robot: "body",
@@ -541,6 +560,7 @@ export const REPORT_4 = {
     {
       id: "4-2-5",
       title: "PRM of a body",
+      topic: "roadmaps",
       name: "Algorithms 3, 4",
       kind: "algorithm",
       robot: "body",
@@ -559,6 +579,7 @@ export const REPORT_4 = {
     {
       id: "4-a-star",
       title: "A* at work",
+      topic: "roadmaps",
       name: "Algorithm 5",
       kind: "algorithm",
       robot: "body",
@@ -580,6 +601,7 @@ export const REPORT_4 = {
     {
       id: "4-consistent",
       title: "A* and Dijkstra agree",
+      topic: "roadmaps",
       name: "2.5.2",
       kind: "claim",
       robot: "body",
@@ -604,6 +626,7 @@ export const REPORT_4 = {
     {
       id: "4-drive",
       title: "A car driven by keys",
+      topic: "cars",
       name: "3.1",
       kind: "interaction",
       robot: "car",
@@ -621,6 +644,7 @@ export const REPORT_4 = {
     {
       id: "4-3-2",
       title: "Euler\u2019s steps beside the arc",
+      topic: "cars",
       name: "3.2",
       kind: "algorithm",
       robot: "car",
@@ -644,6 +668,7 @@ export const REPORT_4 = {
     {
       id: "4-euler-trees",
       title: "A tree by Euler\u2019s steps, and one by arcs",
+      topic: "cars",
       name: "3.2",
       kind: "algorithm",
       robot: "car",
@@ -666,6 +691,7 @@ export const REPORT_4 = {
     {
       id: "4-voronoi",
       title: "Large regions pull the tree",
+      topic: "trees",
       name: "3.3.4",
       kind: "claim",
       robot: "arm",
@@ -686,6 +712,7 @@ export const REPORT_4 = {
     {
       id: "4-blossom",
       title: "Three controls per extension",
+      topic: "cars",
       name: "Algorithm 6",
       kind: "algorithm",
       robot: "car",
@@ -738,6 +765,7 @@ export const REPORT_4 = {
     {
       id: "4-success",
       title: "Do 10,000 iterations suffice?",
+      topic: "cars",
       name: "3.3.3 to 3.3.5",
       kind: "claim",
       robot: "car",

@@ -18,6 +18,7 @@ const WORLD = "The obstacles, start and goal; the report has them in its picture
 const beside = (name, world, title, samples, k, seed, texts) => ({
   id: `5-${name}`,
   title,
+  topic: "roadmaps",
   name: `${name.toUpperCase()}_test`,
   kind: "figure",
   robot: "arm",
@@ -206,6 +207,7 @@ export const REPORT_5 = {
     {
       id: "5-end-effector",
       title: "Two heuristics",
+      topic: "roadmaps",
       name: "",
       kind: "claim",
       robot: "arm",
@@ -219,7 +221,7 @@ export const REPORT_5 = {
       },
       expect: "solved",
       shows: { visited: [870, 230] },
-      see: "The same path. By the distance of the end effector, in A, the search visits {visited A} vertices; by that of the angles, in B, {visited B}.",
+      see: "The same path. In A the heuristic is the distance of the end effector, and the search visits {visited A} vertices; in B it is the angular distance, and the search visits {visited B}.",
       try: "Set `heuristic` to none: Dijkstra\u2019s algorithm.",
       report: "The distance of angles works for more scenarios.",
       holds: "yes",
@@ -228,6 +230,7 @@ export const REPORT_5 = {
     {
       id: "5-majority",
       title: "How many unchecked paths are free",
+      topic: "roadmaps",
       name: "Testing",
       kind: "claim",
       robot: "arm",
@@ -244,6 +247,7 @@ export const REPORT_5 = {
     {
       id: "5-k-jumps",
       title: "How often the arm jumps",
+      topic: "roadmaps",
       name: "k and num_samples",
       kind: "experiment",
       robot: "arm",

@@ -1,11 +1,12 @@
-/** The five reports, with the numbers of their entries in the texts, and what all their planners have in common. */
+/** The five reports and all entries, with their numbers in the texts, and what the planners of the reports have in common. */
+import { MORE } from "./more.js";
 import { REPORT_1 } from "./report-1.js";
 import { REPORT_2 } from "./report-2.js";
 import { REPORT_3 } from "./report-3.js";
 import { REPORT_4 } from "./report-4.js";
 import { REPORT_5 } from "./report-5.js";
 
-/** @import { Entry, Report, Shows } from "./format.js" */
+/** @import { Entry, Report, ReportedEntry, Shows } from "./format.js" */
 
 /** The fields of an entry that may name numbers. */
 export const TEXTS = /** @type {const} */ (["see", "try", "report", "why", "chosen"]);
@@ -19,11 +20,13 @@ export const REPORTS = [REPORT_1, REPORT_2, REPORT_3, REPORT_4, REPORT_5].map((r
   ...report,
   entries: report.entries.map((entry) => withNumbers(asReported(entry))),
 }));
+/** All entries. @type {Entry[]} */
+export const ENTRIES = [...REPORTS.flatMap(({ entries }) => entries), ...MORE.map(withNumbers)];
 
 /**
  * In the reports no tree and no roadmap tries the straight motion from start to goal first.
- * @param {Entry} entry
- * @returns {Entry}
+ * @param {ReportedEntry} entry
+ * @returns {ReportedEntry}
  */
 function asReported(entry) {
   if (entry.page !== "planner") return entry;
@@ -33,7 +36,7 @@ function asReported(entry) {
   return { ...entry, state: { ...entry.state, lanes } };
 }
 
-/** An entry with its numbers in the place of their names. @param {Entry} entry @returns {Entry} */
+/** An entry with its numbers in the place of their names. @template {Entry} E @param {E} entry @returns {E} */
 function withNumbers(entry) {
   return Object.assign(
     { ...entry },

@@ -5,7 +5,7 @@
 import { View } from "planarium/draw";
 import { drawGround } from "../draw/ground.js";
 import { setStroke } from "../draw/marks.js";
-import { drawGoal } from "../draw/shapes.js";
+import { drawGoal, drawStart } from "../draw/shapes.js";
 import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
 import { poseAt, swingAt } from "./session.js";
 
@@ -92,6 +92,7 @@ export class Demonstrations {
       this.within(brush, drive, i, (view) => {
         const { robot } = training.floors[i];
         const { time_step: step = 0.2 } = robot;
+        drawStart(context, ...view.place([drive.trace[0], drive.trace[1]]), palette);
         drawGoal(context, ...view.place(drive.goal), palette);
         drawTrace(context, view, drive, palette, { rows: this.time / step + 1, width: 2.2 * this.bold, alpha: 1 });
         const hasEnded = this.time >= drive.time;

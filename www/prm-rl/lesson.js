@@ -75,13 +75,17 @@ export class Lesson {
     const reached = () => `${countsOf(session.run.drives).reached} of ${TRIALS}`;
     return [
       {
-        question: "What does the robot know of the floor while the policy drives it?",
-        choices: ["The whole map", "What its rays meet, and the direction of the goal", "A picture from above"],
+        question: "What does the policy know about the floor while it drives?",
+        choices: [
+          "The whole map",
+          "The distances along its rays, and the direction of the goal",
+          "A picture from above",
+        ],
         answer: 1,
         ends: { start: START, goal: NEAR },
         run: () => this.turn(),
         text: () =>
-          `It knows ${session.floor.robot.sensor?.rays ?? 16} noisy distances and where the goal lies, no more. Drag the robot: the rays follow.`,
+          `It knows ${session.floor.robot.sensor?.rays ?? 16} noisy distances and the direction of the goal, nothing else. Drag the robot: the rays follow.`,
       },
       {
         question: "The goal is near, in the same room. In how many of 20 drives will the policy alone reach it?",
@@ -90,7 +94,7 @@ export class Lesson {
         ends: { start: START, goal: NEAR },
         run: () => this.drive("policy"),
         text: () =>
-          `The policy alone reached it in ${reached()} drives. Short ways are what it was trained for. Drag the goal behind an obstacle.`,
+          `The policy alone reached it in ${reached()} drives. It was trained on short routes. Drag the goal behind an obstacle.`,
       },
       {
         question: "Now the goal is several rooms away. In how many of 20 drives will the policy alone reach it?",
@@ -99,11 +103,11 @@ export class Lesson {
         ends: { start: START, goal: FAR },
         run: () => this.drive("policy"),
         text: () =>
-          `The policy alone reached it in ${reached()} drives: it drives towards the goal, into rooms whose door is elsewhere. Its rays show what is near, not the way.`,
+          `The policy alone reached it in ${reached()} drives: it drives towards the goal, and gets stuck in rooms with the door on another side. Its rays show what is near, not the route.`,
       },
       {
-        question: `Two vertices become an edge if enough rollouts of the policy succeed. If half of them are enough (least share ${CARELESS}), how does the robot fare along the path?`,
-        choices: ["It reaches the goal every time", "Now and then it fails: the failures of many edges add up"],
+        question: `Two vertices become an edge if enough rollouts of the policy succeed. If half of them are enough (least share ${CARELESS}), does the robot reach the goal along the path?`,
+        choices: ["Yes, every time", "Not always: the failures of many edges add up"],
         answer: 1,
         ends: { start: START, goal: FAR },
         run: async () => {
@@ -111,12 +115,12 @@ export class Lesson {
           await this.drive("prm-rl");
         },
         text: () =>
-          `Rollouts of the least reliable edge: ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0}. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share or the reliability.`,
+          `The least reliable edge succeeded in ${leastOf(session)?.count ?? 0} of ${leastOf(session)?.of ?? 0} rollouts. The goal was reached in ${reached()} drives. Hover over the edges of the path, and raise the least share or the reliability.`,
       },
       {
         question:
-          "Now the roadmap prefers edges that succeed more often. Straight edges that are proven free are driven twice: without looking, and by the policy. What do they lack most?",
-        choices: ["A driver that looks", "Edges that are learned"],
+          "Now the roadmap prefers edges that succeed more often. Straight edges that are proven free are driven twice: without the sensor, and by the policy. What do they lack most?",
+        choices: ["A driver that uses the sensor", "Edges that are learned"],
         answer: 0,
         ends: { start: START, goal: FAR },
         run: async () => {
@@ -127,7 +131,7 @@ export class Lesson {
           const [blind, seeing] = [session.runs.straight, session.runs["straight-policy"]].map(
             ({ drives }) => countsOf(drives).reached,
           );
-          return `PRM-RL reached the goal in ${reached()} drives; straight edges in ${blind} without looking, and in ${seeing} by the policy. The proof is about straight motions, and noise leaves them; a driver that looks makes up for most of that. Learned edges count what it cannot. Compare all ways on many goals in Compare.`;
+          return `PRM-RL reached the goal in ${reached()} drives; straight edges in ${blind} without the sensor, and in ${seeing} by the policy. The proof covers straight motions only, and noise pushes the robot off them; a driver that uses the sensor corrects most of that. Learned edges also leave out what the driver often fails to drive. Open Compare to test all methods on many goals.`;
         },
       },
     ];

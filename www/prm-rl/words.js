@@ -1,4 +1,4 @@
-/** What the page says of its state. */
+/** The sentences of the page. */
 import { counted, grouped } from "../app/dom.js";
 import { capital } from "../widgets/format.js";
 import { countsOf } from "./session.js";
@@ -6,19 +6,19 @@ import { countsOf } from "./session.js";
 /** @import { NavigationSession } from "./session.js" */
 /** @import { NavigationMethod } from "planarium/full" */
 
-/** The ways to drive. @type {Record<NavigationMethod, { title: string, does: string }>} */
+/** The methods of driving. @type {Record<NavigationMethod, { title: string, does: string }>} */
 export const WAY_WORDS = {
   policy: {
     title: "Policy alone",
-    does: "The policy drives straight to the goal, without a plan. It sees no farther than its rays.",
+    does: "The policy drives straight to the goal, without a plan. It sees only as far as its rays reach.",
   },
   straight: {
     title: "Straight edges",
-    does: "A roadmap of straight edges, proven free for a disc around the robot. A simple controller follows them and looks at no rays.",
+    does: "A roadmap of straight edges, proven free for a disc around the robot. A simple controller follows them without using the sensor.",
   },
   "straight-margin": {
     title: "Straight + margin",
-    does: "The same with edges that are proven for a larger disc, which leaves room for errors.",
+    does: "Straight edges that are proven for a larger disc, which leaves room for errors. A simple controller follows them without using the sensor.",
   },
   "straight-policy": {
     title: "Straight + policy",
@@ -26,7 +26,7 @@ export const WAY_WORDS = {
   },
   "straight-margin-policy": {
     title: "Straight + margin + policy",
-    does: "The same with edges that are proven for a larger disc, which leaves room for errors.",
+    does: "Straight edges that are proven for a larger disc. The policy drives from one vertex to the next.",
   },
   "prm-rl": {
     title: "PRM-RL",
@@ -34,7 +34,7 @@ export const WAY_WORDS = {
   },
 };
 
-/** The ways of a comparison. */
+/** The methods of a comparison. */
 export const COMPARED = /** @type {NavigationMethod[]} */ (Object.keys(WAY_WORDS));
 
 /** @param {NavigationSession} session */
@@ -43,7 +43,8 @@ export function sentenceOf(session) {
   if (session.part === "compare") return comparisonSentence(session);
   const { refusal, run, way } = session;
   if (refusal) return `The ${refusal.end} is in collision: move it away from obstacles.`;
-  if (run.status === "none") return "Drag the ring to move the robot and the diamond to move its goal. Then plan.";
+  if (run.status === "none")
+    return "PRM-RL plans long routes for a policy that has learned to drive short distances. Drag the ring to move the robot and the diamond to move its goal, then press Plan.";
   if (run.status === "running")
     return `The roadmap grows: ${counted(run.vertices.length / 2, "vertex", "vertices")}, ${counted(run.edges.length / 2, "edge")}.`;
   if (run.status === "exhausted")
@@ -52,7 +53,7 @@ export function sentenceOf(session) {
   if (way === "policy") return "The policy alone has no plan: it drives towards the goal.";
   const least = leastOf(session);
   return least
-    ? `A path of ${counted(run.path.length - 1, "edge")}. The least reliable one: rollouts: ${least.count} of ${least.of}.`
+    ? `A path of ${counted(run.path.length - 1, "edge")}. Its least reliable edge succeeded in ${least.count} of ${least.of} rollouts.`
     : `A path of ${counted(run.path.length - 1, "straight edge")}, each proven free.`;
 }
 
@@ -62,7 +63,7 @@ function drivenText({ run: { drives } }) {
   const others = [
     collision > 0 ? counted(collision, "collision") : "",
     swing > 0 ? `${grouped(swing)} with too much swing` : "",
-    timeout > 0 ? `${grouped(timeout)} not there in time` : "",
+    timeout > 0 ? `${grouped(timeout)} timed out` : "",
   ]
     .filter(Boolean)
     .join(", ");
@@ -81,7 +82,7 @@ function trainingSentence({ training: { status, generation, generations, history
   if (status === "beginning") return "The short tasks are generated.";
   const last = history.at(-1);
   if (!last)
-    return "Random changes of the policy are tried on short tasks; it moves along those that drive better. Press Train.";
+    return "Each generation tries random changes to the policy on short tasks and keeps what drives better. Press Train.";
   const solved = `${Math.round(100 * last.reached)}\u00a0% of the tasks solved`;
   if (status === "over")
     return `Trained for ${counted(generation, "generation")}: ${solved}. Use this policy in Plan and Compare.`;
@@ -90,7 +91,7 @@ function trainingSentence({ training: { status, generation, generations, history
 
 /** @param {NavigationSession} session */
 function comparisonSentence({ comparison: { status, executions, count, iterations, summary } }) {
-  if (status === "none") return "Far goals are driven to in six ways, each several times with noise. Press Run.";
+  if (status === "none") return "Six methods drive to the same far goals, each several times with noise. Press Run.";
   if (executions.length === 0) return `Three roadmaps are built: ${counted(iterations, "iteration")}.`;
   if (status !== "over") return `${grouped(executions.length)} of ${counted(count, "drive")}.`;
   const shares = summary.map(({ method, reached }) => `${WAY_WORDS[method].title} ${percentText(reached.share)}`);

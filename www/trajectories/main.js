@@ -239,7 +239,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
     if (!transport.isPlaying && last === "refused" && rejected)
       return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
-    return "Random trajectories are added one by one; those that cross an earlier one are rejected.";
+    return "Rejection sampling: random trajectories are added one by one, and each one that crosses an earlier one is rejected.";
   }
 
   /** The sum over the last accepted trajectories. @param {"tries" | "milliseconds"} key */

@@ -1,5 +1,6 @@
 /** Opens entries without a browser: each page's own code reads the state, makes the link and draws the picture. */
 import { openExperiment } from "./experiments.js";
+import { openFleet } from "./fleet.js";
 import { openNeighbours } from "./neighbours.js";
 import { openPlanner } from "./planner.js";
 import { openLearned } from "./prm-rl.js";
@@ -40,6 +41,8 @@ export async function openEntry(entry, documents) {
       return openNeighbours(entry, documents);
     case "trajectories":
       return openTrajectories(entry);
+    case "fleet":
+      return openFleet(entry);
     case "prm-rl":
       return openLearned(entry, documents);
     case "experiments":

@@ -22,8 +22,9 @@ export async function openLearned({ state }, documents) {
     /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)),
     documents.policies(),
   );
-  const { kind, options } = { ...FIRST, ...state };
+  const { kind, options, way } = { ...FIRST, way: session.way, ...state };
   session.open({ kind, options });
+  session.setWay(way);
   await session.drive(true);
   session.setTime(Infinity);
   const floor = new Floor(session);

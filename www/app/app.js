@@ -5,7 +5,7 @@
  * no reply of the worker is pending and everything is drawn).
  */
 import * as library from "planarium";
-import { byId, write } from "./dom.js";
+import { byId, keepMore, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { errorInfo } from "./error-info.js";
@@ -66,6 +66,7 @@ export class App {
     });
     // In a frame a page shows only its figure and its transport.
     document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
+    keepMore();
     this.projector = new Projector(() => this.setTheme());
     watchTheme(() => this.setTheme());
     matchMedia("(forced-colors: active)").addEventListener("change", () => this.setTheme());

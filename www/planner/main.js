@@ -27,7 +27,7 @@
  */
 import * as library from "planarium";
 import { App } from "../app/app.js";
-import { byId, write } from "../app/dom.js";
+import { byId, reveal, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
@@ -155,7 +155,10 @@ const isOpen = await app.open(
         drive.use((controls) => controls.toggle());
         return;
       }
-      if (event.detail === 0) pose.awaitsFocus = true;
+      if (event.detail === 0) {
+        reveal(byId("pose", HTMLElement));
+        pose.awaitsFocus = true;
+      }
       page.act(({ byHand }) => byHand.change());
     });
     turn.disabled = false;

@@ -17,6 +17,7 @@ import {
   pickFile,
   pixelsOf,
   pressUntil,
+  reveal,
   textMatches,
   unfold,
   useBrowser,
@@ -33,7 +34,7 @@ useBrowser();
 const STATES = {
   "solved, all numbers and parameters open": async (page) => {
     await finish(page);
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await unfold(page, "view");
     await unfold(page, "curves");
   },
@@ -90,7 +91,7 @@ for (const [state, enter] of Object.entries(STATES)) {
 test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () =>
   onPausedPage(async (page) => {
     for (const id of ["race", "view", "lessons", "export"]) await unfold(page, id);
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await assertTargets(page);
     const transport = await page
       .locator("#transport button")

@@ -150,7 +150,11 @@ export async function onPage(options, test, { before, expectErrors = false, path
   } finally {
     if (isKept) {
       for (const other of context.pages()) if (other !== page) await other.close();
-      if (page.url().startsWith(url)) await page.evaluate(() => localStorage.clear());
+      if (page.url().startsWith(url))
+        await page.evaluate(() => {
+          localStorage.clear();
+          sessionStorage.clear();
+        });
       await context.clearPermissions();
       await page.unrouteAll();
       await page.mouse.move(0, 0);
@@ -217,11 +221,20 @@ export async function seek(page, time) {
   return atRest(page);
 }
 
+/** Opens the folds that a control is in, such as "More". @param {Page} page @param {string} selector */
+export async function reveal(page, selector) {
+  await page
+    .locator(selector)
+    .first()
+    .evaluate((element) => {
+      for (let fold = element.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null)
+        fold.open = true;
+    });
+}
+
 /** Opens a fold and waits for what is in it. @param {Page} page @param {string} id */
 export async function unfold(page, id) {
-  await page.locator(`#${id}-fold`).evaluate((fold) => {
-    /** @type {HTMLDetailsElement} */ (fold).open = true;
-  });
+  await reveal(page, `#${id}-fold`);
   await page.waitForFunction((name) => (document.getElementById(name)?.childElementCount ?? 0) > 0, id);
 }
 
@@ -246,6 +259,7 @@ export async function chooseScene(page, id) {
 
 /** Clicks, and waits until all that was ordered is done and drawn. @param {Page} page @param {string} selector */
 export async function click(page, selector) {
+  await reveal(page, selector);
   await page.click(selector);
   return atRest(page);
 }
@@ -287,6 +301,7 @@ export const offered = (page, id) =>
  * @param {string} value
  */
 export async function fill(page, selector, value) {
+  await reveal(page, selector);
   const control = page.locator(selector);
   if (await control.evaluate(({ tagName }) => tagName === "SELECT")) await control.selectOption(value);
   else await control.fill(value);
@@ -346,6 +361,7 @@ export const textMatches = (page, selector, pattern) =>
  * @returns {Promise<{ name: string, bytes: Buffer, text: string }>}
  */
 export async function download(page, selector) {
+  await reveal(page, selector);
   const [file] = await Promise.all([page.waitForEvent("download"), page.click(selector)]);
   const bytes = readFileSync(await file.path());
   return { name: file.suggestedFilename(), bytes, text: bytes.toString() };

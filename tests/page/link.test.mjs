@@ -19,6 +19,7 @@ import {
   onPausedPage,
   openScenario,
   pictureOf,
+  reveal,
   seek,
   setParameter,
   unfold,
@@ -128,7 +129,7 @@ test("another planner, and settings of every kind: number, choice, switch, none"
   onPausedPage(async (page) => {
     await choosePlanner(page, "prm-star", "samples");
     await setParameter(page, "samples", "90");
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await page.selectOption("#parameter-edge_check", "sampled");
     await page.selectOption("#parameter-sampler", "halton");
     await seek(page, 120);

@@ -21,6 +21,7 @@ import {
   passes,
   pickFile,
   pixelsOf,
+  reveal,
   setParameter,
   thumbnails,
   useBrowser,
@@ -319,7 +320,7 @@ test("a tree that goes on after its first path shows its best path so far, in th
 
 test("a sampled path is marked as not proven, its collision in red; a naive roadmap fills the square", () =>
   onPausedPage(async (page) => {
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await page.selectOption("#parameter-edge_check", "sampled");
     await setParameter(page, "edge_samples", "1");
     await atRest(page);
@@ -355,7 +356,7 @@ test("a tree that gives up shows its nearest miss, dashed, and the robot drives 
   onPausedPage(async (page) => {
     await chooseScene(page, "firs");
     await page.selectOption("#planner", "rrt");
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await setParameter(page, "max_iterations", "300");
     assert.equal((await finish(page)).status, "exhausted");
     assert.match(
@@ -381,7 +382,7 @@ test("a path that is being improved says so, and is shorter in the end", () =>
   onPausedPage(async (page) => {
     await chooseScene(page, "firs");
     const plain = await finish(page);
-    await page.click("#more summary");
+    await reveal(page, "#more-parameters");
     await setParameter(page, "shortcut", "4000");
     for (let i = 0; i < 2; i++) await page.click("#step-100");
     await page.waitForSelector("#counters[data-phase=improving]", { state: "attached" });

@@ -19,6 +19,7 @@ import {
   onPausedPage,
   openScenario,
   pixelsOf,
+  reveal,
   seek,
   setParameter,
   textMatches,
@@ -599,7 +600,7 @@ test("the path's curve begins where the path was found; the cursor is at the tim
       { algorithm: "rrt-connect", settings: { seed: 0, shortcut: 60 } },
     ];
     const runs = plans.map((plan) => alone("stones", plan));
-    await page.locator("#more > summary").click();
+    await reveal(page, "#more-parameters");
     await setParameter(page, "shortcut", "60");
     await race(page, "rrt-connect");
     assert.equal(

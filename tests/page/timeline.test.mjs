@@ -13,6 +13,7 @@ import {
   growthHash,
   isDeep,
   onPausedPage,
+  reveal,
   seek,
   setParameter,
   unfold,
@@ -52,7 +53,7 @@ for (const [size, options] of Object.entries({ desktop: DESK, phone: PHONE })) {
         await unfold(page, "view");
         await page.locator("#view-refused").evaluate((input) => /** @type {HTMLElement} */ (input).click());
         await choosePlanner(page, algorithm, Object.keys(settings)[0]);
-        await page.click("#more summary");
+        await reveal(page, "#more-parameters");
         for (const [name, value] of Object.entries(settings)) await setParameter(page, name, String(value));
         await atRest(page);
         // Step by step to an iteration, and on to the end.

@@ -5,14 +5,14 @@
  * no reply of the worker is pending and everything is drawn).
  */
 import * as library from "planarium";
-import { byId, write } from "./dom.js";
+import { byId, keepMore, write } from "./dom.js";
 import { Notice } from "./notice.js";
 import { watchTheme } from "./theme.js";
 import { errorInfo } from "./error-info.js";
 import { loadCore, workerMaker } from "./resources.js";
 import { readPalette } from "./palette.js";
 import { paced } from "./paced.js";
-import { isProjected } from "./projector.js";
+import { isProjected, Projector } from "./projector.js";
 import { connect } from "./worker-client.js";
 
 /** @import { Remote } from "./worker-client.js" */
@@ -64,6 +64,10 @@ export class App {
       event.preventDefault();
       this.fail(event.reason);
     });
+    // In a frame a page shows only its figure and its transport.
+    document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
+    keepMore();
+    this.projector = new Projector(() => this.setTheme());
     watchTheme(() => this.setTheme());
     matchMedia("(forced-colors: active)").addEventListener("change", () => this.setTheme());
     this.watchPixelRatio();

@@ -10,6 +10,24 @@ export function byId(id, kind) {
   return element;
 }
 
+/** Opens the folds that an element is in. @param {Element | null | undefined} element */
+export function reveal(element) {
+  for (let fold = element?.closest("details"); fold; fold = fold.parentElement?.closest("details")) fold.open = true;
+}
+
+/** Keeps a page's fold "More" as the reader leaves it, while the tab is open. */
+export function keepMore() {
+  const fold = /** @type {HTMLDetailsElement | null} */ (document.querySelector("details.fold.more"));
+  if (!fold) return;
+  const key = `more ${location.pathname}`;
+  try {
+    fold.open = sessionStorage.getItem(key) === "open";
+    fold.addEventListener("toggle", () => sessionStorage.setItem(key, fold.open ? "open" : ""));
+  } catch {
+    // A sandboxed frame stores nothing.
+  }
+}
+
 /**
  * @template {keyof HTMLElementTagNameMap} T
  * @typedef {Omit<Partial<HTMLElementTagNameMap[T]>, "dataset"> & { dataset?: Record<string, unknown> }} Properties

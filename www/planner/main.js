@@ -27,11 +27,10 @@
  */
 import * as library from "planarium";
 import { App } from "../app/app.js";
-import { byId, write } from "../app/dom.js";
+import { byId, reveal, write } from "../app/dom.js";
 import { isArray, watchFiles } from "../app/drop.js";
 import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
-import { Projector } from "../app/projector.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
 import { watchAsking } from "./ask.js";
@@ -57,7 +56,6 @@ const MODULES = 3000;
 /** The number of seeds that "New seed" chooses from: six digits can be said aloud. */
 const SEEDS = 1_000_000;
 
-document.documentElement.classList.toggle("embed", new URLSearchParams(location.search).get("embed") === "1");
 const app = new App();
 const { notice } = app;
 const counters = new Counters();
@@ -97,7 +95,6 @@ const isOpen = await app.open(
     offerCertificate(page, worker);
     showPseudocode(page);
     watchPrint(page);
-    const projector = new Projector(() => app.setTheme());
 
     const options = new LazyFeature(notice, async () =>
       (await import("./scenes/options.js")).showSceneOptions(page, library.generators()),
@@ -123,7 +120,7 @@ const isOpen = await app.open(
     new LazyFeature(notice, async () => (await import("./export/export.js")).showExport(page)).inFold("export-fold");
     const link = new LazyFeature(
       notice,
-      async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), projector),
+      async () => new (await import("./link/link.js")).Link(page, SCENES, library.generators(), app.projector),
     ).byButton("link", ({ share }) => share());
     if (window.parent !== window) (await import("./embed.js")).watchParent(page);
     addEventListener("hashchange", () => {
@@ -158,7 +155,10 @@ const isOpen = await app.open(
         drive.use((controls) => controls.toggle());
         return;
       }
-      if (event.detail === 0) pose.awaitsFocus = true;
+      if (event.detail === 0) {
+        reveal(byId("pose", HTMLElement));
+        pose.awaitsFocus = true;
+      }
       page.act(({ byHand }) => byHand.change());
     });
     turn.disabled = false;

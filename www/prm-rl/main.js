@@ -14,7 +14,6 @@ import { watchFiles } from "../app/drop.js";
 import { json, save } from "../app/files.js";
 import { watchKeys } from "../app/keys.js";
 import { useLink } from "../app/link.js";
-import { Projector } from "../app/projector.js";
 import { Figure } from "../draw/figure.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
@@ -113,9 +112,8 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   };
   transport.play.addEventListener("click", rewind);
   const lesson = new Lesson(app, session, play);
-  new Projector(() => {
+  app.onTheme(() => {
     floor.bold = demonstrations.bold = app.look.bold;
-    app.setTheme();
   });
 
   byId("parts", HTMLElement).append(

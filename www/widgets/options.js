@@ -1,7 +1,7 @@
 /**
  * A form built from a table of options such as the core's. Each field shows its meaning, and why a value is refused.
  */
-import { make } from "../app/dom.js";
+import { make, reveal } from "../app/dom.js";
 import { Field } from "./field.js";
 
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
@@ -36,8 +36,7 @@ export class Fields {
   refuse(pointer, reason) {
     const field = this.field(pointer.split("/")[1] ?? "");
     field?.refuse(reason);
-    for (let fold = field?.element.closest("details"); fold; fold = fold.parentElement?.closest("details"))
-      fold.open = true;
+    reveal(field?.element);
     return field !== undefined;
   }
 }

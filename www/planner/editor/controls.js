@@ -3,7 +3,7 @@
  * fold is open. Where the panel is below the stage, the tools are above the stage.
  */
 import { Editor } from "./editor.js";
-import { byId, make, write } from "../../app/dom.js";
+import { byId, make, reveal, write } from "../../app/dom.js";
 import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
 import { Field } from "../../widgets/field.js";
@@ -147,7 +147,7 @@ export class EditorControls {
 
   /** Opens the editor and scrolls to it. */
   begin() {
-    this.fold.open = true;
+    reveal(this.fold);
     this.place();
     (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({
       block: "start",

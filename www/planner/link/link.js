@@ -1,7 +1,7 @@
 /** Links: opens the experiment in the address, and makes the address of the current one. */
 import { errorInfo } from "../../app/error-info.js";
 import { makeShare } from "../../app/link.js";
-import { grouped } from "../../app/dom.js";
+import { byId, grouped, reveal } from "../../app/dom.js";
 import { axesOf } from "../../domain/names.js";
 import { decodeLink, encodeLink } from "./codec.js";
 import { POSES, experimentOf, find } from "./experiment.js";
@@ -91,6 +91,8 @@ export class Link {
       lens = "workspace",
     } = view;
     page.setView({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice, optimum, regions });
+    if (refused || strobe || raw || slice || optimum || regions) reveal(byId("view", HTMLElement));
+    if (page.current.length > 1) reveal(byId("race", HTMLElement));
     this.projector.turn(projector);
     if (page.current.length > 1) page.race?.setPicture(lens);
     this.wanted = iteration;
@@ -117,7 +119,10 @@ export class Link {
       }
     } else if (pose && pose.length !== facts?.dimension)
       faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
-    else if (pose) page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));
+    else if (pose) {
+      reveal(byId("pose", HTMLElement));
+      page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));
+    }
   }
 
   complain() {

@@ -11,7 +11,7 @@ import { optionsAt } from "./scenes.js";
 export function showSceneOptions(page, generators) {
   const sliders = make("div", { className: "sliders" });
   const fold = byId("make-fold", HTMLDetailsElement);
-  fold.before(sliders);
+  byId("scene-options", HTMLElement).append(sliders);
   fold.append(makeForm(generators, (kind, options) => request({ generate: { kind, options } })));
   /** @type {SceneEntry | null} */
   let shown = null;

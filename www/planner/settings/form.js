@@ -37,6 +37,13 @@ const GROUPS = [
 ];
 const REST = "Limits";
 
+/**
+ * Settings that the course reports used and that may give a wrong path: presets with one of them are offered only where
+ * a lesson or a link opens them.
+ * @type {Record<string, string[]>}
+ */
+const FAULTS = { edge_check: ["none", "sampled"], neighbour_metric: ["naive"], insertion: ["one-by-one"] };
+
 export class SettingsForm extends Fields {
   /**
    * @param {HTMLSelectElement} planner
@@ -117,7 +124,9 @@ export class SettingsForm extends Fields {
     const { family, info } = this;
     const option = (/** @type {string} */ value, /** @type {string} */ title) =>
       make("option", { value, disabled: value === "own" }, title);
-    this.presets = info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+    this.presets = info.presets
+      .map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }))
+      .filter(({ settings }) => !repeatsFault(settings) || this.equals(settings));
     this.presetRow.hidden = this.presets.length === 0;
     this.preset.replaceChildren(
       option("own", "custom"),
@@ -155,14 +164,23 @@ export class SettingsForm extends Fields {
 
   /** Selects the preset that equals the settings. */
   selectPreset() {
+    const found = this.presets.find(({ settings }) => this.equals(settings));
+    this.preset.value = found?.id ?? (this.equals({}) ? "" : "own");
+  }
+
+  /** Whether the settings are those of a preset, but for the seed. @param {Settings} settings */
+  equals(settings) {
     const { given, info } = this;
     const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
-    const isEqual = (/** @type {Settings} */ settings) =>
-      Object.keys({ ...given, ...settings }).every(
-        (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),
-      );
-    this.preset.value = this.presets.find(({ settings }) => isEqual(settings))?.id ?? (isEqual({}) ? "" : "own");
+    return Object.keys({ ...given, ...settings }).every(
+      (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),
+    );
   }
+}
+
+/** @param {Settings} settings */
+function repeatsFault(settings) {
+  return Object.entries(FAULTS).some(([name, values]) => values.includes(String(settings[name])));
 }
 
 /** Fields under the headings of their groups. @param {Field[]} fields @returns {HTMLElement[]} */

@@ -1,9 +1,10 @@
 /** The settings: the planner, its parameters, the seed and the query. They are built from the tables of the core. */
-import { byId, make, write } from "../../app/dom.js";
+import { byId, make, reveal, write } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { withSeed } from "../../widgets/field.js";
-import { SettingsForm } from "./form.js";
+import { FIRST, SettingsForm } from "./form.js";
 
+/** @import { Field } from "../../widgets/field.js" */
 /** @import { Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
 export class Panel {
@@ -33,7 +34,8 @@ export class Panel {
       ({ summary }) => {
         byId("planner-summary", HTMLElement).textContent = summary;
         this.form.field("seed")?.element.append(newSeed);
-        byId("more", HTMLDetailsElement).hidden = rest.childElementCount === 0;
+        byId("main-parameters", HTMLElement).replaceChildren(...this.main.map(({ element }) => element));
+        byId("more-parameters-fold", HTMLDetailsElement).hidden = rest.childElementCount === 0;
       },
     );
     this.query.addEventListener("change", onQuery);
@@ -73,6 +75,18 @@ export class Panel {
     this.form.given = { ...settings };
     this.form.lead = new Set(Object.keys(scene));
     this.form.build();
+    // What differs from the scene and from the defaults is in view.
+    const differs = (/** @type {Field} */ { info: { name, default: value } }) =>
+      settings[name] !== undefined && settings[name] !== (scene[name] ?? value);
+    reveal(this.form.fields.find((field) => differs(field) && !this.main.includes(field))?.element);
+  }
+
+  /** The fields in view: the first main parameter, of those that the scene sets if there are any, and the seed. */
+  get main() {
+    const { form } = this;
+    const [...names] = FIRST;
+    const first = names.find((name) => form.lead.has(name)) ?? names.find((name) => form.field(name));
+    return [first ?? "", "seed"].flatMap((name, i, all) => (all.indexOf(name) === i && form.field(name)) || []);
   }
 
   /** @param {string} algorithm */

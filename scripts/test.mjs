@@ -11,6 +11,7 @@ import { delimiter, join } from "node:path";
 import { assembleOneFile, assemblePage, buildPackage } from "./build.mjs";
 import { countsOfHarness, countsOfTap } from "./counts.mjs";
 import { Problem, root, script, watch } from "./run.mjs";
+import { pagePolicy, serve } from "./serve.mjs";
 import {
   cargoBin,
   ensureBrowser,
@@ -120,7 +121,7 @@ const suites = [
       harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()),
   },
   { groups: ["package"], name: "npm package", run: () => nodeTests("package", 2) },
-  { groups: ["page"], name: "page, in Chromium", run: () => nodeTests("page", 2) },
+  { groups: ["page"], name: "page, in Chromium", run: () => withBrowser((env) => nodeTests("page", 2, env)) },
 ];
 
 /**
@@ -220,8 +221,9 @@ function types(project) {
  * Runs the tests in a folder with Node's test runner.
  * @param {string} folder
  * @param {number} concurrency  files at a time
+ * @param {Env} [env]
  */
-async function nodeTests(folder, concurrency) {
+async function nodeTests(folder, concurrency, env) {
   const place = join(root, "tests", folder);
   const files = readdirSync(place)
     .filter((name) => name.endsWith(".test.mjs"))
@@ -229,16 +231,48 @@ async function nodeTests(folder, concurrency) {
   if (files.length === 0) return undefined;
   mkdirSync(join(root, "dist"), { recursive: true });
   const report = join(root, "dist", `${folder}-tests.tap`);
-  const { code } = await observe(process.execPath, [
+  const args = [
     "--test",
     `--test-concurrency=${concurrency}`,
     "--test-reporter=spec",
     "--test-reporter-destination=stdout",
     "--test-reporter=tap",
     `--test-reporter-destination=${report}`,
+    `--test-reporter=${new URL("slowest.mjs", import.meta.url)}`,
+    "--test-reporter-destination=stdout",
     ...files.map((name) => join(place, name)),
-  ]);
+  ];
+  const { code } = await observe(process.execPath, args, env);
   return withExitCode(countsOfTap(readFileSync(report, "utf8")), code);
+}
+
+/**
+ * Runs a suite with one browser and one server of the pages for all its files. Should the browser end before the suite,
+ * what waits for it fails, files that start later fail at once, and the suite fails with the reason.
+ * @param {(env: Env) => Promise<Counts | undefined>} suite
+ */
+async function withBrowser(suite) {
+  const { chromium } = await import("playwright-core");
+  const pages = await serve({
+    root: join(root, "dist", "page"),
+    port: 0,
+    policy: pagePolicy(),
+    docs: join(root, "dist", "site"),
+  });
+  const browser = await chromium.launchServer({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+  let ending = "";
+  browser.process().once("exit", (code, signal) => {
+    ending ||= `Chromium ended before the tests did (${signal ?? `exit code ${code}`})`;
+  });
+  try {
+    const counts = await suite({ PLANARIUM_BROWSER: browser.wsEndpoint(), PLANARIUM_PAGES: pages.url });
+    if (ending !== "") throw new Problem(ending);
+    return counts;
+  } finally {
+    ending = "closed";
+    await browser.close();
+    await pages.close();
+  }
 }
 
 /**

@@ -6,6 +6,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   PHONE,
+  addressOf,
   atRest,
   chooseScene,
   click,
@@ -340,7 +341,7 @@ test("on a projector words are larger and lines bolder; axe finds nothing, nor i
     assert.deepEqual(await violations(page), []);
     await page.keyboard.press("Escape");
     assert.equal(await page.isVisible(".panel"), true);
-    await page.goto(`${url}plan.html?embed=1`);
+    await page.goto(addressOf(url, "?embed=1"));
     await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
     // The heading is the parent's to give.
     assert.deepEqual(

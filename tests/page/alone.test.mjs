@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import {
   TRAP,
+  addressOf,
   atRest,
   choose,
   chooseScene,
@@ -67,7 +68,7 @@ test("a page that was open once opens without a network with all its rooms, and 
       assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
       await page.context().setOffline(true);
       await page.goto("about:blank");
-      await page.goto(`${url}plan.html`);
+      await page.goto(addressOf(url));
       await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
       assert.equal((await finish(page)).fingerprint, there.fingerprint);
       await chooseScene(page, "rings");
@@ -130,7 +131,7 @@ for (const where of ["from the disk", "in a sandboxed frame"]) {
 
 /** A parent page that stores all messages from the frame. @param {string} url */
 const parent = (url) => `<!doctype html><title>Parent</title><button id="before">before</button>
-  <iframe id="frame" src="${url}plan.html?embed=1" style="width: 640px; height: 420px; border: 0"></iframe>
+  <iframe id="frame" src="${addressOf(url, "?embed=1")}" style="width: 640px; height: 420px; border: 0"></iframe>
   <script>
     const told = [];
     const answers = new Map();

@@ -1,6 +1,7 @@
 /**
- * Chromium and the built page, for the tests of the page: every page opened here is watched for errors and for requests
- * that leave the site.
+ * Chromium and the built pages, for their tests: every page opened here is watched for errors and for requests that
+ * leave the site. A run of all files has one browser and one server, whose addresses are in the environment; a file
+ * that is run by itself has its own.
  */
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
@@ -18,8 +19,8 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
 /** @typedef {import("../../www/draw/layer.js").LayerName} LayerName */
 /**
- * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the
- *   page, its query and fragment; the planner's page where it names none
+ * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of a
+ *   page, its query and fragment; without a name it is the planner's
  */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
@@ -27,7 +28,7 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 export const isDeep = process.env.PLANARIUM_DEEP === "1";
 
 /** The planner's page. */
-export const PLAN = "plan.html";
+const PLAN = "plan.html";
 
 export const DESK = { viewport: { width: 1280, height: 860 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
@@ -51,32 +52,50 @@ export const TRAP = `{
 
 /** @type {import("playwright-core").Browser | undefined} */
 let browser;
-/** @type {Awaited<ReturnType<typeof serve>> | undefined} */
+/** @type {{ url: string, close?: () => Promise<void> } | undefined} */
 let server;
 /** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
 const idle = new Map();
 
 /**
- * Starts browser and server. Chromium is taken from CHROMIUM or from where Debian puts it.
- * @param {string} [folder]  of the page, where it is another build
+ * Connects to the browser and the server of the run, or starts them. Chromium is taken from CHROMIUM or from where
+ * Debian puts it.
+ * @param {string} [folder]  of the page, where it is another build: it has a server of its own
  */
 export async function start(folder = pageRoot) {
-  assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
-  server = await serve({
-    root: folder,
-    port: 0,
-    policy: folder === pageRoot ? pagePolicy() : undefined,
-    docs: siteRoot,
-  });
+  const { PLANARIUM_BROWSER, PLANARIUM_PAGES, CHROMIUM } = process.env;
+  if (PLANARIUM_PAGES && folder === pageRoot) server = { url: PLANARIUM_PAGES };
+  else {
+    assert.ok(existsSync(folder), `${folder} is missing: run \`npm run build\` first`);
+    server = await serve({
+      root: folder,
+      port: 0,
+      policy: folder === pageRoot ? pagePolicy() : undefined,
+      docs: siteRoot,
+    });
+  }
+  if (PLANARIUM_BROWSER) {
+    browser = await chromium.connect(PLANARIUM_BROWSER, { timeout: 30_000 }).catch((error) => {
+      throw new Error("The browser of this run does not answer: it has crashed, or was closed.", { cause: error });
+    });
+    return;
+  }
   const found = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((path) => existsSync(path));
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? found, args: ["--no-sandbox"] });
+  browser = await chromium.launch({ executablePath: CHROMIUM ?? found, args: ["--no-sandbox"] });
 }
 
 export async function stop() {
   idle.clear();
   await browser?.close();
-  await server?.close();
+  await server?.close?.();
 }
+
+/**
+ * The address of a page.
+ * @param {string} url  of the server
+ * @param {string} [path]  of the page, its query and fragment; without a name it is the planner's
+ */
+export const addressOf = (url, path = "") => new URL(path, new URL(PLAN, url)).href;
 
 /** Starts browser and server for the tests of a file. @param {string} [folder]  of the page, where it is another one */
 export function useBrowser(folder) {
@@ -143,7 +162,7 @@ export async function onPage(options, test, { before, expectErrors = false, path
     if (viewport) await page.setViewportSize(viewport);
     await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
     await before?.(page);
-    await page.goto(url + (/^([?#]|$)/.test(path) ? PLAN : "") + path);
+    await page.goto(addressOf(url, path));
     await test(page, url);
     if (!expectErrors) assert.deepEqual(faults, []);
     isKept = key !== "";
@@ -363,7 +382,10 @@ export const textMatches = (page, selector, pattern) =>
 export async function download(page, selector) {
   await reveal(page, selector);
   const [file] = await Promise.all([page.waitForEvent("download"), page.click(selector)]);
-  const bytes = readFileSync(await file.path());
+  // The browser may be another process's: then the file has no path here.
+  const parts = [];
+  for await (const part of await file.createReadStream()) parts.push(part);
+  const bytes = Buffer.concat(parts);
   return { name: file.suggestedFilename(), bytes, text: bytes.toString() };
 }
 

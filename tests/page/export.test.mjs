@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { readNpy, writeNpy } from "../../www/formats/npy.js";
 import {
   PHONE,
+  addressOf,
   atRest,
   chooseScene,
   click,
@@ -490,7 +491,7 @@ test("what is copied to embed the stage opens it there", () =>
         [/** @type {RegExp} */ (sign).source],
       );
       const [, address] = /** @type {RegExp} */ (sign).exec(await page.inputValue("#embed-text")) ?? [];
-      assert.ok(address.startsWith(`${url}plan.html?embed=1#`), address);
+      assert.ok(address.startsWith(`${addressOf(url, "?embed=1")}#`), address);
       if (kind !== "notebook") continue;
       await page.goto(address);
       await page.waitForSelector("#counters[data-settled=true][data-iterations='100']", { state: "attached" });

@@ -11,6 +11,7 @@ import { SCENES } from "../../www/planner/scenes/scenes.js";
 import {
   DESK,
   PHONE,
+  addressOf,
   atRest,
   changes,
   chooseScene,
@@ -254,7 +255,7 @@ test("a lesson begins from its title, goes back and forth, and every step has it
       const verdict = wrong ? `Answer: ${step.choices[step.answer].toLowerCase()}.` : "Correct.";
       assert.equal(await page.innerText("#lesson .outcome"), `${verdict} ${step.text}`);
       assert.match(await page.innerText("#lesson .head"), new RegExp(`${i + 1} of ${lesson.steps.length}`));
-      assert.equal(page.url(), `${url}plan.html#lesson=${lesson.id}.${i + 1}`);
+      assert.equal(page.url(), addressOf(url, `#lesson=${lesson.id}.${i + 1}`));
       await page.waitForFunction((ends) => {
         const { settled, status, iterations } = /** @type {HTMLElement} */ (document.getElementById("counters"))
           .dataset;
@@ -269,7 +270,7 @@ test("a lesson begins from its title, goes back and forth, and every step has it
       await page.click("#lesson-next");
     }
     assert.equal(await page.isVisible("#lesson"), false, "after the last step it is over");
-    assert.equal(page.url(), `${url}plan.html`);
+    assert.equal(page.url(), addressOf(url));
   }));
 
 for (const [device, options] of /** @type {const} */ ([
@@ -300,7 +301,7 @@ for (const [device, options] of /** @type {const} */ ([
         assert.ok(band && stage && band.y + band.height <= stage.y, "one above the other");
         assert.equal(await page.isVisible("#story"), false, "one voice at a time");
         await page.click("#lesson-leave");
-        assert.equal(page.url(), `${url}plan.html`);
+        assert.equal(page.url(), addressOf(url));
       },
       options,
       { path: "#lesson=pull.2" },

@@ -302,9 +302,10 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
   }
 
   function show() {
-    const { part, document: task, run, runs, way, time, start, goal, refusal, policy, origin, edge } = session;
+    const { part, source, document: task, run, runs, way, time, start, goal, refusal, policy, origin, edge } = session;
     if (!task) return;
-    if (part === "train" && training.status === "none") void room.attempt(() => training.begin());
+    if (differs("training", part, source) && part === "train" && training.status === "none")
+      void room.attempt(() => training.begin());
     if (differs("part", part, session.hasLoad)) showPart(part, session.hasLoad);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
     if (differs("ground", task, part, run, run.status)) figures.floor.redraw();

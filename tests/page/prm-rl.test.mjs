@@ -129,7 +129,7 @@ test("several workers train the same policy as one, also if one of them is lost 
     );
   const hired = [remote(workers[1], 3), remote(workers[2])];
   const pool = new TrainingPool(remote(workers[0]), () => hired.shift() ?? assert.fail());
-  const { candidates } = await pool.begin(first.toJSON(), SHORT);
+  const { candidates } = await pool.begin(first.toJSON(), SHORT, new AbortController().signal);
   assert.equal(candidates, 6);
   const fingerprints = /** @type {string[]} */ ([]);
   await pool.run(({ generation, fingerprint }) => {

@@ -13,6 +13,7 @@ import { loadCore, workerMaker } from "./resources.js";
 import { readPalette } from "./palette.js";
 import { paced } from "./paced.js";
 import { isProjected, Projector } from "./projector.js";
+import { isAbort } from "./work.js";
 import { connect } from "./worker-client.js";
 
 /** @import { Remote } from "./worker-client.js" */
@@ -37,6 +38,10 @@ export class App {
     this.reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Animation[]} */
     this.animations = [];
+    /** @type {(() => void)[]} */
+    this.shows = [];
+    /** Whether the state has changed since it was shown. */
+    this.isStale = false;
     /** @type {(() => void)[]} */
     this.drawings = [];
     /** @type {(() => void)[]} */
@@ -95,6 +100,7 @@ export class App {
       this.core = await loading;
       await library.default(this.core);
       await start(/** @type {Remote<C>} */ (worker));
+      this.show();
       dataset.state = "ready";
       this.requestFrame();
       // Stores the files of the pages for use without a network, where the browser allows it.
@@ -115,6 +121,14 @@ export class App {
     this.animations.push(animate);
   }
 
+  /**
+   * Runs once in a frame after changes of the state, before drawing. It writes only what differs.
+   * @param {() => void} show
+   */
+  onShow(show) {
+    this.shows.push(show);
+  }
+
   /** Runs at the end of each frame. @param {() => void} draw */
   onDraw(draw) {
     this.drawings.push(draw);
@@ -123,6 +137,19 @@ export class App {
   /** Runs when colours or the pixel ratio change. @param {() => void} listener */
   onTheme(listener) {
     this.themeListeners.push(listener);
+  }
+
+  /** The state has changed: the next frame shows it. */
+  changed() {
+    this.isStale = true;
+    this.requestFrame();
+  }
+
+  /** Shows the state if it has changed. */
+  show() {
+    if (!this.isStale) return;
+    this.isStale = false;
+    for (const show of this.shows) show();
   }
 
   requestFrame() {
@@ -136,6 +163,7 @@ export class App {
     let goesOn = false;
     this.guard(() => {
       for (const animate of this.animations) goesOn = animate(now) === true || goesOn;
+      this.show();
       for (const draw of this.drawings) draw();
     });
     if (goesOn) this.requestFrame();
@@ -143,7 +171,8 @@ export class App {
   }
 
   /**
-   * Awaits a promise; the page is not settled until then. An error is shown and gives undefined.
+   * Awaits a promise; the page is not settled until then. An error is shown and gives undefined, and so does work that
+   * was aborted.
    * @template T
    * @param {Promise<T>} promise
    * @param {string} [title]   of the error
@@ -178,11 +207,12 @@ export class App {
   }
 
   /**
-   * Shows an error; after a panic of the core, starts the core again.
+   * Shows an error, unless work was aborted; after a panic of the core, starts the core again.
    * @param {unknown} error
    * @param {string} [title]
    */
   fail(error, title = "Something went wrong.") {
+    if (isAbort(error)) return;
     if (errorInfo(error).code !== "internal") {
       this.notice.show(title, error);
       return;

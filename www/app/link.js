@@ -3,6 +3,7 @@
  * describes its state by one rule, with defaults for entries that a link leaves out.
  */
 import { byId, make } from "./dom.js";
+import { isAbort } from "./work.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 
 /** @import { Limits } from "../formats/fragment.js" */
@@ -103,11 +104,18 @@ export function setAddress(fragment) {
 }
 
 /**
+ * What a link stores and how it is opened.
+ * @typedef {object} Link
+ * @property {() => object} save   the state
+ * @property {string} [spare]   an entry that is left out of a link that would be too long with it, which then is not
+ *   whole
+ * @property {(state: any) => unknown} open   gets null where the address has no state, and may throw
+ * @property {string | ((isWhole: boolean) => string)} contents   of the link, in words
+ */
+
+/**
  * Makes the share button, and opens the state in the address, now and whenever the address changes.
- * @param {App} app @param {StateRule} rule
- * @param {{ save: () => object, spare?: string, open: (state: any) => unknown, contents: string | ((isWhole: boolean)
- *   => string) }} page  `spare`: an entry that is left out of a link that would be too long with it, which then is not
- *   whole; `open` gets null where the address has no state, and may throw
+ * @param {App} app @param {StateRule} rule @param {Link} link
  */
 export async function useLink(app, rule, { save, spare = "", open, contents }) {
   let isWhole = true;
@@ -137,6 +145,8 @@ export async function useLink(app, rule, { save, spare = "", open, contents }) {
       await open(state);
       if (!state) app.notice.show(fault, "");
     } catch (error) {
+      // Something else has begun meanwhile.
+      if (isAbort(error)) return;
       await open(null);
       app.fail(error, "The link cannot be opened.");
     }

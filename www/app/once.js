@@ -14,3 +14,17 @@ export function once(load) {
       throw error;
     }));
 }
+
+/**
+ * Compares values with those of the call before, by name: what takes long is shown again only if they differ.
+ * @returns {(name: string, ...values: unknown[]) => boolean}   whether they differ
+ */
+export function comparer() {
+  /** @type {Map<string, unknown[]>} */
+  const known = new Map();
+  return (name, ...values) => {
+    const before = known.get(name);
+    known.set(name, values);
+    return !before || before.length !== values.length || !values.every((value, i) => Object.is(value, before[i]));
+  };
+}

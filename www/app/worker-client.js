@@ -1,9 +1,12 @@
-/** The page's end of the worker: each command is a method that returns a promise. */
+/**
+ * The page's end of the worker: each command is a method that returns a promise. With a signal as the last argument it
+ * can be aborted: then the promise rejects at once, and the worker does not begin the command if it has not yet.
+ */
 
 /**
  * @template C
- * @typedef {{ [K in keyof C]: C[K] extends (...args: infer A) => infer R ? (...args: A) => Promise<Awaited<R>> : never
- *   }} Remote
+ * @typedef {{ [K in keyof C]: C[K] extends (...args: infer A) => infer R ?
+ *   (...args: [...A, signal?: AbortSignal]) => Promise<Awaited<R>> : never }} Remote
  */
 
 /**
@@ -18,16 +21,32 @@ export function connect(worker, room, core, onError) {
   /** @type {Map<number, { resolve: (value: unknown) => void, reject: (error: Error) => void }>} */
   const calls = new Map();
   let count = 0;
-  const call = (/** @type {string} */ command, /** @type {unknown[]} */ args) =>
-    new Promise((resolve, reject) => {
-      calls.set(count, { resolve, reject });
-      worker.postMessage({ id: count++, room, command, args });
-    });
+  const call = (
+    /** @type {string} */ command,
+    /** @type {unknown[]} */ args,
+    /** @type {AbortSignal | undefined} */ signal = undefined,
+  ) => {
+    const id = count++;
+    const abort = () => {
+      calls.get(id)?.reject(signal?.reason);
+      calls.delete(id);
+      worker.postMessage({ id, isAborted: true });
+    };
+    return new Promise((resolve, reject) => {
+      signal?.throwIfAborted();
+      signal?.addEventListener("abort", abort);
+      calls.set(id, { resolve, reject });
+      worker.postMessage({ id, room, command, args });
+    }).finally(() => signal?.removeEventListener("abort", abort));
+  };
   worker.addEventListener("message", ({ data: { id, value, fault } }) => {
     const sent = calls.get(id);
     calls.delete(id);
-    if (fault) sent?.reject(Object.assign(new Error(fault.message), fault));
-    else sent?.resolve(value);
+    if (!fault) return sent?.resolve(value);
+    const error = Object.assign(new Error(fault.message), fault);
+    if (sent) sent.reject(error);
+    // Nobody waits for it, but the worker has lost what it had.
+    else if (fault.code === "internal") onError(error);
   });
   worker.addEventListener("error", (event) => {
     event.preventDefault();
@@ -45,7 +64,8 @@ export function connect(worker, room, core, onError) {
         (_, command) =>
         async (/** @type {unknown[]} */ ...args) => {
           await started;
-          return call(String(command), args);
+          const signal = args.at(-1) instanceof AbortSignal ? /** @type {AbortSignal} */ (args.pop()) : undefined;
+          return call(String(command), args, signal);
         },
     },
   );

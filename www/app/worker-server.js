@@ -1,6 +1,6 @@
 /**
  * The worker's end: it runs messages `{ id, room, command, args }` and replies to each with `{ id, value }` or `{ id,
- * fault }`.
+ * fault }`. A message `{ id, isAborted }` takes back one that it has not begun.
  */
 import * as library from "planarium";
 import { errorInfo } from "./error-info.js";
@@ -22,7 +22,24 @@ const port = /** @type {{ postMessage(message: unknown, transfer?: Transferable[
 export function serve(rooms) {
   /** @type {Promise<unknown>} */
   let started = Promise.resolve();
-  addEventListener("message", async ({ data: { id, room, command, args } }) => {
+  /** Messages that have not begun. @type {{ id: number, room: string, command: string, args: any[] }[]} */
+  let waiting = [];
+  // A message begins after those that have come meanwhile were read: one of them may take it back.
+  const { port1: begin, port2: next } = new MessageChannel();
+  begin.onmessage = () => {
+    const message = waiting.shift();
+    if (message) void run(message);
+  };
+  addEventListener("message", ({ data }) => {
+    if (data.isAborted) waiting = waiting.filter(({ id }) => id !== data.id);
+    else {
+      waiting.push(data);
+      next.postMessage(null);
+    }
+  });
+
+  /** @param {typeof waiting[number]} message */
+  async function run({ id, room, command, args }) {
     const { commands, reset } = rooms[room];
     try {
       if (command === "start") started = library.default(args[0]);
@@ -37,7 +54,7 @@ export function serve(rooms) {
       }
       port.postMessage({ id, fault });
     }
-  });
+  }
 }
 
 /**

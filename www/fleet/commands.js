@@ -16,8 +16,6 @@ const AT_ONCE = 20;
 let fleet = null;
 /** @type {FleetPlanner | null} */
 let planner = null;
-/** Another number for each planner. */
-let id = 0;
 /**
  * How much of the planner the page has.
  * @type {{ order: string, planned: number, roadmaps: { vertices: number, edges: number }[] }}
@@ -54,17 +52,14 @@ export const commands = {
     planner?.free();
     planner = begun;
     sent = { order: "", planned: 0, roadmaps: [] };
-    return ++id;
   },
 
   /**
-   * Makes at most this number of iterations, fewer where they take long (`isLate`); null if another planner has begun
-   * since.
-   * @param {number} mine  of the planner
+   * Makes at most this number of iterations, fewer where they take long (`isLate`).
    * @param {number} count
    */
-  advance(mine, count) {
-    if (mine !== id || !planner) return null;
+  advance(count) {
+    if (!planner) throw new Error("No plan has begun.");
     const end = performance.now() + LONGEST;
     for (let made = 0; made < count && planner.status === "running" && performance.now() < end; made += AT_ONCE)
       planner.step(Math.min(AT_ONCE, count - made));
@@ -75,19 +70,18 @@ export const commands = {
     };
   },
 
-  /** Verifies the solved plan. @param {number} mine */
-  verify(mine) {
-    return mine === id && planner ? (fleet?.verify(planner.result()) ?? null) : null;
+  /** Verifies the solved plan. */
+  verify() {
+    return (planner && fleet?.verify(planner.result())) ?? null;
   },
 };
 
 /** @typedef {typeof commands} Commands */
 /** @typedef {ReturnType<Commands["open"]>} Opened */
-/** @typedef {NonNullable<ReturnType<Commands["advance"]>>} Progress */
+/** @typedef {ReturnType<Commands["advance"]>} Progress */
 
 export function reset() {
   fleet = planner = null;
-  id++;
 }
 
 /** What has grown since the last time. With another order, all trajectories are new. @param {FleetPlanner} run */

@@ -3,10 +3,12 @@
  * time.
  */
 import { byId, counted, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { button } from "../widgets/elements.js";
 import { num } from "../widgets/format.js";
 
-/** @import { FleetSession, Change } from "./session.js" */
+/** @import { FleetConflict } from "planarium/full" */
+/** @import { FleetSession } from "./session.js" */
 
 /** Pairs in the list, at most. */
 const MOST = 60;
@@ -16,13 +18,14 @@ export function showConflicts(session, setStraight) {
   const toggle = byId("straight", HTMLInputElement);
   const list = byId("conflicts", HTMLUListElement);
   toggle.addEventListener("change", () => setStraight(toggle.checked));
-  session.onChange(show);
-
-  /** @param {Change} change */
-  function show(change) {
+  const differs = comparer();
+  session.app.onShow(() => {
     toggle.checked = session.isStraight;
-    if (change !== "fleet") return;
-    const { conflicts } = session;
+    if (differs("conflicts", session.conflicts)) showPairs(session.conflicts);
+  });
+
+  /** @param {FleetConflict[]} conflicts */
+  function showPairs(conflicts) {
     session.app.write({
       "conflicts-told":
         conflicts.length === 0

@@ -6,17 +6,16 @@
  * begun), `data-vertices`, `data-time`, `data-end`, `data-straight`, `data-waiting` and `data-touching` (robots from 1,
  * at the time shown); once a plan has ended `data-fingerprint`, and `data-verified` once it has been verified.
  */
-import { App } from "../app/app.js";
-import { byId, counted, grouped, make } from "../app/dom.js";
-import { watchFiles } from "../app/drop.js";
+import { byId, counted, grouped } from "../app/dom.js";
 import { json } from "../app/files.js";
-import { useLink } from "../app/link.js";
+import { comparer } from "../app/once.js";
+import { openRoom } from "../app/room.js";
 import { watchArrows } from "../draw/drag.js";
 import { Figure } from "../draw/figure.js";
+import { Course } from "../widgets/course.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button } from "../widgets/elements.js";
 import { num } from "../widgets/format.js";
-import { Transport } from "../widgets/transport.js";
 import { showConflicts } from "./conflicts.js";
 import { filmsOf } from "./films.js";
 import { Floor } from "./floor.js";
@@ -29,33 +28,21 @@ import { nameOf, sentenceOf } from "./words.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Refusal } from "./panel.js" */
-/** @import { Change, Source } from "./session.js" */
+/** @import { Refusal } from "../app/room.js" */
+/** @import { Source } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** Seconds of an arrow key. */
 const STEP = 0.1;
 
-const app = new App();
-
-await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
+await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
+  const { app } = room;
   const stage = byId("stage", HTMLElement);
   const session = new FleetSession(app, worker);
   const floor = new Floor(session);
   const figure = new Figure(app, stage, { id: "floor", kind: "workspace", caption: "Floor" }, floor);
   stage.append(byId("offer", HTMLElement));
-  const slider = make("input", {
-    type: "range",
-    id: "time",
-    className: "timeline",
-    min: "0",
-    max: "1",
-    step: "any",
-    value: "0",
-    ariaLabel: "Time",
-  });
-  slider.addEventListener("input", () => scrub(Number(slider.value)));
-  const transport = new Transport(
+  const course = new Course(
     app,
     byId("course", HTMLElement),
     {
@@ -67,34 +54,31 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
       fastest: 20,
       pace: 1.5,
       isWhole: false,
-      advance: (seconds) => {
-        session.setTime(session.time + seconds);
-        return session.time < session.end;
+      axis: {
+        id: "time",
+        label: "Time",
+        end: () => session.end,
+        time: () => session.time,
+        seek: (time) => session.setTime(time),
+        isReady: () => session.isStraight || session.run.status !== "running",
       },
-      reset: () => session.setTime(0),
       paceText: (pace) => `${pace.toFixed(1)}\u00d7`,
     },
     [stage],
   );
-  transport.bar.prepend(slider);
-  // From its end it starts again.
-  const rewind = () => {
-    if (transport.isPlaying && session.time >= session.end) session.setTime(0);
-  };
-  transport.play.addEventListener("click", rewind);
-  stage.addEventListener("keydown", ({ key }) => {
-    if (key === " ") rewind();
-  });
   watchArrows(stage, (coordinate, direction, factor) => {
     if (coordinate !== 0 || session.end === 0) return false;
-    scrub(session.time + direction * factor * STEP);
+    course.seek(session.time + direction * factor * STEP);
     return true;
   });
   figure.canvas.addEventListener("click", ({ offsetX, offsetY }) =>
     session.select(floor.robotAt(offsetX, offsetY, 16)),
   );
 
-  const list = new RobotList(session, floor, { scrub, reorder: (order) => void attempt(session.reorder(order)) });
+  const list = new RobotList(session, floor, {
+    scrub: (time) => course.seek(time),
+    reorder: (order) => void room.attempt(() => session.reorder(order)),
+  });
   showPanel(session, {
     choose: (entry) => {
       // A ready fleet is planned for as its text says.
@@ -102,19 +86,13 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
       load(entry);
     },
     load,
-    plan: (onRefused) => void attempt(session.plan(false), onRefused).then(playOnce),
+    plan: (onRefused) => playing(() => session.plan(false), onRefused),
   });
   showConflicts(session, setStraight);
   const roadmap = byId("roadmap", HTMLInputElement);
   roadmap.addEventListener("change", () => {
     session.hasRoadmap = roadmap.checked;
     figure.redraw(["ground"]);
-  });
-  watchFiles(app, (name, bytes) => {
-    app.notice.hide();
-    void app
-      .track(session.load({ name, document: new TextDecoder().decode(bytes) }), `${name} could not be opened.`)
-      .then(playOnce);
   });
   const names = { name: () => `fleet-${session.document?.name ?? ""}`, title: () => session.title };
   showDownloads(
@@ -141,6 +119,7 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     filmsOf(session, figure),
   );
   const exportResult = byId("export-result", HTMLButtonElement);
+  const differs = comparer();
 
   app.onDraw(() => {
     // Edges are drawn on top of the others, unless all are redrawn.
@@ -150,60 +129,53 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     } = figure;
     if (!figure.dirty.has("ground") && session.document) floor.append({ context: ground.context, palette });
   });
-  session.onChange(show);
   app.onTheme(recolour);
-  app.rebuild = () => void app.track(session.load(session.source, { order: session.order, isQuick: true }));
-  await useLink(app, stateRule, {
-    save: () => stateOf(session),
-    contents: "the fleet, the planner, the order of priorities and the time",
-    open: async (/** @type {State | null} */ state) => {
-      transport.pause();
-      if (state) await openState(session, state);
-      else if (session.run.status === "none") {
-        const begun = attempt(session.load(session.document ? session.source : SCENES[0]));
-        if (app.reducedMotion) await begun;
-        else void begun.then(playOnce);
-      }
+  return {
+    show,
+    rebuild: () => void app.track(session.load(session.source, { order: session.order, isQuick: true })),
+    rule: stateRule,
+    link: {
+      save: () => stateOf(session),
+      contents: "the fleet, the planner, the order of priorities and the time",
+      open: async (/** @type {State | null} */ state) => {
+        course.pause();
+        if (state) await openState(session, state);
+        else if (session.run.status === "none") {
+          const begun = room.attempt(() => session.load(session.document ? session.source : SCENES[0]));
+          if (app.reducedMotion) await begun;
+          else void begun.then(playOnce);
+        }
+      },
     },
-  });
+    openFile: async ({ name, text }) => playOnce(await session.load({ name, document: text })),
+    reseed: (seed) => {
+      const { source } = session;
+      if ("kind" in source) load({ kind: source.kind, options: { ...source.options, seed } });
+    },
+  };
 
-  /**
-   * Awaits a plan; what is refused is said beside its field, or above the figure.
-   * @param {Promise<boolean>} promise
-   * @param {Refusal} [onRefused]
-   */
-  function attempt(promise, onRefused = () => false) {
-    return app.track(
-      promise.catch((error) => {
-        if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
-        return false;
-      }),
-    );
+  /** Plays a plan once it has been found. @param {() => Promise<boolean>} act @param {Refusal} [onRefused] */
+  function playing(act, onRefused) {
+    void room.attempt(act, onRefused).then(playOnce);
   }
 
   /** @param {Source} source @param {Refusal} [onRefused] */
   function load(source, onRefused) {
     app.notice.hide();
-    void attempt(session.load(source), onRefused).then(playOnce);
+    playing(() => session.load(source), onRefused);
   }
 
   /** Plays a plan that has just been found, unless less motion is wanted. @param {boolean | undefined} isDone */
   function playOnce(isDone) {
     if (isDone && session.end > 0 && !session.isStraight && session.run.status === "solved" && !app.reducedMotion)
-      transport.setPlaying(true);
-  }
-
-  /** @param {number} time */
-  function scrub(time) {
-    transport.pause();
-    session.setTime(time);
+      course.setPlaying(true);
   }
 
   /** @param {boolean} isStraight @param {number} [time] */
   function setStraight(isStraight, time) {
-    transport.pause();
+    course.pause();
     session.setStraight(isStraight, time);
-    if (isStraight && time === undefined && !app.reducedMotion) transport.setPlaying(true);
+    if (isStraight && time === undefined && !app.reducedMotion) course.setPlaying(true);
   }
 
   function recolour() {
@@ -211,20 +183,14 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     list.colour();
   }
 
-  /** @param {Change} change */
-  function show(change) {
+  function show() {
     const { run, time, end, isStraight, shown, touching, robots, document } = session;
     if (!document) return;
-    const isGround = change === "fleet" || change === "plan" || change === "shown";
-    figure.redraw(isGround ? undefined : ["top"]);
-    list.show(change);
-    if (change === "fleet") recolour();
-    if (change === "fleet" || change === "plan") offer();
-    if (change === "plan" && run.status === "running") transport.pause();
-    const isReady = end > 0 && (isStraight || run.status !== "running");
-    transport.enable(isReady);
-    Object.assign(slider, { disabled: !isReady, max: String(end || 1), value: String(time) });
-    slider.setAttribute("aria-valuetext", `${num(time, 1)} of ${num(end, 1)} seconds`);
+    figure.redraw(["top"]);
+    if (differs("ground", document, run, run.status, isStraight)) figure.redraw();
+    list.show();
+    if (differs("colours", document)) recolour();
+    if (differs("offers", run, run.status, session.algorithm)) byId("offer", HTMLElement).replaceChildren(...offers());
     const waiting = shown.flatMap((way, i) => (way && time < end && way.isWaiting(time) ? [i + 1] : []));
     const { result, verification } = run;
     Object.assign(stage.dataset, {
@@ -269,13 +235,14 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
     const text = sentenceOf(session);
     app.say(text, {
       isBad: !isStraight && run.status === "exhausted",
-      isSilent: change === "growth" || change === "time",
+      // The numbers of a plan that grows, or of a moment, are not announced.
+      isSilent: !differs("news", document, run, run.status, isStraight),
     });
     figure.describe(`${counted(robots.length, "robot")} at ${num(time, 1)} s. ${text}`);
   }
 
-  /** Offers what may help where an order fails. */
-  function offer() {
+  /** Buttons that may help where an order fails. */
+  function offers() {
     const {
       run: {
         status,
@@ -285,32 +252,26 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
       canCompose,
       isOrdered,
     } = session;
-    const isFailed = status === "exhausted";
-    const buttons = [];
-    if (isFailed && isOrdered && session.algorithm !== DEFAULT)
-      buttons.push(
-        button("try-default", "Let the planner decide", () => void attempt(session.reorder(null)).then(playOnce), {
-          className: "primary",
-        }),
-      );
-    if (isFailed && isOrdered && canCompose)
-      buttons.push(
-        button(
-          "try-composite",
-          "Try the composite planner",
-          () => void attempt(session.use("composite")).then(playOnce),
-        ),
-      );
-    if (isFailed && isOrdered && others.length > 0 && order[0] !== robot) {
-      buttons.push(
-        button(
-          "plan-first",
-          `Plan ${nameOf(session, robot)} first`,
-          () => void attempt(session.reorder([robot, ...order.filter((i) => i !== robot)])).then(playOnce),
-        ),
-      );
-    }
-    byId("offer", HTMLElement).replaceChildren(...buttons);
+    if (status !== "exhausted" || !isOrdered) return [];
+    const offer = (
+      /** @type {string} */ id,
+      /** @type {string} */ text,
+      /** @type {() => Promise<boolean>} */ act,
+      className = "",
+    ) => button(id, text, () => playing(act), { className });
+    return [
+      ...(session.algorithm !== DEFAULT
+        ? [offer("try-default", "Let the planner decide", () => session.reorder(null), "primary")]
+        : []),
+      ...(canCompose ? [offer("try-composite", "Try the composite planner", () => session.use("composite"))] : []),
+      ...(others.length > 0 && order[0] !== robot
+        ? [
+            offer("plan-first", `Plan ${nameOf(session, robot)} first`, () =>
+              session.reorder([robot, ...order.filter((i) => i !== robot)]),
+            ),
+          ]
+        : []),
+    ];
   }
 });
 

@@ -2,8 +2,9 @@
  * The settings: a ready fleet, a generator with its options, a planner with its options. The forms are built from the
  * core's tables.
  */
-import { Fleet, fleetGenerators, fleetPlanners, randomSeed } from "planarium/full";
+import { Fleet, fleetGenerators, fleetPlanners } from "planarium/full";
 import { byId, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { withOptions } from "../domain/option-names.js";
 import { withSeed } from "../widgets/field.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
@@ -13,11 +14,10 @@ import { SCENES } from "./scenes.js";
 
 /** @import { FleetGeneratorId, FleetPlannerId, GenerateFleetOptions } from "planarium/full" */
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
-/** @import { FleetSession, Change, Source } from "./session.js" */
+/** @import { Refusal } from "../app/room.js" */
+/** @import { FleetSession, Source } from "./session.js" */
 /** @import { Entry, Generated } from "./scenes.js" */
 
-/** New seeds are below this: short enough to say aloud. */
-const SEEDS = 100_000;
 /** Options of a planner that are not folded away. */
 const SHOWN = ["seed"];
 
@@ -37,10 +37,8 @@ export function showPanel(session, actions) {
   const drawAll = () => {
     for (const entry of SCENES) gallery.draw(entry.id, thumbnailOf(entry));
   };
-  /** The kind whose form is shown, and the planner. */
-  const shown = { kind: "", planner: "" };
-  /** @type {Options | null} */
-  let options = null;
+  /** The form of the generator, and the kind that it is for. @type {{ kind: string, options: Options | null }} */
+  let shown = { kind: "", options: null };
   app.onTheme(drawAll);
   drawAll();
   kind.addEventListener("change", () =>
@@ -48,17 +46,11 @@ export function showPanel(session, actions) {
   );
   planner.addEventListener("change", () => {
     session.algorithm = /** @type {FleetPlannerId} */ (planner.value);
-    buildPlan();
+    app.changed();
     actions.plan(() => false);
   });
-  const newSeed = byId("new-seed", HTMLButtonElement);
-  newSeed.disabled = false;
-  newSeed.addEventListener("click", () => {
-    const { source } = session;
-    const seed = randomSeed() % SEEDS;
-    if ("kind" in source) actions.load({ kind: source.kind, options: { ...source.options, seed } });
-  });
-  session.onChange(show);
+  const differs = comparer();
+  app.onShow(show);
 
   /** @param {Generated} generated */
   function thumbnailOf(generated) {
@@ -70,11 +62,23 @@ export function showPanel(session, actions) {
     return fleetThumbnail(document, SIDE, app.look);
   }
 
-  function buildFleet() {
+  /** Shows where the fleet is from. The form that a change is from keeps its focus. */
+  function showSource() {
     const { source } = session;
-    const host = byId("fleet-settings", HTMLElement);
+    const entry = SCENES.find(
+      (one) => "kind" in source && one.kind === source.kind && sameOptions(one.options, source.options),
+    );
+    gallery.mark(entry?.id ?? null);
+    app.write({ what: entry?.what ?? "" });
     byId("make", HTMLElement).hidden = !("kind" in source);
-    if (!("kind" in source)) return;
+    if (!("kind" in source)) shown = { kind: "", options: null };
+    else if (source.kind !== shown.kind || !shown.options || !sameOptions(shown.options.given, source.options))
+      shown = { kind: source.kind, options: formOf(source) };
+  }
+
+  /** @param {Generated} source */
+  function formOf(source) {
+    const host = byId("fleet-settings", HTMLElement);
     kind.value = source.kind;
     const info = generators.find(({ id }) => id === source.kind) ?? generators[0];
     app.write({ "kind-summary": info.summary });
@@ -89,10 +93,11 @@ export function showPanel(session, actions) {
       },
       { prefix: "fleet" },
     );
-    options = form;
+    return form;
   }
 
-  function buildPlan() {
+  /** Shows the planner and its options. */
+  function showPlanner() {
     const { algorithm, given } = session;
     planner.value = algorithm;
     const info = planners.find(({ id }) => id === algorithm) ?? planners[0];
@@ -110,38 +115,15 @@ export function showPanel(session, actions) {
     );
   }
 
-  /** @param {Change} change */
-  function show(change) {
-    if (change !== "fleet" && change !== "plan") return;
-    const { source, algorithm, canCompose } = session;
-    const entry = SCENES.find(
-      (one) => "kind" in source && one.kind === source.kind && sameOptions(one.options, source.options),
-    );
-    gallery.mark(entry?.id ?? null);
-    app.write({ what: entry?.what ?? "" });
-    if (change === "fleet") {
-      // The form that the change is from keeps its focus.
-      const key = "kind" in source ? source.kind : "";
-      if (
-        key !== shown.kind ||
-        key === "" ||
-        !options ||
-        !sameOptions(options.given, /** @type {Generated} */ (source).options)
-      )
-        buildFleet();
-      shown.kind = key;
-    }
+  function show() {
+    const { source, algorithm, canCompose, document } = session;
+    if (!document) return;
+    if (differs("source", source)) showSource();
     for (const option of planner.options) option.disabled = option.value === "composite" && !canCompose;
     byId("no-composite", HTMLElement).hidden = canCompose;
-    if (shown.planner !== algorithm || change === "fleet") buildPlan();
-    shown.planner = algorithm;
+    if (differs("planner", algorithm, document)) showPlanner();
   }
 }
-
-/**
- * Shows beside its field why a value is refused.
- * @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field
- */
 
 /** @param {Settings} a @param {Settings} b */
 function sameOptions(a, b) {

@@ -3,11 +3,12 @@
  * along the times scrubs; a drag of a number, Alt with an arrow key, or the buttons move a robot in the order.
  */
 import { byId, make, makeSvg, write } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { num } from "../widgets/format.js";
 import { laneSentence } from "./words.js";
 
 /** @import { Floor } from "./floor.js" */
-/** @import { FleetSession, Change } from "./session.js" */
+/** @import { FleetSession } from "./session.js" */
 /** @import { Trajectory } from "./trajectory.js" */
 
 /**
@@ -28,6 +29,7 @@ export class RobotList {
    * @param {{ scrub: (time: number) => void, reorder: (order: number[] | null) => void }} actions
    */
   constructor(session, floor, actions) {
+    this.differs = comparer();
     this.session = session;
     this.floor = floor;
     this.actions = actions;
@@ -51,21 +53,25 @@ export class RobotList {
     byId("any-order", HTMLButtonElement).addEventListener("click", () => actions.reorder(null));
   }
 
-  /** @param {Change} change */
-  show(change) {
-    const { session, list } = this;
-    if (change === "fleet") this.build();
-    if (change !== "time" && change !== "selected") {
-      if (!this.held) this.arrange(session.isOrdered ? session.run.order : session.robots.map((_, i) => i));
-      for (const lane of this.lanes) this.drawLane(lane);
-      session.app.write({ "axis-end": session.end > 0 ? `${num(session.end, 1)} s` : "" });
-      Object.assign(byId("robots", HTMLElement).dataset, { ordered: session.isOrdered, straight: session.isStraight });
-    }
-    if (change === "selected" || change === "fleet") this.mark();
-    list.style.setProperty("--now", String(session.end > 0 ? Math.min(1, session.time / session.end) : 0));
+  show() {
+    const { session, list, differs } = this;
+    const { document, run, selected, isStraight, isOrdered, end, time, order, algorithm } = session;
+    if (differs("robots", document)) this.build();
+    if (differs("plan", run, run.iterations, run.status, run.planned, isStraight, isOrdered)) this.showPlan();
+    if (differs("selected", document, selected)) this.mark();
+    list.style.setProperty("--now", String(end > 0 ? Math.min(1, time / end) : 0));
     for (const id of ["first", "up", "down"])
-      byId(id, HTMLButtonElement).disabled = session.selected === null || !session.isOrdered || this.order.length < 2;
-    byId("any-order", HTMLButtonElement).disabled = session.order === null || session.algorithm !== "prioritized";
+      byId(id, HTMLButtonElement).disabled = selected === null || !isOrdered || this.order.length < 2;
+    byId("any-order", HTMLButtonElement).disabled = order === null || algorithm !== "prioritized";
+  }
+
+  /** Shows the order and the times of the plan. */
+  showPlan() {
+    const { session } = this;
+    if (!this.held) this.arrange(session.isOrdered ? session.run.order : session.robots.map((_, i) => i));
+    for (const lane of this.lanes) this.drawLane(lane);
+    session.app.write({ "axis-end": session.end > 0 ? `${num(session.end, 1)} s` : "" });
+    Object.assign(byId("robots", HTMLElement).dataset, { ordered: session.isOrdered, straight: session.isStraight });
   }
 
   build() {

@@ -2,7 +2,7 @@
  * The state of the page: a fleet, how it is planned for, the plan as far as it has grown, and the time that is shown.
  * The worker plans; only the newest plan counts.
  */
-import { Observable } from "../app/observable.js";
+import { latest } from "../app/work.js";
 import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 
 /**
@@ -16,10 +16,6 @@ import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 /** @import { Generated } from "./scenes.js" */
 /** @import { Pose } from "./trajectory.js" */
 
-/**
- * "growth": the plan grows; "plan": it has ended, or begins anew; "shown": other trajectories are shown.
- * @typedef {"fleet" | "growth" | "plan" | "shown" | "time" | "selected"} Change
- */
 /** Where a fleet is from. @typedef {Generated | { name: string, document: object | string }} Source */
 /** x, y, theta of each vertex; two vertices of each edge. @typedef {{ vertices: number[], edges: number[] }} Roadmap */
 
@@ -68,11 +64,10 @@ function nothing(robots) {
   };
 }
 
-/** @extends {Observable<Change>} */
-export class FleetSession extends Observable {
+export class FleetSession {
   /** @param {App} app @param {Remote<Commands>} worker */
   constructor(app, worker) {
-    super(app);
+    this.app = app;
     this.worker = worker;
     /** @type {Source} */
     this.source = { kind: "ring", options: {} };
@@ -90,11 +85,8 @@ export class FleetSession extends Observable {
     /** The order of priorities that was asked for, if any: `prioritized` plans in it. @type {number[] | null} */
     this.order = null;
     this.run = nothing(0);
-    /** Plans begun and fleets asked for. */
+    /** Plans begun. */
     this.plans = 0;
-    this.requests = 0;
-    /** The planner whose growth is shown, by its number in the worker. */
-    this.current = 0;
     /** Seconds. */
     this.time = 0;
     /** Whether all drive straight at once, in place of the plan. */
@@ -146,21 +138,20 @@ export class FleetSession extends Observable {
   }
 
   /**
-   * Opens a fleet and plans for it.
-   * @param {Source} source
-   * @param {{ order?: number[] | null, isQuick?: boolean }} [how]  `isQuick`: without showing how it grows
-   * @returns {Promise<boolean>} whether it was not replaced meanwhile
-   * @throws {Error} it is refused, and the fleet before stays
+   * Opens a fleet and plans for it; quickly: without showing how it grows. If the fleet is refused, the one before
+   * stays. Resolves to true.
    */
-  async load(source, { order = null, isQuick = false } = {}) {
-    const request = ++this.requests;
-    const opened = await this.worker.open(
-      "kind" in source ? { kind: source.kind, options: source.options } : { document: source.document },
-    );
-    if (request !== this.requests) return false;
-    this.enter(source, opened, order);
-    return this.plan(isQuick);
-  }
+  load = latest(
+    async (
+      signal,
+      /** @type {Source} */ source,
+      /** @type {{ order?: number[] | null, isQuick?: boolean }} */ { order = null, isQuick = false } = {},
+    ) => {
+      const from = "kind" in source ? { kind: source.kind, options: source.options } : { document: source.document };
+      this.enter(source, await this.worker.open(from, signal), order);
+      return this.plan(isQuick);
+    },
+  );
 
   /** @param {Source} source @param {Opened} opened @param {number[] | null} order */
   enter(source, { document, title, conflicts }, order) {
@@ -172,51 +163,47 @@ export class FleetSession extends Observable {
       order,
       straight: document.robots.map(straightOf),
       run: nothing(document.robots.length),
-      current: 0,
       time: 0,
       isStraight: false,
       selected: null,
     });
     if (!this.canCompose && this.algorithm === "composite") this.algorithm = DEFAULT;
-    this.update("fleet");
+    this.app.changed();
   }
 
-  /**
-   * Plans with the planner, its options and the order as they are.
-   * @param {boolean} [isQuick]
-   * @returns {Promise<boolean>} whether it came to its end
-   * @throws {Error} they are refused
-   */
-  async plan(isQuick = true) {
-    const plans = ++this.plans;
-    const { algorithm, given, order, robots } = this;
-    const id = await this.worker.begin(
-      algorithm,
-      given[algorithm],
-      order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null,
-    );
-    if (plans !== this.plans) return false;
-    this.current = id;
-    const isStill = isQuick || this.app.reducedMotion;
+  /** Plans with the planner, its options and the order as they are. Resolves to true. */
+  plan = latest(async (signal, isQuick = true) => {
+    this.plans++;
+    const { app, worker, algorithm, given, order, robots } = this;
+    try {
+      await worker.begin(
+        algorithm,
+        given[algorithm],
+        order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null,
+        signal,
+      );
+    } catch (error) {
+      // The plan that grew until now ends, too.
+      if (!signal.aborted && this.run.status === "running") this.run = nothing(robots.length);
+      app.changed();
+      throw error;
+    }
+    const isStill = isQuick || app.reducedMotion;
     for (let count = FIRST, isFirst = true; this.run.status === "running" || isFirst; count *= MORE, isFirst = false) {
-      const progress = await this.worker.advance(id, isStill ? Infinity : Math.ceil(count));
-      if (!progress || this.current !== id) return false;
+      const progress = await worker.advance(isStill ? Infinity : Math.ceil(count), signal);
       if (isFirst)
         Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
       this.grow(progress);
-      this.update(isFirst ? "plan" : "growth");
+      app.changed();
       // As long as iterations are fast, there are so many in a frame.
       if (!isStill && !progress.isLate) await new Promise(requestAnimationFrame);
+      signal.throwIfAborted();
     }
     this.time = Math.min(this.time, this.end);
-    this.update("plan");
-    if (this.run.status !== "solved") return true;
-    const verification = await this.worker.verify(id);
-    if (this.current !== id) return false;
-    this.run.verification = verification;
-    this.update("growth");
+    if (this.run.status === "solved") this.run.verification = await worker.verify(signal);
+    app.changed();
     return true;
-  }
+  });
 
   /** @param {Progress} progress */
   grow({ trajectories, roadmaps, isAnew, isLate, ...progress }) {
@@ -232,7 +219,7 @@ export class FleetSession extends Observable {
     Object.assign(run, progress);
   }
 
-  /** Plans with another planner. @param {FleetPlannerId} algorithm @returns {Promise<boolean>} */
+  /** Plans with another planner. @param {FleetPlannerId} algorithm */
   use(algorithm) {
     this.algorithm = algorithm;
     return this.plan(false);
@@ -241,7 +228,6 @@ export class FleetSession extends Observable {
   /**
    * Plans in an order; null: by the planner at first, which decides who gives way.
    * @param {number[] | null} order
-   * @returns {Promise<boolean>}
    */
   reorder(order) {
     this.order = order;
@@ -252,18 +238,18 @@ export class FleetSession extends Observable {
   /** @param {number} time */
   setTime(time) {
     this.time = Math.min(Math.max(0, time), this.end);
-    this.update("time");
+    this.app.changed();
   }
 
   /** Shows how all drive straight at once, or the plan. @param {boolean} isStraight @param {number} [time] */
   setStraight(isStraight, time = 0) {
     Object.assign(this, { isStraight, time });
-    this.update("shown");
+    this.app.changed();
   }
 
   /** @param {number | null} robot */
   select(robot) {
     this.selected = robot;
-    this.update("selected");
+    this.app.changed();
   }
 }

@@ -10,7 +10,6 @@ import { readList } from "./read-list.js";
 
 /** @type {Scenario | null} */
 let scenario = null;
-let version = 0;
 /** @type {Float64Array} */
 let rows = new Float64Array();
 /** Indexes on the rows, by their options. @type {Map<string, Neighbours>} */
@@ -19,7 +18,7 @@ const indexes = new Map();
 let measurement = null;
 
 /**
- * Replaces the list; each has another version. Its tips are end effectors, or the middles of bodies, x and y in turn.
+ * Replaces the list. Its tips are end effectors, or the middles of bodies, x and y in turn.
  * @param {Scenario} opened @param {Float64Array} list
  */
 function store(opened, list) {
@@ -28,8 +27,7 @@ function store(opened, list) {
   for (const index of indexes.values()) index.free();
   indexes.clear();
   rows = list;
-  version += 1;
-  return { version, rows: rows.slice(), tips: opened.endEffectors(rows) };
+  return { rows: rows.slice(), tips: opened.endEffectors(rows) };
 }
 
 /** @param {Scenario} robot @param {Settings} options */
@@ -78,12 +76,11 @@ export const commands = {
   },
 
   /**
-   * The neighbours, and those by exact search with angles that wrap; null if the list is another by now.
-   * @param {{ version: number, q: Float64Array, k: number, index: IndexId, given: Settings }} query  `given`: options
-   *   of the index
+   * The neighbours, and those by exact search with angles that wrap; null without a list.
+   * @param {{ q: Float64Array, k: number, index: IndexId, given: Settings }} query  `given`: options of the index
    */
-  search({ version: asked, q, k, index, given }) {
-    if (!scenario || asked !== version) return null;
+  search({ q, k, index, given }) {
+    if (!scenario) return null;
     const { metric } = given;
     const exact = indexOf(scenario, {
       index: "kd-tree",
@@ -124,5 +121,4 @@ export const commands = {
 export function reset() {
   scenario = measurement = null;
   indexes.clear();
-  version += 1;
 }

@@ -7,10 +7,10 @@
  * their order), `data-missed` and `data-visited`.
  */
 import { neighbourIndexes } from "planarium";
-import { App } from "../app/app.js";
-import { useLink } from "../app/link.js";
 import { byId, grouped } from "../app/dom.js";
-import { isArray, watchFiles } from "../app/drop.js";
+import { isArray } from "../app/drop.js";
+import { comparer } from "../app/once.js";
+import { openRoom } from "../app/room.js";
 import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
 import { sceneDocument } from "../planner/scenes/document.js";
@@ -30,12 +30,13 @@ import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Change } from "./session.js" */
 /** @import { State } from "./state.js" */
 
-const app = new App();
+/** Cells a side of the obstacles in configuration space. */
+const CELLS = 96;
 
-await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
+await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
+  const { app } = room;
   const stage = byId("stage", HTMLElement);
   const indexes = neighbourIndexes();
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
@@ -56,8 +57,6 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
   const all = Object.values(figures);
   const robotOf = (/** @type {string} */ id) => ROBOTS.find((entry) => entry.id === id);
   const gallery = makeSceneGallery(app, [...ROBOTS, ...SCENES], thumbnailOf, ({ id }) => void openScene(id));
-  /** The scene that was chosen last, while it is loaded. */
-  let wanted = "";
   showPanel(session, indexes);
   const timingsCsv = watchTiming(session, indexes);
   showDownloads(
@@ -83,30 +82,29 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     ],
   );
   watchHandles(session, stage, figures);
-  watchFiles(app, (name, bytes) => {
-    app.notice.hide();
-    wanted = "";
-    const text = isArray(name, bytes) ? "" : new TextDecoder().decode(bytes);
-    if (isScenario(text)) app.guard(() => void session.open(entryOf(text, "file")), `${name} could not be opened.`);
-    else void session.read(name, bytes);
-  });
-  session.onChange(show);
-  app.rebuild = () =>
-    session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights, list: session.ownList });
-  await useLink(app, stateRule, {
-    save: () => stateOf(session),
-    spare: "list",
-    contents: (isWhole) => {
-      if (session.file === null) return "the scenario, the sampling, the target and the query";
-      return isWhole
-        ? "the scenario, your list, the target and the query"
-        : "the scenario, the target and the query. Your list is too long for a link and is not included";
+  const differs = comparer();
+  return {
+    show,
+    rebuild: () =>
+      session.open(session.entry, { q: session.q, k: session.k, weights: session.ownWeights, list: session.ownList }),
+    rule: stateRule,
+    link: {
+      save: () => stateOf(session),
+      spare: "list",
+      contents: (isWhole) => {
+        if (session.file === null) return "the scenario, the sampling, the target and the query";
+        return isWhole
+          ? "the scenario, your list, the target and the query"
+          : "the scenario, the target and the query. Your list is too long for a link and is not included";
+      },
+      open: async (/** @type {State | null} */ state) => {
+        if (state) await openState(session, state);
+        else if (session.count === 0 && !session.isLoading) await session.open(ROBOTS[0]);
+      },
     },
-    open: async (/** @type {State | null} */ state) => {
-      if (state) await openState(session, state);
-      else if (session.list.version === 0) await session.open(ROBOTS[0]);
-    },
-  });
+    openFile: ({ name, bytes, text }) =>
+      !isArray(name, bytes) && isScenario(text) ? session.open(entryOf(text, "file")) : session.read(name, bytes),
+  };
 
   /** @param {{ id: string }} entry */
   function thumbnailOf({ id }) {
@@ -114,19 +112,18 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
     return robot ? { ...robot.document, queries: [{ name: "q", start: robot.q, goal: robot.q }] } : sceneDocument(id);
   }
 
-  /**
-   * Opens a robot of this page or a scene of the planner's, unless another one is chosen while it is loaded.
-   * @param {string} id
-   */
-  async function openScene(id) {
-    wanted = id;
-    const entry = robotOf(id) ?? (await app.track(sceneDocument(id).then((document) => entryOf(document, id))));
-    if (entry && wanted === id) await session.open(entry);
+  /** Opens a robot of this page or a scene of the planner's. @param {string} id */
+  function openScene(id) {
+    return room.open(async (signal) => {
+      const entry = robotOf(id) ?? entryOf(await sceneDocument(id), id);
+      signal.throwIfAborted();
+      await session.open(entry);
+    });
   }
 
-  /** @param {Change} change */
-  function show(change) {
-    const { entry, count, q, k, index, given, found, missed, file, isArm, isPlanar, isAsking } = session;
+  function show() {
+    const { entry, document: opened, list, coordinates, count, q, k, index, given, found } = session;
+    const { missed, file, scenario, isArm, isPlanar, isAsking } = session;
     const { dataset } = document.body;
     Object.assign(dataset, {
       robot: entry.id,
@@ -139,13 +136,18 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
       ask: isAsking,
       weights: session.weights.join(),
     });
-    if (change === "result")
+    if (session.isFound)
       Object.assign(dataset, { found: [...found.indices].join(), missed: missed.length, visited: found.visited });
     else delete dataset.found;
     figures.square.element.hidden = !isPlanar;
     stage.classList.toggle("single", !isPlanar);
-    for (const figure of all) figure.redraw(change === "robot" || change === "list" ? undefined : ["top"]);
-    if (change === "robot") gallery.mark(entry.id);
+    if (differs("robot", coordinates)) {
+      gallery.mark(entry.id);
+      if (isPlanar) figures.square.drawing.setCells(scenario.cspace({ width: CELLS, height: CELLS }), CELLS);
+    }
+    for (const figure of all) figure.redraw(["top"]);
+    if (differs("ground", list, opened)) for (const figure of all) figure.redraw();
+    if (differs("table", found)) showNeighbours(session);
     app.write({
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,
       "list-told":
@@ -157,12 +159,11 @@ await app.open("neighbours", async (/** @type {Remote<Commands>} */ worker) => {
       count > DRAWN && entry.document.robot.type !== "disc"
         ? `the first ${DRAWN} of ${grouped(count)}; a dot for each ${isArm ? "tip" : "reference point"}`
         : "";
-    figures.square.note.textContent = session.coordinates.every(({ isCircle }) => isCircle)
+    figures.square.note.textContent = coordinates.every(({ isCircle }) => isCircle)
       ? "one dot per configuration; borders wrap"
       : "one dot per configuration";
-    if (change === "result" || change === "robot") showNeighbours(session);
-    if (change === "list" && count === 0) app.say(sentenceOf(session));
-    if (change !== "result") return;
+    if (count === 0 && !session.isLoading) app.say(sentenceOf(session));
+    if (!session.isFound) return;
     const { length } = found.indices;
     const distanceText = (/** @type {number | undefined} */ distance) =>
       distance === undefined ? "\u2013" : num(distance, DIGITS);

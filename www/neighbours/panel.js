@@ -3,12 +3,13 @@
  * table.
  */
 import { byId, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { tuple } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
 import { Slider } from "../widgets/slider.js";
 
 /** @import { IndexId, IndexInfo } from "planarium" */
-/** @import { NeighbourSession, Change, Weights } from "./session.js" */
+/** @import { NeighbourSession, Weights } from "./session.js" */
 
 /** Weights of a metre and a radian in the course reports. @type {Weights[]} */
 const PAIRS = [
@@ -62,11 +63,9 @@ export function showPanel(session, table) {
   asking.addEventListener("change", () => session.setQuery({ isAsking: asking.checked }));
   const index = byId("index", HTMLSelectElement);
   index.append(...table.map(({ id, title }) => make("option", { value: id }, title)));
-  index.addEventListener("change", () => {
-    session.setQuery({ index: /** @type {IndexId} */ (index.value) });
-    buildOptions();
-  });
-  session.onChange(show);
+  index.addEventListener("change", () => session.setQuery({ index: /** @type {IndexId} */ (index.value) }));
+  const differs = comparer();
+  session.app.onShow(show);
 
   /** @param {Weights} pair */
   function weigh(pair) {
@@ -74,7 +73,7 @@ export function showPanel(session, table) {
   }
 
   /** The options of the index; only an arm has a choice of metrics. */
-  function buildOptions() {
+  function showOptions() {
     const info = table.find(({ id }) => id === session.index) ?? table[0];
     session.app.write({ "index-summary": info.summary });
     const options = new Options(
@@ -88,8 +87,24 @@ export function showPanel(session, table) {
     );
   }
 
-  /** @param {Change} change */
-  function show(change) {
+  function showRobot() {
+    const { coordinates } = session;
+    preset.replaceChildren(
+      make("option", { value: "" }, "\u2013"),
+      ...session.entry.presets.map(([at, count], i) =>
+        make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`),
+      ),
+    );
+    target = coordinates.map(
+      ({ name, low, high, unit }, i) =>
+        new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, session.q[i], (value) =>
+          session.setCoordinate(i, value),
+        ),
+    );
+    byId("target", HTMLElement).replaceChildren(...target.map(({ element }) => element));
+  }
+
+  function show() {
     const {
       entry: { presets },
       coordinates,
@@ -98,21 +113,8 @@ export function showPanel(session, table) {
       k,
       isAsking,
     } = session;
-    if (change === "result") return;
-    if (change === "robot") {
-      preset.replaceChildren(
-        make("option", { value: "" }, "\u2013"),
-        ...presets.map(([at, count], i) => make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`)),
-      );
-      target = coordinates.map(
-        ({ name, low, high, unit }, i) =>
-          new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, q[i], (value) =>
-            session.setCoordinate(i, value),
-          ),
-      );
-      byId("target", HTMLElement).replaceChildren(...target.map(({ element }) => element));
-      buildOptions();
-    }
+    if (differs("robot", coordinates)) showRobot();
+    if (differs("options", session.index, coordinates)) showOptions();
     counts.show(sampling.n);
     seeds.show(sampling.seed);
     free.checked = sampling.free;

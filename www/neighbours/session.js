@@ -4,7 +4,7 @@
  */
 import { Scenario } from "planarium";
 import { wrap } from "planarium/draw";
-import { Observable } from "../app/observable.js";
+import { coalesced, latest } from "../app/work.js";
 import { coordinatesOf, fitted } from "../domain/coordinates.js";
 import { isPlaced } from "../domain/names.js";
 
@@ -15,7 +15,6 @@ import { isPlaced } from "../domain/names.js";
 /** @import { Commands, List } from "./commands.js" */
 /** @import { RobotEntry } from "./robots.js" */
 
-/** @typedef {"robot" | "list" | "query" | "result"} Change */
 /** @typedef {{ name: string, rows: number[][] }} OwnList   from a file: its name, and configurations */
 /**
  * @typedef {[translation: number, rotation: number]} Weights   of a metre and of a radian in the distance of two
@@ -28,14 +27,15 @@ export const FEW = 20;
 /** The core's weights of a body without a metric. @type {Weights} */
 const USUAL = [0.7, 0.3];
 
+/** @type {List} */
+const EMPTY = { rows: new Float64Array(), tips: new Float64Array() };
 /** @type {NeighboursFound} */
 const NOTHING = { indices: new Uint32Array(), distances: new Float64Array(), visited: 0 };
 
-/** @extends {Observable<Change>} */
-export class NeighbourSession extends Observable {
+export class NeighbourSession {
   /** @param {App} app @param {Remote<Commands>} worker @param {RobotEntry} entry */
   constructor(app, worker, entry) {
-    super(app);
+    this.app = app;
     this.worker = worker;
     this.entry = entry;
     /** The entry's document, with the weights below. */
@@ -48,7 +48,9 @@ export class NeighbourSession extends Observable {
     /** The name of the file, if the list was not sampled. @type {string | null} */
     this.file = null;
     /** @type {List} */
-    this.list = { version: 0, rows: new Float64Array(), tips: new Float64Array() };
+    this.list = EMPTY;
+    /** Whether a list is awaited. */
+    this.isLoading = false;
     /** The parts of the first robots of the list. @type {Part[][]} */
     this.footprints = [];
     this.q = this.fitted(entry.q);
@@ -62,11 +64,8 @@ export class NeighbourSession extends Observable {
     this.found = NOTHING;
     /** The true neighbours. @type {Set<number>} */
     this.exact = new Set();
-    /** Whether a result is awaited, and whether the query has changed since. */
-    this.isBusy = false;
-    this.isStale = false;
-    /** Lists asked for. */
-    this.requests = 0;
+    /** Whether these are the neighbours for the query. */
+    this.isFound = false;
   }
 
   get dimension() {
@@ -126,20 +125,17 @@ export class NeighbourSession extends Observable {
   open(entry, { q = entry.q, k = entry.k, weights = null, list = null } = {}) {
     this.setWorld(entry, weights);
     Object.assign(this, { k, coordinates: coordinatesOf(this) });
-    this.setList({ version: -1, rows: new Float64Array(), tips: new Float64Array() });
+    this.setList(EMPTY);
     if (!this.isArm) delete this.given.metric;
     this.q = this.fitted(q.length > 0 ? q : this.coordinates.map(({ low, high }) => (low + high) / 2));
     this.file = null;
-    this.update("robot");
     return list ? this.readOrSample(list) : this.sample();
   }
 
   /** Takes a list; where the core refuses it, one is sampled. @param {OwnList} list */
   async readOrSample({ name, rows }) {
-    const reading = this.read(name, new TextEncoder().encode(JSON.stringify(rows)));
-    const request = this.requests;
-    await reading;
-    if (this.file === null && request === this.requests) await this.sample();
+    await this.read(name, new TextEncoder().encode(JSON.stringify(rows)));
+    if (this.count === 0 && !this.isLoading) await this.sample();
   }
 
   /**
@@ -161,38 +157,54 @@ export class NeighbourSession extends Observable {
    */
   weigh(weights) {
     this.setWorld(this.entry, weights);
-    return this.list.version < 1 ? this.sample() : this.receive(this.worker.reopen(this.document), this.file);
+    if (this.count === 0 || (this.isLoading && this.file === null)) return this.sample();
+    return this.receive((signal) => this.worker.reopen(this.document, signal), this.file);
   }
 
   /** @param {Partial<NeighbourSession["sampling"]>} [changes] */
   sample(changes = {}) {
     this.sampling = { ...this.sampling, ...changes };
     this.file = null;
-    return this.receive(this.worker.sample(this.document, this.sampling), null, "No configurations could be sampled.");
+    const from = (/** @type {AbortSignal} */ signal) => this.worker.sample(this.document, this.sampling, signal);
+    return this.receive(from, null, "No configurations could be sampled.");
   }
 
   /** Reads a list from a file. @param {string} name @param {Uint8Array} bytes */
   read(name, bytes) {
     return this.receive(
-      this.worker.read(this.document, name, bytes),
+      (signal) => this.worker.read(this.document, name, bytes, signal),
       name,
       `${name} could not be read as a list of configurations.`,
     );
   }
 
-  /** @param {Promise<List>} promise @param {string | null} file @param {string} [title]  of an error */
-  async receive(promise, file, title) {
-    const request = ++this.requests;
-    const list = await this.app.track(promise, title);
-    if (request !== this.requests) return;
-    // The list before stays; where there is none that is said.
-    if (!list && this.count === 0) this.update("list");
-    if (!list) return;
-    this.file = file;
-    this.setList(list);
-    this.update("list");
+  /**
+   * Receives a list, unless another one is asked for meanwhile, and finds the neighbours.
+   * @param {(signal: AbortSignal) => Promise<List>} from
+   * @param {string | null} file
+   * @param {string} [title]  of an error
+   */
+  async receive(from, file, title) {
+    await this.app.track(this.load(from, file), title);
     await this.search();
   }
+
+  /** Where a list is refused, the one before stays. */
+  load = latest(
+    async (signal, /** @type {(signal: AbortSignal) => Promise<List>} */ from, /** @type {string | null} */ file) => {
+      this.isLoading = true;
+      this.isFound = false;
+      this.app.changed();
+      try {
+        const list = await from(signal);
+        this.file = file;
+        this.setList(list);
+      } finally {
+        if (!signal.aborted) this.isLoading = false;
+        this.app.changed();
+      }
+    },
+  );
 
   /** @param {List} list */
   setList(list) {
@@ -222,33 +234,24 @@ export class NeighbourSession extends Observable {
   /** @param {Partial<Pick<NeighbourSession, "q" | "k" | "index" | "given" | "isAsking">>} changes */
   setQuery(changes) {
     Object.assign(this, changes);
-    this.update("query");
+    this.isFound = false;
+    this.app.changed();
     void this.search();
   }
 
-  /** Finds the neighbours; while a result is awaited only the newest query waits. */
-  async search() {
-    this.isStale = this.isBusy;
-    if (this.isBusy || this.list.version < 1) return;
-    this.isBusy = true;
-    const {
-      list: { version },
-      q,
-      k,
-      index,
-      given,
-    } = this;
+  /** Finds the neighbours of the list that the worker has, too. */
+  search = coalesced(async () => {
+    if (this.isLoading || this.count === 0) return;
+    const { list, q, k, index, given } = this;
     // Only a forest has options beside the metric.
     const options = index === "forest" ? given : given.metric === undefined ? {} : { metric: given.metric };
-    const result = await this.app.track(this.worker.search({ version, q, k, index, given: options }));
-    this.isBusy = false;
-    if (result && version === this.list.version) {
-      this.found = result.found;
-      this.exact = new Set(result.exact.indices);
-      this.update("result");
-    }
-    if (this.isStale) await this.search();
-  }
+    const result = await this.app.track(this.worker.search({ q, k, index, given: options }));
+    if (!result || this.isLoading || list !== this.list) return;
+    this.found = result.found;
+    this.exact = new Set(result.exact.indices);
+    this.isFound = q === this.q && k === this.k && index === this.index && given === this.given;
+    this.app.changed();
+  });
 }
 
 /** The weights that a document gives, if any. @param {ScenarioDocument} document @returns {Weights | null} */

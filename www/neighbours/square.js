@@ -13,18 +13,12 @@ import { FEW } from "./session.js";
 /** @import { NeighbourSession } from "./session.js" */
 
 const TURN = 2 * Math.PI;
-/** Cells a side of the obstacles. */
-const CELLS = 96;
 
 export class Square extends AngleSquare {
   /** @param {NeighbourSession} session */
   constructor(session) {
     super();
     this.session = session;
-    session.onChange((change) => {
-      if (change === "robot" && session.isPlanar)
-        this.setCells(session.scenario.cspace({ width: CELLS, height: CELLS }), CELLS);
-    });
   }
 
   /** @param {Brush} brush */

@@ -5,7 +5,7 @@
  * For tests: `#timing` carries `data-timing` ("none", "running", "done") and `data-seconds`.
  */
 import { Chart } from "../widgets/chart.js";
-import { byId, grouped, make } from "../app/dom.js";
+import { byId, grouped, make, write } from "../app/dom.js";
 import { csvFile } from "../formats/csv.js";
 import { KINDS } from "./measurement.js";
 
@@ -43,9 +43,7 @@ export function watchTiming(session, table) {
   /** Whether it was stopped before its end. */
   let isCut = false;
   button.addEventListener("click", () => void run());
-  session.onChange((change) => {
-    if (change === "robot" || change === "query") explain();
-  });
+  app.onShow(explain);
   setState("none");
   return csv;
 
@@ -73,7 +71,7 @@ export function watchTiming(session, table) {
       k,
     } = session;
     const what = `${entry.title.toLowerCase()}, k = ${k}${metric ? `, ${metric} metric` : ""}`;
-    button.textContent = isPaused() ? "Measure the rest" : "Measure";
+    write(button, isPaused() ? "Measure the rest" : "Measure");
     const note = isPaused()
       ? `Paused at ${grouped(measured.at(-1)?.n ?? 0)} configurations after ${MOST / 1000} s. \u201cMeasure the rest\u201d may take several seconds.`
       : measured.length > 0 && key !== wanted()

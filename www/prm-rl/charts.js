@@ -18,15 +18,16 @@ export function makeCharts(session) {
   const solved = new Chart("solved", "Tasks solved by the candidates, in percent");
   byId("charts", HTMLElement).append(returns.element, solved.element);
   const isDue = pacer(PAUSE);
-  let drawn = "";
+  /** @type {unknown[]} */
+  let drawn = [];
   return () => {
     const {
-      training: { history, begun, status },
+      training: { history, status },
       part,
     } = session;
-    const key = `${begun} ${history.length}`;
-    if (part !== "train" || key === drawn || !isDue(status !== "running")) return;
-    drawn = key;
+    const isDrawn = drawn[0] === history && drawn[1] === history.length;
+    if (part !== "train" || isDrawn || !isDue(status !== "running")) return;
+    drawn = [history, history.length];
     const points = (/** @type {(row: { mean: number, best: number, reached: number }) => number} */ value) =>
       history.map((row, i) => /** @type {[number, number]} */ ([i + 1, value(row)]));
     const last = history.at(-1);

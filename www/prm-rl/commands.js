@@ -24,14 +24,12 @@ const SLICE = 24;
 /** @type {Training | null} */
 let training = null;
 /**
- * @type {{ id: number, task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null,
+ * @type {{ task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null,
  *   vertices: number, edges: number, events: number } | null}
  */
 let plan = null;
-/** @type {{ id: number, comparison: NavigationComparison, rows: number } | null} */
+/** @type {{ comparison: NavigationComparison, rows: number } | null} */
 let compared = null;
-/** Another number for each plan and comparison. */
-let count = 0;
 
 /**
  * Calls with a task that lives no longer.
@@ -125,21 +123,16 @@ export const commands = {
               );
       plan?.planner.free();
       plan?.task.free();
-      plan = { id: ++count, task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
-      return plan.id;
+      plan = { task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
     } catch (error) {
       task.free();
       throw error;
     }
   },
 
-  /**
-   * Lets the roadmap grow for a moment, or to its end; null if another one has begun since.
-   * @param {number} id
-   * @param {boolean} isWhole
-   */
-  advancePlan(id, isWhole) {
-    if (!plan || plan.id !== id) return null;
+  /** Lets the roadmap grow for a moment, or to its end. @param {boolean} isWhole */
+  advancePlan(isWhole) {
+    if (!plan) throw new Error("No plan has begun.");
     const { planner, vertices, edges, events } = plan;
     const status = isWhole ? planner.step(Number.MAX_SAFE_INTEGER) : planner.stepFor(SLICE);
     Object.assign(plan, { vertices: planner.vertexCount, edges: planner.edgeCount, events: planner.eventCount });
@@ -153,9 +146,9 @@ export const commands = {
     };
   },
 
-  /** All rollouts along a path of the roadmap. @param {number} id @param {number[][]} path */
-  rollouts(id, path) {
-    return plan?.id === id && path.length > 1 ? (plan.rollouts?.(path) ?? null) : null;
+  /** All rollouts along a path of the roadmap. @param {number[][]} path */
+  rollouts(path) {
+    return path.length > 1 ? (plan?.rollouts?.(path) ?? null) : null;
   },
 
   /**
@@ -186,13 +179,13 @@ export const commands = {
       withOptions(settings, (/** @type {NavigationComparisonOptions} */ options) => task.comparison(policy, options)),
     );
     compared?.comparison.free();
-    compared = { id: ++count, comparison, rows: 0 };
-    return { id: compared.id, count: comparison.count, queries: comparison.queries() };
+    compared = { comparison, rows: 0 };
+    return { count: comparison.count, queries: comparison.queries() };
   },
 
-  /** Goes on with a comparison for a moment; null if another one has begun since. @param {number} id */
-  advanceComparison(id) {
-    if (!compared || compared.id !== id) return null;
+  /** Goes on with the comparison for a moment. */
+  advanceComparison() {
+    if (!compared) throw new Error("No comparison has begun.");
     const { comparison, rows } = compared;
     const status = comparison.stepFor(2 * SLICE);
     compared.rows = comparison.executionCount;
@@ -221,5 +214,4 @@ const DEMONSTRATIONS = 12;
 
 export function reset() {
   training = plan = compared = null;
-  count++;
 }

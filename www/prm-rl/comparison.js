@@ -1,5 +1,7 @@
 /** A comparison of the ways to drive, as the page shows it: it grows while it runs, and can be paused. */
 
+import { coalesced, latest } from "../app/work.js";
+
 /** @import { ComparedExecution, MethodSummary, NavigationQueryDocument } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { NavigationSession } from "./session.js" */
@@ -12,11 +14,12 @@ export class ComparisonRun {
     this.given = {};
     /** "over": all is driven. @type {"none" | "running" | "paused" | "over"} */
     this.status = "none";
-    this.id = 0;
     this.count = 0;
     this.iterations = 0;
-    /** Comparisons begun or forgotten. */
-    this.begun = 0;
+    /** Executions at which it pauses. */
+    this.until = Infinity;
+    /** Whether it was forgotten. */
+    this.signal = new AbortController().signal;
     /** @type {NavigationQueryDocument[]} */
     this.queries = [];
     /** @type {ComparedExecution[]} */
@@ -27,43 +30,46 @@ export class ComparisonRun {
 
   /** Forgets the comparison: its floor, its policy or its options are others now. */
   clear() {
-    this.begun++;
-    Object.assign(this, { status: "none", id: 0, count: 0, iterations: 0, queries: [], executions: [], summary: [] });
+    this.begin.cancel();
+    Object.assign(this, { status: "none", count: 0, iterations: 0, queries: [], executions: [], summary: [] });
+    this.session.app.changed();
   }
+
+  begin = latest(async (signal) => {
+    const { session, given } = this;
+    const begun = await session.worker.beginComparison(session.robotDocument, session.policy, given, signal);
+    Object.assign(this, begun, { status: "paused", signal });
+  });
 
   /** Begins, or goes on. @param {number} [until]  executions @throws {Error} the options are refused */
   async run(until = Infinity) {
-    const { session, given } = this;
-    if (this.status === "none") {
-      const turn = ++this.begun;
-      const begun = await session.worker.beginComparison(session.robotDocument, session.policy, given);
-      // Its floor, robot or policy may be others by now.
-      if (turn !== this.begun) return;
-      this.clear();
-      Object.assign(this, begun, { status: "paused" });
-    }
+    if (this.status === "none") await this.begin();
     if (this.status !== "paused") return;
-    const { id } = this;
-    this.status = "running";
-    session.update("comparison");
-    while (this.status === "running" && this.executions.length < until) {
-      const progress = await session.worker.advanceComparison(id).catch((error) => {
-        // The worker has lost the comparison.
-        if (id === this.id) this.clear();
-        session.update("comparison");
-        throw error;
-      });
-      if (!progress || id !== this.id) return;
-      this.executions.push(...progress.executions);
-      Object.assign(this, { iterations: progress.iterations, summary: progress.summary });
-      if (progress.status !== "running") this.status = "over";
-      session.update("comparison");
-    }
-    if (id === this.id && this.status === "running") this.status = "paused";
-    session.update("comparison");
+    Object.assign(this, { status: "running", until });
+    this.session.app.changed();
+    await this.advance();
   }
+
+  advance = coalesced(async () => {
+    const { session, signal } = this;
+    try {
+      while (this.status === "running" && this.executions.length < this.until) {
+        const progress = await session.worker.advanceComparison(signal);
+        this.executions.push(...progress.executions);
+        Object.assign(this, { iterations: progress.iterations, summary: progress.summary });
+        if (progress.status !== "running") this.status = "over";
+        session.app.changed();
+      }
+      this.pause();
+    } catch (error) {
+      // The worker has lost the comparison.
+      if (!signal.aborted) this.clear();
+      throw error;
+    }
+  });
 
   pause() {
     if (this.status === "running") this.status = "paused";
+    this.session.app.changed();
   }
 }

@@ -47,7 +47,7 @@ export function watchHandles(session, stage, { floor, demonstrations }, move) {
     const piece = demonstrations.drawing.pieceAt(offsetX, offsetY);
     if (piece === null) return;
     session.training.selected = piece;
-    session.update("generation");
+    session.app.changed();
   });
   watchArrows(stage, (coordinate, direction, factor) => {
     if (session.part !== "plan") return false;

@@ -1,25 +1,20 @@
 /**
  * The lesson of this page: each step asks a question above the stage; Run lets the robot drive and shows the answer.
  * The counts in the answers are those of the drives.
- *
- * For tests: `#lesson` carries `data-step`, from 1, and `data-shown`, "question", "run" or "answer".
  */
-import { byId, make } from "../app/dom.js";
-import { button } from "../widgets/elements.js";
+import { byId } from "../app/dom.js";
+import { LessonBand } from "../widgets/lesson.js";
 import { FIRST, countsOf, noSettings } from "./session.js";
 import { leastOf } from "./words.js";
 
 /** @import { App } from "../app/app.js" */
+/** @import { Question } from "../widgets/lesson.js" */
 /** @import { NavigationSession } from "./session.js" */
 
 /**
- * @typedef {object} Step
- * @property {string} question
- * @property {string[]} choices
- * @property {number} answer   an index of `choices`
- * @property {Parameters<NavigationSession["setEnds"]>[0]} ends
- * @property {() => Promise<void>} run
- * @property {() => string} text   after the run
+ * A step; its text is shown after the run.
+ * @typedef {Question & { ends: Parameters<NavigationSession["setEnds"]>[0], run: () => Promise<void>, text: () =>
+ *   string }} Step
  */
 
 /** The floor of the lesson, and a start with a near and a far goal. */
@@ -39,33 +34,14 @@ export class Lesson {
     this.play = play;
     /** From 1; 0 without a lesson. */
     this.step = 0;
-    /** @type {"question" | "run" | "answer"} */
-    this.shown = "question";
-    this.count = make("span", { className: "hint" });
-    this.legend = make("legend", {});
-    this.choices = make("div", { className: "choices" });
-    this.question = make("fieldset", {}, this.legend, this.choices);
-    this.verdict = make("strong", {});
-    this.text = make("span", {});
-    this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
-    this.run = button("lesson-run", "Run", () => void app.track(this.answer(), "This step could not be run."));
-    this.back = button("lesson-previous", "Previous", () => void app.track(this.put(this.step - 1)));
-    this.next = button("lesson-next", "", () => {
-      if (this.step === this.steps.length) this.leave();
-      else void app.track(this.put(this.step + 1));
+    this.band = new LessonBand("Step of the lesson", {
+      run: () => void app.track(this.answer(), "This step could not be run."),
+      move: (by) => void app.track(this.put(this.step + by)),
+      leave: () => this.leave(),
     });
-    const leave = button("lesson-leave", "Exit", () => this.leave(), { className: "quiet" });
-    const head = make("p", { className: "head" }, make("strong", {}, "Learned edges"), " ", this.count);
-    this.band = make(
-      "section",
-      { id: "lesson", className: "lesson", ariaLabel: "Step of the lesson", hidden: true },
-      make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome)),
-      make("div", { className: "buttons" }, this.run, this.back, this.next, leave),
-    );
-    byId("story", HTMLElement).before(this.band);
     byId("begin-lesson", HTMLButtonElement).addEventListener(
       "click",
-      () => void app.track(this.put(1)).then(() => this.run.focus()),
+      () => void app.track(this.put(1)).then(() => this.band.run.focus()),
     );
   }
 
@@ -164,62 +140,29 @@ export class Lesson {
   async put(step) {
     const { session, steps } = this;
     this.step = step;
-    const { question, choices, ends } = steps[step - 1];
     session.setPart("plan");
-    session.open(FLOOR, ends);
+    session.open(FLOOR, steps[step - 1].ends);
     if (session.origin !== "shipped") session.usePolicy(session.shipped, "shipped");
     session.setWay(step <= 3 ? "policy" : "prm-rl");
-    this.count.textContent = `${step} of ${steps.length}`;
-    this.legend.textContent = question;
-    this.choices.replaceChildren(
-      ...choices.map((choice, i) =>
-        make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice),
-      ),
-    );
-    this.back.disabled = step === 1;
-    this.next.textContent = step === steps.length ? "Finish" : "Next";
-    this.band.hidden = false;
-    this.show("question");
+    this.band.ask("Learned edges", steps[step - 1], step - 1, steps.length);
   }
 
   /** Runs the step and shows its answer. */
   async answer() {
     const { step } = this;
-    const { run, ends } = this.steps[step - 1];
+    const { run, ends, text } = this.steps[step - 1];
     this.session.setPart("plan");
     this.session.open(FLOOR, ends);
-    this.show("run");
+    this.band.show("run");
     try {
       await run();
     } finally {
-      if (this.step === step) this.show("answer");
+      if (this.step === step) this.band.show("answer", text());
     }
   }
 
   leave() {
     this.step = 0;
-    this.band.hidden = true;
-    this.session.update("part");
-  }
-
-  /** @param {"question" | "run" | "answer"} shown */
-  show(shown) {
-    this.shown = shown;
-    Object.assign(this.band.dataset, { shown, step: this.step });
-    const isAnswered = shown === "answer";
-    const { choices, answer, text } = this.steps[this.step - 1];
-    this.question.disabled = shown !== "question";
-    this.run.disabled = shown === "run";
-    this.run.textContent = isAnswered ? "Run again" : "Run";
-    this.run.className = isAnswered ? "" : "primary";
-    this.next.className = isAnswered ? "primary" : "";
-    const chosen = /** @type {HTMLInputElement | null} */ (this.choices.querySelector("input:checked"));
-    this.verdict.textContent = !isAnswered
-      ? ""
-      : chosen?.value === String(answer)
-        ? "Correct."
-        : `Answer: ${choices[answer].toLowerCase()}.`;
-    this.text.textContent = isAnswered ? text() : "";
-    this.outcome.hidden = !isAnswered;
+    this.band.hide();
   }
 }

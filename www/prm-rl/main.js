@@ -8,17 +8,15 @@
  * `data-training` ("none", "beginning", "ready", "running", "over", "refused"), `data-generation` and `data-trained`,
  * its fingerprint; of the comparison `data-compared` ("none", "running", "paused", "over") and `data-executions`.
  */
-import { App } from "../app/app.js";
-import { byId, grouped, make } from "../app/dom.js";
-import { watchFiles } from "../app/drop.js";
+import { byId, grouped } from "../app/dom.js";
 import { json, save } from "../app/files.js";
-import { watchKeys } from "../app/keys.js";
-import { useLink } from "../app/link.js";
+import { comparer } from "../app/once.js";
+import { openRoom } from "../app/room.js";
 import { Figure } from "../draw/figure.js";
+import { Course } from "../widgets/course.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { num } from "../widgets/format.js";
-import { Transport } from "../widgets/transport.js";
 import { makeCharts, makeSwingChart, trainingCsv } from "./charts.js";
 import { Demonstrations } from "./demonstrations.js";
 import { filmsOf } from "./films.js";
@@ -36,8 +34,7 @@ import { WAY_WORDS, sentenceOf } from "./words.js";
 /** @import { PolicyDocument } from "planarium/full" */
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Refusal } from "./panel.js" */
-/** @import { Change, Part } from "./session.js" */
+/** @import { Part } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** @type {[Part, string][]} */
@@ -47,9 +44,8 @@ const PARTS = [
   ["compare", "Compare"],
 ];
 
-const app = new App();
-
-await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
+await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
+  const { app } = room;
   const stage = byId("stage", HTMLElement);
   const session = new NavigationSession(app, worker, {
     differential_drive: /** @type {PolicyDocument} */ (wheeled),
@@ -75,21 +71,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const all = Object.values(figures);
   const drawCharts = makeCharts(session);
   const drawSwing = makeSwingChart(session);
-  const slider = make("input", {
-    type: "range",
-    id: "time",
-    className: "timeline",
-    min: "0",
-    max: "1",
-    step: "any",
-    value: "0",
-    ariaLabel: "Time of the drives",
-  });
-  slider.addEventListener("input", () => {
-    transport.pause();
-    session.setTime(Number(slider.value));
-  });
-  const transport = new Transport(app, byId("course", HTMLElement), {
+  const course = new Course(app, byId("course", HTMLElement), {
     name: "course",
     label: "Transport of the drives",
     unit: "seconds",
@@ -98,19 +80,15 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     fastest: 25,
     pace: 4,
     isWhole: false,
-    advance: (seconds) => {
-      session.setTime(session.time + seconds);
-      return session.time < session.end;
+    axis: {
+      id: "time",
+      label: "Time of the drives",
+      end: () => session.end,
+      time: () => session.time,
+      seek: (time) => session.setTime(time),
     },
-    reset: () => session.setTime(0),
     paceText: (pace) => `${pace.toFixed(1)}\u00d7`,
   });
-  transport.bar.prepend(slider);
-  // From its end it starts again.
-  const rewind = () => {
-    if (transport.isPlaying && session.time >= session.end) session.setTime(0);
-  };
-  transport.play.addEventListener("click", rewind);
   const lesson = new Lesson(app, session, play);
   app.onTheme(() => {
     floor.bold = demonstrations.bold = app.look.bold;
@@ -122,7 +100,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   byId("ways", HTMLElement).append(
     ...WAYS.map((way) =>
       button(`way-${way}`, WAY_WORDS[way].title, () => {
-        transport.pause();
+        course.pause();
         session.setWay(way);
       }),
     ),
@@ -130,56 +108,30 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   const { refuseComparison } = showPanel(session, {
     open: (source, onRefused) => {
       app.notice.hide();
-      attempt(async () => session.open(source), onRefused);
+      void room.attempt(() => session.open(source), onRefused);
     },
-    plan: (onRefused) => attempt(() => session.plan(), onRefused),
-    train: (onRefused) => attempt(() => training.begin(), onRefused),
-    compare: () => {
-      comparison.clear();
-      session.update("comparison");
-    },
+    plan: (onRefused) => void room.attempt(() => session.plan(), onRefused),
+    train: (onRefused) => void room.attempt(() => training.begin(), onRefused),
+    compare: () => comparison.clear(),
   });
   watchHandles(session, stage, figures, (ends) => {
-    transport.pause();
+    course.pause();
     session.setEnds(ends);
   });
-  const click = (/** @type {string} */ id, /** @type {() => void} */ act) =>
+  const click = (/** @type {string} */ id, /** @type {() => unknown} */ act) =>
     byId(id, HTMLButtonElement).addEventListener("click", act);
-  click("plan", () => attempt(() => session.plan()));
-  click("drive", () => attempt(drive));
+  click("plan", () => room.attempt(() => session.plan()));
+  click("drive", () => room.attempt(drive));
   click("train", toggleTraining);
-  click("train-again", () => attempt(() => training.begin()));
+  click("train-again", () => room.attempt(() => training.begin()));
   click("use-trained", () => {
     const { policy } = training;
     if (policy) app.guard(() => session.usePolicy(policy, "trained"));
   });
   click("compare", toggleComparison);
-  click("compare-again", () => {
-    comparison.clear();
-    session.update("comparison");
-  });
+  click("compare-again", () => comparison.clear());
   click("ship", () => app.guard(() => session.usePolicy(session.shipped, "shipped")));
   click("save-policy", () => save(json(session.policy), `${session.policy.name}.json`));
-  watchKeys([stage], {
-    " ": () => {
-      if (session.part === "train") toggleTraining();
-      else if (session.part === "compare") toggleComparison();
-      else {
-        transport.toggle();
-        rewind();
-      }
-    },
-    r: () => transport.restart(),
-    ".": () => transport.step(0.1),
-  });
-  watchFiles(app, (name, bytes) =>
-    app.guard(() => {
-      const text = new TextDecoder().decode(bytes);
-      if (/"format"\s*:\s*"planarium-policy-/.test(text)) session.usePolicy(parsed(text), "file");
-      else session.open({ document: text });
-      app.notice.hide();
-    }, `${name} could not be opened.`),
-  );
   const names = {
     name: () => `prm-rl-${session.document?.name ?? ""}`,
     title: () => session.document?.title ?? session.document?.name ?? "",
@@ -263,21 +215,22 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan")
       floor.append({ context: ground.context, palette });
   });
-  session.onChange(show);
-  app.rebuild = () => {
-    session.task = null;
-    session.open(session.source, { start: session.start, goal: session.goal });
-    Object.assign(training, { tasks: [], floors: [], demonstrations: [], status: "none" });
-    session.update("training");
-  };
-  await app.track(
-    useLink(app, stateRule, {
+  const differs = comparer();
+  return {
+    show,
+    rebuild: () => {
+      session.task = null;
+      session.open(session.source, { start: session.start, goal: session.goal });
+      Object.assign(training, { tasks: [], floors: [], demonstrations: [], status: "none" });
+    },
+    rule: stateRule,
+    link: {
       save: () => stateOf(session, lesson),
       spare: "document",
       contents: (isWhole) =>
         `${isWhole ? "the floor, start and goal, the settings, and what was trained, planned and driven" : "the settings, but not your floor: it is too long"}${session.origin === "file" ? "; your policy is too long and is not included" : ""}`,
       open: async (/** @type {State | null} */ state) => {
-        transport.pause();
+        course.pause();
         if (state) return openState(session, lesson, state);
         if (session.document) return;
         session.open(FIRST);
@@ -285,39 +238,44 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
         if (app.reducedMotion) await begun;
         else void app.track(begun);
       },
-    }),
-  );
+    },
+    openFile: ({ text }) => {
+      if (/"format"\s*:\s*"planarium-policy-/.test(text)) session.usePolicy(parsed(text), "file");
+      else session.open({ document: text });
+    },
+    reseed: (seed) => {
+      const { source } = session;
+      const { kind, options } = "kind" in source ? source : { ...FIRST, options: {} };
+      app.notice.hide();
+      void room.attempt(() => session.open({ kind, options: { ...options, seed } }));
+    },
+    keys: {
+      " ": () => {
+        if (session.part === "train") toggleTraining();
+        else if (session.part === "compare") toggleComparison();
+        else course.toggle();
+      },
+      r: () => course.restart(),
+      ".": () => course.step(0.1),
+    },
+  };
 
   /** Plans unless that is done, drives, and plays it. */
   async function drive() {
-    transport.pause();
+    course.pause();
     if (await session.drive()) play();
   }
 
   /** Plays the drives from their start, or shows them whole. */
   function play() {
     session.setTime(app.reducedMotion ? Infinity : 0);
-    transport.setPlaying(!app.reducedMotion);
-  }
-
-  /**
-   * What is refused is said beside its field, or above the figure.
-   * @param {() => Promise<unknown>} act
-   * @param {Refusal} [onRefused]
-   */
-  function attempt(act, onRefused = () => false) {
-    void app.track(
-      act().catch((error) => {
-        if (error.code === "internal" || !onRefused(error.pointer ?? "", error.message)) throw error;
-        session.update("plan");
-      }),
-    );
+    course.setPlaying(!app.reducedMotion);
   }
 
   function toggleTraining() {
     if (training.status === "running") training.pause();
     else
-      attempt(async () => {
+      void room.attempt(async () => {
         if (training.status === "none") await training.begin();
         await training.run();
       });
@@ -325,30 +283,32 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
 
   function toggleComparison() {
     if (comparison.status === "running") comparison.pause();
-    else attempt(() => comparison.run(), refuseComparison);
+    else void room.attempt(() => comparison.run(), refuseComparison);
   }
 
-  /** @param {Change} change */
-  function show(change) {
-    const { part, document: task, run, way, time, start, goal, refusal, policy, origin, edge } = session;
-    if (!task) return;
+  /** Shows what belongs to a part. @param {Part} part @param {boolean} hasLoad */
+  function showPart(part, hasLoad) {
     document.body.dataset.part = part;
-    for (const element of document.querySelectorAll("main [data-part]"))
-      if (element instanceof HTMLElement) element.hidden = !element.dataset.part?.split(" ").includes(part);
-    for (const element of document.querySelectorAll(".with-load"))
-      if (element instanceof HTMLElement)
-        element.hidden = !session.hasLoad || (element.dataset.part !== undefined && element.hidden);
+    for (const element of document.querySelectorAll("main [data-part], .with-load")) {
+      if (!(element instanceof HTMLElement)) continue;
+      const parts = element.dataset.part?.split(" ") ?? [part];
+      element.hidden = !parts.includes(part) || (element.classList.contains("with-load") && !hasLoad);
+    }
     figures.demonstrations.element.hidden = part !== "train";
     figures.floor.element.hidden = part === "train";
     for (const [one] of PARTS) press(byId(`part-${one}`, HTMLElement), one === part);
+  }
+
+  function show() {
+    const { part, source, document: task, run, runs, way, time, start, goal, refusal, policy, origin, edge } = session;
+    if (!task) return;
+    if (differs("training", part, source) && part === "train" && training.status === "none")
+      void room.attempt(() => training.begin());
+    if (differs("part", part, session.hasLoad)) showPart(part, session.hasLoad);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
-    if ((change === "part" || change === "floor") && part === "train" && training.status === "none")
-      attempt(() => training.begin());
-    if (change === "training") figures.demonstrations.redraw();
-    else if (change === "generation") figures.demonstrations.redraw(["top"]);
-    else if (change !== "growth")
-      figures.floor.redraw(change === "time" || change === "selected" || change === "drives" ? ["top"] : undefined);
-    if (change === "part") figures.demonstrations.redraw();
+    if (differs("ground", task, part, run, run.status)) figures.floor.redraw();
+    if (differs("demonstrations", part, training.floors)) figures.demonstrations.redraw();
+    for (const figure of all) figure.redraw(["top"]);
     const counts = countsOf(run.drives);
     Object.assign(stage.dataset, {
       status: refusal ? "refused" : run.status,
@@ -369,11 +329,10 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       executions: comparison.executions.length,
     });
     showControls();
-    if (change !== "time" && change !== "selected" && change !== "generation") {
-      showDriven(session);
-      if (change !== "growth") showEdges(session);
-      showCompared(session);
-    }
+    const shownRuns = WAYS.flatMap((one) => [runs[one], runs[one].status, runs[one].rollouts, runs[one].drives]);
+    if (differs("driven", way, session.hasLoad, ...shownRuns)) showDriven(session);
+    if (differs("edges", part, run, run.rollouts)) showEdges(session);
+    if (differs("compared", comparison.summary, session.hasLoad)) showCompared(session);
     const last = training.history.at(-1);
     app.write({
       where: `${task.title ?? task.name} \u00b7 ${policy.name}`,
@@ -399,7 +358,20 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
     const text = sentenceOf(session);
     app.say(text, {
       isBad: part === "plan" && (refusal !== null || run.status === "exhausted"),
-      isSilent: change === "growth" || change === "time" || change === "generation",
+      // The numbers of what grows or is trained are not announced.
+      isSilent: !differs(
+        "news",
+        part,
+        task,
+        policy,
+        refusal,
+        way,
+        run,
+        run.status,
+        run.drives,
+        training.status,
+        comparison.status,
+      ),
     });
     figures.floor.describe(`${task.title ?? task.name}. ${text}`);
     figures.demonstrations.describe(`Twelve drives of the policy in training. ${text}`);
@@ -407,7 +379,7 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
 
   /** Enables and names what can be done now. */
   function showControls() {
-    const { run, end, time, refusal, origin } = session;
+    const { run, refusal, origin } = session;
     const enable = (/** @type {string} */ id, /** @type {boolean} */ isReady) => {
       byId(id, HTMLButtonElement).disabled = !isReady;
     };
@@ -428,9 +400,6 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
       training.generations > 0 ? training.generation / training.generations : 0;
     byId("compare-progress", HTMLProgressElement).value =
       comparison.count > 0 ? comparison.executions.length / comparison.count : 0;
-    transport.enable(end > 0);
-    Object.assign(slider, { disabled: end === 0, max: String(end || 1), value: String(time) });
-    slider.setAttribute("aria-valuetext", `${num(time, 1)} of ${num(end, 1)} seconds`);
     byId("export-result", HTMLButtonElement).disabled = !run.result;
     for (const id of ["export-comparison", "export-summary"])
       byId(id, HTMLButtonElement).disabled = comparison.executions.length === 0;

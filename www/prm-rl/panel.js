@@ -2,8 +2,9 @@
  * The settings: the floor, the options of the training, of the plans and of the comparison, start and goal. The forms
  * are built from the core's tables.
  */
-import { comparisonOptions, navigationGenerators, randomSeed, trainingOptions } from "planarium/full";
+import { comparisonOptions, navigationGenerators, trainingOptions } from "planarium/full";
 import { byId, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { button, press } from "../widgets/elements.js";
 import { Field, withSeed } from "../widgets/field.js";
 import { Options } from "../widgets/options.js";
@@ -12,15 +13,9 @@ import { optionsOf } from "./options.js";
 
 /** @import { NavigationGeneratorId } from "planarium/full" */
 /** @import { ParameterInfo } from "../domain/types.js" */
-/** @import { Change, NavigationSession, Source } from "./session.js" */
+/** @import { Refusal } from "../app/room.js" */
+/** @import { NavigationSession, Source } from "./session.js" */
 
-/**
- * Shows beside its field why a value is refused.
- * @typedef {(pointer: string, reason: string) => boolean} Refusal   whether there is such a field
- */
-
-/** New seeds are below this: short enough to say aloud. */
-const SEEDS = 100_000;
 /** Options that are not folded away. */
 const FIRST = {
   floor: ["seed"],
@@ -74,13 +69,6 @@ export function showPanel(session, actions) {
     const { source } = session;
     if ("kind" in source) actions.open({ kind: source.kind, options: { ...source.options, shape: robot.value } });
   });
-  const newSeed = byId("new-seed", HTMLButtonElement);
-  newSeed.disabled = false;
-  newSeed.addEventListener("click", () => {
-    const { source } = session;
-    const from = "kind" in source ? source : { kind: /** @type {const} */ ("rooms"), options: {} };
-    actions.open({ kind: from.kind, options: { ...from.options, seed: randomSeed() % SEEDS } });
-  });
   const trials = new Field(
     TRIALS,
     session.trials,
@@ -94,7 +82,7 @@ export function showPanel(session, actions) {
     .../** @type {const} */ (["goal", "start"]).map((end) =>
       button(`moved-${end}`, end, () => {
         session.moved = end;
-        session.update("selected");
+        app.changed();
       }),
     ),
   );
@@ -118,18 +106,18 @@ export function showPanel(session, actions) {
   let shown = { floor: "", way: "", train: "", compare: "" };
   /** @type {Options | null} */
   let compareForm = null;
-  session.onChange(show);
+  const differs = comparer();
+  app.onShow(show);
   return { refuseComparison: (pointer, reason) => compareForm?.refuse(pointer, reason) ?? false };
 
-  /** @param {Change} change */
-  function show(change) {
+  function show() {
     const { source, way, start, goal, document, moved } = session;
     if (!document) return;
     for (const end of ["goal", "start"]) press(byId(`moved-${end}`, HTMLElement), end === moved);
-    if (change === "time" || change === "growth" || change === "generation" || change === "selected") return;
+    const isOther = differs("floor", document);
     const { min, max } = document.world.bounds ?? { min: [0, 0], max: [1, 1] };
     for (const { slider, key, i } of coordinates) {
-      if (i < 2 && change === "floor") slider.setLimits(min[i], max[i]);
+      if (i < 2 && isOther) slider.setLimits(min[i], max[i]);
       // The sensor of a carrier turns to the goal.
       if (i === 2) slider.element.hidden = session.hasLoad;
       const value = (key === "start" ? start : goal)[i];
@@ -137,7 +125,7 @@ export function showPanel(session, actions) {
     }
     if (trials.current !== session.trials) trials.set(session.trials);
     const floor = "kind" in source ? JSON.stringify([source.kind, Object.entries(source.options).sort()]) : "";
-    if (change === "floor" && floor !== shown.floor) buildFloor();
+    if (floor !== shown.floor) buildFloor();
     const train = JSON.stringify(training.given);
     if (train !== shown.train) buildTraining();
     const compare = JSON.stringify(comparison.given);

@@ -21,8 +21,8 @@ export class TrainingPool {
     this.workers = [first];
     this.hire = hire;
     this.most = 1;
-    /** Another number for each training: replies of an earlier one are dropped. */
-    this.epoch = 0;
+    /** Whether the training was given up. */
+    this.signal = new AbortController().signal;
     this.isRunning = false;
     /** What a training begins with. @type {[NavigationDocument, Settings] | null} */
     this.beginning = null;
@@ -40,25 +40,20 @@ export class TrainingPool {
    * Replaces the training.
    * @param {NavigationDocument} document
    * @param {Settings} settings
-   * @throws {Error} they are refused, and nothing changes
+   * @param {AbortSignal} signal  gives it up, then or later
+   * @throws {Error} they are refused
    */
-  async begin(document, settings) {
+  async begin(document, settings, signal) {
     this.isRunning = false;
     const [first] = this.workers;
-    const info = await first.beginTraining(document, settings);
-    this.epoch++;
+    const info = await first.beginTraining(document, settings, signal);
+    this.signal = signal;
     this.beginning = [document, settings];
     this.most = Math.max(1, (navigator.hardwareConcurrency || 1) - 1);
     this.known = new Map([[first, 0]]);
     this.ended = [];
     this.prepare(info.candidates);
-    return { ...info, ...(await first.demonstrate()) };
-  }
-
-  /** Stops; replies that are on their way are dropped. */
-  cancel() {
-    this.isRunning = false;
-    this.epoch++;
+    return { ...info, ...(await first.demonstrate(signal)) };
   }
 
   /** Divides a generation into parts. @param {number} candidates */
@@ -74,51 +69,48 @@ export class TrainingPool {
   /**
    * Trains until `onGeneration` returns false or `isRunning` is false.
    * @param {(generation: Generation) => boolean} onGeneration
-   * @throws {Error} no worker is left
+   * @throws {Error} no worker is left, or it was given up
    */
   async run(onGeneration) {
-    const { epoch } = this;
+    const { signal } = this;
     this.isRunning = true;
     while (this.workers.length < this.most) this.workers.push(this.hire());
     try {
-      while (this.isRunning && epoch === this.epoch) {
+      while (this.isRunning) {
         // All of them end before a failure is thrown, so that none counts for a later run.
-        const ended = await Promise.allSettled(this.workers.map((worker) => this.evaluate(worker, epoch)));
+        const ended = await Promise.allSettled(this.workers.map((worker) => this.evaluate(worker, signal)));
         for (const end of ended) if (end.status === "rejected") throw end.reason;
-        if (epoch !== this.epoch || !this.isRunning) return;
+        if (!this.isRunning) return;
         // Again where a worker was lost and the others had nothing left.
         if (this.left.length > 0) continue;
         const [first] = this.workers;
         this.ended.push(this.returns);
         this.prepare(this.returns.length / 2);
-        const generation = await first.advance(this.ended.slice(this.known.get(first)));
-        if (epoch !== this.epoch) return;
+        const generation = await first.advance(this.ended.slice(this.known.get(first)), signal);
         this.known.set(first, this.ended.length);
         if (!onGeneration(generation)) return;
       }
     } finally {
-      if (epoch === this.epoch) this.isRunning = false;
+      if (!signal.aborted) this.isRunning = false;
     }
   }
 
-  /** @param {TrainingWorker} worker @param {number} epoch */
-  async evaluate(worker, epoch) {
+  /** @param {TrainingWorker} worker @param {AbortSignal} signal */
+  async evaluate(worker, signal) {
     /** @type {[number, number] | undefined} */
     let part;
     try {
-      while (this.isRunning && epoch === this.epoch && (part = this.left.shift())) {
+      while (this.isRunning && (part = this.left.shift())) {
         if (!this.known.has(worker) && this.beginning) {
-          await worker.beginTraining(...this.beginning);
-          if (epoch !== this.epoch) return;
+          await worker.beginTraining(...this.beginning, signal);
           this.known.set(worker, 0);
         }
-        const returns = await worker.returnsOf(...part, this.ended.slice(this.known.get(worker)));
-        if (epoch !== this.epoch) return;
+        const returns = await worker.returnsOf(...part, this.ended.slice(this.known.get(worker)), signal);
         this.known.set(worker, this.ended.length);
         this.returns.set(returns, 2 * part[0]);
       }
     } catch (error) {
-      if (epoch !== this.epoch) return;
+      signal.throwIfAborted();
       // Its candidates are evaluated again, by any worker; the first one has the policy.
       if (part) this.left.push(part);
       this.known.delete(worker);

@@ -1,9 +1,9 @@
 /**
  * The state of the page: a floor with its robot, a start and a goal, a policy, what is planned and driven, a training
- * and a comparison. The worker plans and drives; only the newest plan counts.
+ * and a comparison. The worker plans and drives.
  */
 import { Navigation } from "planarium/full";
-import { Observable } from "../app/observable.js";
+import { latest } from "../app/work.js";
 import { withOptions } from "../domain/option-names.js";
 import { ComparisonRun } from "./comparison.js";
 import { withDefaults } from "./options.js";
@@ -20,10 +20,6 @@ import { TrainingRun } from "./training.js";
 /** @import { TrainingWorker } from "./pool.js" */
 
 /** @typedef {"train" | "plan" | "compare"} Part */
-/**
- * @typedef {"part" | "floor" | "policy" | "ends" | "growth" | "plan" | "drives" | "time" | "selected" | "training" |
- *   "generation" | "comparison"} Change
- */
 /**
  * Where a floor is from: a generator, or a document.
  * @typedef {{ kind: NavigationGeneratorId, options: Settings } | { document: NavigationDocument | string }} Source
@@ -70,15 +66,14 @@ const noRuns = () => ({ policy: nothing(), straight: nothing(), "straight-policy
 /** @returns {Record<PlannedWay, Settings>} */
 export const noSettings = () => ({ straight: {}, "straight-policy": {}, "prm-rl": {} });
 
-/** @extends {Observable<Change>} */
-export class NavigationSession extends Observable {
+export class NavigationSession {
   /**
    * @param {App} app
    * @param {Remote<Commands>} worker
    * @param {Record<RobotKind, PolicyDocument>} policies  those that come with the page
    */
   constructor(app, worker, policies) {
-    super(app);
+    this.app = app;
     this.worker = worker;
     this.policies = policies;
     this.policy = policies.differential_drive;
@@ -109,8 +104,6 @@ export class NavigationSession extends Observable {
     this.given = noSettings();
     this.trials = 20;
     this.runs = noRuns();
-    /** Plans and drives begun: replies of earlier ones are dropped. */
-    this.turn = 0;
     /** Seconds, of the drives. */
     this.time = 0;
     /** The drive with the rays, and the step of the path that is marked. */
@@ -165,7 +158,7 @@ export class NavigationSession extends Observable {
   /** @param {Part} part */
   setPart(part) {
     this.part = part;
-    this.update("part");
+    this.app.changed();
   }
 
   /**
@@ -193,15 +186,11 @@ export class NavigationSession extends Observable {
       this.training.clear();
     }
     this.comparison.clear();
-    this.setEnds({ start: ends.start ?? query.start, goal: ends.goal ?? query.goal }, "floor");
+    this.setEnds({ start: ends.start ?? query.start, goal: ends.goal ?? query.goal });
   }
 
-  /**
-   * Moves start or goal: what was planned is gone.
-   * @param {{ start?: number[], goal?: number[] }} ends
-   * @param {Change} [change]
-   */
-  setEnds({ start = this.start, goal = this.goal }, change = "ends") {
+  /** Moves start or goal: what was planned is gone. @param {{ start?: number[], goal?: number[] }} ends */
+  setEnds({ start = this.start, goal = this.goal }) {
     Object.assign(this, { start, goal, refusal: null });
     this.clear();
     try {
@@ -213,12 +202,13 @@ export class NavigationSession extends Observable {
       if (code !== "start-in-collision" && code !== "goal-in-collision") throw error;
       this.refusal = { message, end: code === "start-in-collision" ? "start" : "goal" };
     }
-    this.update(change);
+    this.app.changed();
   }
 
   /** Forgets all plans and drives. */
   clear() {
-    this.turn++;
+    this.planning.cancel();
+    this.driving.cancel();
     Object.assign(this, { runs: noRuns(), time: 0, selected: 0, edge: null });
   }
 
@@ -229,13 +219,13 @@ export class NavigationSession extends Observable {
     Object.assign(this, { policy, origin });
     this.clear();
     this.comparison.clear();
-    this.update("policy");
+    this.app.changed();
   }
 
   /** @param {Way} way */
   setWay(way) {
     Object.assign(this, { way, time: 0, edge: null, selected: 0 });
-    this.update("plan");
+    this.app.changed();
   }
 
   /** The options of the way, complete with the seed. */
@@ -244,48 +234,44 @@ export class NavigationSession extends Observable {
   }
 
   /**
-   * Plans for the way that is shown.
+   * Plans for the way that is shown, and gives up drives.
    * @param {boolean} [isQuick]  without showing how it grows
-   * @returns {Promise<boolean>} whether it came to its end
+   * @returns {Promise<boolean>} whether there is something to plan
    * @throws {Error} the options are refused
    */
-  async plan(isQuick = false) {
+  plan(isQuick = false) {
+    this.driving.cancel();
+    return this.planning(isQuick);
+  }
+
+  planning = latest(async (signal, /** @type {boolean} */ isQuick) => {
     const { way, worker, policy, app } = this;
-    const turn = ++this.turn;
     if (this.refusal) return false;
     if (way === "policy") {
       this.runs.policy = { ...nothing(), status: "solved", path: [this.start.slice(0, 2), this.goal] };
-      this.update("plan");
+      app.changed();
       return true;
     }
-    const id = await worker.beginPlan(this.asked, policy, way, withDefaults(way, this.given[way]));
-    if (turn !== this.turn) return false;
+    await worker.beginPlan(this.asked, policy, way, withDefaults(way, this.given[way]), signal);
     const run = (this.runs[way] = { ...nothing(), status: "running" });
     Object.assign(this, { time: 0, edge: null, selected: 0 });
-    this.update("plan");
+    app.changed();
     try {
-      return await this.grow(id, run, turn, isQuick || app.reducedMotion);
+      await this.grow(run, isQuick || app.reducedMotion, signal);
+      return true;
     } catch (error) {
-      // The worker has lost the plan.
+      // It was given up, or the worker has lost it.
       if (this.runs[way] === run) this.runs[way] = nothing();
-      this.update("plan");
+      app.changed();
       throw error;
     }
-  }
+  });
 
-  /**
-   * Lets a roadmap grow to its end.
-   * @param {number} id
-   * @param {Run} run
-   * @param {number} turn
-   * @param {boolean} isQuick
-   * @returns {Promise<boolean>} whether no other one began since
-   */
-  async grow(id, run, turn, isQuick) {
-    const { worker } = this;
+  /** Lets a roadmap grow to its end. @param {Run} run @param {boolean} isQuick @param {AbortSignal} signal */
+  async grow(run, isQuick, signal) {
+    const { worker, app } = this;
     while (run.status === "running") {
-      const progress = await worker.advancePlan(id, isQuick);
-      if (!progress || turn !== this.turn) return false;
+      const progress = await worker.advancePlan(isQuick, signal);
       for (const value of progress.vertices) run.vertices.push(value);
       for (const vertex of progress.edges) run.edges.push(vertex);
       run.refused.push(...progress.refused);
@@ -295,12 +281,10 @@ export class NavigationSession extends Observable {
         result: progress.result,
         path: progress.result?.path ?? [],
       });
-      this.update("growth");
+      app.changed();
     }
-    run.rollouts = await worker.rollouts(id, run.path);
-    if (turn !== this.turn) return false;
-    this.update("plan");
-    return true;
+    run.rollouts = await worker.rollouts(run.path, signal);
+    app.changed();
   }
 
   /**
@@ -309,28 +293,30 @@ export class NavigationSession extends Observable {
    * @returns {Promise<boolean>} whether it has driven
    */
   async drive(isQuick = false) {
-    if (this.run.status === "none" && !(await this.plan(isQuick))) return false;
+    return this.run.status !== "running" && this.driving(isQuick);
+  }
+
+  driving = latest(async (signal, /** @type {boolean} */ isQuick) => {
+    if (this.run.status === "none" && !(await this.planning(isQuick))) return false;
     const { run, way, policy, seed, trials } = this;
     if (run.path.length < 2) return false;
-    const turn = ++this.turn;
-    const drives = await this.worker.drive(this.asked, way === "straight" ? null : policy, run.path, seed, trials);
-    if (turn !== this.turn) return false;
-    Object.assign(run, { drives });
+    const own = way === "straight" ? null : policy;
+    run.drives = await this.worker.drive(this.asked, own, run.path, seed, trials, signal);
     Object.assign(this, { time: 0, selected: 0 });
-    this.update("drives");
+    this.app.changed();
     return true;
-  }
+  });
 
   /** @param {number} time */
   setTime(time) {
     this.time = Math.min(Math.max(0, time), this.end);
-    this.update("time");
+    this.app.changed();
   }
 
   /** Marks a step of the path, or a drive. @param {{ edge?: number | null, selected?: number }} changes */
   select(changes) {
     Object.assign(this, changes);
-    this.update("selected");
+    this.app.changed();
   }
 }
 

@@ -2,6 +2,7 @@
  * A training as the page shows it: its settings, the pool that runs it, its curves, and drives of the policy so far.
  */
 import { Navigation } from "planarium/full";
+import { latest } from "../app/work.js";
 import { TrainingPool } from "./pool.js";
 
 /** @import { Demonstration, NavigationDocument, PolicyDocument } from "planarium/full" */
@@ -36,70 +37,65 @@ export class TrainingRun {
      * @type {"none" | "beginning" | "ready" | "running" | "over" | "refused"}
      */
     this.status = "none";
-    /** Trainings begun. */
-    this.begun = 0;
     /** The drive whose rays are drawn. */
     this.selected = 0;
   }
 
-  /** Begins anew. @throws {Error} the settings are refused */
-  async begin() {
-    const begun = ++this.begun;
+  /** Begins anew, unless the settings are refused. */
+  begin = latest(async (signal) => {
     const { session, pool, given } = this;
     this.status = "beginning";
-    const { generations, demonstrations, floors, policy } = await pool
-      .begin(session.robotDocument, given)
-      .catch((error) => {
-        if (begun === this.begun) {
-          this.status = "refused";
-          session.update("training");
-        }
-        throw error;
+    session.app.changed();
+    try {
+      const { generations, demonstrations, floors, policy } = await pool.begin(session.robotDocument, given, signal);
+      for (const task of this.tasks) task.free();
+      Object.assign(this, {
+        generations,
+        demonstrations,
+        policy,
+        floors,
+        tasks: floors.map((floor) => Navigation.parse(floor)),
+        history: [],
+        generation: 0,
+        fingerprint: "",
+        status: "ready",
+        selected: 0,
       });
-    if (begun !== this.begun) return;
-    for (const task of this.tasks) task.free();
-    Object.assign(this, {
-      generations,
-      demonstrations,
-      policy,
-      floors,
-      tasks: floors.map((floor) => Navigation.parse(floor)),
-      history: [],
-      generation: 0,
-      fingerprint: "",
-      status: "ready",
-      selected: 0,
-    });
-    session.update("training");
-  }
+    } catch (error) {
+      if (!signal.aborted) this.status = "refused";
+      throw error;
+    } finally {
+      session.app.changed();
+    }
+  });
 
   /** Trains until it is paused, or up to a generation. @param {number} [until] */
   async run(until = Infinity) {
     if (this.status !== "ready" || this.generation >= Math.min(until, this.generations)) return;
+    const { pool, session } = this;
+    const { signal } = pool;
     this.status = "running";
-    this.session.update("training");
-    const begun = this.begun;
+    session.app.changed();
     try {
-      await this.pool.run(({ generation, fingerprint, history, demonstrations, policy }) => {
+      await pool.run(({ generation, fingerprint, history, demonstrations, policy }) => {
         for (let at = 0; at < history.length; at += 3)
           this.history.push({ mean: history[at], best: history[at + 1], reached: history[at + 2] });
         Object.assign(this, { generation, fingerprint, demonstrations, policy });
-        this.session.update("generation");
+        session.app.changed();
         return generation < Math.min(until, this.generations);
       });
     } finally {
-      if (begun === this.begun && this.status === "running") {
-        this.status = this.generation < this.generations ? "ready" : "over";
-        this.session.update("training");
-      }
+      if (!signal.aborted) this.status = this.generation < this.generations ? "ready" : "over";
+      session.app.changed();
     }
   }
 
   /** Forgets the training: the next one begins anew. */
   clear() {
-    this.begun++;
-    this.pool.cancel();
+    this.begin.cancel();
+    this.pool.isRunning = false;
     Object.assign(this, { status: "none", generation: 0, fingerprint: "", history: [] });
+    this.session.app.changed();
   }
 
   pause() {

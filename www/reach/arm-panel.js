@@ -3,11 +3,13 @@
  * their ranges.
  */
 import { byId, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { withJoints } from "../domain/coordinates.js";
 import { Slider } from "../widgets/slider.js";
 
 /** @import { ArmRobot, LinkJoint } from "../domain/coordinates.js" */
-/** @import { ReachSession, Change } from "./session.js" */
+/** @import { Robot } from "./robot.js" */
+/** @import { ReachSession } from "./session.js" */
 
 /** Links at most, as in the core. */
 const MOST_LINKS = 8;
@@ -80,12 +82,12 @@ export function showArmPanel(session, onOrientation) {
   takesBack.addEventListener("change", () => {
     session.takesBack = takesBack.checked;
   });
-  session.onChange(show);
+  const differs = comparer();
+  session.app.onShow(show);
 
-  /** @param {Change} what */
-  function show(what) {
+  function show() {
     const { robot, orientation } = session;
-    const { arm, isArm, hasLimits, dimension } = robot;
+    const { dimension } = robot;
     // Controls are rebuilt only if their number differs, so that a slider can be held meanwhile.
     if (kind !== robot.scenario.robot || dimension !== angles.length || fielded !== fieldsOf(session)) build();
     angles.forEach((slider, i) => slider.show(robot.q[i]));
@@ -95,9 +97,13 @@ export function showArmPanel(session, onOrientation) {
     hint.hidden = dimension >= ORIENTED;
     direction.element.hidden = orientation === null;
     if (orientation !== null) direction.show(orientation);
-    if (what !== "robot") return;
+    if (differs("robot", robot)) showRobot(robot);
+  }
+
+  /** @param {Robot} robot */
+  function showRobot({ arm, isArm, hasLimits, dimension, coordinates, joints }) {
     refuse("");
-    angles.forEach((slider, i) => slider.setLimits(robot.coordinates[i].low, robot.coordinates[i].high));
+    angles.forEach((slider, i) => slider.setLimits(coordinates[i].low, coordinates[i].high));
     if (!isArm) return;
     count.show(dimension);
     thickness.show(arm.radius ?? 0);
@@ -107,10 +113,10 @@ export function showArmPanel(session, onOrientation) {
       slider.show(arm.links[i]);
     });
     kinds.forEach((select, i) => {
-      select.value = robot.joints[i].type;
+      select.value = joints[i].type;
     });
     for (const { input, read } of fields) {
-      if (document.activeElement !== input) input.value = read(robot.joints[Number(input.dataset.joint)]).toFixed(2);
+      if (document.activeElement !== input) input.value = read(joints[Number(input.dataset.joint)]).toFixed(2);
     }
   }
 

@@ -13,11 +13,11 @@ import { encodeLink } from "../planner/link/codec.js";
 import { button, press } from "../widgets/elements.js";
 import { small } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
-import { Transport } from "../widgets/transport.js";
+import { Course } from "../widgets/course.js";
 import { DEFAULTS, IkRun } from "./ik-run.js";
 
 /** @import { ParameterInfo, Settings } from "../domain/types.js" */
-/** @import { ReachSession, Change } from "./session.js" */
+/** @import { ReachSession } from "./session.js" */
 
 /** Curves of the chart, at most: the first and the last. */
 const CURVES = 40;
@@ -32,6 +32,8 @@ export class IkPanel {
     this.host = byId("solve", HTMLElement);
     /** The configuration at which the run starts. */
     this.start = session.robot.q;
+    /** The configuration that this panel has set: with another one the run starts anew. @type {unknown} */
+    this.shown = null;
     /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};
     this.isChartDue = pacer(CHART_PAUSE);
@@ -41,7 +43,7 @@ export class IkPanel {
     this.select.addEventListener("change", () => this.choose(this.select.value));
     this.list = byId("solutions", HTMLElement);
     this.options = this.form();
-    this.transport = new Transport(session.app, this.host, {
+    this.course = new Course(session.app, this.host, {
       name: "solve",
       label: "Inverse kinematics",
       unit: "iterations",
@@ -55,7 +57,7 @@ export class IkPanel {
     });
     this.chart = new Chart("errors", "Error, m and rad", { height: 150 });
     byId("charts", HTMLElement).append(this.chart.element);
-    session.onChange((change) => this.follow(change));
+    session.app.onShow(() => this.show());
   }
 
   get isOn() {
@@ -66,14 +68,15 @@ export class IkPanel {
     return this.methods.find(({ id }) => id === this.select.value) ?? this.methods[0];
   }
 
-  /** @param {Change} change */
-  follow(change) {
+  /** Follows the mode and the arm: where the user has moved or changed it, the run starts there. */
+  follow() {
+    const { robot } = this.session;
     if (!this.isOn) {
-      if (this.transport.isPlaying) this.transport.pause();
+      if (this.course.isPlaying) this.course.pause();
       this.drop();
-    } else if (change !== "iterate" && change !== "rest") {
-      // The user moved the arm, or changed it: the run starts there.
-      this.start = this.session.robot.q;
+      this.shown = null;
+    } else if (this.shown !== robot.q) {
+      this.start = robot.q;
       this.begin();
     }
   }
@@ -135,13 +138,15 @@ export class IkPanel {
       const { pointer = "", message = String(error) } = /** @type {{ pointer?: string, message?: string }} */ (error);
       if (!this.options.refuse(pointer, message)) notice.show("Inverse kinematics cannot run.", error);
     }
-    if (session.run) session.moveTo(start, "iterate");
+    if (session.run) session.moveTo(start);
+    this.shown = session.robot.q;
     void this.link();
-    this.update();
+    session.app.changed();
   }
 
   /** @param {number} count @returns {boolean} whether there is more */
   advance(count) {
+    this.follow();
     const { run } = this.session;
     if (!run?.isRunning) return false;
     run.step(count);
@@ -152,24 +157,27 @@ export class IkPanel {
 
   /** Moves the arm to a solution, or with the index -1 to an iterate. @param {number} index @param {Float64Array} q */
   choosePose(index, q) {
-    this.session.chosen = index;
-    this.session.moveTo(q, "iterate");
-    this.update();
+    const { session } = this;
+    session.chosen = index;
+    session.moveTo(q);
+    this.shown = session.robot.q;
   }
 
   /** Shows the state of the run. */
-  update() {
+  show() {
+    this.follow();
+    if (!this.isOn) return;
     const {
       host,
       session,
       session: { run },
-      transport,
+      course,
     } = this;
     const isRunning = run?.isRunning ?? false;
     const [count, free, iterations, restarts] = run
       ? [run.solutions.length, run.freeCount, run.run.iterations, run.run.restarts]
       : [0, 0, 0, 0];
-    transport.enable(isRunning);
+    course.enable(isRunning);
     session.app.write({
       "fact-iterations": grouped(iterations),
       "fact-starts": grouped(restarts + 1),
@@ -183,11 +191,10 @@ export class IkPanel {
       free,
       verdict: isRunning ? "" : (run?.verdict?.verdict ?? ""),
     });
-    if (run && !transport.isPlaying) host.dataset.fingerprint = run.run.fingerprint();
+    if (run && !course.isPlaying) host.dataset.fingerprint = run.run.fingerprint();
     else delete host.dataset.fingerprint;
     this.listSolutions();
-    if (this.isChartDue(!transport.isPlaying)) this.drawChart();
-    session.update("rest");
+    if (this.isChartDue(!course.isPlaying)) this.drawChart();
   }
 
   /** A button for each solution. */
@@ -203,7 +210,7 @@ export class IkPanel {
             "",
             titles[i],
             () => {
-              this.transport.pause();
+              this.course.pause();
               this.choosePose(i, q);
             },
             { ariaLabel: `Solution ${i + 1}${isFree ? "" : ", in collision"}` },

@@ -12,10 +12,10 @@
  *   not end at B.
  */
 import { json } from "../app/files.js";
-import { App } from "../app/app.js";
-import { useLink } from "../app/link.js";
 import { byId } from "../app/dom.js";
-import { watchFiles } from "../app/drop.js";
+import { comparer } from "../app/once.js";
+import { openRoom } from "../app/room.js";
+import { coalesced } from "../app/work.js";
 import { Figure } from "../draw/figure.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
@@ -37,7 +37,8 @@ import { Workspace } from "./workspace.js";
 
 /** @import { Remote } from "../app/worker-client.js" */
 /** @import { Commands } from "./commands.js" */
-/** @import { Change, Mode } from "./session.js" */
+/** @import { Robot } from "./robot.js" */
+/** @import { Mode } from "./session.js" */
 /** @import { State } from "./state.js" */
 
 /** Cells a side of the configuration space: at once, and finely. */
@@ -50,11 +51,8 @@ const MODES = [
   ["solve", "Inverse kinematics"],
 ];
 
-const app = new App();
-/** Whether the worker computes the obstacles of a configuration space. */
-let isComputing = false;
-
-await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
+await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
+  const { app } = room;
   const stage = byId("stage", HTMLElement);
   const session = new ReachSession(app);
   const ik = new IkPanel(session);
@@ -86,21 +84,12 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
   byId("modes", HTMLElement).append(
     ...MODES.map(([mode, title]) => button(`mode-${mode}`, title, () => session.setMode(mode))),
   );
-  /** The scene that was chosen last, while it is loaded. */
-  let wanted = "";
   const thumbnailOf = async (/** @type {string} */ id) => (await sceneOf(id)).document;
   const gallery = makeSceneGallery(
     app,
     [...SCENES, ...BODIES],
     ({ id }) => SCENES.find((own) => own.id === id)?.document ?? thumbnailOf(id),
     ({ id }) => void openScene(id),
-  );
-  watchFiles(app, (name, bytes) =>
-    app.guard(() => {
-      wanted = "";
-      session.open(new TextDecoder().decode(bytes));
-      app.notice.hide();
-    }, `${name} could not be opened.`),
   );
   showDownloads(
     app,
@@ -120,28 +109,68 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     ],
     filmsOf(session, all),
   );
-  session.onChange(show);
-  app.rebuild = () => session.changeArm(session.robot.document);
   session.openScene(SCENES[0]);
-  await useLink(app, stateRule, {
-    save: () => stateOf(session, ik),
-    contents: "the robot, its configuration and the current mode",
-    open: async (/** @type {State | null} */ state) => {
-      if (state) await openState(session, ik, state);
-    },
+  const differs = comparer();
+  /** Has the worker compute the obstacles; while an arm is being changed, only for its last state. */
+  const showFinely = coalesced(async () => {
+    const { robot } = session;
+    if (robot.dimension !== 2) return;
+    const cells = await app.track(worker.cspace(robot.document, CELLS.fine));
+    if (session.robot !== robot || !cells) return;
+    figures.square.drawing.setCells(cells, CELLS.fine);
+    stage.dataset.cells = "true";
+    figures.square.redraw();
   });
+  return {
+    show,
+    rebuild: () => session.changeArm(session.robot.document),
+    rule: stateRule,
+    link: {
+      save: () => stateOf(session, ik),
+      contents: "the robot, its configuration and the current mode",
+      open: async (/** @type {State | null} */ state) => {
+        if (state) await openState(session, ik, state);
+      },
+    },
+    openFile: ({ text }) => session.open(text),
+  };
 
-  /** Opens a scene, unless another one is chosen while it is loaded. @param {string} id */
-  async function openScene(id) {
-    wanted = id;
-    const entry = await app.track(sceneOf(id));
-    if (!entry || wanted !== id) return;
-    app.notice.hide();
-    session.openScene(entry);
+  /** @param {string} id */
+  function openScene(id) {
+    return room.open(async (signal) => {
+      const entry = await sceneOf(id);
+      signal.throwIfAborted();
+      session.openScene(entry);
+    });
   }
 
-  /** @param {Change} change */
-  function show(change) {
+  /** @param {Mode} mode */
+  function showMode(mode) {
+    for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
+    for (const element of document.querySelectorAll("main [data-mode]"))
+      if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
+  }
+
+  /** @param {Robot} robot */
+  function showRobot(robot) {
+    const [who, axis] = robot.isArm ? ["arm", "joint"] : ["body", "coordinate"];
+    figures.workspace.note.textContent = `the ${who} and its obstacles`;
+    figures.axes.note.textContent = `one axis per ${axis}`;
+    figures.square.note.textContent = robot.slides ? "each point: two coordinates" : "each point: two joint angles";
+    byId("mode-solve", HTMLElement).hidden = !robot.isArm;
+    for (const figure of all) figure.redraw();
+    showRoughly(robot);
+  }
+
+  /** Shows the obstacles of the configuration space, roughly at once and finely later. @param {Robot} robot */
+  function showRoughly(robot) {
+    if (robot.dimension !== 2) return;
+    stage.dataset.cells = "false";
+    figures.square.drawing.setCells(robot.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
+    void showFinely();
+  }
+
+  function show() {
     const { robot, mode, entry, tipGoal } = session;
     const {
       ellipse: { major, minor, manipulability },
@@ -165,19 +194,10 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
       });
     figures.square.element.hidden = !isSquare;
     figures.axes.element.hidden = isSquare;
-    for (const figure of all) figure.redraw(change === "robot" ? undefined : ["top"]);
-    if (change === "robot") {
-      const [who, axis] = robot.isArm ? ["arm", "joint"] : ["body", "coordinate"];
-      figures.workspace.note.textContent = `the ${who} and its obstacles`;
-      figures.axes.note.textContent = `one axis per ${axis}`;
-      figures.square.note.textContent = robot.slides ? "each point: two coordinates" : "each point: two joint angles";
-      byId("mode-solve", HTMLElement).hidden = !robot.isArm;
-      gallery.mark(entry?.id ?? null);
-      if (isSquare) void showObstacles();
-    }
-    for (const [one] of MODES) press(byId(`mode-${one}`, HTMLElement), one === mode);
-    for (const element of document.querySelectorAll("main [data-mode]"))
-      if (element instanceof HTMLElement) element.hidden = element.dataset.mode !== mode;
+    if (differs("robot", robot)) showRobot(robot);
+    if (differs("scene", entry)) gallery.mark(entry?.id ?? null);
+    if (differs("mode", mode)) showMode(mode);
+    for (const figure of all) figure.redraw(["top"]);
     const collision = collisionText(session);
     app.write({
       where: `${robot.document.title ?? robot.document.name} \u00b7 ${robotText(robot)}`,
@@ -189,26 +209,8 @@ await app.open("reach", async (/** @type {Remote<Commands>} */ worker) => {
     });
     byId("fact-collision", HTMLElement).dataset.free = String(robot.check.free);
     const { text, isBad } = sentenceOf(session);
-    app.say(text, { isBad, isSilent: ik.transport.isPlaying });
+    app.say(text, { isBad, isSilent: ik.course.isPlaying });
     const description = descriptionOf(session);
     for (const figure of all) figure.describe(`${figure.caption.textContent}: ${description}`);
-  }
-
-  /** Shows the obstacles of the configuration space, roughly at once and finely once the worker has computed them. */
-  async function showObstacles() {
-    const { robot } = session;
-    const { square } = figures;
-    stage.dataset.cells = "false";
-    square.drawing.setCells(robot.scenario.cspace({ width: CELLS.rough, height: CELLS.rough }), CELLS.rough);
-    // While an arm is being changed, only its last state is computed.
-    if (isComputing) return;
-    isComputing = true;
-    const cells = await app.track(worker.cspace(robot.document, CELLS.fine));
-    isComputing = false;
-    if (session.robot === robot && cells) {
-      square.drawing.setCells(cells, CELLS.fine);
-      stage.dataset.cells = "true";
-      square.redraw();
-    } else if (session.robot !== robot && session.robot.dimension === 2) void showObstacles();
   }
 });

@@ -1,10 +1,11 @@
 /** The motion from A to B: setting its ends, the way round of each angle, and playing it. */
 import { byId, make } from "../app/dom.js";
+import { comparer } from "../app/once.js";
 import { button, press } from "../widgets/elements.js";
-import { Transport } from "../widgets/transport.js";
+import { Course } from "../widgets/course.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
-/** @import { ReachSession, Change } from "./session.js" */
+/** @import { ReachSession } from "./session.js" */
 /** @import { Direction } from "./motion.js" */
 
 /** The part of the motion in a step. */
@@ -14,21 +15,7 @@ const DIRECTIONS = ["short", "long", "faulty"];
 
 /** @param {ReachSession} session @param {HTMLElement} stage   on which Space plays too */
 export function showMotionPanel(session, stage) {
-  const slider = make("input", {
-    type: "range",
-    id: "along",
-    className: "timeline",
-    min: "0",
-    max: "1",
-    step: "0.001",
-    value: "0",
-    ariaLabel: "Progress from A to B",
-  });
-  slider.addEventListener("input", () => {
-    transport.pause();
-    session.setProgress(Number(slider.value));
-  });
-  const transport = new Transport(session.app, byId("between", HTMLElement), {
+  const course = new Course(session.app, byId("between", HTMLElement), {
     name: "between",
     label: "The motion from A to B",
     unit: "percent",
@@ -37,22 +24,22 @@ export function showMotionPanel(session, stage) {
     fastest: 200,
     pace: 28,
     isWhole: false,
-    advance: (count) => {
-      session.setProgress(session.progress + count * STEP);
-      return session.progress < 1;
+    axis: {
+      id: "along",
+      label: "Progress from A to B",
+      end: () => 1,
+      time: () => session.progress,
+      seek: (progress) => session.setProgress(progress),
+      unit: STEP,
+      grain: "0.001",
+      text: (progress) => `${Math.round(100 * progress)} percent`,
     },
-    reset: () => session.setProgress(0),
     paceText: (pace) => `${(1 / (pace * STEP)).toFixed(1)} s`,
-  });
-  transport.bar.prepend(slider);
-  // From its end it starts again.
-  transport.play.addEventListener("click", () => {
-    if (transport.isPlaying && session.progress >= 1) session.setProgress(0);
   });
   stage.addEventListener("keydown", (event) => {
     if (session.mode !== "between" || event.target !== stage || event.key !== " ") return;
     event.preventDefault();
-    transport.play.click();
+    course.toggle();
   });
   const rounds = byId("rounds", HTMLElement);
   const onClick = (/** @type {string} */ id, /** @type {() => Partial<ReachSession>} */ changes) =>
@@ -66,24 +53,21 @@ export function showMotionPanel(session, stage) {
       progress: 0,
     }));
   }
-  session.onChange(show);
+  const differs = comparer();
+  session.app.onShow(show);
 
   /** @param {Partial<ReachSession>} changes */
   function change(changes) {
-    transport.pause();
+    course.pause();
     Object.assign(session, changes);
     if (session.mode === "between") session.setProgress(session.progress);
-    session.update("rest");
+    session.app.changed();
   }
 
-  /** @param {Change} what */
-  function show(what) {
-    const { mode, progress, robot, directions } = session;
-    if (mode !== "between" && transport.isPlaying) transport.pause();
-    if (!slider.matches(":active")) slider.value = String(progress);
-    slider.setAttribute("aria-valuetext", `${Math.round(100 * progress)} percent`);
-    if (what === "pose" || what === "iterate") return;
-    if (what === "robot") rounds.replaceChildren(...robot.coordinates.map(rowOf));
+  function show() {
+    const { mode, robot, directions } = session;
+    if (mode !== "between" && course.isPlaying) course.pause();
+    if (differs("robot", robot)) rounds.replaceChildren(...robot.coordinates.map(rowOf));
     [...rounds.children].forEach((row, i) => {
       for (const element of row.querySelectorAll("button")) press(element, element.dataset.direction === directions[i]);
     });

@@ -1,5 +1,4 @@
 /** The state of the page: the robot, the mode, the configurations A and B, and the target. */
-import { Observable } from "../app/observable.js";
 import { Robot } from "./robot.js";
 import { Motion } from "./motion.js";
 import { SCENES } from "./scenes.js";
@@ -23,19 +22,13 @@ import { SCENES } from "./scenes.js";
  * @typedef {{ i: number, angle: number, check: Check }} Refusal
  */
 
-/**
- * The robot itself; its configuration, by the user or by inverse kinematics; another mode; or anything else.
- * @typedef {"robot" | "pose" | "iterate" | "mode" | "rest"} Change
- */
-
 /** The part of its reach by which another configuration must come nearer for the arm to be stuck. */
 const STUCK = 1e-3;
 
-/** @extends {Observable<Change>} */
-export class ReachSession extends Observable {
+export class ReachSession {
   /** @param {App} app */
   constructor(app) {
-    super(app);
+    this.app = app;
     const [entry] = SCENES;
     this.robot = new Robot(entry.document, entry.q);
     /** The scene, unless it is a file. @type {SceneEntry | null} */
@@ -113,14 +106,14 @@ export class ReachSession extends Observable {
     this.robot.free();
     Object.assign(this, { ...changes, robot, tipGoal: null, refusal: null });
     if (robot.dimension < 3) this.orientation = null;
-    this.update("robot");
+    this.app.changed();
   }
 
-  /** @param {ArrayLike<number>} q @param {Change} [change] @param {TipGoal | null} [tipGoal] */
-  moveTo(q, change = "pose", tipGoal = null) {
+  /** @param {ArrayLike<number>} q @param {TipGoal | null} [tipGoal] */
+  moveTo(q, tipGoal = null) {
     this.robot.moveTo(q);
     Object.assign(this, { tipGoal, refusal: null });
-    this.update(change);
+    this.app.changed();
   }
 
   /** @param {number} i @param {number} value */
@@ -139,7 +132,7 @@ export class ReachSession extends Observable {
     const collides = () => (robot.check.free ? robot.scenario.firstHit(robot.q, q) !== null : !robot.isFree(q));
     if (!takesBack || !collides()) return this.moveTo(q);
     this.refusal = { i, angle, check: robot.scenario.check(q) };
-    this.update("rest");
+    this.app.changed();
   }
 
   /** Moves the tip to a point, or as near as it gets. @param {Point} wanted */
@@ -150,7 +143,7 @@ export class ReachSession extends Observable {
     // With a link that slides only the arm's own way there is known.
     const nearest = reached || robot.slides ? null : robot.scenario.nearestReachable(wanted, orientation);
     const isStuck = nearest !== null && nearest.distance < distance - STUCK * robot.reach;
-    this.moveTo(configuration, "pose", {
+    this.moveTo(configuration, {
       wanted,
       reached,
       isStuck,
@@ -160,10 +153,9 @@ export class ReachSession extends Observable {
 
   /** @param {Mode} mode */
   setMode(mode) {
-    const change = mode === this.mode ? "rest" : "mode";
     Object.assign(this, { mode, tipGoal: null, refusal: null });
     if (mode === "between") this.setProgress(0);
-    this.update(change);
+    this.app.changed();
   }
 
   /** The motion from A to B. @returns {Motion} */

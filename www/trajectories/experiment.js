@@ -1,5 +1,5 @@
-/** The experiment as the page has received it. Replies for an abandoned experiment are dropped. */
-
+/** The experiment as the page has received it. */
+import { latest } from "../app/work.js";
 import { rowsOf } from "../domain/coordinates.js";
 
 /** @import { TrajectoriesResult, TrajectoryOptions } from "planarium/full" */
@@ -39,35 +39,24 @@ export class Experiment {
     return this.result?.status === "running";
   }
 
-  /**
-   * @param {TrajectoryOptions} options
-   * @returns {Promise<boolean>}  false: another one has begun since
-   * @throws {Error} they are refused
-   */
-  async begin(options) {
-    const epoch = ++this.epoch;
-    const result = await this.worker.begin(options);
-    if (epoch !== this.epoch) return false;
+  /** Begins another experiment, unless its options are refused. */
+  begin = latest(async (signal, /** @type {TrajectoryOptions} */ options) => {
+    this.advance.cancel();
+    const result = await this.worker.begin(options, signal);
+    this.epoch++;
     Object.assign(this, { options, result, accepted: [], rejected: null, isLastRejected: false });
-    return true;
-  }
+  });
 
-  /**
-   * @param {number} count  tries
-   * @param {() => void} onProgress
-   * @returns {Promise<boolean>} whether more tries can be made
-   */
-  async advance(count, onProgress) {
-    const { epoch } = this;
+  /** Makes some tries. Resolves to whether more can be made. */
+  advance = latest(async (signal, /** @type {number} */ count, /** @type {() => void} */ onProgress) => {
     for (let left = count; left > 0 && this.isRunning;) {
-      const progress = await this.worker.advance(left);
-      if (epoch !== this.epoch) return false;
+      const progress = await this.worker.advance(left, signal);
       left -= progress.done;
       this.add(progress);
       onProgress();
     }
     return this.isRunning;
-  }
+  });
 
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {

@@ -7,16 +7,15 @@
  * `data-fingerprint`. Each frame leaves a measure "trajectories-frame".
  */
 import { withSeed } from "../widgets/field.js";
-import { randomSeed, trajectoryOptions } from "planarium/full";
-import { App } from "../app/app.js";
-import { useLink } from "../app/link.js";
+import { trajectoryOptions } from "planarium/full";
+import { openRoom } from "../app/room.js";
 import { byId, grouped } from "../app/dom.js";
 import { Figure } from "../draw/figure.js";
 import { csvFile } from "../formats/csv.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
-import { Transport } from "../widgets/transport.js";
+import { Course } from "../widgets/course.js";
 import { makeCharts } from "./charts.js";
 import { Experiment, WINDOW, movingAverage } from "./experiment.js";
 import { filmsOf } from "./films.js";
@@ -34,13 +33,10 @@ import { stateRule } from "./state.js";
 const SHOWN = ["seed", "model", "count", "fastest", "greatest_turn_rate", "least_turn_rate"];
 /** Tries of each call on the way to the end. */
 const AT_ONCE = 5000;
-/** New seeds are below this: short enough to say aloud. */
-const SEEDS = 100_000;
 const COLUMNS = ["x", "y", "theta", "v", "w", "duration", "tries", "milliseconds", "average"];
 
-const app = new App();
-
-await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) => {
+await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) => {
+  const { app } = room;
   const stage = byId("stage", HTMLElement);
   const experiment = new Experiment(worker);
   const plane = new Plane(experiment);
@@ -49,11 +45,13 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   const particle = new Particle(app, byId("single", HTMLElement));
   const table = /** @type {ParameterInfo[]} */ ([...withSeed([], "experiment"), ...trajectoryOptions()]);
   let options = form({});
+  /** Whether the settings are not valid. */
+  let isRefused = false;
   let frameStart = 0;
   let animationStart = 0;
   let wasMoving = false;
 
-  const transport = new Transport(
+  const course = new Course(
     app,
     byId("course", HTMLElement),
     {
@@ -64,7 +62,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       slowest: 1,
       fastest: 20_000,
       pace: 120,
-      advance: (count) => experiment.advance(transport.isFinishing ? Math.max(count, AT_ONCE) : count, showProgress),
+      advance: (count) => experiment.advance(course.isFinishing ? Math.max(count, AT_ONCE) : count, showProgress),
       reset: () => void restart(),
       canFinish: true,
     },
@@ -81,19 +79,12 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     },
     { className: "quiet", ariaPressed: "false" },
   );
-  transport.bar.append(animate);
-  const newSeed = byId("new-seed", HTMLButtonElement);
-  newSeed.disabled = false;
-  newSeed.addEventListener("click", async () => {
-    options = form({ ...options.given, seed: randomSeed() % SEEDS });
-    if (await restart()) transport.setPlaying(true);
-  });
-
+  course.bar.append(animate);
   app.onFrame((now) => {
     frameStart = performance.now();
     plane.now = now;
     if (plane.moment !== null) plane.moment = (Math.max(0, now - animationStart) / 1000) % plane.round;
-    plane.isStill = app.reducedMotion || !transport.isPlaying;
+    plane.isStill = app.reducedMotion || !course.isPlaying;
     const isMoving = plane.isMoving(now);
     if (isMoving || wasMoving) figure.redraw(["top"]);
     wasMoving = isMoving;
@@ -106,8 +97,8 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       layers: { ground },
     } = figure;
     if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
-    drawCharts(!transport.isPlaying && app.pending === 0);
-    show();
+    stage.dataset.drawn = String(plane.drawn);
+    drawCharts(!course.isPlaying && app.pending === 0);
     performance.measure("trajectories-frame", { start: frameStart });
   });
 
@@ -129,14 +120,20 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     ],
     filmsOf(experiment, figure),
   );
-  app.rebuild = restart;
-  await app.track(
-    useLink(app, stateRule, {
+  return {
+    show,
+    rebuild: restart,
+    rule: stateRule,
+    link: {
       save: () => ({ given: options.given, tried: experiment.result?.iterations ?? 0, one: particle.movement }),
       open,
       contents: "the settings, the seed and the number of tries",
-    }),
-  );
+    },
+    reseed: async (seed) => {
+      options = form({ ...options.given, seed });
+      if (await restart()) course.setPlaying(true);
+    },
+  };
 
   /** The settings as a form. @param {Settings} given */
   function form(given) {
@@ -145,33 +142,39 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
 
   function showProgress() {
     figure.redraw(["top"]);
+    app.changed();
     if (!experiment.isRunning) app.announcer.say(sentence(""));
   }
 
   /** Starts an experiment with the settings of the form. @returns {Promise<boolean>} */
   async function restart() {
-    transport.pause();
-    if (!options.settings) return refuse();
+    const { settings } = options;
+    course.pause();
+    if (!settings) return refuse();
     app.notice.hide();
-    const isBegun = await app.track(
-      experiment.begin(/** @type {TrajectoryOptions} */ (options.settings)).catch((error) => {
-        if (error.code !== "internal" && options.refuse(error.pointer, error.message)) return refuse();
-        throw error;
-      }),
+    const isBegun = await room.attempt(
+      async () => {
+        await experiment.begin(/** @type {TrajectoryOptions} */ (settings));
+        return true;
+      },
+      (pointer, message) => options.refuse(pointer, message) && !refuse(),
     );
     if (!isBegun) return false;
-    transport.enable(true);
+    isRefused = false;
+    course.enable(true);
     animationStart = performance.now();
-    Object.assign(stage.dataset, { status: "running", begun: experiment.epoch });
+    app.changed();
     figure.redraw();
     return true;
   }
 
   /** The settings are not valid: the experiment stays on the page but stops. */
   function refuse() {
-    experiment.epoch++;
-    transport.enable(false);
-    stage.dataset.status = "refused";
+    experiment.begin.cancel();
+    experiment.advance.cancel();
+    course.enable(false);
+    isRefused = true;
+    app.changed();
     return false;
   }
 
@@ -184,7 +187,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     particle.set(one);
     if (await restart()) {
       if (state || app.reducedMotion) await experiment.advance(state ? tried : Infinity, showProgress);
-      else transport.setPlaying(true);
+      else course.setPlaying(true);
       figure.redraw(["top"]);
     } else if (state) throw new Error("Its settings are not valid.");
   }
@@ -197,14 +200,13 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       isLastRejected,
       options: { count = 1000, model, seed = 0 },
     } = experiment;
+    if (isRefused || result) stage.dataset.status = isRefused ? "refused" : result?.status;
     if (!result) return;
     const last = result.iterations === 0 ? "none" : isLastRejected ? "refused" : "accepted";
-    const status = stage.dataset.status === "refused" ? "refused" : result.status;
     Object.assign(stage.dataset, {
-      status,
+      begun: experiment.epoch,
       accepted: accepted.length,
       tried: result.iterations,
-      drawn: plane.drawn,
       last,
       fingerprint: result.fingerprint,
     });
@@ -219,7 +221,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       "fact-time":
         accepted.length === 0 ? "\u2013" : microseconds === 0 ? "too short" : `${microseconds.toFixed(0)} \u00b5s`,
       "fact-pairs": grouped(result.pairs),
-      "fact-fingerprint": transport.isPlaying ? "\u2013" : result.fingerprint,
+      "fact-fingerprint": course.isPlaying ? "\u2013" : result.fingerprint,
       where: `${model === "spiral" ? "Spirals" : "Arcs"} \u00b7 seed ${seed}`,
     });
     app.say(sentence(last), { isSilent: true });
@@ -229,7 +231,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
   /** @param {string} last  the outcome of the last try */
   function sentence(last) {
     const { result, rejected, accepted } = experiment;
-    if (stage.dataset.status === "refused") return "These settings are not valid; see the message in the panel.";
+    if (isRefused) return "These settings are not valid; see the message in the panel.";
     const total = grouped(result?.iterations ?? 0);
     if (result?.status === "solved") {
       const found = `${grouped(accepted.length)} trajectories, no two of which cross, after ${total} tries.`;
@@ -237,7 +239,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     }
     if (result?.status === "exhausted")
       return `Stopped after ${total} tries with ${grouped(accepted.length)} accepted: hardly anything fits between them.`;
-    if (!transport.isPlaying && last === "refused" && rejected)
+    if (!course.isPlaying && last === "refused" && rejected)
       return `The last trajectory was rejected: it crosses number ${grouped(rejected.other + 1)}.`;
     return "Rejection sampling: random trajectories are added one by one, and each one that crosses an earlier one is rejected.";
   }

@@ -45,7 +45,7 @@ async function sessionOf(state) {
               run.solutions.findIndex(({ isFree }) => isFree),
             );
       session.chosen = index;
-      session.moveTo(run.solutions[index]?.q ?? run.last.q, "iterate");
+      session.moveTo(run.solutions[index]?.q ?? run.last.q);
     },
   };
   await openState(session, /** @type {IkPanel} */ (/** @type {unknown} */ (panel)), state);

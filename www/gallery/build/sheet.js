@@ -43,7 +43,7 @@ export const PALETTE = /** @type {Palette} */ (
 
 /** The application, as far as a session needs one to compute. */
 export const NO_APP = /** @type {App} */ (
-  /** @type {unknown} */ ({ track: (/** @type {unknown} */ promise) => promise, requestFrame() {} })
+  /** @type {unknown} */ ({ track: (/** @type {unknown} */ promise) => promise, changed() {} })
 );
 
 /** A drawing of a pane. @typedef {(brush: Brush) => void} Pane */

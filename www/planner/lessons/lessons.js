@@ -1,15 +1,15 @@
 /**
  * Lessons: each step asks a question above the stage, and Run runs the planner. Once that pauses, the step shows the
  * answer. Every step has an address, `#lesson=ID.STEP`, counted from 1.
- *
- * For tests: `#lesson` carries `data-shown`, "question", "run" or "answer".
  */
 import { LESSONS, beginningOf, stageAt } from "./script.js";
 import { SCENES } from "../scenes/scenes.js";
 import { byId, make } from "../../app/dom.js";
 import { setAddress } from "../../app/link.js";
 import { button } from "../../widgets/elements.js";
+import { LessonBand } from "../../widgets/lesson.js";
 
+/** @import { Shown } from "../../widgets/lesson.js" */
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
 /** @import { SceneEntry, State } from "../../domain/types.js" */
@@ -23,33 +23,13 @@ export class Lessons {
     /** @type {Lesson | null} */
     this.lesson = null;
     this.at = 0;
-    /** @type {"question" | "run" | "answer"} */
+    /** @type {Shown} */
     this.shown = "question";
-    this.title = make("strong", {});
-    this.count = make("span", { className: "hint" });
-    this.legend = make("legend", {});
-    this.choices = make("div", { className: "choices" });
-    this.question = make("fieldset", {}, this.legend, this.choices);
-    this.verdict = make("strong", {});
-    this.text = make("span", {});
-    this.outcome = make("p", { className: "outcome" }, this.verdict, " ", this.text);
-    this.run = button("lesson-run", "Run", () => void page.app.track(this.play(), "This step could not be run."));
-    this.back = button("lesson-previous", "Previous", () => void this.put(this.at - 1));
-    this.next = button("lesson-next", "", () => {
-      if (this.isLast) this.leave();
-      else void this.put(this.at + 1);
+    this.band = new LessonBand("Lesson", {
+      run: () => void page.app.track(this.play(), "This step could not be run."),
+      move: (by) => void this.put(this.at + by),
+      leave: () => this.leave(),
     });
-    const leave = button("lesson-leave", "Exit", () => this.leave());
-    leave.className = "quiet";
-    const head = make("p", { className: "head" }, this.title, " ", this.count);
-    const words = make("div", {}, head, this.question, make("div", { role: "status" }, this.outcome));
-    this.band = make(
-      "section",
-      { id: "lesson", className: "lesson", ariaLabel: "Lesson", hidden: true },
-      words,
-      make("div", { className: "buttons" }, this.run, this.back, this.next, leave),
-    );
-    byId("story", HTMLElement).before(this.band);
     const list = make(
       "ul",
       {},
@@ -59,7 +39,7 @@ export class Lessons {
           {},
           button(`lesson-${lesson.id}`, lesson.title, () => {
             void this.put(0, lesson);
-            this.run.focus();
+            this.band.run.focus();
           }),
         ),
       ),
@@ -88,14 +68,10 @@ export class Lessons {
     );
   }
 
-  get isLast() {
-    return this.at + 1 === this.lesson?.steps.length;
-  }
-
   leave() {
     this.lesson = null;
     this.shown = "question";
-    this.band.hidden = true;
+    this.band.hide();
     setAddress("");
     byId("stage", HTMLElement).focus();
   }
@@ -110,19 +86,8 @@ export class Lessons {
     if (!lesson) return;
     this.lesson = lesson;
     this.at = step;
-    const { question, choices } = lesson.steps[step];
-    this.title.textContent = lesson.title;
-    this.count.textContent = `${step + 1} of ${lesson.steps.length}`;
-    this.legend.textContent = question;
-    this.choices.replaceChildren(
-      ...choices.map((choice, i) =>
-        make("label", {}, make("input", { type: "radio", name: "lesson-choice", value: String(i) }), " ", choice),
-      ),
-    );
-    this.back.disabled = step === 0;
-    this.next.textContent = this.isLast ? "Finish" : "Next";
-    this.band.hidden = false;
-    this.show("question");
+    this.shown = "question";
+    this.band.ask(lesson.title, lesson.steps[step], step, lesson.steps.length);
     setAddress(`#lesson=${lesson.id}.${step + 1}`);
     try {
       const isShown = await this.arrive();
@@ -175,26 +140,12 @@ export class Lessons {
     return (status !== "running" || clock.now >= (this.rest ?? Infinity)) && this.isThere;
   }
 
-  /** Shows the question, or also the answer. @param {"question" | "run" | "answer"} shown */
+  /** Shows the question, or also the answer. @param {Shown} shown */
   show(shown) {
     const { lesson } = this;
     if (!lesson) return;
-    this.shown = this.band.dataset.shown = shown;
-    const isAnswered = shown === "answer";
-    const { choices, answer, text } = lesson.steps[this.at];
-    this.question.disabled = shown !== "question";
-    this.run.disabled = shown === "run";
-    this.run.textContent = isAnswered ? "Run again" : "Run";
-    this.run.className = isAnswered ? "" : "primary";
-    this.next.className = isAnswered ? "primary" : "";
-    const chosen = /** @type {HTMLInputElement | null} */ (this.choices.querySelector("input:checked"));
-    this.verdict.textContent = !isAnswered
-      ? ""
-      : chosen?.value === String(answer)
-        ? "Correct."
-        : `Answer: ${choices[answer].toLowerCase()}.`;
-    this.text.textContent = isAnswered ? text : "";
-    this.outcome.hidden = !isAnswered;
+    this.shown = shown;
+    this.band.show(shown, shown === "answer" ? lesson.steps[this.at].text : "");
   }
 
   /** Whether the page shows the scene of the step with its planner. */

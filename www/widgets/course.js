@@ -1,11 +1,13 @@
 /**
- * Play, pause, step and speed for whatever a page plays, counted in its own units.
+ * Play, pause, step and speed for what a page plays, counted in its own units. With an axis it also shows the time and
+ * seeks, and playing from the end starts again.
  *
  * For tests: the play button carries `data-playing`.
  */
 import { grouped, make, makeSvg } from "../app/dom.js";
 import { watchKeys } from "../app/keys.js";
 import { button, labelled } from "./elements.js";
+import { num } from "./format.js";
 
 /** @import { App } from "../app/app.js" */
 
@@ -18,12 +20,27 @@ import { button, labelled } from "./elements.js";
  * @property {number} slowest    units a second
  * @property {number} fastest
  * @property {number} pace       at first
- * @property {(count: number) => boolean | Promise<boolean>} advance   moves on by so many units; returns whether there
- *   is more
- * @property {() => void} reset
+ * @property {(count: number) => boolean | Promise<boolean>} [advance]   moves on by a number of units; returns whether
+ *   there is more. With an axis it seeks where absent
+ * @property {() => void} [reset]   with an axis it seeks its start where absent
+ * @property {Axis} [axis]
  * @property {boolean} [canFinish]   has it a button that runs to the end?
  * @property {boolean} [isWhole]   are the units counted whole? true where absent
  * @property {(pace: number) => string} [paceText]
+ */
+
+/**
+ * The time axis.
+ * @typedef {object} Axis
+ * @property {string} id
+ * @property {string} label
+ * @property {() => number} end
+ * @property {() => number} time
+ * @property {(time: number) => void} seek
+ * @property {number} [unit]   the part of the axis in a unit of the playback; 1 where absent
+ * @property {string} [grain]   the step of the slider; any where absent
+ * @property {(time: number, end: number) => string} [text]   for screen readers; in seconds where absent
+ * @property {() => boolean} [isReady]   can it be played? true where absent
  */
 
 /** Milliseconds of a frame spent on running to the end, and units of each call. */
@@ -32,7 +49,7 @@ const AT_ONCE = 50;
 /** Seconds between two frames that count, at most. */
 const LONGEST = 0.1;
 
-export class Transport {
+export class Course {
   /**
    * @param {App} app
    * @param {HTMLElement} host
@@ -40,7 +57,7 @@ export class Transport {
    * @param {HTMLElement[]} [keyTargets]  elements on which keys work, beside the bar
    */
   constructor(app, host, playback, keyTargets = []) {
-    const { name, label, steps, canFinish = false } = playback;
+    const { name, label, steps, axis, canFinish = false } = playback;
     this.app = app;
     this.playback = playback;
     this.isPlaying = false;
@@ -93,6 +110,8 @@ export class Transport {
         this.speedText,
       ),
     );
+    this.slider = axis ? this.sliderOf(axis) : null;
+    if (this.slider) this.bar.prepend(this.slider);
     host.append(labelled("toolbar", label, this.bar));
     this.showSpeed();
     this.setPlaying(false);
@@ -102,6 +121,36 @@ export class Transport {
       ".": () => this.step(steps[0]),
     });
     app.onFrame((now) => this.move(now));
+    app.onShow(() => this.show());
+  }
+
+  /** @param {Axis} axis */
+  sliderOf({ id, label, grain = "any" }) {
+    const slider = make("input", { type: "range", id, className: "timeline", min: "0", step: grain, ariaLabel: label });
+    slider.addEventListener("input", () => this.seek(Number(slider.value)));
+    return slider;
+  }
+
+  /** Shows the time on the axis. */
+  show() {
+    const {
+      slider,
+      playback: { axis },
+    } = this;
+    if (!axis || !slider) return;
+    const { text = secondsText, isReady = () => true } = axis;
+    const [time, end] = [axis.time(), axis.end()];
+    const isEnabled = end > 0 && isReady();
+    this.enable(isEnabled);
+    Object.assign(slider, { disabled: !isEnabled, max: String(end || 1) });
+    if (!slider.matches(":active")) slider.value = String(time);
+    slider.setAttribute("aria-valuetext", text(time, end));
+  }
+
+  /** Pauses, and shows another time of the axis. @param {number} time */
+  seek(time) {
+    this.pause();
+    this.playback.axis?.seek(time);
   }
 
   /** Units a second. */
@@ -119,8 +168,12 @@ export class Transport {
     this.speed.setAttribute("aria-valuetext", paceText?.(pace) ?? `${number} ${unit} a second`);
   }
 
+  /** Plays or pauses; from the end it starts again. */
   toggle() {
-    if (!this.play.disabled) this.setPlaying(!this.isPlaying);
+    if (this.play.disabled) return;
+    const { axis } = this.playback;
+    if (!this.isPlaying && axis && axis.time() >= axis.end()) axis.seek(0);
+    this.setPlaying(!this.isPlaying);
   }
 
   pause() {
@@ -135,7 +188,7 @@ export class Transport {
     this.last = performance.now();
     this.play.dataset.playing = String(isPlaying);
     this.word.textContent = isPlaying ? "Pause" : "Play";
-    this.app.requestFrame();
+    this.app.changed();
   }
 
   /** @param {number} count */
@@ -146,8 +199,10 @@ export class Transport {
   }
 
   restart() {
+    const { reset, axis } = this.playback;
     this.pause();
-    this.playback.reset();
+    if (reset) reset();
+    else axis?.seek(0);
   }
 
   /** Enables or disables the controls. @param {boolean} isReady */
@@ -182,11 +237,25 @@ export class Transport {
       this.isBusy = false;
       if (!isMore && this.isPlaying) this.pause();
     };
-    const result = this.app.guard(() => this.playback.advance(count));
+    const { advance = (/** @type {number} */ units) => this.moveAlong(units) } = this.playback;
+    const result = this.app.guard(() => advance(count));
     this.isBusy = result instanceof Promise;
     if (result instanceof Promise) void this.app.track(result).then(goOn);
     else goOn(result);
   }
+
+  /** Moves along the axis. @param {number} count */
+  moveAlong(count) {
+    const { axis } = this.playback;
+    if (!axis) return false;
+    axis.seek(axis.time() + count * (axis.unit ?? 1));
+    return axis.time() < axis.end();
+  }
+}
+
+/** @param {number} time @param {number} end */
+function secondsText(time, end) {
+  return `${num(time, 1)} of ${num(end, 1)} seconds`;
 }
 
 /** @param {string} name @param {string} path */

@@ -142,14 +142,6 @@ await app.open("fleet", async (/** @type {Remote<Commands>} */ worker) => {
   );
   const exportResult = byId("export-result", HTMLButtonElement);
 
-  app.onDraw(() => {
-    // Edges are drawn on top of the others, unless all are redrawn.
-    const {
-      palette,
-      layers: { ground },
-    } = figure;
-    if (!figure.dirty.has("ground") && session.document) floor.append({ context: ground.context, palette });
-  });
   session.onChange(show);
   app.onTheme(recolour);
   app.rebuild = () => void app.track(session.load(session.source, { order: session.order, isQuick: true }));

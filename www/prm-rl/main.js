@@ -258,12 +258,6 @@ await app.open("prm-rl", async (/** @type {Remote<Commands>} */ worker) => {
   app.onDraw(() => {
     drawCharts();
     drawSwing();
-    const {
-      palette,
-      layers: { ground },
-    } = figures.floor;
-    if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan")
-      floor.append({ context: ground.context, palette });
   });
   session.onChange(show);
   app.rebuild = () => {

@@ -100,12 +100,6 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
     return isMoving;
   });
   app.onDraw(() => {
-    // New trajectories are drawn on top of the others, unless all are redrawn.
-    const {
-      palette,
-      layers: { ground },
-    } = figure;
-    if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
     drawCharts(!transport.isPlaying && app.pending === 0);
     show();
     performance.measure("trajectories-frame", { start: frameStart });
@@ -204,7 +198,7 @@ await app.open("trajectories", async (/** @type {Remote<Commands>} */ worker) =>
       status,
       accepted: accepted.length,
       tried: result.iterations,
-      drawn: plane.drawn,
+      drawn: figure.sheet.rowsOf("growth"),
       last,
       fingerprint: result.fingerprint,
     });

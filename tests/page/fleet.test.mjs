@@ -206,7 +206,7 @@ test("the roadmap grows in view, and can be hidden", () =>
     await page.waitForSelector("#course-play[data-playing=true]");
     await page.click("#course-play");
     await rest(page);
-    const inked = async () => Number((await pictureOf(page, "#floor canvas[data-layer=ground]"))[0].split(" ")[2]);
+    const inked = async () => Number((await pictureOf(page, "#floor canvas[data-layer=roadmaps]"))[0].split(" ")[2]);
     const before = await inked();
     await page.click("#roadmap");
     await rest(page);

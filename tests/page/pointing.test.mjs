@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
-import { Snapshots } from "../../www/planner/stage/snapshots.js";
+import { Snapshots } from "../../www/draw/snapshots.js";
 import { drawInformed } from "../../www/planner/stage/informed.js";
 import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
 import { runOf } from "./runs.mjs";

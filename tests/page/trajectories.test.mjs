@@ -64,7 +64,7 @@ async function end(page, status = "solved") {
 }
 
 /** How many pixels of the lower canvas are inked. @param {Page} page */
-const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=ground]"))[0].split(" ")[2]);
+const inked = async (page) => Number((await pictureOf(page, "#plane canvas[data-layer=growth]"))[0].split(" ")[2]);
 
 /**
  * What the package says of the same experiment.

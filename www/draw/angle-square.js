@@ -4,18 +4,17 @@
  */
 import { View } from "planarium/draw";
 import { MARGIN, drawAxes } from "./angles.js";
+import { contoursOf, fillContours } from "./contours.js";
 import { drawLine, setStroke } from "./marks.js";
-import { paint, soften } from "./mask.js";
 import { NO_VIEW } from "./figure.js";
 import { folded } from "./trace.js";
 
 /** @import { Coordinate } from "../domain/types.js" */
+/** @import { Contours } from "./contours.js" */
 /** @import { Brush } from "./figure.js" */
 
 /** Width of the strips, radians. */
 const STRIP = 0.5;
-/** Pixels of the picture a cell, at most. */
-const PIXELS = 2;
 
 export class AngleSquare {
   constructor() {
@@ -24,13 +23,26 @@ export class AngleSquare {
     this.view = NO_VIEW;
     /** The square, and the square with its strips. */
     this.inner = this.outer = { x: 0, y: 0, width: 0, height: 0 };
-    /** 1 is collision; rows from the lowest angles. @type {{ side: number, mask: Float32Array } | null} */
-    this.cells = null;
+    /** The outlines of the obstacles. @type {Contours} */
+    this.obstacles = [];
   }
+
+  get layers() {
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
+  /** @param {Brush} _brush */
+  drawGround(_brush) {}
+
+  /** @param {Brush} _brush */
+  drawTop(_brush) {}
 
   /** Stores the obstacles as the core gives them. @param {Uint8Array} bytes @param {number} side  cells */
   setCells(bytes, side) {
-    this.cells = { side, mask: soften(bytes, side) };
+    this.obstacles = contoursOf(bytes, side);
   }
 
   /**
@@ -39,7 +51,7 @@ export class AngleSquare {
    * @param {Coordinate[]} coordinates
    * @param {() => OffscreenCanvas | null} [imageOf]  fills the square on top of the obstacles
    */
-  drawGround({ context, palette, width, height, ratio }, coordinates, imageOf = () => null) {
+  drawSquare({ context, palette, width, height }, coordinates, imageOf = () => null) {
     this.coordinates = coordinates;
     const [low, high] = /** @type {const} */ (["low", "high"]).map((end) => coordinates.map((one) => one[end]));
     const strips = coordinates.map(({ isCircle }) => (isCircle ? STRIP : 0));
@@ -58,16 +70,11 @@ export class AngleSquare {
     });
     const inner = (this.inner = box(low, high));
     const outer = (this.outer = box(view.box.min, view.box.max));
-    const { cells } = this;
-    // The picture of the obstacles is no finer than its cells.
-    const scale = cells ? Math.min(ratio, (PIXELS * cells.side) / Math.max(inner.width, inner.height)) : 0;
-    const obstacles =
-      cells &&
-      paint(cells.mask, cells.side, Math.round(inner.width * scale), Math.round(inner.height * scale), palette);
-    const images = [obstacles, imageOf()];
+    const image = imageOf();
     this.repeat(context, (isCopy) => {
       context.globalAlpha = isCopy ? 0.4 : 1;
-      for (const image of images) if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
+      fillContours(context, this.obstacles, inner, palette);
+      if (image) context.drawImage(image, inner.x, inner.y, inner.width, inner.height);
     });
     // Borders that can be crossed are dashed, joint limits solid.
     for (const [i, { low: from, high: to, isCircle }] of coordinates.entries()) {

@@ -1,20 +1,12 @@
-/**
- * A canvas of a pane: its backing store has device pixels, its coordinates are CSS pixels. A pane has five: the ground,
- * drawn once per layout; edges, vertices and marks, append-only in the order of the log, so that the picture does not
- * depend on how drawing was divided into frames; the top, redrawn each frame.
- */
+/** A canvas of a sheet: its backing store has device pixels, its coordinates are CSS pixels. */
 
-/** From the lowest to the highest. */
-export const LAYERS = /** @type {const} */ (["ground", "edges", "vertices", "marks", "top"]);
-
-/** @typedef {typeof LAYERS[number]} LayerName */
+/** @typedef {OffscreenCanvas | HTMLCanvasElement} Canvas */
 
 export class Layer {
   #context;
 
   /**
-   * @param {OffscreenCanvas | HTMLCanvasElement} canvas  an element is drawn on through an offscreen canvas from then
-   *   on
+   * @param {Canvas} canvas  an element is drawn on through an offscreen canvas from then on
    */
   constructor(canvas) {
     // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when

@@ -30,8 +30,9 @@ export class SvgLayer extends SvgContext {
   }
   setTransform() {}
   reset() {}
-  createPattern() {
-    return null;
+  /** @param {string} colour @returns {Stripes} */
+  stripes(colour) {
+    return { colour };
   }
 
   /**
@@ -73,11 +74,6 @@ export function svgFile(drawing, elements, style) {
   return new Blob([drawing.toString(style).replace("</svg>", () => `${elements.join("")}</svg>`)], {
     type: "image/svg+xml",
   });
-}
-
-/** A colour as stripes. @param {string} colour @returns {Stripes} */
-export function stripes(colour) {
-  return { colour };
 }
 
 /** @param {OffscreenCanvas | ImageBitmap} image @returns {Promise<string>} */

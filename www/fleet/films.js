@@ -1,5 +1,5 @@
 /** A film of this page: the robots from their starts to their goals. */
-import { filmOf } from "../draw/export.js";
+import { filmOf, rowOf } from "../draw/export.js";
 
 /** @import { Figure } from "../draw/figure.js" */
 /** @import { Subject } from "../widgets/films.js" */
@@ -22,7 +22,7 @@ export function filmsOf(session, figure) {
       open: (width) => {
         const { end } = session;
         const then = Object.create(session, { selected: { value: null } });
-        return filmOf([figure], width, Math.min(LONGEST, Math.max(SHORTEST, end)), ([floor], part) => {
+        return filmOf(rowOf([figure]), width, Math.min(LONGEST, Math.max(SHORTEST, end)), ([floor], part) => {
           then.time = part * end;
           floor.session = then;
         });

@@ -34,8 +34,39 @@ export class Floor {
     this.view = NO_VIEW;
     /** @type {string[]} */
     this.colours = [];
-    /** How much of each roadmap is drawn: the lengths of its lists. @type {{ vertices: number, edges: number }[]} */
-    this.drawn = [];
+  }
+
+  get layers() {
+    const { document, run, shown, hasRoadmap, isStraight, isOrdered } = this.session;
+    const { colours } = this;
+    const isRunning = run.status === "running";
+    const isMany = run.roadmaps.reduce((sum, { edges }) => sum + edges.length / 2, 0) > MANY_EDGES;
+    const alphas = isRunning ? { edges: isMany ? 0.15 : 0.4, vertices: 0.8 } : { edges: 0.08, vertices: 0.25 };
+    return {
+      ground: { key: document, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      roadmaps: {
+        key: [run, colours, isRunning, isMany, isOrdered],
+        logs:
+          hasRoadmap && !isStraight
+            ? run.roadmaps.flatMap((roadmap, i) => [
+                { count: roadmap.edges.length / 2, append: this.drawEdges.bind(this, roadmap, i, alphas.edges) },
+                {
+                  count: roadmap.vertices.length / 3,
+                  append: this.drawVertices.bind(this, roadmap, i, alphas.vertices),
+                },
+              ])
+            : [],
+      },
+      // While the plan grows its ways are on top.
+      ends: {
+        key: [document, colours, isStraight || !isRunning ? shown : null],
+        draw: (/** @type {Brush} */ { context, palette }) => {
+          this.drawEnds(context, palette);
+          if (isStraight || !isRunning) this.drawWays(context);
+        },
+      },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
   }
 
   /** Gives every robot its colour. @param {Palette} palette */
@@ -75,10 +106,9 @@ export class Floor {
   }
 
   /** @param {Brush} brush */
-  ground(brush) {
-    const { document, robots, run, hasRoadmap, isStraight } = this.session;
+  drawGround({ context, palette, width, height }) {
+    const { document, robots } = this.session;
     if (!document) return;
-    const { context, palette, width, height } = brush;
     this.view = new View(boundsOf(document), width, height);
     drawGround(
       context,
@@ -86,54 +116,39 @@ export class Floor {
       /** @type {ScenarioDocument} */ (/** @type {unknown} */ ({ ...document, robot: robots[0].robot })),
       palette,
     );
-    this.drawn = [];
-    if (hasRoadmap && !isStraight) this.append(brush);
-    this.drawEnds(context, palette);
-    // While the plan grows its ways are on top.
-    if (isStraight || run.status !== "running") this.drawWays(context);
   }
 
-  /** Draws what is not drawn yet of the roadmaps. @param {Pick<Brush, "context" | "palette">} brush */
-  append({ context, palette }) {
-    const { run, hasRoadmap, isStraight, isOrdered } = this.session;
-    if (!hasRoadmap || isStraight) return;
-    const edges = run.roadmaps.reduce((sum, roadmap) => sum + roadmap.edges.length / 2, 0);
-    const isRunning = run.status === "running";
-    context.save();
-    run.roadmaps.forEach((roadmap, i) => {
-      const colour = isOrdered ? palette.growth : this.colours[i];
-      const {
-        vertices,
-        edges: { length },
-      } = roadmap;
-      const drawn = this.drawn[i] ?? { vertices: 0, edges: 0 };
-      setStroke(context, colour, 1);
-      context.globalAlpha = isRunning ? (edges > MANY_EDGES ? 0.15 : 0.4) : 0.08;
-      if (length > drawn.edges) this.drawEdges(context, roadmap, drawn.edges);
-      context.fillStyle = colour;
-      context.globalAlpha = isRunning ? 0.8 : 0.25;
-      if (vertices.length > drawn.vertices) this.drawVertices(context, vertices, drawn.vertices);
-      this.drawn[i] = { vertices: vertices.length, edges: length };
-    });
-    context.restore();
+  /** The colour of a robot's roadmap; of one for all robots, that of growth. @param {number} i @param {Palette} palette */
+  roadmapColour(i, palette) {
+    return this.session.isOrdered ? palette.growth : this.colours[i];
   }
 
-  /** @param {Context} context @param {number[]} vertices @param {number} from  in the list */
-  drawVertices(context, vertices, from) {
+  /**
+   * @param {Roadmap} roadmap @param {number} i @param {number} alpha
+   * @param {Brush} brush @param {number} from @param {number} to
+   */
+  drawVertices({ vertices }, i, alpha, { context, palette }, from, to) {
+    context.fillStyle = this.roadmapColour(i, palette);
+    context.globalAlpha = alpha;
     context.beginPath();
-    for (let i = from; i < vertices.length; i += 3) {
-      const [x, y] = this.view.place([vertices[i], vertices[i + 1]]);
+    for (let at = 3 * from; at < 3 * to; at += 3) {
+      const [x, y] = this.view.place([vertices[at], vertices[at + 1]]);
       context.rect(x - 1, y - 1, 2, 2);
     }
     context.fill();
   }
 
-  /** @param {Context} context @param {Roadmap} roadmap @param {number} from  in the list of edges */
-  drawEdges(context, { vertices, edges }, from) {
+  /**
+   * @param {Roadmap} roadmap @param {number} i @param {number} alpha
+   * @param {Brush} brush @param {number} from @param {number} to
+   */
+  drawEdges({ vertices, edges }, i, alpha, { context, palette }, from, to) {
     const { view } = this;
+    setStroke(context, this.roadmapColour(i, palette), 1);
+    context.globalAlpha = alpha;
     context.beginPath();
-    for (let i = from; i < edges.length; i += 2) {
-      const [a, b] = [3 * edges[i], 3 * edges[i + 1]];
+    for (let at = 2 * from; at < 2 * to; at += 2) {
+      const [a, b] = [3 * edges[at], 3 * edges[at + 1]];
       addLine(context, view.x(vertices[a]), view.y(vertices[a + 1]), view.x(vertices[b]), view.y(vertices[b + 1]));
     }
     context.stroke();
@@ -204,7 +219,7 @@ export class Floor {
   }
 
   /** @param {Brush} brush */
-  top({ context, palette, hatch }) {
+  drawTop({ context, palette, hatch }) {
     const { session } = this;
     const { robots, shown, run, time, selected, touching, isStraight } = session;
     if (!session.document) return;

@@ -121,14 +121,6 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   const exportResult = byId("export-result", HTMLButtonElement);
   const differs = comparer();
 
-  app.onDraw(() => {
-    // Edges are drawn on top of the others, unless all are redrawn.
-    const {
-      palette,
-      layers: { ground },
-    } = figure;
-    if (!figure.dirty.has("ground") && session.document) floor.append({ context: ground.context, palette });
-  });
   app.onTheme(recolour);
   return {
     show,

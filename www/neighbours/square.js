@@ -21,11 +21,11 @@ export class Square extends AngleSquare {
     this.session = session;
   }
 
-  /** @param {Brush} brush */
-  ground(brush) {
+  /** @param {Brush} brush @override */
+  drawGround(brush) {
     const { session } = this;
     const isFew = session.count <= FEW;
-    this.drawGround(brush, session.coordinates, () => (isFew ? null : this.dots(brush)));
+    this.drawSquare(brush, session.coordinates, () => (isFew ? null : this.dots(brush)));
     if (!isFew) return;
     const { context, palette } = brush;
     this.repeat(context, (isCopy) => {
@@ -48,8 +48,8 @@ export class Square extends AngleSquare {
     return dotsImage(places, { width, height, ratio, colour: palette.growth, size: 2.4 });
   }
 
-  /** @param {Brush} brush */
-  top({ context, palette }) {
+  /** @param {Brush} brush @override */
+  drawTop({ context, palette }) {
     const { session, view, inner } = this;
     if (!session.isAsking) return;
     const {

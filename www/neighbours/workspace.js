@@ -35,8 +35,15 @@ export class Workspace {
     return isPlaced ? placedHandles(parts, q) : [[q[0], q[1]]];
   }
 
+  get layers() {
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
   /** @param {Brush} brush */
-  ground(brush) {
+  drawGround(brush) {
     const {
       document,
       scenario,
@@ -84,7 +91,7 @@ export class Workspace {
   }
 
   /** @param {Brush} brush */
-  top({ context, palette }) {
+  drawTop({ context, palette }) {
     const { session, view } = this;
     if (!session.isAsking) return;
     const {

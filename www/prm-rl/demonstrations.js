@@ -33,6 +33,13 @@ export class Demonstrations {
     this.topEdge = 0;
   }
 
+  get layers() {
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
   /** How long the drives are played, with a rest. */
   get round() {
     return Math.max(...this.session.training.demonstrations.map(({ time }) => time), 0) + REST;
@@ -73,7 +80,7 @@ export class Demonstrations {
   }
 
   /** @param {Brush} brush */
-  ground(brush) {
+  drawGround(brush) {
     const { training } = this.session;
     if (training.demonstrations.length === 0) return;
     this.arrange(training.demonstrations.length, brush.width, brush.height);
@@ -85,7 +92,7 @@ export class Demonstrations {
   }
 
   /** @param {Brush} brush */
-  top(brush) {
+  drawTop(brush) {
     const { context, palette } = brush;
     const { training } = this.session;
     training.demonstrations.forEach((drive, i) =>

@@ -1,5 +1,5 @@
 /** Films of this page: the drives along the path. */
-import { filmOf } from "../draw/export.js";
+import { filmOf, rowOf } from "../draw/export.js";
 
 /** @import { Figure } from "../draw/figure.js" */
 /** @import { Subject } from "../widgets/films.js" */
@@ -21,12 +21,17 @@ export function filmsOf(session, figure) {
       lack: () => (session.run.drives.length > 0 ? "" : "Drive first."),
       open: (width) => {
         const { end, runs } = session;
-        return filmOf([figure], width, Math.min(LENGTH[1], Math.max(LENGTH[0], end / PACE)), (drawings, part) => {
-          if (session.runs !== runs)
-            throw Object.assign(new Error("The plan changed during the export."), { code: "run-replaced" });
-          for (const drawing of drawings)
-            drawing.session = Object.create(session, { time: { value: part * end }, edge: { value: null } });
-        });
+        return filmOf(
+          rowOf([figure]),
+          width,
+          Math.min(LENGTH[1], Math.max(LENGTH[0], end / PACE)),
+          (drawings, part) => {
+            if (session.runs !== runs)
+              throw Object.assign(new Error("The plan changed during the export."), { code: "run-replaced" });
+            for (const drawing of drawings)
+              drawing.session = Object.create(session, { time: { value: part * end }, edge: { value: null } });
+          },
+        );
       },
     },
   ];

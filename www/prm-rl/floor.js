@@ -25,8 +25,28 @@ export class Floor {
     /** Scale of strong lines, for projectors. */
     this.bold = 1;
     this.view = NO_VIEW;
-    /** Edges, refused edges and vertices on the ground. */
-    this.drawn = [0, 0, 0];
+  }
+
+  get layers() {
+    const { part, run } = this.session;
+    const { edges, refused, vertices } = run;
+    // A roadmap of many edges is fainter.
+    const isMany = edges.length > 2000;
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      roadmap: {
+        key: [run, part, isMany],
+        logs:
+          part === "compare"
+            ? []
+            : [
+                { count: edges.length / 2, append: this.drawEdges.bind(this, edges, false, isMany) },
+                { count: refused.length / 2, append: this.drawEdges.bind(this, refused, true, isMany) },
+                { count: vertices.length / 2, append: this.drawVertices.bind(this) },
+              ],
+      },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
   }
 
   /** Whether the robot is shown on its way: its start cannot be turned then. */
@@ -64,55 +84,56 @@ export class Floor {
   }
 
   /** @param {Brush} brush */
-  ground({ context, palette, width, height }) {
+  drawGround({ context, palette, width, height }) {
     const { document } = this.session;
     if (!document?.world.bounds) return;
-    const view = (this.view = new View(document.world.bounds, width, height));
-    drawGround(context, view, /** @type {any} */ (document), palette);
-    this.drawn = [0, 0, 0];
-    this.append({ context, palette });
+    this.view = new View(document.world.bounds, width, height);
+    drawGround(context, this.view, /** @type {any} */ (document), palette);
   }
 
   /**
-   * Draws the edges of the roadmap that are new.
-   * @param {{ context: CanvasRenderingContext2D, palette: Palette }} brush
+   * Edges of the roadmap.
+   * @param {number[]} ends  pairs of vertices
+   * @param {boolean} isRefused
+   * @param {boolean} isMany
+   * @param {Brush} brush
+   * @param {number} from
+   * @param {number} to
    */
-  append({ context, palette }) {
+  drawEdges(ends, isRefused, isMany, { context, palette }, from, to) {
     const {
       view,
-      drawn,
       session: {
-        part,
-        run: { edges, refused, vertices },
+        run: { vertices },
       },
     } = this;
-    if (part === "compare") return;
-    const addEdge = (/** @type {number[]} */ ends, /** @type {number} */ i) => {
+    context.globalAlpha = isMany ? 0.35 : 0.75;
+    if (isRefused) setStroke(context, palette.rejected, 0.8, [3, 4]);
+    else setStroke(context, palette.growth, isMany ? 0.8 : 1.3);
+    context.beginPath();
+    for (let i = 2 * from; i < 2 * to; i += 2) {
       const [a, b] = [2 * ends[i], 2 * ends[i + 1]];
       addLine(context, view.x(vertices[a]), view.y(vertices[a + 1]), view.x(vertices[b]), view.y(vertices[b + 1]));
-    };
-    context.save();
-    // A roadmap of many edges is fainter.
-    context.globalAlpha = edges.length > 2000 ? 0.35 : 0.75;
-    setStroke(context, palette.growth, edges.length > 2000 ? 0.8 : 1.3);
-    context.beginPath();
-    for (let i = 2 * drawn[0]; i < edges.length; i += 2) addEdge(edges, i);
+    }
     context.stroke();
-    setStroke(context, palette.rejected, 0.8, [3, 4]);
-    context.beginPath();
-    for (let i = 2 * drawn[1]; i < refused.length; i += 2) addEdge(refused, i);
-    context.stroke();
-    context.setLineDash([]);
+  }
+
+  /** @param {Brush} brush @param {number} from @param {number} to */
+  drawVertices({ context, palette }, from, to) {
+    const {
+      view,
+      session: {
+        run: { vertices },
+      },
+    } = this;
     context.globalAlpha = 0.6;
     context.fillStyle = palette.growth;
-    for (let i = 2 * drawn[2]; i < vertices.length; i += 2)
+    for (let i = 2 * from; i < 2 * to; i += 2)
       context.fillRect(view.x(vertices[i]) - 1, view.y(vertices[i + 1]) - 1, 2, 2);
-    context.restore();
-    this.drawn = [edges.length / 2, refused.length / 2, vertices.length / 2];
   }
 
   /** @param {Brush} brush */
-  top({ context, palette }) {
+  drawTop({ context, palette }) {
     const { session, view, bold } = this;
     const { task, document, run, start, goal, refusal, time, selected, edge } = session;
     if (!task || !document) return;

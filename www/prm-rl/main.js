@@ -208,12 +208,6 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
   app.onDraw(() => {
     drawCharts();
     drawSwing();
-    const {
-      palette,
-      layers: { ground },
-    } = figures.floor;
-    if (!figures.floor.dirty.has("ground") && session.document && session.part === "plan")
-      floor.append({ context: ground.context, palette });
   });
   const differs = comparer();
   return {

@@ -1,5 +1,5 @@
 /** Films of this page: the motion from A to B, and a run of inverse kinematics from its start to where it is now. */
-import { filmOf } from "../draw/export.js";
+import { filmOf, rowOf } from "../draw/export.js";
 import { IkRun } from "./ik-run.js";
 
 /** @import { Figure } from "../draw/figure.js" */
@@ -22,7 +22,7 @@ export function filmsOf(session, figures) {
       lack: () => "",
       open: (width) => {
         const { robot, motion } = session;
-        return filmOf(figures, width, MOTION, (drawings, part) =>
+        return filmOf(rowOf(figures), width, MOTION, (drawings, part) =>
           show(drawings, robot, motion.at(part), { mode: "between", motion, progress: part, tipGoal: null }),
         );
       },
@@ -39,7 +39,7 @@ export function filmsOf(session, figures) {
         const { iterations } = run.run;
         let again = new IkRun(robot, run.problem);
         const seconds = Math.min(RUN.most, Math.max(RUN.least, iterations / RUN.pace));
-        const film = filmOf(figures, width, seconds, (drawings, part) => {
+        const film = filmOf(rowOf(figures), width, seconds, (drawings, part) => {
           requireSame(robot);
           const wanted = Math.round(part * iterations);
           if (wanted < again.run.iterations) {

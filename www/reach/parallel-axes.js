@@ -46,8 +46,15 @@ export class ParallelAxes {
     return session.robot.coordinates.findIndex((_, i) => Math.abs(view.x(i) - x) <= Math.min(near, view.scaleX / 2));
   }
 
+  get layers() {
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
   /** @param {Brush} brush */
-  ground({ context, palette, width, height }) {
+  drawGround({ context, palette, width, height }) {
     const { coordinates } = this.session.robot;
     this.view = new View({ min: [0, 0], max: [coordinates.length - 1, 1] }, width, height, MARGIN, true);
     const isNarrow = width / coordinates.length < 64;
@@ -83,7 +90,7 @@ export class ParallelAxes {
   }
 
   /** @param {Brush} brush */
-  top(brush) {
+  drawTop(brush) {
     const { context, palette } = brush;
     const { robot, mode, a, b, motion, run } = this.session;
     const colour = robot.check.free ? palette.robot : palette.collision;

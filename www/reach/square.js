@@ -17,13 +17,13 @@ export class Square extends AngleSquare {
     this.session = session;
   }
 
-  /** @param {Brush} brush */
-  ground(brush) {
-    this.drawGround(brush, this.session.robot.coordinates);
+  /** @param {Brush} brush @override */
+  drawGround(brush) {
+    this.drawSquare(brush, this.session.robot.coordinates);
   }
 
-  /** @param {Brush} brush */
-  top(brush) {
+  /** @param {Brush} brush @override */
+  drawTop(brush) {
     const { robot, mode, run } = this.session;
     const { context, palette } = brush;
     const isFree = robot.check.free;

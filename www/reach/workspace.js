@@ -30,14 +30,21 @@ export class Workspace {
     this.view = NO_VIEW;
   }
 
+  get layers() {
+    return {
+      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
   /** @param {Brush} brush */
-  ground(brush) {
+  drawGround(brush) {
     const { robot } = this.session;
     this.view = drawWorkspace(brush, robot.scenario, robot.document);
   }
 
   /** @param {Brush} brush */
-  top(brush) {
+  drawTop(brush) {
     const { context, palette, hatch } = brush;
     const {
       session: { robot, mode, tipGoal, run },

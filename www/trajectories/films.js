@@ -1,5 +1,5 @@
 /** Films of this page: the accepted trajectories one after the other, and the particles along all of them. */
-import { filmOf } from "../draw/export.js";
+import { filmOf, rowOf } from "../draw/export.js";
 
 /** @import { Figure } from "../draw/figure.js" */
 /** @import { Subject } from "../widgets/films.js" */
@@ -28,7 +28,7 @@ export function filmsOf(experiment, figure) {
       open: (width) => {
         const accepted = [...experiment.accepted];
         const then = copyOf(experiment);
-        return filmOf(square(), width, GROWTH, ([plane], part) => {
+        return filmOf(rowOf(square()), width, GROWTH, ([plane], part) => {
           then.accepted = accepted.slice(0, Math.round(part * accepted.length));
           Object.assign(plane, { experiment: then, isStill: true, moment: null });
         });
@@ -42,7 +42,7 @@ export function filmsOf(experiment, figure) {
       open: (width) => {
         const then = copyOf(experiment);
         const { round } = figure.drawing;
-        return filmOf(square(), width, Math.max(SLOW, round), ([plane], part) => {
+        return filmOf(rowOf(square()), width, Math.max(SLOW, round), ([plane], part) => {
           // Long after they were received, no trajectory glows.
           Object.assign(plane, { experiment: then, isStill: false, now: Infinity, moment: part * round });
         });

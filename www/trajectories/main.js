@@ -91,13 +91,6 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
     return isMoving;
   });
   app.onDraw(() => {
-    // New trajectories are drawn on top of the others, unless all are redrawn.
-    const {
-      palette,
-      layers: { ground },
-    } = figure;
-    if (!figure.dirty.has("ground")) plane.append({ context: ground.context, palette });
-    stage.dataset.drawn = String(plane.drawn);
     drawCharts(!course.isPlaying && app.pending === 0);
     performance.measure("trajectories-frame", { start: frameStart });
   });
@@ -207,6 +200,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
       begun: experiment.epoch,
       accepted: accepted.length,
       tried: result.iterations,
+      drawn: figure.sheet.rowsOf("growth"),
       last,
       fingerprint: result.fingerprint,
     });

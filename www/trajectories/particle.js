@@ -37,13 +37,13 @@ export class Particle {
     );
     const stage = make("div", { className: "stage single one" });
     host.append(stage, ...this.sliders.map(({ element }) => element), this.words);
+    this.arc = this.spiral = /** @type {Float64Array} */ (new Float64Array(0));
     this.figure = new Figure(
       app,
       stage,
       { id: "one", kind: "workspace", caption: "One particle", note: "arc and spiral" },
       this,
     );
-    this.arc = this.spiral = /** @type {Float64Array} */ (new Float64Array(0));
     this.update();
   }
 
@@ -67,8 +67,12 @@ export class Particle {
     this.figure.redraw();
   }
 
+  get layers() {
+    return { curves: { draw: (/** @type {Brush} */ brush) => this.draw(brush) } };
+  }
+
   /** @param {Brush} brush */
-  ground({ context, palette, width, height }) {
+  draw({ context, palette, width, height }) {
     const { arc, spiral, movement } = this;
     const [xs, ys] = [0, 1].map((axis) => [...arc, ...spiral].filter((_, i) => i % 2 === axis));
     const [left, bottom] = [Math.min(...xs), Math.min(...ys)];

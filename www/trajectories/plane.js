@@ -29,13 +29,25 @@ export class Plane {
     this.moment = null;
     this.now = 0;
     this.view = NO_VIEW;
-    /** Trajectories drawn. */
-    this.drawn = 0;
   }
 
-  /** Draws all accepted trajectories. @param {Brush} brush */
-  ground(brush) {
-    const { context, palette, width, height } = brush;
+  get layers() {
+    const {
+      epoch,
+      accepted: { length },
+    } = this.experiment;
+    return {
+      ground: { key: epoch, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      growth: {
+        key: epoch,
+        logs: [{ count: length, append: this.drawAccepted.bind(this) }],
+      },
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
+  /** The square in which all start. @param {Brush} brush */
+  drawGround({ context, palette, width, height }) {
     const {
       half_side: half = 3,
       fastest = 1,
@@ -45,18 +57,13 @@ export class Plane {
     const view = (this.view = new View({ min: [-reach, -reach], max: [reach, reach] }, width, height, MARGIN, false));
     setStroke(context, palette.line, 1);
     context.strokeRect(view.x(-half), view.y(half), 2 * half * view.scaleX, 2 * half * view.scaleY);
-    this.drawn = 0;
-    this.append(brush);
   }
 
-  /** Draws the trajectories that are not drawn yet. @param {Pick<Brush, "context" | "palette">} brush */
-  append({ context, palette }) {
-    const { accepted } = this.experiment;
-    if (this.drawn === accepted.length) return;
-    const lines = accepted.slice(this.drawn).map(({ line }) => line);
+  /** @param {Brush} brush @param {number} from @param {number} to */
+  drawAccepted({ context, palette }, from, to) {
+    const lines = this.experiment.accepted.slice(from, to).map(({ line }) => line);
     this.drawLines(context, lines, palette.growth, 1.25, 1);
     this.drawDots(context, lines, palette.start, 1.4);
-    this.drawn = accepted.length;
   }
 
   /** Whether anything glows or moves. @param {number} now */
@@ -74,7 +81,7 @@ export class Plane {
   }
 
   /** @param {Brush} brush */
-  top({ context, palette }) {
+  drawTop({ context, palette }) {
     const { accepted, rejected, isLastRejected } = this.experiment;
     for (const one of accepted.slice(-MOST_GLOWING)) {
       const strength = this.glowOf(one.born, one === accepted.at(-1) && !isLastRejected);

@@ -1,12 +1,13 @@
 /** The export panel: a row for each file that can be saved. */
 import { save } from "../app/files.js";
 import { byId } from "../app/dom.js";
-import { pngOf, svgOf } from "../draw/export.js";
+import { imageOf, rowOf } from "../draw/export.js";
 import { downloadRow, failureOf } from "./download-row.js";
 import { filmRow } from "./films.js";
 import { Progress } from "./progress.js";
 
 /** @import { App } from "../app/app.js" */
+/** @import { ImageKind } from "../draw/export.js" */
 /** @import { Figure } from "../draw/figure.js" */
 /** @import { Subject } from "./films.js" */
 
@@ -16,7 +17,7 @@ import { Progress } from "./progress.js";
  * @property {string} title
  * @property {string} format     also ends the name of the file
  * @property {string} meaning
- * @property {() => Blob | Promise<Blob>} content
+ * @property {() => Blob | Promise<Blob | null>} content   null where there is none
  * @property {() => string} [name]   of the file, without its end; that of the page where absent
  */
 
@@ -32,20 +33,22 @@ const SCALE = 2;
  * @param {Subject[]} [subjects]  of films
  */
 export function showDownloads(app, figures, names, others, subjects = []) {
+  const draw = (/** @type {ImageKind} */ kind) =>
+    imageOf(kind, rowOf(figures), { title: names.title(), ratio: SCALE, advice: "make the window smaller" });
   showFiles(app, names.name, [
     {
       id: "png",
       title: "Image",
       format: "PNG",
       meaning: "The figures as shown.",
-      content: () => pngOf(figures, SCALE),
+      content: () => draw("png"),
     },
     {
       id: "svg",
       title: "Vector graphic",
       format: "SVG",
       meaning: "The figures as shown, sharp at any size.",
-      content: () => svgOf(figures, names.title()),
+      content: () => draw("svg"),
     },
   ]);
   if (subjects.length > 0) {
@@ -62,7 +65,10 @@ export function showFiles(app, usual, all) {
   byId("export", HTMLElement).append(
     ...all.map((download) => {
       const { title, format, content, name = usual } = download;
-      const saveFile = async () => save(await content(), `${name()}.${format.toLowerCase()}`);
+      const saveFile = async () => {
+        const blob = await content();
+        if (blob) save(blob, `${name()}.${format.toLowerCase()}`);
+      };
       return downloadRow(download, () => void app.track(saveFile(), failureOf(title))).element;
     }),
   );

@@ -1,5 +1,6 @@
 /** Entries of Fleet: the floor with every robot's path, at a moment of the plan. */
 import { encodeState } from "../../app/link.js";
+import { drawWhole } from "../../draw/sheet.js";
 import { commands } from "../../fleet/commands.js";
 import { Floor } from "../../fleet/floor.js";
 import { FleetSession } from "../../fleet/session.js";
@@ -25,12 +26,7 @@ export async function openFleet({ state }) {
   return {
     address,
     pane: PANE,
-    panes: [
-      (brush) => {
-        floor.ground(brush);
-        floor.top(brush);
-      },
-    ],
+    panes: [(brush) => drawWhole(floor, brush)],
   };
 }
 

@@ -8,7 +8,8 @@ import { FEW, NeighbourSession } from "../../neighbours/session.js";
 import { Square } from "../../neighbours/square.js";
 import { openState, stateRule } from "../../neighbours/state.js";
 import { Workspace } from "../../neighbours/workspace.js";
-import { NO_APP, drawDots, fillObstacles, thinned } from "./sheet.js";
+import { drawWhole } from "../../draw/sheet.js";
+import { NO_APP, drawDots, thinned } from "./sheet.js";
 
 /** @import { Remote } from "../../app/worker-client.js" */
 /** @import { Brush } from "../../draw/figure.js" */
@@ -28,6 +29,7 @@ export async function openNeighbours({ state: given, world }, documents) {
     /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)),
     ROBOTS[0],
   );
+  const square = new Square(session);
   await openState(session, state);
   const {
     scenario,
@@ -40,12 +42,10 @@ export async function openNeighbours({ state: given, world }, documents) {
     Array.from({ length: session.count }, (_, i) => i),
     MOST.dots,
   );
-  const square = new Square(session);
   const workspace = new Workspace(session);
   const drawSquare = (/** @type {Brush} */ brush) => {
     const { context, palette } = brush;
-    square.drawGround(brush, session.coordinates);
-    fillObstacles(context, scenario, palette, square.inner);
+    square.drawSquare(brush, session.coordinates);
     drawDots(
       context,
       rows.map((i) => square.place(session.row(i))),
@@ -53,14 +53,11 @@ export async function openNeighbours({ state: given, world }, documents) {
       2.2,
       0.6,
     );
-    square.top(brush);
+    square.drawTop(brush);
   };
   const drawPlane = (/** @type {Brush} */ brush) => {
     const { context, palette } = brush;
-    if (footprints.length <= FEW) {
-      workspace.ground(brush);
-      return workspace.top(brush);
-    }
+    if (footprints.length <= FEW) return drawWhole(workspace, brush);
     const view = (workspace.view = drawWorkspace(brush, scenario, document));
     context.save();
     setStroke(context, palette.growth, 1);
@@ -82,7 +79,7 @@ export async function openNeighbours({ state: given, world }, documents) {
       2.2,
       0.6,
     );
-    workspace.top(brush);
+    workspace.drawTop(brush);
   };
   return {
     address: `neighbours.html#${await encodeState(state, stateRule)}`,

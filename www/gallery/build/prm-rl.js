@@ -4,6 +4,7 @@ import { commands } from "../../prm-rl/commands.js";
 import { Floor } from "../../prm-rl/floor.js";
 import { FIRST, NavigationSession } from "../../prm-rl/session.js";
 import { stateRule } from "../../prm-rl/state.js";
+import { drawWhole } from "../../draw/sheet.js";
 import { NO_APP } from "./sheet.js";
 
 /** @import { Remote } from "../../app/worker-client.js" */
@@ -31,11 +32,6 @@ export async function openLearned({ state }, documents) {
   return {
     address,
     pane: PANE,
-    panes: [
-      (brush) => {
-        floor.ground(brush);
-        floor.top(brush);
-      },
-    ],
+    panes: [(brush) => drawWhole(floor, brush)],
   };
 }

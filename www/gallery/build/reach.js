@@ -6,7 +6,8 @@ import { ReachSession } from "../../reach/session.js";
 import { Square } from "../../reach/square.js";
 import { openState, stateRule } from "../../reach/state.js";
 import { Workspace } from "../../reach/workspace.js";
-import { NO_APP, fillObstacles } from "./sheet.js";
+import { drawWhole } from "../../draw/sheet.js";
+import { CELLS, NO_APP } from "./sheet.js";
 
 /** @import { Settings } from "../../domain/types.js" */
 /** @import { Brush } from "../../draw/figure.js" */
@@ -59,11 +60,14 @@ export async function openReach({ state: given, world: name }, documents) {
   const session = await sessionOf(/** @type {State} */ ({ ...stateRule.defaults, ...state, robot: robot ?? {} }));
   const panes = [
     new Workspace(session),
-    ...(session.robot.isArm && session.robot.dimension === 2 ? [new Square(session)] : []),
-  ].map((pane) => (/** @type {Brush} */ brush) => {
-    pane.ground(brush);
-    if (pane instanceof Square) fillObstacles(brush.context, session.robot.scenario, brush.palette, pane.inner);
-    pane.top(brush);
-  });
+    ...(session.robot.isArm && session.robot.dimension === 2 ? [squareOf(session)] : []),
+  ].map((pane) => (/** @type {Brush} */ brush) => drawWhole(pane, brush));
   return { address: `reach.html#${await encodeState(state, stateRule)}`, panes };
+}
+
+/** @param {ReachSession} session */
+function squareOf(session) {
+  const square = new Square(session);
+  square.setCells(session.robot.scenario.cspace({ width: CELLS, height: CELLS }), CELLS);
+  return square;
 }

@@ -2,8 +2,9 @@
 import { View } from "planarium/draw";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { MARGIN, drawAxes } from "../../draw/angles.js";
-import { SvgLayer, stripes } from "../../draw/svg-layer.js";
-import { traceContours } from "./contours.js";
+import { contoursOf, fillContours } from "../../draw/contours.js";
+import { hatch } from "../../draw/hatch.js";
+import { SvgLayer } from "../../draw/svg-layer.js";
 import { slim } from "./slim.js";
 
 /** @import { App } from "../../app/app.js" */
@@ -14,7 +15,7 @@ import { slim } from "./slim.js";
 /** Side of a pane, pixels. */
 export const SIDE = 300;
 /** Cells a side of obstacles in configuration space. */
-const CELLS = 72;
+export const CELLS = 72;
 
 /** The colours by the names that the page's style gives them: the file's own style has their values. */
 export const PALETTE = /** @type {Palette} */ (
@@ -67,7 +68,7 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
       width,
       height,
       ratio: 1,
-      hatch: /** @type {Brush["hatch"]} */ (/** @type {unknown} */ (stripes)),
+      hatch: (colour) => hatch(context, colour, 1),
     });
     context.restore();
   });
@@ -91,7 +92,7 @@ export function drawSquare({ context, palette, width, height }, scenario) {
     width: (across.high - across.low) * view.scaleX,
     height: (up.high - up.low) * view.scaleY,
   };
-  fillObstacles(context, scenario, palette, square);
+  fillContours(context, contoursOf(scenario.cspace({ width: CELLS, height: CELLS }), CELLS), square, palette);
   context.strokeStyle = palette.obstacleEdge;
   context.lineWidth = 1;
   context.strokeRect(square.x, square.y, square.width, square.height);
@@ -101,28 +102,6 @@ export function drawSquare({ context, palette, width, height }, scenario) {
   context.rect(square.x, square.y, square.width, square.height);
   context.clip();
   return view;
-}
-
-/**
- * Fills the obstacles of two joints in a square.
- * @param {CanvasRenderingContext2D} context
- * @param {Scenario} scenario
- * @param {Palette} palette
- * @param {{ x: number, y: number, width: number, height: number }} square
- */
-export function fillObstacles(context, scenario, palette, square) {
-  context.save();
-  context.fillStyle = palette.obstacle;
-  context.strokeStyle = palette.obstacleEdge;
-  context.lineWidth = 1;
-  context.beginPath();
-  traceContours(context, scenario.cspace({ width: CELLS, height: CELLS }), CELLS, (x, y) => [
-    square.x + x * square.width,
-    square.y + (1 - y) * square.height,
-  ]);
-  context.fill();
-  context.stroke();
-  context.restore();
 }
 
 /**

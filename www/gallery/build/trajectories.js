@@ -7,6 +7,7 @@ import { Experiment, movingAverage } from "../../trajectories/experiment.js";
 import { Particle, curvesOf } from "../../trajectories/particle.js";
 import { Plane } from "../../trajectories/plane.js";
 import { stateRule } from "../../trajectories/state.js";
+import { drawWhole } from "../../draw/sheet.js";
 import { drawDots, thinned } from "./sheet.js";
 
 /** @import { TrajectoryOptions } from "planarium/full" */
@@ -35,7 +36,7 @@ export async function openTrajectories({ state }) {
 /** @param {Movement} movement @returns {Pane} */
 function particlePane(movement) {
   const particle = Object.assign(Object.create(Particle.prototype), { movement, ...curvesOf(movement) });
-  return (brush) => particle.ground(brush);
+  return (brush) => particle.draw(brush);
 }
 
 /** @param {Experiment} experiment @returns {Pane} */
@@ -56,7 +57,8 @@ function planePane(experiment) {
         1,
       ),
   });
-  return (brush) => plane.ground(brush);
+  const { ground, growth } = plane.layers;
+  return (brush) => drawWhole({ layers: { ground, growth } }, brush);
 }
 
 /**

@@ -54,8 +54,7 @@ export class CellPicture {
 
   /** @param {View} view */
   begin(view) {
-    const { width, height, layers } = this.pane;
-    const { ratio } = layers.top;
+    const { width, height, ratio } = this.pane;
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [width * ratio, height * ratio];
     [this.view, this.painted, this.context] = [view, 0, canvas.getContext("2d")];

@@ -4,6 +4,7 @@
  */
 import { json, save } from "../../app/files.js";
 import { byId, make, write } from "../../app/dom.js";
+import { imageOf } from "../../draw/export.js";
 import { writeNpy } from "../../formats/npy.js";
 import { downloadRow, failureOf } from "../../widgets/download-row.js";
 import { filmRow, select } from "../../widgets/films.js";
@@ -11,14 +12,13 @@ import { Progress } from "../../widgets/progress.js";
 import { PAST } from "../run-log/run-log.js";
 import { NONE } from "../timeline/playback.js";
 import { showSnippets } from "./embed.js";
-import { makeImage } from "./exporter.js";
 import { countersCsv, nameOf } from "./files.js";
 import { filmsOf } from "./films.js";
-import { layoutOfStage } from "./layout.js";
+import { layoutOfStage, sameRun } from "./picture.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { State } from "../../domain/types.js" */
-/** @import { ImageRequest } from "./exporter.js" */
+/** @import { ImageKind } from "../../draw/export.js" */
 /**
  * @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }}
  *   Offer   `lack`: why there is no file, or empty
@@ -149,10 +149,15 @@ export function showExport(page) {
     return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time);
   }
 
-  /** Makes and saves an image. @param {ImageRequest["kind"]} kind */
+  /** Makes and saves an image. @param {ImageKind} kind */
   async function draw(kind) {
-    const request = { kind, layout: layoutOfStage(), title: page.state?.summary[0] ?? "", ratio: Number(scale.value) };
-    await progress.save(`${name()}.${kind}`, (onProgress) => makeImage(session, request, onProgress));
+    const style = {
+      title: page.state?.summary[0] ?? "",
+      ratio: Number(scale.value),
+      advice: "choose a smaller size",
+      check: sameRun(session),
+    };
+    await progress.save(`${name()}.${kind}`, (onProgress) => imageOf(kind, layoutOfStage(session), style, onProgress));
   }
 }
 

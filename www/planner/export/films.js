@@ -2,21 +2,13 @@
  * Films of the planner's page: the growth of a run, the robot along its path, a drive by keys, the motion of one
  * control.
  */
-import { contextOf, even } from "../../draw/film.js";
-import { requireSize } from "../../draw/export.js";
-import { sameRun } from "./exporter.js";
-import { layoutOfStage } from "./layout.js";
-import { Picture } from "./picture.js";
+import { filmOf } from "../../draw/export.js";
+import { followPaths, layoutOfStage, sameRun, showTime } from "./picture.js";
 
-/** @import { Film } from "../../draw/film.js" */
 /** @import { Subject } from "../../widgets/films.js" */
 /** @import { Driven } from "../lane.js" */
 /** @import { Page } from "../page.js" */
-/** @import { Session } from "../session.js" */
-/**
- * @typedef {(picture: Picture, part: number) => number | void} Place   puts what is filmed at a part, 0 to 1; may
- *   return the time of the run
- */
+/** @import { Pane } from "../stage/pane.js" */
 
 /** Seconds of a film of a growth, and of a drive at most and at least. */
 const GROWTH = 6;
@@ -25,6 +17,15 @@ const DRIVE = { least: 1, most: 12 };
 /** @param {Page} page @returns {Subject[]} */
 export function filmsOf(page) {
   const { session } = page;
+  /**
+   * A film of the stage.
+   * @param {number} width  pixels
+   * @param {number} seconds
+   * @param {boolean} whole  with whole paths and without the configuration in hand
+   * @param {(panes: Pane[], part: number) => void} place  puts what is filmed at a part, 0 to 1
+   */
+  const film = (width, seconds, whole, place) =>
+    filmOf(layoutOfStage(session, whole), width, seconds, place, sameRun(session));
   const isCar = () => page.facts?.robot === "car";
   return [
     {
@@ -40,9 +41,11 @@ export function filmsOf(page) {
             : "",
       open: (width, frames) => {
         const {
-          clock: { now },
+          clock: { now, column },
         } = session;
-        return { ...filmOf(session, width, GROWTH, true, (_, part) => Math.round(now * part)), frames };
+        const place = (/** @type {Pane[]} */ panes, /** @type {number} */ part) =>
+          showTime(panes, column, Math.round(now * part));
+        return { ...film(width, GROWTH, true, place), frames };
       },
     },
     {
@@ -50,8 +53,7 @@ export function filmsOf(page) {
       title: "The robot",
       meaning: "The robot along its path.",
       lack: () => (session.travelling ? "" : "No path yet: it can be saved once the run has ended."),
-      open: (width) =>
-        filmOf(session, width, session.playbacks[0].duration, true, (picture, part) => picture.place(part)),
+      open: (width) => film(width, session.playbacks[0].duration, true, followPaths),
     },
     {
       id: "drive",
@@ -63,7 +65,7 @@ export function filmsOf(page) {
         const again = session.driving?.again();
         if (!again) throw new Error("Nothing has been driven.");
         return {
-          ...filmOf(session, width, lasting(again.seconds), false, (picture, part) => drive(picture, again.at(part))),
+          ...film(width, lasting(again.seconds), false, (panes, part) => drive(panes, again.at(part))),
           close: again.free,
         };
       },
@@ -80,9 +82,9 @@ export function filmsOf(page) {
         if (!rollout || !rolled || !shown?.driven) throw new Error("No control is shown.");
         const { driven } = shown;
         const rows = rollout.poses.length / 3;
-        return filmOf(session, width, lasting(rollout.seconds), false, (picture, part) => {
+        return film(width, lasting(rollout.seconds), false, (panes, part) => {
           const row = Math.round(part * (rows - 1));
-          drive(picture, {
+          drive(panes, {
             pose: rollout.poses.slice(3 * row, 3 * row + 3),
             driven: { ...driven, steering: rolled[1] },
           });
@@ -97,38 +99,8 @@ function lasting(seconds) {
   return Math.min(DRIVE.most, Math.max(DRIVE.least, seconds));
 }
 
-/** @param {Picture} picture @param {{ pose: Float64Array, driven: Driven }} moment */
-function drive({ shown }, { pose, driven }) {
-  Object.assign(shown, { hand: pose, driven, check: { free: true, touching: [] } });
-}
-
-/**
- * A film of the stage.
- * @param {Session} session
- * @param {number} width  pixels
- * @param {number} seconds
- * @param {boolean} whole  with whole paths and without the configuration in hand
- * @param {Place} place
- * @returns {Film}
- */
-function filmOf(session, width, seconds, whole, place) {
-  const layout = layoutOfStage();
-  const ratio = width / layout.width;
-  const height = even(layout.height * ratio);
-  requireSize(layout.width, layout.height, ratio, "choose a smaller size");
-  const requireSameRun = sameRun(session);
-  const picture = new Picture(session, layout.sheets, ratio, () => contextOf(1, 1, true).canvas, whole);
-  return {
-    width,
-    height,
-    seconds,
-    *draw(context, part) {
-      requireSameRun();
-      for (const _ of picture.draw(place(picture, part) ?? undefined)) {
-        yield;
-        requireSameRun();
-      }
-      picture.compose(context);
-    },
-  };
+/** @param {Pane[]} panes @param {{ pose: Float64Array, driven: Driven }} moment */
+function drive(panes, { pose, driven }) {
+  for (const { lane } of panes)
+    Object.assign(lane?.shown ?? {}, { hand: pose, driven, check: { free: true, touching: [] } });
 }

@@ -1,123 +1,95 @@
 /**
- * A picture of the stage at another time and resolution: panes of the same kinds and sizes on their own canvases, with
- * light copies of the lanes. The stage itself does not change.
+ * The stage as a layout for images and films: panes of the same kinds and sizes, with light copies of the lanes. The
+ * stage itself does not change.
  */
-import { LAYERS } from "../../draw/layer.js";
-import { KINDS } from "../stage/stage.js";
 import { Frontier } from "../run-log/frontier.js";
 
-/** @import { LayerName } from "../../draw/layer.js" */
-/** @import { Pane } from "../stage/pane.js" */
-/** @import { Palette } from "../../app/palette.js" */
+/** @import { Caption, Layout } from "../../draw/export.js" */
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { Look } from "../../domain/types.js" */
-/** @import { Layout } from "./layout.js" */
 /** @import { Lane, Shown } from "../lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Session } from "../session.js" */
-/** @typedef {{ layout: Layout["sheets"][number], pane: Pane, layers: OffscreenCanvas[], lane: Lane }} Drawn */
+/** @import { Pane } from "../stage/pane.js" */
+/** A lane that does not follow the stage. @typedef {Lane & { run: (RunLog & { shown: number }) | null }} Still */
 
-/** Milliseconds of drawing in a slice. */
-const SLICE = 8;
-/** Captions, in CSS pixels. */
-const FONT = "13px system-ui, sans-serif";
-const LINE = 18;
-const GAP = 9;
+/**
+ * @param {Session} session
+ * @param {boolean} [whole]   with the whole path and without a pose by hand
+ * @returns {Layout}
+ */
+export function layoutOfStage(session, whole = false) {
+  const { stage } = session;
+  const { look } = stage;
+  if (!session.shown || !look) throw new Error("Nothing is shown.");
+  /** The state that the lanes share. @type {Shown} */
+  const shown = {
+    ...session.shown,
+    view: { ...session.shown.view },
+    hover: null,
+    overlay: null,
+    rough: false,
+    ...(whole ? { hand: null, check: null, driven: null } : {}),
+  };
+  const lanes = session.lanes.map((lane) => stillOf(lane, shown, whole));
+  const places = [...stage.places.values()];
+  const host = /** @type {HTMLElement} */ (places[0].figure.element.parentElement).getBoundingClientRect();
+  return {
+    width: host.width,
+    height: host.height,
+    look,
+    places: places.flatMap(({ kind, lane, figure: { box, element, caption, note, width, height } }) => {
+      if (!lanes[lane]) return [];
+      const drawing = stage.paneOf(kind);
+      drawing.glow.enabled = false;
+      drawing.lane = lanes[lane];
+      const { left, top } = box.getBoundingClientRect();
+      const above = /** @type {HTMLElement} */ (element.querySelector("figcaption"));
+      return [
+        {
+          drawing,
+          x: left - host.left,
+          y: top - host.top,
+          width,
+          height,
+          caption: captionOf(above, host, caption, note),
+        },
+      ];
+    }),
+  };
+}
 
-export class Picture {
-  /**
-   * @param {Session} session
-   * @param {Layout["sheets"]} sheets   to draw
-   * @param {number} ratio           pixels a CSS pixel
-   * @param {(width: number, height: number) => OffscreenCanvas} makeCanvas   in CSS pixels; the layers set its size
-   * @param {boolean} [whole]        with the whole path and without a pose by hand
-   */
-  constructor(session, sheets, ratio, makeCanvas, whole = false) {
-    this.clock = { column: session.clock.column };
-    const look = /** @type {Look} */ (session.stage.look);
-    this.palette = look.palette;
-    this.ratio = ratio;
-    const shown = /** @type {Shown} */ (session.shown);
-    /** The state that its lanes share. @type {Shown} */
-    this.shown = {
-      ...shown,
-      view: { ...shown.view },
-      hover: null,
-      overlay: null,
-      rough: false,
-      ...(whole ? { hand: null, check: null, driven: null } : {}),
-    };
-    const lanes = session.lanes.map((lane) => standIn(lane, this.shown, whole));
-    /** @type {Drawn[]} */
-    this.drawn = sheets.flatMap((layout) => {
-      const place = session.stage.at(layout.id);
-      const lane = place && lanes[place.lane];
-      if (!lane) return [];
-      const { width, height } = place.pane;
-      const layers = LAYERS.map(() => makeCanvas(width, height));
-      const pane = new KINDS[place.kind](
-        /** @type {Record<LayerName, OffscreenCanvas>} */ (
-          Object.fromEntries(LAYERS.map((name, i) => [name, layers[i]]))
-        ),
-      );
-      Object.assign(pane, { width, height });
-      if (pane instanceof KINDS.cspace) pane.painter = session.stage.painter;
-      pane.glow.enabled = false;
-      pane.layout(lane, { ...look, ratio });
-      // Snapshots are not needed.
-      for (const keeps of Object.values(pane.growth.snapshots)) keeps.spacing = Infinity;
-      return [{ layout, pane, layers, lane }];
-    });
+/**
+ * @param {HTMLElement} element
+ * @param {DOMRect} host
+ * @param {HTMLElement} caption
+ * @param {HTMLElement} note
+ * @returns {Caption}
+ */
+function captionOf(element, host, caption, note) {
+  const { left, top, width } = element.getBoundingClientRect();
+  const padding = parseFloat(getComputedStyle(element).paddingLeft);
+  return {
+    x: left - host.left + padding,
+    y: top - host.top,
+    width: width - 2 * padding,
+    name: caption.innerText,
+    note: note.innerText,
+  };
+}
+
+/** Shows the iterations at a time. @param {Pane[]} panes @param {Session["clock"]["column"]} column @param {number} time */
+export function showTime(panes, column, time) {
+  for (const { lane } of panes) {
+    const { run } = /** @type {Still} */ (lane);
+    if (!run) continue;
+    run.shown = run.iterationAt(column, time);
+    run.frontier.follow();
   }
+}
 
-  /** Puts the robots on their paths. @param {number} part  0 to 1 */
-  place(part) {
-    for (const {
-      lane: { playback },
-    } of this.drawn)
-      if (playback) playback.at = part;
-  }
-
-  /** Draws a time, by default that of the stage, in slices. @param {number} [time] @returns {Generator<void>} */
-  *draw(time) {
-    const {
-      clock: { column },
-    } = this;
-    for (const { pane, lane } of this.drawn) {
-      const { run } = lane;
-      if (run && time !== undefined) run.shown = run.iterationAt(column, time);
-      for (;;) {
-        const until = performance.now() + SLICE;
-        pane.refine(lane);
-        pane.grow(0, until);
-        if (pane.caughtUp && pane.isRefined) break;
-        yield;
-      }
-      run?.frontier.follow();
-      pane.glow.clear();
-      pane.drawTop(0);
-    }
-  }
-
-  /**
-   * Draws the panes and captions on a canvas of the whole stage.
-   * @param {OffscreenCanvasRenderingContext2D} context
-   * @param {boolean} [blank]  clears it first
-   */
-  compose(context, blank = true) {
-    const { ratio, palette } = this;
-    if (blank) {
-      context.fillStyle = palette.stage;
-      context.fillRect(0, 0, context.canvas.width, context.canvas.height);
-    }
-    for (const { layout, layers } of this.drawn) {
-      for (const layer of layers) context.drawImage(layer, Math.round(layout.x * ratio), Math.round(layout.y * ratio));
-      context.save();
-      context.scale(ratio, ratio);
-      writeCaption(context, layout, palette);
-      context.restore();
-    }
-  }
+/** Puts the robots on their paths. @param {Pane[]} panes @param {number} part  0 to 1 */
+export function followPaths(panes, part) {
+  for (const { lane } of panes) if (lane?.playback) lane.playback.at = part;
 }
 
 /**
@@ -127,16 +99,19 @@ export class Picture {
  * @param {boolean} whole
  * @returns {Lane}
  */
-function standIn(lane, shown, whole) {
+function stillOf(lane, shown, whole) {
   const { run, end, asked } = lane;
   const still = (/** @type {PathPlayback} */ playback) =>
     Object.create(playback, {
       drawn: { value: whole ? 1 : playback.drawn },
       at: { value: playback.at, writable: true },
     });
-  /** @type {(RunLog & { shown: number }) | null} */
+  /** @type {Still["run"]} */
   const its = run && Object.create(run, { shown: { value: run.shown, writable: true } });
-  if (run && its) Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
+  if (run && its) {
+    Object.defineProperty(its, "frontier", { value: new Frontier(its, run.adjacency) });
+    its.frontier.follow();
+  }
   return Object.create(lane, {
     shown: { value: shown },
     run: { value: its },
@@ -146,40 +121,15 @@ function standIn(lane, shown, whole) {
 }
 
 /**
- * Draws a caption, wrapped to its width.
- * @param {Pick<CanvasRenderingContext2D, "font" | "fillStyle" | "textBaseline" | "textAlign" | "fillText">} context
- * @param {Layout["sheets"][number]} layout
- * @param {Palette} palette
+ * What holds as long as no other run begins.
+ * @param {Session} session
+ * @returns {() => void} to be called after every pause
+ * @throws {Error} `run-replaced`
  */
-export function writeCaption(context, { caption: { x, y, width, name, note } }, palette) {
-  const ruler = new OffscreenCanvas(1, 1).getContext("2d");
-  if (!ruler) return;
-  context.font = ruler.font = FONT;
-  context.textBaseline = "middle";
-  context.textAlign = "left";
-  let left = 0;
-  let line = 0;
-  for (const [words, colour] of [
-    [name, palette.ink],
-    [note, palette.quiet],
-  ]) {
-    context.fillStyle = colour;
-    let text = "";
-    const write = () => {
-      context.fillText(text, x + left, y + LINE * (line + 0.5));
-      left += ruler.measureText(text).width + GAP;
-      text = "";
-    };
-    for (const word of words.split(/\s+/).filter(Boolean)) {
-      const longer = `${text} ${word}`.trimStart();
-      if (left + ruler.measureText(longer).width <= width || left + text.length === 0) text = longer;
-      else {
-        write();
-        left = 0;
-        line++;
-        text = word;
-      }
-    }
-    if (text) write();
-  }
+export function sameRun(session) {
+  const { plannings } = session;
+  return () => {
+    if (session.plannings !== plannings)
+      throw Object.assign(new Error("Another run started during the export."), { code: "run-replaced" });
+  };
 }

@@ -12,7 +12,6 @@ import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
 
 /** @import { Lane, Shown } from "../lane.js" */
-/** @import { LayerName } from "../../draw/layer.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
 /** @import { Coordinate, Scenario } from "../../domain/types.js" */
@@ -30,9 +29,8 @@ const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };
 const SLICE = { rough: 24, fine: 96 };
 
 export class CSpace extends Pane {
-  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
-  constructor(canvases) {
-    super(canvases);
+  constructor() {
+    super();
     /** The coordinates across and up. @type {[number, number]} */
     this.axes = [0, 1];
     /** Their names, units and ranges. @type {Coordinate[]} */
@@ -99,12 +97,11 @@ export class CSpace extends Pane {
 
   /**
    * Requests a picture of the obstacles: all of two coordinates; of more, a slice through the current configuration if
-   * the view shows it.
-   * @param {Lane} lane @override
+   * the view shows it. @override
    */
-  refine(lane) {
-    const { view, painter } = this;
-    if (!view || !painter) return;
+  refine() {
+    const { view, painter, lane } = this;
+    if (!view || !painter || !lane) return;
     const {
       scenario: { dimension },
       shown,
@@ -112,14 +109,14 @@ export class CSpace extends Pane {
     const pose = dimension > 2 && shown.view.slice ? (lane.pose ?? shown.start) : null;
     this.wanted = dimension > 2 && !pose ? null : this.picture(shown, pose);
     if (!this.wanted) {
-      if (this.cells) this.repaint(null);
+      this.cells = null;
       return;
     }
     if (this.isRefined || this.isPainting) return;
     const { key, sides } = this.wanted;
     const side = this.cells?.key === key ? sides[sides.length - 1] : sides[0];
     const { width, height } = this.frame();
-    const ratio = shown.rough ? 1 : this.layers.ground.ratio;
+    const ratio = shown.rough ? 1 : this.ratio;
     this.isPainting = true;
     const { name } = shown.document;
     void painter({
@@ -133,7 +130,7 @@ export class CSpace extends Pane {
       .then((image) => {
         // After an error it is not requested again.
         if (this.view && this.lane?.shown.document.name === name)
-          this.repaint({ key, name, side: image ? side : Infinity, image });
+          this.cells = { key, name, side: image ? side : Infinity, image };
       })
       .finally(() => {
         this.isPainting = false;
@@ -147,8 +144,7 @@ export class CSpace extends Pane {
    */
   picture({ rough }, pose) {
     const { width, height } = this.frame();
-    const { ratio } = this.layers.ground;
-    const { palette, axes } = this;
+    const { ratio, palette, axes } = this;
     const look = `${this.world.count},${width},${height},${ratio},${palette?.obstacle},${palette?.obstacleEdge}`;
     if (pose)
       return {
@@ -165,11 +161,9 @@ export class CSpace extends Pane {
     return !painter || !wanted || (cells?.key === wanted.key && cells.side >= Math.max(...wanted.sides));
   }
 
-  /** Redraws the ground with a new picture of the obstacles. @param {CSpace["cells"]} cells */
-  repaint(cells) {
-    this.cells = cells;
-    this.layers.ground.clear();
-    this.drawGround(this.layers.ground.context, /** @type {Lane} */ (this.lane));
+  /** @override */
+  get groundKey() {
+    return [this.lane, this.cells];
   }
 
   /** @param {CanvasRenderingContext2D} context @override */

@@ -5,10 +5,10 @@
  */
 import { difference } from "planarium/draw";
 import { EVENT, PAST } from "../run-log/run-log.js";
-import { Snapshots } from "./snapshots.js";
 import { cross, disc, ring, setStroke } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
 
+/** @import { Brush } from "../../draw/sheet.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 
@@ -18,9 +18,7 @@ const BATCH = { edges: 16, vertices: 64, events: 64 };
 /** Number of the newest events that flash. */
 const FLASHES = 128;
 
-/** The layer of each kind of row. */
-const LAYER = /** @type {const} */ ({ edges: "edges", vertices: "vertices", events: "marks" });
-const KINDS = /** @type {(keyof typeof LAYER)[]} */ (Object.keys(LAYER));
+const KINDS = /** @type {const} */ (["edges", "vertices", "events"]);
 
 /** @typedef {{ vertices: number, edges: number, events: number }} Counts */
 
@@ -28,114 +26,77 @@ export class Growth {
   /** @param {Pane} pane */
   constructor(pane) {
     this.pane = pane;
-    /** Rows drawn. */
-    this.drawn = countsOf(null);
+    /** How many times it started from empty layers. */
+    this.starts = 0;
+    /** The rows, and how many of them are gone, in the frame before. */
+    this.seen = countsOf(null);
+    this.wereGone = 0;
     /** Rows below these counts do not glow: they are redrawn. */
     this.old = countsOf(null);
-    /** How many vertices are removed, and edges replaced, in what is drawn. */
-    this.gone = 0;
-    this.snapshots = {
-      edges: new Snapshots(pane.layers.edges),
-      vertices: new Snapshots(pane.layers.vertices),
-      events: new Snapshots(pane.layers.marks),
-    };
   }
 
   /** Starts from empty layers. @param {Counts} old  rows that do not glow */
   restart(old = countsOf(null)) {
-    for (const kind of KINDS) {
-      this.snapshots[kind].clear();
-      this.pane.layers[LAYER[kind]].paste(null);
-    }
-    this.drawn = countsOf(null);
-    this.old = old;
-    this.gone = 0;
+    this.starts++;
+    this.seen = this.old = old;
+    this.wereGone = this.gone;
+  }
+
+  get run() {
+    return (this.pane.view && this.pane.lane?.run) ?? null;
   }
 
   /** Rows to be drawn. @returns {Counts} */
   get target() {
-    return countsOf(this.pane.lane?.run ?? null);
+    return countsOf(this.run);
   }
 
-  get caughtUp() {
-    const { drawn, target } = this;
-    return KINDS.every((kind) => drawn[kind] === target[kind]);
+  /** How many vertices are removed, and edges replaced, in what is to be drawn. */
+  get gone() {
+    const { run, target } = this;
+    return run ? run.countOf(EVENT.removed, target.events) + run.countOf(EVENT.rewired, target.events) : 0;
   }
 
-  /**
-   * Draws what is new until the clock passes `until`, and at least one batch of each kind. A snapshot takes a frame of
-   * its own, as the browser rasterizes all pending drawing before it copies.
-   * @param {number} now @param {number} until @param {number} most  rows at most
-   * @returns {boolean} whether it made a snapshot
-   */
-  draw(now, until, most) {
-    const run = this.pane.lane?.run;
-    if (!run) return false;
-    const { target } = this;
-    this.leap(target);
-    const due = KINDS.find((kind) => this.snapshots[kind].isDue(this.drawn[kind]));
-    if (due) {
-      this.snapshots[due].copy(this.drawn[due]);
-      return true;
-    }
-    // A redraw without what is gone is done in one frame, as half of it would flicker.
-    const limit = this.shed(run, target) ? Infinity : until;
-    const { edges, vertices } = this.drawn;
-    const isRoom = () =>
-      limit === Infinity ||
-      (performance.now() < until && this.drawn.edges - edges + this.drawn.vertices - vertices < most);
-    do {
-      this.drawEdges(run, target.edges, now);
-    } while (this.drawn.edges < target.edges && isRoom());
-    do {
-      this.drawVertices(run, target.vertices, now);
-    } while (this.drawn.vertices < target.vertices && isRoom());
-    do {
-      this.drawEvents(run, target.events, now);
-    } while (this.drawn.events < target.events && performance.now() < until);
-    return false;
+  /** The logs as layers of the pane. */
+  get layers() {
+    const { run, starts: key, target, gone: revision } = this;
+    /** @param {keyof Counts} kind @param {(run: RunLog, brush: Brush, from: number, to: number) => void} draw */
+    const log = (kind, draw) => ({
+      key,
+      jumps: true,
+      clip: (/** @type {CanvasRenderingContext2D} */ context) => this.pane.clip(context),
+      logs: [
+        {
+          count: target[kind],
+          batch: BATCH[kind],
+          append: (/** @type {Brush} */ brush, /** @type {number} */ from, /** @type {number} */ to) =>
+            draw.call(this, /** @type {RunLog} */ (run), brush, from, to),
+        },
+      ],
+    });
+    return {
+      edges: { ...log("edges", this.drawEdges), revision },
+      vertices: { ...log("vertices", this.drawVertices), revision },
+      marks: log("events", this.drawEvents),
+    };
   }
 
-  /**
-   * Empties the layers if other vertices are removed, or other edges replaced, now.
-   * @param {RunLog} run
-   * @param {Counts} target
-   * @returns {boolean} whether it did
-   */
-  shed(run, target) {
-    const gone = run.countOf(EVENT.removed, target.events) + run.countOf(EVENT.rewired, target.events);
-    if (gone === this.gone) return false;
-    this.gone = gone;
-    this.old = { ...this.old, edges: this.drawn.edges, vertices: this.drawn.vertices };
-    for (const kind of /** @type {const} */ (["edges", "vertices"])) {
-      this.snapshots[kind].clear();
-      this.pane.layers[LAYER[kind]].paste(null);
-      this.drawn[kind] = 0;
-    }
-    return true;
-  }
-
-  /** Restores a snapshot if more is drawn than is shown, or if the snapshot is nearer. @param {Counts} target */
-  leap(target) {
-    const { drawn, snapshots } = this;
-    if (KINDS.some((kind) => drawn[kind] > target[kind])) {
+  /** Finds which rows glow, before a frame is drawn: not those that are drawn again. */
+  follow() {
+    const { target, seen, gone } = this;
+    if (KINDS.some((kind) => seen[kind] > target[kind])) {
       this.pane.glow.clear();
       this.old = target;
     }
-    for (const kind of KINDS) {
-      const count = snapshots[kind].best(target[kind])?.count ?? 0;
-      if (drawn[kind] > target[kind] || count > drawn[kind]) drawn[kind] = snapshots[kind].restore(target[kind]);
-    }
+    if (gone !== this.wereGone) this.old = { ...this.old, edges: seen.edges, vertices: seen.vertices };
+    this.seen = target;
+    this.wereGone = gone;
   }
 
-  /** @param {RunLog} run @param {number} target @param {number} now */
-  drawEdges(run, target, now) {
-    const first = this.drawn.edges;
-    const end = Math.min(target, first + BATCH.edges);
-    if (end === first) return;
+  /** @param {RunLog} run @param {Brush} brush @param {number} first @param {number} end */
+  drawEdges(run, { context }, first, end) {
     const { pane, gone, target: counts } = this;
     const { points, firsts } = this.linesOf(run, first, end);
-    const { context } = pane.layers.edges;
     context.lineWidth = (run.isTree ? 1.2 : 0.8) * Math.max(0.85, pane.fineness);
     context.lineCap = "round";
     context.lineJoin = "round";
@@ -147,11 +108,9 @@ export class Growth {
       if (its !== side) context.strokeStyle = pane.sideColour((side = its));
       strokeLine(context, points, firsts[e - first], firsts[e - first + 1]);
     }
-    context.globalAlpha = 1;
-    this.drawn.edges = end;
-    const glowing = Math.max(first, this.old.edges, target - pane.glow.room("edge"));
+    const glowing = Math.max(first, this.old.edges, counts.edges - pane.glow.room("edge"));
     for (let e = glowing; e < end; e++)
-      pane.glow.add("edge", now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
+      pane.glow.add("edge", pane.now, points.slice(2 * firsts[e - first], 2 * firsts[e - first + 1]));
   }
 
   /**
@@ -181,45 +140,39 @@ export class Growth {
     return { points, firsts: Uint32Array.from(starts, (at) => firsts[at]) };
   }
 
-  /** @param {RunLog} run @param {number} target @param {number} now */
-  drawVertices(run, target, now) {
-    const first = this.drawn.vertices;
-    const end = Math.min(target, first + BATCH.vertices);
-    if (end === first) return;
-    const { pane } = this;
+  /** @param {RunLog} run @param {Brush} brush @param {number} first @param {number} end */
+  drawVertices(run, { context }, first, end) {
+    const {
+      pane,
+      gone,
+      target: { vertices, events },
+    } = this;
     const points = pane.pixels(run.vertices.slice(first, end));
-    const { context } = pane.layers.vertices;
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
-    const { events } = this.target;
     // The roots have the marks of start and goal, unless a roadmap was asked for another path.
     for (let v = pane.lane?.asked ? first : Math.max(first, run.roots); v < end; v++) {
-      if (this.gone > 0 && !run.isThere(v, events)) continue;
+      if (gone > 0 && !run.isThere(v, events)) continue;
       context.fillStyle = pane.sideColour(run.sides.data[v]);
       disc(context, points[2 * (v - first)], points[2 * (v - first) + 1], radius);
     }
-    this.drawn.vertices = end;
-    const glowing = Math.max(first, this.old.vertices, target - pane.glow.room("vertex"));
+    const glowing = Math.max(first, this.old.vertices, vertices - pane.glow.room("vertex"));
     for (let v = glowing; v < end; v++)
-      pane.glow.add("vertex", now, points.slice(2 * (v - first), 2 * (v - first) + 2));
+      pane.glow.add("vertex", pane.now, points.slice(2 * (v - first), 2 * (v - first) + 2));
   }
 
   /**
    * Vertices expanded by the search are dots, guards are rings, rejected samples are crosses, rejected motions are
    * dashed lines up to the collision. Rejected ones flash, and stay if the view shows them.
-   * @param {RunLog} run @param {number} target @param {number} now
+   * @param {RunLog} run @param {Brush} brush @param {number} first @param {number} end
    */
-  drawEvents(run, target, now) {
-    const first = this.drawn.events;
-    const end = Math.min(target, first + BATCH.events);
-    if (end === first) return;
+  drawEvents(run, { context, palette }, first, end) {
     const { pane } = this;
-    const { palette, lane } = pane;
-    if (!palette || !lane) return;
-    const { context } = pane.layers.marks;
+    const { lane, now } = pane;
+    if (!lane) return;
     const { data, width } = run.events;
     const keeps = lane.shown.view.refused;
     const points = pane.pixels(this.placesOf(run, first, end));
-    const glowing = Math.max(this.old.events, target - FLASHES);
+    const glowing = Math.max(this.old.events, this.target.events - FLASHES);
     const refused = this.refusedLines(run, first, end, keeps ? 0 : pane.glow.enabled ? glowing : end);
     for (let i = first; i < end; i++) {
       const kind = data[i * width];
@@ -252,7 +205,6 @@ export class Growth {
         context.globalAlpha = 1;
       }
     }
-    this.drawn.events = end;
   }
 
   /** Draws what the shown iteration did, while the run is paused. @param {CanvasRenderingContext2D} context */

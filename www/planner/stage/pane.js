@@ -5,8 +5,6 @@
 import { SIDE } from "../run-log/run-log.js";
 import { Glow } from "./glow.js";
 import { Growth, countsOf, motionsAlong } from "./growth.js";
-import { hatch } from "../../draw/hatch.js";
-import { LAYERS, Layer } from "../../draw/layer.js";
 import { disc, ring } from "../../draw/marks.js";
 import { strokeLine, tracePen } from "../../draw/pen.js";
 import { Regions } from "./regions.js";
@@ -17,7 +15,7 @@ import { Strobe } from "./strobe.js";
 /** @import { Hover, Lane } from "../lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { Brush } from "../../draw/sheet.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Look, Scenario } from "../../domain/types.js" */
 /** @import { View } from "planarium/draw" */
@@ -27,11 +25,7 @@ import { Strobe } from "./strobe.js";
  */
 
 export class Pane {
-  /** @param {Record<LayerName, HTMLCanvasElement | OffscreenCanvas>} canvases */
-  constructor(canvases) {
-    this.layers = /** @type {Record<LayerName, Layer>} */ (
-      Object.fromEntries(LAYERS.map((name) => [name, new Layer(canvases[name])]))
-    );
+  constructor() {
     this.growth = new Growth(this);
     /** The Voronoi regions of a tree, once they are asked for. @type {Regions | null} */
     this.regions = null;
@@ -45,6 +39,10 @@ export class Pane {
     /** Size, CSS pixels. */
     this.width = 0;
     this.height = 0;
+    /** Device pixels a CSS pixel. */
+    this.ratio = 1;
+    /** The time of the frame, milliseconds. */
+    this.now = 0;
     /** Scale of dots and lines: 1 on a pane of medium size, less on a small one. */
     this.fineness = 1;
     /** Scale of strong lines, for projectors. */
@@ -92,8 +90,8 @@ export class Pane {
   survey(_lane) {}
   /** The robot, above everything else. @param {CanvasRenderingContext2D} _context @param {Lane} _lane */
   drawRobot(_context, _lane) {}
-  /** Requests what the ground still lacks. @param {Lane} _lane */
-  refine(_lane) {}
+  /** Requests what the ground still lacks. */
+  refine() {}
   /** Whether the ground is complete. */
   get isRefined() {
     return true;
@@ -101,34 +99,54 @@ export class Pane {
   /** Clips to the border of the picture. @param {CanvasRenderingContext2D} _context */
   clip(_context) {}
 
-  /** Fits the layers to the size of the pane and redraws everything. @param {Lane} lane @param {Look} look */
-  layout(lane, { palette, ratio, bold }) {
-    this.lane = lane;
-    this.palette = palette;
-    const { width, height, layers } = this;
+  /** What the ground shows. @returns {unknown[]} */
+  get groundKey() {
+    return [this.lane];
+  }
+
+  /** The ground; edges, vertices and marks in the order of the log; the top, which is redrawn each frame. */
+  get layers() {
+    const { lane } = this;
+    return {
+      ground: {
+        key: this.groundKey,
+        draw: (/** @type {Brush} */ { context }) => {
+          if (lane) this.drawGround(context, lane);
+        },
+      },
+      ...this.growth.layers,
+      top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
+    };
+  }
+
+  /**
+   * Lays the pane out for its lane.
+   * @param {{ width: number, height: number }} size
+   * @param {Look} look
+   */
+  layout({ width, height }, { palette, ratio, bold }) {
+    const { lane } = this;
+    Object.assign(this, { width, height, palette, ratio, bold });
     this.view = null;
-    if (width < 1 || height < 1 || !this.fits(lane)) return;
-    for (const name of LAYERS) layers[name].fit(width, height, ratio);
-    this.bold = bold;
+    if (!lane || width < 1 || height < 1 || !this.fits(lane)) return;
     this.view = this.makeView(lane, width, height);
     this.fineness = Math.min(1.5, Math.max(0.72, Math.min(width, height) / 460)) * bold;
-    this.hatchOnPart = hatch(layers.top.context, palette.stage, ratio);
-    this.hatchOnObstacle = hatch(layers.top.context, palette.collision, ratio);
     this.forget();
     this.survey(lane);
-    for (const name of /** @type {const} */ (["edges", "vertices", "marks"]))
-      layers[name].enclose((context) => this.clip(context));
-    this.drawGround(layers.ground.context, lane);
     this.growth.restart(countsOf(lane.run));
   }
 
-  /** Redraws the ground with the same view while the world is edited. @param {Lane} lane */
+  /** Shows another lane with the same view while the world is edited. @param {Lane} lane */
   refresh(lane) {
     this.lane = lane;
-    this.layers.ground.clear();
     this.survey(lane);
-    this.drawGround(this.layers.ground.context, lane);
     this.restart();
+  }
+
+  /** Before a frame is drawn. @param {number} now */
+  follow(now) {
+    this.now = now;
+    this.growth.follow();
   }
 
   /** A new run on the same ground. */
@@ -152,21 +170,6 @@ export class Pane {
     return this.found;
   }
 
-  /** Whether everything that is shown has been drawn. */
-  get caughtUp() {
-    return !this.view || this.growth.caughtUp;
-  }
-
-  /**
-   * @param {number} now
-   * @param {number} until
-   * @param {number} [most]  rows at most
-   * @returns {boolean} whether it made a snapshot
-   */
-  grow(now, until, most = Infinity) {
-    return this.view !== null && this.palette !== null && this.growth.draw(now, until, most);
-  }
-
   /** @param {number} side */
   sideColour(side) {
     const palette = /** @type {Palette} */ (this.palette);
@@ -174,12 +177,12 @@ export class Pane {
     return side === SIDE.goal ? palette.goal : palette.growth;
   }
 
-  /** Redraws the top: glow, path, marks, robot. @param {number} now */
-  drawTop(now) {
-    const { lane, palette, view } = this;
-    if (!lane || !palette || !view) return;
-    const { context } = this.layers.top;
-    this.layers.top.clear();
+  /** Draws the top: glow, path, marks, robot. @param {Brush} brush */
+  drawTop({ context, palette, hatch }) {
+    const { lane, view, now } = this;
+    if (!lane || !view) return;
+    this.hatchOnPart = hatch(palette.stage);
+    this.hatchOnObstacle = hatch(palette.collision);
     context.save();
     this.clip(context);
     if (lane.shown.view.regions) this.drawRegions(context, lane);

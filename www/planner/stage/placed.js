@@ -170,7 +170,7 @@ export class Placed {
       parts.push(scenario.footprint(rows.subarray(rows.length - n)));
       this.swept = { edge, run, parts };
     }
-    const { width, height, ratio } = pane.layers.top;
+    const { width, height, ratio } = pane;
     const outlines = this.swept.parts;
     /**
      * A picture of all outlines.

@@ -2,15 +2,18 @@
  * The panes of the planner's page: the lane of each, its size and colours. It draws one frame at a time: a bounded
  * slice of growth, and the top.
  */
+import { Figure } from "../../draw/figure.js";
 import { CSpace } from "./cspace-pane.js";
 import { Workspace } from "./workspace-pane.js";
 
 /** @import { Lane } from "../lane.js" */
 /** @import { Painter } from "./cspace-pane.js" */
 /** @import { Look, PaneKind } from "../../domain/types.js" */
-/** @import { LayerName } from "../../draw/layer.js" */
+/** @import { App } from "../../app/app.js" */
 /** @import { Pane } from "./pane.js" */
-/** @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane }} Place */
+/**
+ * @typedef {{ id: string, kind: PaneKind, lane: number, pane: Pane, figure: Figure<Pane> }} Place
+ */
 
 /** Rows drawn in a frame while it plays: at first, at least and at most. */
 const RATION = { first: 240, least: 48, most: 960 };
@@ -38,38 +41,37 @@ export class Stage {
   }
 
   /**
-   * @param {string} id
-   * @param {PaneKind} kind
-   * @param {number} lane
-   * @param {Record<LayerName, HTMLCanvasElement>} canvases
+   * Adds a figure of a lane.
+   * @param {App} app
+   * @param {HTMLElement} host
+   * @param {{ id: string, kind: PaneKind, lane: number, caption: string }} names
+   * @param {() => void} onSize  what is drawn is out of date until the next frame
+   * @returns {Place}
    */
-  add(id, kind, lane, canvases) {
-    const pane = new KINDS[kind](canvases);
-    if (pane instanceof CSpace) pane.painter = this.painter;
+  add(app, host, { id, kind, lane, caption }, onSize) {
+    const pane = this.paneOf(kind);
     pane.glow.enabled = !this.look?.calm;
-    this.places.set(id, { id, kind, lane, pane });
+    const figure = new Figure(app, host, { id, kind, caption }, pane, () => {
+      this.stale.add(id);
+      onSize();
+    });
+    const place = { id, kind, lane, pane, figure };
+    this.places.set(id, place);
+    return place;
+  }
+
+  /** @param {PaneKind} kind @returns {Pane} */
+  paneOf(kind) {
+    const pane = new KINDS[kind]();
+    if (pane instanceof CSpace) pane.painter = this.painter;
+    return pane;
   }
 
   /** @param {string} id */
   remove(id) {
+    this.places.get(id)?.figure.remove();
     this.places.delete(id);
     this.stale.delete(id);
-  }
-
-  /**
-   * @param {string} id
-   * @param {number} width
-   * @param {number} height  CSS pixels
-   * @returns {boolean} whether it had another size
-   */
-  resize(id, width, height) {
-    const place = this.places.get(id);
-    if (!place || (place.pane.width === width && place.pane.height === height)) return false;
-    place.pane.width = width;
-    place.pane.height = height;
-    this.stale.add(id);
-    this.wake();
-    return true;
   }
 
   /** Sets colours and pixel ratio. @param {Look} look */
@@ -86,7 +88,7 @@ export class Stage {
 
   /** Sizes the layers on which nothing was drawn yet, so that a run does not wait for them. */
   prepare() {
-    for (const { layers } of this.panes) for (const layer of Object.values(layers)) layer.prepare();
+    for (const { figure } of this.places.values()) figure.sheet.prepare();
   }
 
   /** A new run on the same ground. @param {Lane[]} lanes */
@@ -117,12 +119,12 @@ export class Stage {
 
   /** Whether something remains to be drawn, or still glows. */
   get busy() {
-    return this.stale.size > 0 || this.panes.some((pane) => !pane.caughtUp || !pane.isRefined || pane.glow.alive);
+    return !this.caughtUp || this.panes.some((pane) => !pane.isRefined || pane.glow.alive);
   }
 
   /** Whether everything that is shown has been drawn. */
   get caughtUp() {
-    return this.stale.size === 0 && this.panes.every((pane) => pane.caughtUp);
+    return this.stale.size === 0 && [...this.places.values()].every(isCaughtUp);
   }
 
   /** Whether all grounds are complete. */
@@ -140,22 +142,36 @@ export class Stage {
    */
   frame(lanes, now, until, isPlaying) {
     if (!this.look) return;
-    for (const { id, lane, pane } of this.places.values()) {
-      if (!lanes[lane] || (pane.lane === lanes[lane] && !this.stale.has(id))) continue;
-      if (pane.view && lanes[lane].shown.rough && !this.stale.has(id)) pane.refresh(lanes[lane]);
-      else pane.layout(lanes[lane], this.look);
+    const places = [...this.places.values()];
+    for (const { id, lane, pane, figure } of places) {
+      const isStale = this.stale.has(id);
+      if (!lanes[lane] || (pane.lane === lanes[lane] && !isStale)) continue;
+      if (pane.view && lanes[lane].shown.rough && !isStale) pane.refresh(lanes[lane]);
+      else {
+        pane.lane = lanes[lane];
+        figure.sheet.fit(figure, this.look);
+      }
     }
     this.stale.clear();
-    const { panes } = this;
     const began = performance.now();
-    for (const pane of panes) if (pane.lane) pane.refine(pane.lane);
+    for (const { pane } of places) pane.refine();
     const most = isPlaying ? this.share(now) : Infinity;
-    const behind = panes.filter((pane) => !pane.caughtUp);
+    const behind = places.filter((place) => !isCaughtUp(place));
     this.isBehind = behind.length > 0;
     // When frames are long, panes are drawn in turn.
-    const drawn = most < RATION.first && behind.length > 1 ? [behind[this.turn++ % behind.length]] : panes;
-    // A frame makes one snapshot.
-    drawn.some((pane, i) => pane.grow(now, began + ((until - began) * (i + 1)) / drawn.length, most / drawn.length));
-    for (const pane of drawn) pane.drawTop(now);
+    const drawn = most < RATION.first && behind.length > 1 ? [behind[this.turn++ % behind.length]] : places;
+    let hasCopied = false;
+    for (const [i, { pane, figure }] of drawn.entries()) {
+      pane.follow(now);
+      figure.sheet.redraw(["top"]);
+      // A frame makes one copy.
+      const share = { until: began + ((until - began) * (i + 1)) / drawn.length, most: most / drawn.length };
+      hasCopied = figure.sheet.draw(hasCopied ? { most: 0 } : share) || hasCopied;
+    }
   }
+}
+
+/** @param {Place} place */
+function isCaughtUp({ pane, figure }) {
+  return !pane.view || figure.sheet.caughtUp;
 }

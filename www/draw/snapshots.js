@@ -4,7 +4,7 @@
  * often.
  */
 
-/** @import { Layer } from "../../draw/layer.js" */
+/** @import { Layer } from "./layer.js" */
 
 /** Marks between two copies at first. */
 const SPACING = 512;

@@ -92,10 +92,11 @@ export async function assembleFront(out, pages) {
 
 /** The first fleet of its page on its way. */
 async function fleetPane() {
-  const [{ FleetSession }, { commands }, { Floor }, { NO_APP }] = await Promise.all([
+  const [{ FleetSession }, { commands }, { Floor }, { drawWhole }, { NO_APP }] = await Promise.all([
     import("../www/fleet/session.js"),
     import("../www/fleet/commands.js"),
     import("../www/fleet/floor.js"),
+    import("../www/draw/sheet.js"),
     import("../www/gallery/build/sheet.js"),
   ]);
   const session = new FleetSession(NO_APP, /** @type {any} */ (commands));
@@ -108,10 +109,7 @@ async function fleetPane() {
     const hue = 250 + (360 * i) / session.robots.length;
     return `light-dark(oklch(0.53 0.135 ${hue}), oklch(0.78 0.135 ${hue}))`;
   });
-  return (/** @type {import("../www/draw/figure.js").Brush} */ brush) => {
-    floor.ground(brush);
-    floor.top(brush);
-  };
+  return (/** @type {import("../www/draw/sheet.js").Brush} */ brush) => drawWhole(floor, brush);
 }
 
 /** The rows of the plan of a class in docs/teaching.md: its minute, title, page, question and answer. */

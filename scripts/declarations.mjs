@@ -144,7 +144,12 @@ export function tablesOf({ phases, event_kinds, history_columns }) {
     },
   ];
   const each = (/** @type {(name: string, list: string) => string} */ write) =>
-    tables.map(({ name, text, words }) => `${comment(text)}\n${write(name, `[${words.map((word) => JSON.stringify(word)).join(", ")}]`)}\n`).join("");
+    tables
+      .map(
+        ({ name, text, words }) =>
+          `${comment(text)}\n${write(name, `[${words.map((word) => JSON.stringify(word)).join(", ")}]`)}\n`,
+      )
+      .join("");
   return {
     script: each((name, list) => `export const ${name} = Object.freeze(${list});`),
     declarations: each((name, list) => `export declare const ${name}: readonly ${list};`),

@@ -480,6 +480,43 @@ test("what is put across is not up any more: another factor is", () => {
   assert.deepEqual(shown("world", "world", [factors[1]]), ["success", "world", undefined]);
 });
 
+test("a student compares RRT in three environments, from the page that opens", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      const ready = () => page.waitForSelector("body[data-phase=ready][data-settled=true]");
+      await ready();
+      for (const scene of ["trap", "maze", "passage"]) {
+        await page.selectOption("#new-world", `scene:${scene}`);
+        await page.click("#add-world");
+        await ready();
+      }
+      await page.click("#world-0-remove");
+      await page.selectOption("#new-planner", "rrt");
+      await page.click("#add-planner");
+      await page.waitForSelector("#planner-1-remove");
+      await page.click("#planner-0-remove");
+      await page.waitForSelector("body[data-phase=ready][data-count='300'][data-settled=true]");
+      assert.equal(await page.inputValue("#seeds"), "0 to 99");
+      assert.equal(await page.inputValue("#title"), "RRT in 3 worlds");
+      await page.click("#run");
+      await done(page);
+      const words = (await page.locator("#words li").allInnerTexts()).join(" ");
+      assert.match(words, /^All have the same share of trials solved|^The share of trials solved is largest for A /);
+      assert.match(words, /All 3 worlds have a path\.$/);
+      assert.deepEqual(
+        (await tableOf(page, "box")).map(({ world, trials }) => [world, trials]),
+        [
+          ["trap", "100"],
+          ["maze", "100"],
+          ["passage", "100"],
+        ],
+      );
+      assert.match((await taken(page, "svg")).text, /RRT in 3 worlds.*A bug trap.*n = 100 each\./s);
+    },
+    { path: "experiments.html" },
+  ));
+
 test("every ready experiment is accepted, with its worlds", () =>
   onPage(
     { reducedMotion: "reduce" },
@@ -756,9 +793,14 @@ test("a short link runs by itself if it asks to, and others wait; it can be stop
     async (page) => {
       await done(page);
       assert.equal(await page.getAttribute("body", "data-done"), "200");
-      await page.click("#run");
-      await page.waitForSelector("body[data-phase=running]");
-      await page.click("#cancel");
+      // In one task, since it takes less than a second.
+      const phases = await page.evaluate(() =>
+        ["run", "cancel"].map((id) => {
+          document.getElementById(id)?.click();
+          return document.body.dataset.phase;
+        }),
+      );
+      assert.deepEqual(phases, ["running", "ready"]);
       await page.waitForSelector("body[data-phase=ready][data-done='0'][data-settled=true]");
     },
     path(fragment),

@@ -3,7 +3,7 @@
  * proven shows that there is one; elsewhere a certificate may show it, or that there is none.
  */
 import { counted } from "../app/dom.js";
-import { pairsOf } from "./common.js";
+import { TASK, pairsOf } from "./common.js";
 import { nameOf } from "./factors.js";
 import { SOLVED } from "./measures.js";
 import { sampleOf } from "./tables.js";
@@ -12,7 +12,7 @@ import { sampleOf } from "./tables.js";
 /** @import { Rows } from "./rows.js" */
 
 /** @typedef {import("./commands.js").Verdict} Verdict */
-/** Trials with the same world and query. @typedef {{ key: string, trials: number[], hasPath: boolean }} Task */
+/** Trials with the same world and query. @typedef {{ key: number, trials: number[], hasPath: boolean }} Task */
 
 /** Settings under which a path is proven to be free. @type {[name: string, proven: string][]} */
 const PROVEN = [
@@ -29,7 +29,7 @@ export function tasksOf(rows, document) {
       const set = planners.get(rows.cell(trial, "planner"))?.set;
       return (rows.cell(trial, `planner.${name}`) ?? set?.[name] ?? proven) === proven;
     });
-  return Array.from(pairsOf(rows, Array.from(rows.ended()), /^(?:world|query$)/), ([key, trials]) => {
+  return Array.from(pairsOf(rows, Array.from(rows.ended()), TASK), ([key, trials]) => {
     const solved = sampleOf(rows, trials, SOLVED);
     return { key, trials, hasPath: trials.some((trial, i) => solved[i] === 1 && isProven(trial)) };
   });
@@ -43,7 +43,7 @@ export function tasksOf(rows, document) {
 
 /**
  * @param {Task[]} tasks
- * @param {Map<string, Verdict>} verdicts  of those without a path, by their keys
+ * @param {Map<number, Verdict>} verdicts  of those without a path, by their keys
  * @returns {Ceiling}
  */
 export function ceilingOf(tasks, verdicts) {

@@ -28,22 +28,49 @@ export function settingsOf(rows, factors) {
   }));
 }
 
+/** What makes trials a pair, and what makes them tasks of one world and query: columns. */
+const PAIR = /^(?:world|query$|seed$)/;
+export const TASK = /^(?:world|query$)/;
+
+/** The numbers of what trials have in common, until further trials end. @type {WeakMap<Rows, Map<RegExp, Ids>>} */
+const known = new WeakMap();
+/** @typedef {{ done: number, ids: Uint32Array }} Ids   `ids`: by trial */
+
+/** @param {Rows} rows @param {RegExp} which @returns {Uint32Array} */
+function idsOf(rows, which) {
+  const own = known.get(rows) ?? new Map();
+  known.set(rows, own);
+  const before = own.get(which);
+  if (before?.done === rows.done) return before.ids;
+  const columns = rows.columns.filter((column) => which.test(column));
+  const ids = new Uint32Array(rows.count);
+  /** @type {Map<string, number>} */
+  const places = new Map();
+  for (const trial of rows.ended()) {
+    const key = columns.map((column) => rows.cell(trial, column)).join("\n");
+    const place = places.get(key) ?? places.size;
+    places.set(key, place);
+    ids[trial] = place;
+  }
+  own.set(which, { done: rows.done, ids });
+  return ids;
+}
+
 /**
  * Trials by what they have in common.
  * @param {Rows} rows
  * @param {number[]} trials
  * @param {RegExp} [which]  the columns
- * @returns {Map<string, number[]>}
+ * @returns {Map<number, number[]>}
  */
-export function pairsOf(rows, trials, which = /^(?:world|query$|seed$)/) {
-  const columns = rows.columns.filter((column) => which.test(column));
-  /** @type {Map<string, number[]>} */
+export function pairsOf(rows, trials, which = PAIR) {
+  const ids = idsOf(rows, which);
+  /** @type {Map<number, number[]>} */
   const pairs = new Map();
   for (const trial of trials) {
-    const key = columns.map((column) => rows.cell(trial, column)).join("\n");
-    const pair = pairs.get(key);
+    const pair = pairs.get(ids[trial]);
     if (pair) pair.push(trial);
-    else pairs.set(key, [trial]);
+    else pairs.set(ids[trial], [trial]);
   }
   return pairs;
 }

@@ -93,7 +93,7 @@ function extremes(ranked, measure) {
   }
   return best.value === worst.value
     ? `All have the same median of ${title}, ${text(best)}.`
-    : `The median of ${title} is smallest for ${best.name}, ${text(best)}, and largest for ${worst.name}, ${text(worst)}.`;
+    : `The median of ${title} is smallest for ${best.name}, ${text(best)}, and largest for ${worst.name}, ${text(worst)}${best.n === worst.n ? "" : "; these are not the same trials"}.`;
 }
 
 /**

@@ -194,7 +194,7 @@ export function captioned(picture, { title, caption, palette }) {
   const [width, height] = ["width", "height"].map((name) => Number(picture.getAttribute(name)));
   const lines = linesOf(caption, Math.floor((width - 2 * EDGE) / LETTER));
   const head = title ? HEAD : 0;
-  const whole = height + head + (lines.length > 0 ? LINE * lines.length + EDGE : 0);
+  const whole = height + head + (lines.length > 0 ? LINE * (lines.length + 1) : 0);
   const chart = /** @type {SVGSVGElement} */ (picture.cloneNode(true));
   chart.setAttribute("y", String(head));
   const text = (/** @type {number} */ y, /** @type {string} */ words, more = {}) =>
@@ -204,7 +204,7 @@ export function captioned(picture, { title, caption, palette }) {
     { width, height: whole, viewBox: `0 0 ${width} ${whole}`, "font-size": 12 },
     ...(title ? [text(24, title, { "font-size": 17, "font-weight": 600 })] : []),
     chart,
-    ...lines.map((line, i) => text(head + height + LINE * i + EDGE, line)),
+    ...lines.map((line, i) => text(head + height + LINE * (i + 1), line)),
   );
   frame.style.color = palette.ink;
   return frame;

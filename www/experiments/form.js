@@ -21,7 +21,7 @@ import { titleOf } from "./worlds.js";
 
 /** Rows for parameters that vary, at least. */
 const VARIED = 2;
-/** Seeds of an experiment in one world. */
+/** Seeds of an experiment in few worlds. */
 const SEEDS = 100;
 
 /** @param {ExperimentSession} session */
@@ -74,6 +74,11 @@ export function watchForm(session) {
     );
   }
 
+  /** @param {LinkedWorld[]} worlds */
+  function editWorlds(worlds) {
+    edit(enoughSeeds({ ...session.document, worlds }, session.document), true);
+  }
+
   function worldRows() {
     const { worlds } = session.document;
     const rows = worlds.map((world, i) => {
@@ -90,8 +95,7 @@ export function watchForm(session) {
       return entry(
         maker ? `${capital(titleOf(world))} (generated)` : titleOf(world),
         parts,
-        worlds.length > 1 &&
-          (() => edit(enoughSeeds({ ...session.document, worlds: worlds.filter((_, j) => j !== i) }), true)),
+        worlds.length > 1 && (() => editWorlds(worlds.filter((_, j) => j !== i))),
         `world-${i}-remove`,
       );
     });
@@ -116,7 +120,7 @@ export function watchForm(session) {
         ...(name === id ? {} : { name }),
         ...(kind === "generate" ? { seeds: { from: 0, count: 10 } } : {}),
       });
-      edit(enoughSeeds({ ...session.document, worlds: [...worlds, world] }), true);
+      editWorlds([...worlds, world]);
     };
     return [...rows, make("div", { className: "row" }, choice, button("add-world", "Add", add))];
   }
@@ -379,15 +383,17 @@ export function watchForm(session) {
 }
 
 /**
- * One world alone has more seeds: few say little.
+ * Worlds with a seed each, or none, are few: the planners get more seeds, unless it was so before.
  * @param {LinkedDocument} document
+ * @param {LinkedDocument} [before]
  * @returns {LinkedDocument}
  */
-export function enoughSeeds(document) {
-  const { worlds, seeds } = document;
-  const count = (/** @type {ExperimentSeeds} */ some) => (Array.isArray(some) ? some.length : some.count);
-  const isOne = worlds.length === 1 && (!("generate" in worlds[0]) || count(worlds[0].seeds ?? [0]) === 1);
-  return isOne && count(seeds) < SEEDS ? { ...document, seeds: { from: 0, count: SEEDS } } : document;
+export function enoughSeeds(document, before) {
+  const count = (/** @type {ExperimentSeeds} */ some) => (Array.isArray(some) ? some.length : (some?.count ?? 0));
+  const areFew = (/** @type {LinkedDocument} */ { worlds }) =>
+    worlds.every((world) => !("generate" in world) || (count(world.seeds ?? [0]) === 1 && !world.vary));
+  const isNew = areFew(document) && !(before && areFew(before));
+  return isNew && count(document.seeds) < SEEDS ? { ...document, seeds: { from: 0, count: SEEDS } } : document;
 }
 
 /** @param {string} title @param {...HTMLElement} parts */

@@ -71,23 +71,29 @@ export async function readyOf(document) {
 }
 
 /**
- * The title of a changed document: that of a ready experiment becomes one of the planners' names; a title by
- * the reader stays.
+ * The title of a changed document: that of a ready experiment becomes one of its planners and worlds; a title by the
+ * reader stays.
  * @param {LinkedDocument} before
  * @param {LinkedDocument} after
  * @returns {string | undefined}
  */
-export function retitled({ title, planners: before }, { planners: after }) {
-  return !title || title === namesOf(before) || READY.some((ready) => ready.title === title) ? namesOf(after) : title;
+export function retitled(before, after) {
+  const { title } = before;
+  const isOurs = !title || title === namesOf(before) || READY.some((ready) => ready.title === title);
+  return isOurs ? namesOf(after) : title;
 }
 
 /**
- * "RRT against RRT*".
- * @param {LinkedDocument["planners"]} planners
+ * "RRT against RRT*", "RRT in 3 worlds", "PRM by k".
+ * @param {LinkedDocument} document
  * @returns {string | undefined}  undefined: it has not the shape of a document
  */
-function namesOf(planners) {
+function namesOf({ planners, worlds }) {
   if (!Array.isArray(planners)) return undefined;
   const names = planners.map(plannerTitle);
-  return names.length > 2 ? `${names.slice(0, -1).join(", ")} and ${names[names.length - 1]}` : names.join(" against ");
+  if (names.length > 2) return `${names.slice(0, -1).join(", ")} and ${names[names.length - 1]}`;
+  if (names.length === 2) return names.join(" against ");
+  const varied = Object.keys(planners[0]?.vary ?? {}).map((name) => name.replaceAll("_", " "));
+  if (varied.length > 0) return `${names[0]} by ${varied.join(" and ")}`;
+  return Array.isArray(worlds) && worlds.length > 1 ? `${names[0]} in ${worlds.length} worlds` : names[0];
 }

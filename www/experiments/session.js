@@ -219,7 +219,7 @@ export class ExperimentSession extends Observable {
     const { resolved: document, rows } = this;
     if (!document) return;
     const tasks = tasksOf(rows, document);
-    /** @type {Map<string, import("./ceiling.js").Verdict>} */
+    /** @type {Map<number, import("./ceiling.js").Verdict>} */
     const verdicts = new Map();
     const open = tasks.filter(({ hasPath }) => !hasPath).slice(0, MOST_CERTIFIED);
     this.uncertified = open.length;

@@ -69,7 +69,11 @@ export const line = {
     return {
       marks,
       above: hasCounts ? ROW * (series.length - 1) + 4 : 0,
-      options: { x: { ...acrossOptions(across), ...place }, y: upOptions(chart.up, false), color: IDENTITY },
+      options: {
+        x: { ...acrossOptions(across), ...place, ...(hasCounts ? { inset: 8 } : {}) },
+        y: upOptions(chart.up, false),
+        color: IDENTITY,
+      },
     };
   },
   remark({ measure, across }) {

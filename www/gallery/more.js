@@ -267,7 +267,7 @@ export const MORE = [
     state: { way: "policy", planned: 1, driven: 1, trials: 20, time: 1000 },
     expect: "solved",
     shows: { reached: 0 },
-    see: "Without a roadmap the policy drives straight towards the goal, and {reached} of 20 drives reach it: it has no memory of walls that its sensor does not see.",
+    see: "Without a roadmap the policy drives towards the goal and gets stuck at a wall: {reached} of 20 drives reach it. Its rays show what is near, not the route.",
     try: "Choose PRM-RL: the same policy, along a roadmap.",
   },
 ];

@@ -491,6 +491,7 @@ test("axe finds nothing in the gallery, nothing hangs over on a phone, and it ca
           assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${width} px`);
         }
       }
+      await page.setViewportSize(PHONE.viewport);
       await page.click("#filters summary");
       for (const control of ["#search", "#filter-report", "#filters summary", "#topics a", ".views a"])
         assert.ok(((await page.locator(control).first().boundingBox())?.height ?? 0) >= 43.5, control);

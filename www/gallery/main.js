@@ -36,9 +36,9 @@ const topics = byId("topics", HTMLElement);
 const reports = byId("reports", HTMLElement);
 /** Sections with their entries in order. @type {Record<View, Map<HTMLElement, HTMLElement[]>>} */
 const groups = {
-  topics: new Map(elements(".group.topic").map((group) => [group, elements(".entry", group)])),
+  topics: new Map(elements(".chapter.topic").map((group) => [group, elements(".entry", group)])),
   reports: new Map(
-    elements(".group.report").map((group) => [
+    elements(".chapter.report").map((group) => [
       group,
       (group.dataset.order ?? "").split(" ").map((id) => byId(id, HTMLElement)),
     ]),

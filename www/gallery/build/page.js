@@ -74,7 +74,7 @@ ${table(reports)}
  */
 function section(id, title, about, kind, cards, order = []) {
   const own = order.length > 0 ? ` data-order="${order.map((entry) => entry.id).join(" ")}"` : "";
-  return `<section class="group ${kind}" id="${id}" aria-labelledby="${id}-title"${own}>
+  return `<section class="chapter ${kind}" id="${id}" aria-labelledby="${id}-title"${own}>
 <h2 id="${id}-title">${title}</h2>
 <p>${html(about)}</p>
 <div class="entries">

@@ -366,31 +366,35 @@ test("on a projector words are larger and lines bolder; axe finds nothing, nor i
   }));
 
 test("few controls are in view at first; More stays open, and opens for a link that sets something in it", () =>
-  onPausedPage(async (page, url) => {
-    const few = ["scenes", "planner", "play", "parameter-k", "parameter-seed", "new-seed"];
-    for (const id of few) assert.equal(await page.isVisible(`#${id}`), true, id);
-    const rest = ["preset", "parameter-samples", "parameter-edge_check", "open", "pose", "race-fold", "view-fold"];
-    for (const id of rest) assert.equal(await page.isVisible(`#${id}`), false, id);
-    // What a report did wrong is a preset only where it is set.
-    assert.ok((await offered(page, "preset")).includes("thirty-nearest"));
-    assert.ok(!(await offered(page, "preset")).includes("unchecked-1000-4"));
-    await page.click("#more > summary");
-    await setParameter(page, "samples", "1000");
-    await setParameter(page, "k", "4");
-    await setParameter(page, "edge_check", "none");
-    await page.locator("#parameter-direct").evaluate((input) => /** @type {HTMLElement} */ (input).click());
-    await atRest(page);
-    const link = await linkOf(page);
-    await page.reload();
-    await atRest(page);
-    assert.equal(await page.isVisible("#preset"), true);
-    await page.click("#more > summary");
-    await page.goto("about:blank");
-    await page.goto(`${url}${link}`);
-    await atRest(page);
-    assert.equal(await page.isVisible("#preset"), true);
-    assert.equal(await page.inputValue("#preset"), "unchecked-1000-4");
-  }));
+  onPausedPage(
+    async (page, url) => {
+      const few = ["scenes", "planner", "play", "parameter-k", "parameter-seed", "new-seed"];
+      for (const id of few) assert.equal(await page.isVisible(`#${id}`), true, id);
+      const rest = ["preset", "parameter-samples", "parameter-edge_check", "open", "pose", "race-fold", "view-fold"];
+      for (const id of rest) assert.equal(await page.isVisible(`#${id}`), false, id);
+      // What a report did wrong is a preset only where it is set.
+      assert.ok((await offered(page, "preset")).includes("thirty-nearest"));
+      assert.ok(!(await offered(page, "preset")).includes("unchecked-1000-4"));
+      await page.click("#more > summary");
+      await setParameter(page, "samples", "1000");
+      await setParameter(page, "k", "4");
+      await setParameter(page, "edge_check", "none");
+      await page.locator("#parameter-direct").evaluate((input) => /** @type {HTMLElement} */ (input).click());
+      await atRest(page);
+      const link = await linkOf(page);
+      await page.reload();
+      await atRest(page);
+      assert.equal(await page.isVisible("#preset"), true);
+      await page.click("#more > summary");
+      await page.goto("about:blank");
+      await page.goto(`${url}${link}`);
+      await atRest(page);
+      assert.equal(await page.isVisible("#preset"), true);
+      assert.equal(await page.inputValue("#preset"), "unchecked-1000-4");
+    },
+    {},
+    { isFolded: true },
+  ));
 
 for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "fleet.html", "prm-rl.html"])
   test(`the figures of ${path || "Plan"} fill small screens, projectors and frames`, () =>

@@ -23,6 +23,10 @@ import {
   unfold,
   useBrowser,
   violations,
+  linkOf,
+  offered,
+  onPage,
+  setParameter,
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
@@ -138,6 +142,7 @@ test("text and marks stand out, and different things differ for the colour-blind
       ["quiet", "page"],
       ["quiet", "stage"],
       ["collision", "page"],
+      ["obstacle", "stage"],
       ["obstacle-edge", "stage"],
       ["robot", "stage"],
       ["start", "stage"],
@@ -152,6 +157,8 @@ test("text and marks stand out, and different things differ for the colour-blind
     ];
     for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await page.emulateMedia({ colorScheme });
+      // Pale obstacles have an edge; on a dark stage and on a projector they differ by themselves.
+      const least = colorScheme === "dark" ? 1.5 : 1.35;
       const names = [...new Set(PAIRS.flat())];
       const colours = await coloursOf(
         page,
@@ -167,7 +174,7 @@ test("text and marks stand out, and different things differ for the colour-blind
           .sort((x, y) => x - y);
         const ratio = (light + 0.05) / (dark + 0.05);
         assert.ok(
-          ratio >= (/^(ink|quiet|collision)/.test(mark) ? 4.5 : 3),
+          ratio >= (/^(ink|quiet|collision)/.test(mark) ? 4.5 : mark === "obstacle" ? least : 3),
           `${mark} on ${ground}, ${colorScheme}: ${ratio.toFixed(2)}`,
         );
       }
@@ -323,6 +330,13 @@ test("with less motion the page is paused, nothing glows, a path is there at onc
     assert.match((await page.getAttribute("#workspace canvas[role=img]", "aria-label")) ?? "", /262 vertices.*solved/);
   }));
 
+/** The luminance of a colour of bytes. @param {number[]} bytes */
+const luminance = (bytes) =>
+  bytes
+    .map((byte) => byte / 255)
+    .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0);
+
 test("on a projector words are larger and lines bolder; axe finds nothing, nor in a frame", () =>
   onPausedPage(async (page, url) => {
     await chooseScene(page, "firs");
@@ -336,6 +350,8 @@ test("on a projector words are larger and lines bolder; axe finds nothing, nor i
     const [size, thin] = [await fontSize(), await ink()];
     await click(page, "#projector");
     assert.equal(await page.isVisible(".panel"), false);
+    const [obstacle, stage] = (await coloursOf(page, ["var(--obstacle)", "var(--stage)"])).map(luminance);
+    assert.ok((stage + 0.05) / (obstacle + 0.05) >= 1.5);
     assert.ok((await fontSize()) > 1.3 * size);
     assert.ok((await ink()) > 1.25 * thin, `${await ink()} after ${thin}`);
     assert.deepEqual(await violations(page), []);
@@ -349,6 +365,87 @@ test("on a projector words are larger and lines bolder; axe finds nothing, nor i
       [],
     );
   }));
+
+test("few controls are in view at first; More stays open, and opens for a link that sets something in it", () =>
+  onPausedPage(
+    async (page, url) => {
+      const few = ["scenes", "planner", "play", "parameter-k", "parameter-seed", "new-seed"];
+      for (const id of few) assert.equal(await page.isVisible(`#${id}`), true, id);
+      const rest = ["preset", "parameter-samples", "parameter-edge_check", "open", "pose", "race-fold", "view-fold"];
+      for (const id of rest) assert.equal(await page.isVisible(`#${id}`), false, id);
+      // What a report did wrong is a preset only where it is set.
+      assert.ok((await offered(page, "preset")).includes("thirty-nearest"));
+      assert.ok(!(await offered(page, "preset")).includes("unchecked-1000-4"));
+      await page.click("#more > summary");
+      await setParameter(page, "samples", "1000");
+      await setParameter(page, "k", "4");
+      await setParameter(page, "edge_check", "none");
+      await page.locator("#parameter-direct").evaluate((input) => /** @type {HTMLElement} */ (input).click());
+      await atRest(page);
+      const link = await linkOf(page);
+      await page.reload();
+      await atRest(page);
+      assert.equal(await page.isVisible("#preset"), true);
+      await page.click("#more > summary");
+      await page.goto("about:blank");
+      await page.goto(`${url}${link}`);
+      await atRest(page);
+      assert.equal(await page.isVisible("#preset"), true);
+      assert.equal(await page.inputValue("#preset"), "unchecked-1000-4");
+    },
+    {},
+    { isFolded: true },
+  ));
+
+for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "fleet.html", "prm-rl.html"])
+  test(`the figures of ${path || "Plan"} fill small screens, projectors and frames`, () =>
+    onPage(
+      { reducedMotion: "reduce", viewport: { width: 1024, height: 768 } },
+      async (page, url) => {
+        await assertFills(page, "desk");
+        await page.click("#projector");
+        await assertFills(page, "projector");
+        await page.setViewportSize({ width: 1280, height: 720 });
+        await assertFills(page, "wide projector");
+        for (const viewport of [
+          { width: 960, height: 540 },
+          { width: 640, height: 480 },
+        ]) {
+          await page.setViewportSize(viewport);
+          await page.goto(`${url}${path}?embed=1`);
+          await assertFills(page, `frame of ${viewport.width}`);
+          assert.equal(await page.isVisible(".masthead"), false);
+        }
+      },
+      { path },
+    ));
+
+/**
+ * The figures take 60 % of the height and of the width at least, and all of them are in view.
+ * @param {Page} page
+ * @param {string} name
+ */
+async function assertFills(page, name) {
+  await page.waitForSelector("#counters[data-settled=true], body[data-settled=true]", { state: "attached" });
+  const { width, height, bottom } = await page.evaluate(() => {
+    const boxes = [...document.querySelectorAll("#stage .sheet")].map((sheet) => sheet.getBoundingClientRect());
+    const side = (/** @type {number[]} */ from, /** @type {number[]} */ to) => Math.max(...to) - Math.min(...from);
+    return {
+      width:
+        side(
+          boxes.map(({ left }) => left),
+          boxes.map(({ right }) => right),
+        ) / innerWidth,
+      height:
+        side(
+          boxes.map(({ top }) => top),
+          boxes.map((box) => box.bottom),
+        ) / innerHeight,
+      bottom: Math.max(...boxes.map((box) => box.bottom)) / innerHeight,
+    };
+  });
+  assert.ok(width >= 0.6 && height >= 0.6 && bottom <= 1, `${name}: ${JSON.stringify({ width, height, bottom })}`);
+}
 
 test("a disc has one figure, which fits any width", () =>
   onPausedPage(async (page) => {

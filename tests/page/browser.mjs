@@ -19,8 +19,8 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
 /** @typedef {"ground" | "growth" | "edges" | "vertices" | "marks" | "top"} LayerName  of a figure */
 /**
- * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of a
- *   page, its query and fragment; without a name it is the planner's
+ * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string, isFolded?: boolean }} More
+ *   `path`: of a page, its query and fragment; without a name it is the planner's
  */
 /** @typedef {{ context: import("playwright-core").BrowserContext, page: Page, faults: string[] }} Opened */
 
@@ -184,7 +184,7 @@ export async function onPage(options, test, { before, expectErrors = false, path
 }
 
 /**
- * A page that waits at iteration 0.
+ * A page that waits at iteration 0, with "More" open unless the test `isFolded`.
  * @param {(page: Page, url: string) => Promise<void>} test @param {Options} [options] @param {More} [more]
  */
 export async function onPausedPage(test, options = {}, more = {}) {
@@ -192,6 +192,7 @@ export async function onPausedPage(test, options = {}, more = {}) {
     { reducedMotion: "reduce", ...options },
     async (page, url) => {
       await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
+      if (!more.isFolded) await reveal(page, "#more");
       await test(page, url);
     },
     more,

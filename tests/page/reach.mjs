@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { Scenario } from "planarium/full";
 import { SCENES } from "../../www/reach/scenes.js";
-import { DESK, choose as chooseOne, fill, keys, onPage } from "./browser.mjs";
+import { DESK, choose as chooseOne, fill, keys, onPage, reveal } from "./browser.mjs";
 import { plane } from "./editing.mjs";
 
 /** @import { More, Options, Page } from "./browser.mjs" */
@@ -44,6 +44,7 @@ export function roomOf(name, ready, chosen) {
         { reducedMotion: "reduce", ...options },
         async (page, url) => {
           await page.waitForSelector(ready);
+          await reveal(page, "#more");
           await test(page, url);
         },
         { path: `${name}.html`, ...more },

@@ -272,12 +272,6 @@ test("the path as it was found is shown beside the shortened one, with both leng
   onPausedPage(async (page) => {
     const { scenario, planner } = planned("shelf", { shortcut: 100 });
     await chooseScene(page, "shelf");
-    await page.evaluate(() => {
-      for (const more of /** @type {NodeListOf<HTMLDetailsElement>} */ (
-        document.querySelectorAll("#more, #more details")
-      ))
-        more.open = true;
-    });
     await setParameter(page, "shortcut", "100");
     await finish(page);
     await page.fill("#along", "0.5");

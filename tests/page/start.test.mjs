@@ -4,6 +4,7 @@ import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
+import { classPlan } from "../../scripts/front.mjs";
 import { encodeLink } from "../../www/planner/link/codec.js";
 import { beginRun } from "../../www/start/growth.js";
 import { RUN } from "../../www/start/run.js";
@@ -124,3 +125,30 @@ test("it breaks no rule that axe checks, light and dark, and fits a phone", asyn
     START,
   );
 });
+
+test("each slide of the class has its question, its answer on demand, and its page, which opens", () =>
+  onPage(
+    CALM,
+    async (page, url) => {
+      const count = await page.locator(".slide").count();
+      assert.equal(count, classPlan().length);
+      for (const [i, { page: address, question, answer }] of classPlan().entries()) {
+        await page.waitForSelector(`#deck[data-slide="${i + 1}"]`);
+        assert.equal(await page.innerText("h1:visible"), question);
+        assert.equal(await page.locator(".answer:visible").count(), 0);
+        const frame = (await (await page.waitForSelector("iframe")).contentFrame()) ?? assert.fail();
+        await frame.waitForSelector("body[data-settled=true]");
+        assert.equal(frame.url(), url + address.replace("#", "?embed=1#"));
+        assert.equal(await frame.isHidden("#notice"), true, question);
+        await page.keyboard.press("a");
+        assert.equal(await page.innerText(".answer:visible"), answer);
+        if (i === 1) assert.deepEqual(await violations(page), []);
+        await page.keyboard.press("ArrowRight");
+      }
+      assert.equal(await page.isDisabled("#next"), true);
+      await page.keyboard.press("PageUp");
+      await page.waitForSelector(`#deck[data-slide="${count - 1}"]`);
+      assert.equal(new URL(page.url()).hash, `#${count - 1}`);
+    },
+    { path: "class.html" },
+  ));

@@ -42,7 +42,7 @@ const PAGES = [
   },
   {
     name: "fleet",
-    link: "Robot fleets",
+    link: "Fleets",
     title: "Robot fleets",
     learns: "Who waits for whom when robots share a floor, and why the order of planning decides.",
   },

@@ -59,6 +59,7 @@ const TITLES = {
   "docs/javascript.md": "JavaScript",
   "docs/in-rust.md": "Rust",
   "docs/teaching.md": "Teaching",
+  "docs/worksheet.md": "Worksheet",
   "docs/planners.md": "Overview",
 };
 

@@ -240,3 +240,19 @@ test("pages that reload have one more script, and are told when they are made ag
     await close();
   }
 });
+
+test("as long as there is no documentation, its address says how it is built", async () => {
+  const [pages, docs] = [emptyFolder(), emptyFolder()];
+  addFiles(pages, { "index.html": "<p>pages" });
+  const { url, close } = await serve({ root: pages, port: 0, docs });
+  try {
+    const missing = await fetch(`${url}docs/`);
+    assert.equal(missing.status, 404);
+    assert.match(await missing.text(), /not built yet.*npm run site/);
+    addFiles(docs, { "index.html": "<p>docs" });
+    assert.equal(await (await fetch(`${url}docs/`)).text(), "<p>docs");
+    assert.equal(await (await fetch(`${url}docs/no.html`)).text(), "Not found\n");
+  } finally {
+    await close();
+  }
+});

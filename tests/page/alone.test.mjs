@@ -79,6 +79,12 @@ test("a page that was open once opens without a network with all its rooms, and 
         await page.waitForSelector("body[data-state=ready][data-settled=true]");
       }
       await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+      await page.goto(url);
+      await page.waitForSelector("#grow:enabled");
+      for (const shown of await page.locator("main img").all())
+        await shown.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+      await page.click("#grow");
+      await page.waitForSelector("#grown[data-state=solved]");
     },
     { serviceWorkers: "allow" },
     { expectErrors: true },

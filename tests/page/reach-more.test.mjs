@@ -81,7 +81,7 @@ test("the planner's page is handed the arm and the target", () =>
   onReach(async (page) => {
     await click(page, "#mode-solve");
     await page.waitForFunction(() => (document.getElementById("plan")?.getAttribute("href") ?? "").length > 20);
-    const { experiment } = await decodeLink(((await page.getAttribute("#plan", "href")) ?? "").slice(2));
+    const { experiment } = await decodeLink(((await page.getAttribute("#plan", "href")) ?? "").split("#")[1]);
     const { queries, robot } = /** @type {any} */ (experiment?.document);
     assert.deepEqual(queries, [
       { name: "reach", start: entryOf("islands").q, target: { point: entryOf("islands").target } },

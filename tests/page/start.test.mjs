@@ -4,8 +4,9 @@ import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
+import { classPlan } from "../../scripts/front.mjs";
 import { encodeLink } from "../../www/planner/link/codec.js";
-import { beginRun } from "../../www/start/growth.js";
+import { beginRun, bestPath } from "../../www/start/growth.js";
 import { RUN } from "../../www/start/run.js";
 import { DESK, PHONE, onPage, pageRoot, useBrowser, violations } from "./browser.mjs";
 
@@ -36,9 +37,16 @@ test("its script has at most 60 KB, and asks for the core only after the first p
 
 test("its picture is the end of a run of the planner, which grows again and opens on the planner's page", () => {
   const { planner } = beginRun({ Scenario });
-  while (planner.step(1000) === "running");
+  /** Paths found on the way. @type {number[][][]} */
+  const paths = [];
+  while (planner.step(100) === "running") paths.push(bestPath(planner));
   const { iterations } = planner;
-  const { fingerprint } = planner.result();
+  const { fingerprint, path, length } = planner.result();
+  assert.deepEqual(bestPath(planner), path);
+  assert.ok(
+    paths[0].length === 0 && new Set(paths.map((one) => JSON.stringify(one))).size > 4,
+    "the path gets shorter",
+  );
   return onPage(
     CALM,
     async (page, url) => {
@@ -54,7 +62,7 @@ test("its picture is the end of a run of the planner, which grows again and open
       assert.ok(paused > 0 && paused < iterations, `${paused}`);
       await page.click("#grow");
       await page.waitForSelector(`#grown[data-state=solved][data-iterations="${iterations}"]`);
-      assert.match(await page.innerText("#count"), /^Iteration [\d]+, a path of \d\.\d{3} m$/);
+      assert.equal(await page.innerText("#count"), `Iteration ${iterations}, a path of ${Number(length).toFixed(3)} m`);
       await page.click("text=Open this run");
       await page.waitForSelector(`#counters[data-settled=true][data-iterations="${iterations}"]`, {
         state: "attached",
@@ -124,3 +132,30 @@ test("it breaks no rule that axe checks, light and dark, and fits a phone", asyn
     START,
   );
 });
+
+test("each slide of the class has its question, its answer on demand, and its page, which opens", () =>
+  onPage(
+    CALM,
+    async (page, url) => {
+      const count = await page.locator(".slide").count();
+      assert.equal(count, classPlan().length);
+      for (const [i, { page: address, question, answer }] of classPlan().entries()) {
+        await page.waitForSelector(`#deck[data-slide="${i + 1}"]`);
+        assert.equal(await page.innerText("h1:visible"), question);
+        assert.equal(await page.locator(".answer:visible").count(), 0);
+        const frame = (await (await page.waitForSelector("iframe")).contentFrame()) ?? assert.fail();
+        await frame.waitForSelector("body[data-settled=true]");
+        assert.equal(frame.url(), url + address.replace("#", "?embed=1#"));
+        assert.equal(await frame.isHidden("#notice"), true, question);
+        await page.keyboard.press("a");
+        assert.equal(await page.innerText(".answer:visible"), answer);
+        if (i === 1) assert.deepEqual(await violations(page), []);
+        await page.keyboard.press("ArrowRight");
+      }
+      assert.equal(await page.isDisabled("#next"), true);
+      await page.keyboard.press("PageUp");
+      await page.waitForSelector(`#deck[data-slide="${count - 1}"]`);
+      assert.equal(new URL(page.url()).hash, `#${count - 1}`);
+    },
+    { path: "class.html" },
+  ));

@@ -17,13 +17,37 @@ export function beginRun({ Scenario }) {
   return { scenario, planner: withOptions(settings, (options) => scenario.planner(options)) };
 }
 
+/** The kind of the event that a path was found: its third number is the vertex. */
+const SOLVED = 3;
+
 /**
- * Draws the run as far as it has grown.
+ * The best path so far, which the planner has only at its end: from the vertex of the newest solution up to the root.
+ * @param {Library.Planner} planner
+ * @returns {number[][]}
+ */
+export function bestPath(planner) {
+  const events = rowsOf(planner.eventsSince(0), planner.eventWidth);
+  const found = events.findLast(([kind]) => kind === SOLVED);
+  if (!found) return [];
+  const edges = planner.edgesSince(0);
+  /** The parent of each vertex: the last edge counts. @type {Map<number, number>} */
+  const parents = new Map();
+  for (let i = 0; i < edges.length; i += 2) parents.set(edges[i + 1], edges[i]);
+  const vertices = rowsOf(planner.verticesSince(0), planner.dimension);
+  const path = [];
+  for (let at = /** @type {number | undefined} */ (found[2]); at !== undefined; at = parents.get(at))
+    path.unshift([...vertices[at]]);
+  return path;
+}
+
+/**
+ * Draws the run as far as it has grown, and returns its path.
  * @param {CanvasRenderingContext2D} context
  * @param {Run} run
  * @param {Palette} palette
  * @param {number} width
  * @param {number} height
+ * @returns {number[][]}
  */
 export function drawRun(context, { scenario, planner }, palette, width, height) {
   const view = new View(scenario.extent(), width, height);
@@ -33,8 +57,9 @@ export function drawRun(context, { scenario, planner }, palette, width, height) 
   context.globalAlpha = 0.6;
   drawEdges(context, view, scenario, planner, 0, palette);
   context.globalAlpha = 1;
-  const path = rowsOf(planner.path(), planner.dimension).map((row) => [...row]);
+  const path = bestPath(planner);
   if (path.length > 0) drawPath(context, view, scenario, { path }, palette);
   drawStart(context, ...view.place(start), palette);
   drawGoal(context, ...view.place(goal), palette);
+  return path;
 }

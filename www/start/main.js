@@ -50,9 +50,9 @@ function draw() {
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  drawRun(context, run, readPalette(grown), width, height);
+  const path = drawRun(context, run, readPalette(grown), width, height);
   const { iterations } = run.planner;
-  const { length } = run.planner.result();
+  const length = path.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - path[i][0], y - path[i][1]), 0);
   grown.dataset.iterations = String(iterations);
   count.textContent = `Iteration ${iterations}, ${length ? `a path of ${length.toFixed(3)} m` : "no path yet"}`;
 }

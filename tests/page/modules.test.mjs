@@ -385,6 +385,36 @@ test("newer work aborts older work, which a worker does not begin; of calls mean
   assert.equal(done, 3);
 });
 
+test("a worker begins its messages in their order, but none that was taken back meanwhile", async () => {
+  /** @type {unknown[]} */
+  const replies = [];
+  /** @type {(event: { data: object }) => void} */
+  let receive = () => {};
+  Object.assign(globalThis, {
+    self: { postMessage: (/** @type {unknown} */ reply) => replies.push(reply) },
+    addEventListener: (/** @type {string} */ _type, /** @type {typeof receive} */ listen) => {
+      receive = listen;
+    },
+    ImageBitmap: class {},
+    // Its ports do not keep this process alive.
+    MessageChannel: class extends MessageChannel {
+      constructor() {
+        super();
+        queueMicrotask(() => /** @type {any} */ (this.port1).unref());
+      }
+    },
+  });
+  const { serve } = await import("../../www/app/worker-server.js");
+  serve({ room: { commands: { double: (/** @type {number} */ count) => 2 * count } } });
+  for (const id of [1, 2, 3]) receive({ data: { id, room: "room", command: "double", args: [id] } });
+  receive({ data: { id: 2, isAborted: true } });
+  while (replies.length < 2) await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(replies, [
+    { id: 1, value: 2 },
+    { id: 3, value: 6 },
+  ]);
+});
+
 test("a history of edits goes back and on, forgets what was undone, and keeps two hundred edits", () => {
   const documents = Array.from(
     { length: 260 },

@@ -5,7 +5,9 @@ import { documentText } from "../../www/formats/document.js";
 import { History } from "../../www/planner/editor/history.js";
 import { PathPlayback, playbackOf } from "../../www/domain/path-playback.js";
 import { touchingSentence } from "../../www/domain/names.js";
-import { once } from "../../www/app/once.js";
+import { comparer, once } from "../../www/app/once.js";
+import { connect } from "../../www/app/worker-client.js";
+import { coalesced, isAbort, latest } from "../../www/app/work.js";
 import { Rows } from "../../www/planner/run-log/rows.js";
 import { EVENT, PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf, load } from "./library.mjs";
@@ -317,6 +319,100 @@ test("what is fetched once is fetched once; those who wait go on in their order;
   );
   assert.deepEqual(order, [21, 22, 23]);
   assert.equal(calls, 2);
+});
+
+test("values are compared with those of the call before, by name", () => {
+  const differs = comparer();
+  const list = [NaN];
+  assert.deepEqual(
+    [differs("a", 1, list), differs("a", 1, list), differs("b", 1, list), differs("a", 1, [NaN]), differs("b", 1)],
+    [true, false, true, true, true],
+  );
+});
+
+test("newer work aborts older work, which a worker does not begin; of calls meanwhile one follows", async () => {
+  /** @type {{ id: number, command?: string, args?: unknown[], isAborted?: boolean }[]} */
+  const sent = [];
+  /** @type {(event: { data: object }) => void} */
+  let reply = () => {};
+  const worker = {
+    postMessage: (/** @type {typeof sent[number]} */ message) => sent.push(message),
+    addEventListener: (/** @type {string} */ type, /** @type {typeof reply} */ listen) => {
+      if (type === "message") reply = listen;
+    },
+  };
+  /** @type {unknown[]} */
+  const errors = [];
+  const remote = /** @type {import("../../www/app/worker-client.js").Remote<{ double: (count: number) => number }>} */ (
+    connect(
+      /** @type {Worker} */ (/** @type {unknown} */ (worker)),
+      "room",
+      /** @type {WebAssembly.Module} */ ({}),
+      (error) => errors.push(error.message),
+    )
+  );
+  await new Promise((resolve) => setTimeout(resolve));
+  reply({ data: { id: 0, value: null } });
+  const double = latest((signal, /** @type {number} */ count) => remote.double(count, signal));
+  const older = double(1);
+  await new Promise((resolve) => setTimeout(resolve));
+  const newer = double(2);
+  await assert.rejects(older, isAbort);
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(sent.slice(1), [
+    { id: 1, room: "room", command: "double", args: [1] },
+    { id: 1, isAborted: true },
+    { id: 2, room: "room", command: "double", args: [2] },
+  ]);
+  // A reply that nobody awaits is dropped; but that the core was lost is told.
+  reply({ data: { id: 1, value: 2 } });
+  reply({ data: { id: 1, fault: { message: "lost", code: "internal", pointer: "" } } });
+  reply({ data: { id: 2, value: 4 } });
+  assert.equal(await newer, 4);
+  assert.deepEqual(errors, ["lost"]);
+  const given = double(3);
+  double.cancel();
+  await assert.rejects(given, isAbort);
+
+  let done = 0;
+  const work = coalesced(async () => {
+    await Promise.resolve();
+    done++;
+  });
+  await Promise.all([work(), work(), work()]);
+  assert.equal(done, 2);
+  await work();
+  assert.equal(done, 3);
+});
+
+test("a worker begins its messages in their order, but none that was taken back meanwhile", async () => {
+  /** @type {unknown[]} */
+  const replies = [];
+  /** @type {(event: { data: object }) => void} */
+  let receive = () => {};
+  Object.assign(globalThis, {
+    self: { postMessage: (/** @type {unknown} */ reply) => replies.push(reply) },
+    addEventListener: (/** @type {string} */ _type, /** @type {typeof receive} */ listen) => {
+      receive = listen;
+    },
+    ImageBitmap: class {},
+    // Its ports do not keep this process alive.
+    MessageChannel: class extends MessageChannel {
+      constructor() {
+        super();
+        queueMicrotask(() => /** @type {any} */ (this.port1).unref());
+      }
+    },
+  });
+  const { serve } = await import("../../www/app/worker-server.js");
+  serve({ room: { commands: { double: (/** @type {number} */ count) => 2 * count } } });
+  for (const id of [1, 2, 3]) receive({ data: { id, room: "room", command: "double", args: [id] } });
+  receive({ data: { id: 2, isAborted: true } });
+  while (replies.length < 2) await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(replies, [
+    { id: 1, value: 2 },
+    { id: 3, value: 6 },
+  ]);
 });
 
 test("a history of edits goes back and on, forgets what was undone, and keeps two hundred edits", () => {

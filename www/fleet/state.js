@@ -1,4 +1,5 @@
 /** The state that a link stores: the fleet, the planner and its options, the order of priorities, and what is shown. */
+import { isAbort } from "../app/work.js";
 import { flag, json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
 
 /** @import { FleetDocument, FleetGeneratorId, FleetPlannerId } from "planarium/full" */
@@ -52,7 +53,7 @@ export async function openState(session, { document, kind, options, planner, giv
   try {
     await session.load(source, { order: order.length > 0 ? order : null, isQuick: true });
   } catch (error) {
-    Object.assign(session, { algorithm: before, given: own });
+    if (!isAbort(error)) Object.assign(session, { algorithm: before, given: own });
     throw error;
   }
   if (straight) session.setStraight(true);

@@ -101,10 +101,12 @@ export function showArmPanel(session, onOrientation) {
   }
 
   /** @param {Robot} robot */
-  function showRobot({ arm, isArm, hasLimits, dimension, coordinates, joints }) {
+  function showRobot(robot) {
+    const { isArm, dimension, coordinates } = robot;
     refuse("");
     angles.forEach((slider, i) => slider.setLimits(coordinates[i].low, coordinates[i].high));
     if (!isArm) return;
+    const { arm, hasLimits, joints } = robot;
     count.show(dimension);
     thickness.show(arm.radius ?? 0);
     isLimited.checked = hasLimits;

@@ -21,6 +21,8 @@ export class Experiment {
     this.worker = worker;
     /** Another number for each experiment. */
     this.epoch = 0;
+    /** Whether the experiment was given up. */
+    this.signal = new AbortController().signal;
     /** @type {TrajectoryOptions} */
     this.options = {};
     /** @type {TrajectoriesResult | null} */
@@ -41,14 +43,18 @@ export class Experiment {
 
   /** Begins another experiment, unless its options are refused. */
   begin = latest(async (signal, /** @type {TrajectoryOptions} */ options) => {
-    this.advance.cancel();
     const result = await this.worker.begin(options, signal);
     this.epoch++;
-    Object.assign(this, { options, result, accepted: [], rejected: null, isLastRejected: false });
+    Object.assign(this, { options, result, accepted: [], rejected: null, isLastRejected: false, signal });
   });
 
-  /** Makes some tries. Resolves to whether more can be made. */
-  advance = latest(async (signal, /** @type {number} */ count, /** @type {() => void} */ onProgress) => {
+  /**
+   * @param {number} count  tries
+   * @param {() => void} onProgress
+   * @returns {Promise<boolean>} whether more tries can be made
+   */
+  async advance(count, onProgress) {
+    const { signal } = this;
     for (let left = count; left > 0 && this.isRunning;) {
       const progress = await this.worker.advance(left, signal);
       left -= progress.done;
@@ -56,7 +62,7 @@ export class Experiment {
       onProgress();
     }
     return this.isRunning;
-  });
+  }
 
   /** @param {Progress} progress */
   add({ accepted, rejected, milliseconds, tries, lines, isLastRejected, result }) {

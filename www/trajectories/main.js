@@ -164,7 +164,6 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
   /** The settings are not valid: the experiment stays on the page but stops. */
   function refuse() {
     experiment.begin.cancel();
-    experiment.advance.cancel();
     course.enable(false);
     isRefused = true;
     app.changed();

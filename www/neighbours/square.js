@@ -14,7 +14,7 @@ import { FEW } from "./session.js";
 
 const TURN = 2 * Math.PI;
 /** Cells a side of the obstacles. */
-const CELLS = 96;
+const CELLS = 192;
 
 export class Square extends AngleSquare {
   /** @param {NeighbourSession} session */

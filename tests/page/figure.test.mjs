@@ -1,6 +1,7 @@
 /** A sheet draws each layer when it has to and not more: keys, logs, jumps, in Node on canvases that note what they do. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { drawLabels } from "../../www/draw/labels.js";
 import { Sheet, drawWhole } from "../../www/draw/sheet.js";
 
 /** @import { Brush, Drawing } from "../../www/draw/sheet.js" */
@@ -163,4 +164,60 @@ test("a whole drawing goes onto one canvas, logs within their clips", () => {
     /** @type {Brush} */ (/** @type {unknown} */ ({ context })),
   );
   assert.equal(seen.join(" "), "( ground ) ( clip 0-3 ) ( top )");
+});
+
+test("labels of marks that lie close together are apart, within the figure and off what is kept free", () => {
+  /** @type {{ text: string, x: number, y: number }[]} */
+  const words = [];
+  let lines = 0;
+  const nothing = () => {};
+  const context = /** @type {CanvasRenderingContext2D} */ (
+    /** @type {unknown} */ ({
+      ...{
+        save: nothing,
+        restore: nothing,
+        setLineDash: nothing,
+        strokeText: nothing,
+        moveTo: nothing,
+        lineTo: nothing,
+      },
+      beginPath: nothing,
+      stroke: () => lines++,
+      fillText: (/** @type {string} */ text, /** @type {number} */ x, /** @type {number} */ y) =>
+        words.push({ text, x, y }),
+    })
+  );
+  const area = { width: 300, height: 200 };
+  const labels = Array.from({ length: 12 }, (_, i) => ({
+    text: String(i + 1),
+    x: 20 + 4 * Math.cos(i),
+    y: 100 + 4 * Math.sin(i),
+    colour: "blue",
+  }));
+  drawLabels(context, labels, LOOK.palette, area, [[20, 100, 9]]);
+  assert.deepEqual(
+    words.map(({ text }) => text),
+    labels.map(({ text }) => text),
+  );
+  for (const [i, one] of words.entries()) {
+    assert.ok(one.x > 4 && one.x < area.width && one.y >= 8 && one.y <= area.height - 8, `${one.text} is inside`);
+    assert.ok(Math.hypot(one.x - 20, one.y - 100) > 9, `${one.text} is off the mark`);
+    for (const other of words.slice(0, i))
+      assert.ok(Math.abs(one.x - other.x) >= 9 || Math.abs(one.y - other.y) >= 14, `${one.text} on ${other.text}`);
+  }
+  assert.ok(lines > 0, "the far ones have lines to their marks");
+  words.length = lines = 0;
+  const [name] = labels;
+  drawLabels(
+    context,
+    [
+      { ...name, isHere: true },
+      { ...name, isHere: true },
+    ],
+    LOOK.palette,
+    area,
+  );
+  assert.deepEqual([words[0].x, words[0].y], [name.x, name.y], "one stays where it is to be");
+  assert.ok(Math.hypot(words[1].x - name.x, words[1].y - name.y) >= 9);
+  assert.equal(lines, 0);
 });

@@ -36,6 +36,12 @@ export function contoursOf(bytes, side) {
   const pieces = new Map();
   for (let j = -1; j < side; j++) {
     for (let i = -1; i < side; i++) {
+      const isHigh = valueAt(i, j) > LEVEL;
+      const isCrossed =
+        isHigh !== valueAt(i + 1, j) > LEVEL ||
+        isHigh !== valueAt(i, j + 1) > LEVEL ||
+        isHigh !== valueAt(i + 1, j + 1) > LEVEL;
+      if (!isCrossed) continue;
       const corners = CORNERS.map(([dx, dy]) => valueAt(i + dx, j + dy));
       const isIn = corners.map((value) => value > LEVEL);
       // An outline enters through a side that leads into the obstacle and leaves through the next that leads out of it.

@@ -1,8 +1,9 @@
 /** A robot in collision: its parts and what they touch, red, hatched and with their names. */
 import { obstaclePath } from "planarium/draw";
 import { obstacleName, partName } from "../domain/names.js";
+import { drawLabels } from "./labels.js";
 import { setStroke } from "./marks.js";
-import { contains, drawLabel, drawTouchingParts, fillWith, obstacleMiddle } from "./shapes.js";
+import { contains, drawTouchingParts, fillWith, obstacleMiddle } from "./shapes.js";
 
 /** @import { Check, Obstacle, Part, Scenario, ScenarioDocument } from "../domain/types.js" */
 /** @import { Palette } from "../app/palette.js" */
@@ -33,18 +34,19 @@ export function drawTouching(brush, { scenario, world, parts, touching }, draw) 
     palette,
     onPart,
   );
-  // Names of many links would overlap: only the first and the last are named.
-  for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit) {
-    const [x, y] = labelPlace(view, parts[index]);
-    drawLabel(context, partName(scenario, index), x, y, palette.collision, palette);
-  }
+  /** @type {[text: string, place: [number, number]][]} */
+  const names = [];
+  // Of many links only the first and the last are named.
+  for (const index of hit.size > MOST_NAMES ? [Math.min(...hit), Math.max(...hit)] : hit)
+    names.push([partName(scenario, index), labelPlace(view, parts[index])]);
   const named = new Set();
   for (const { part, obstacle } of touching) {
     if (obstacle === "bounds" || named.has(obstacle)) continue;
     named.add(obstacle);
-    const [x, y] = obstaclePlace(view, world.obstacles[obstacle], parts[part]);
-    drawLabel(context, obstacleName(obstacle), x, y, palette.collision, palette);
+    names.push([obstacleName(obstacle), obstaclePlace(view, world.obstacles[obstacle], parts[part])]);
   }
+  const labels = names.map(([text, [x, y]]) => ({ text, x, y, colour: palette.collision, isHere: true }));
+  drawLabels(context, labels, palette, view);
 }
 
 /** @param {Brush} brush @param {World} world @param {number | "bounds"} obstacle */

@@ -33,7 +33,7 @@ import { Workspace } from "./workspace.js";
 /** @import { State } from "./state.js" */
 
 /** Cells a side of the obstacles in configuration space. */
-const CELLS = 96;
+const CELLS = 192;
 
 await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
   const { app } = room;

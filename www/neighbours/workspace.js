@@ -5,7 +5,8 @@ import { NO_VIEW } from "../draw/figure.js";
 import { drawWorkspace } from "../draw/ground.js";
 import { addLine, disc, drawHandle, drawReference, ring, setStroke } from "../draw/marks.js";
 import { placedHandles } from "../draw/placed-handles.js";
-import { drawGhost, drawLabel } from "../draw/shapes.js";
+import { drawLabels } from "../draw/labels.js";
+import { drawGhost } from "../draw/shapes.js";
 import { FEW } from "./session.js";
 
 /** @import { Point } from "../domain/types.js" */
@@ -134,10 +135,16 @@ export class Workspace {
         });
     }
     drawRobot(context, view, scenario.footprint(q), palette);
-    for (const [rank, i] of indices.length <= RANKED ? ranked : []) {
+    const handles = this.handles.map((handle) => view.place(handle));
+    for (const at of handles) drawHandle(context, ...at, palette.robot, palette);
+    if (indices.length > RANKED) return;
+    const labels = [...indices].map((i, rank) => {
       const [x, y] = tipOf(i);
-      drawLabel(context, String(rank + 1), x, y - 11, colourOf(i), palette);
-    }
-    for (const handle of this.handles) drawHandle(context, ...view.place(handle), palette.robot, palette);
+      return { text: String(rank + 1), x, y, colour: colourOf(i) };
+    });
+    drawLabels(context, labels, palette, view, [
+      ...handles.map(([x, y]) => /** @type {[number, number, number]} */ ([x, y, 9])),
+      ...labels.map(({ x, y }) => /** @type {[number, number, number]} */ ([x, y, 4])),
+    ]);
   }
 }

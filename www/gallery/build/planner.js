@@ -1,25 +1,29 @@
 /** Entries of the planner's page: each planner is run to the iteration of the entry, or to its end. */
 import { planned } from "../../domain/page-defaults.js";
 import { Scenario } from "planarium";
-import { View, drawPath, drawRobot, motionCurves } from "planarium/draw";
 import { rowsOf } from "../../domain/coordinates.js";
 import { keysOf } from "../../domain/key-text.js";
 import { withOptions } from "../../domain/option-names.js";
 import { playbackOfResult } from "../../domain/path-playback.js";
-import { drawBase, drawGround } from "../../draw/ground.js";
+import { contoursOf, fillContours } from "../../draw/contours.js";
 import { setStroke } from "../../draw/marks.js";
-import { drawGhost, drawGoal, drawLabel, drawStart } from "../../draw/shapes.js";
-import { drawTouching } from "../../draw/touching.js";
-import { folded, unrolled } from "../../draw/trace.js";
+import { tracePen } from "../../draw/pen.js";
+import { drawLabel } from "../../draw/shapes.js";
+import { drawWhole } from "../../draw/sheet.js";
 import { encodeLink } from "../../planner/link/codec.js";
 import { letter } from "../../planner/race/standings.js";
 import { SCENES } from "../../planner/scenes/scenes.js";
+import { CSpace } from "../../planner/stage/cspace-pane.js";
+import { drawDrive, drawTrace } from "../../planner/stage/driven.js";
 import { Placed } from "../../planner/stage/placed.js";
-import { drawDots, drawSquare, thinned } from "./sheet.js";
+import { Workspace } from "../../planner/stage/workspace-pane.js";
+import { CELLS, drawDots, thinned } from "./sheet.js";
 
 /** @import { GeneratorId, Planner } from "planarium" */
 /** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { Configuration, Plan, Query, ResultDocument, ScenarioDocument, Settings } from "../../domain/types.js" */
+/** @import { Lane, Shown } from "../../planner/lane.js" */
+/** @import { Pane } from "../../planner/stage/pane.js" */
+/** @import { Plan, Query, ResultDocument, ScenarioDocument, Settings } from "../../domain/types.js" */
 /** @import { Brush } from "../../draw/figure.js" */
 /** @import { Entry } from "../format.js" */
 /** @import { Documents, Opened } from "./open.js" */
@@ -53,20 +57,19 @@ export async function openPlanner({ state, world }, documents) {
       : Math.max(...runs.map(({ result }) => result?.stats.clearance_evaluations ?? 0));
   const address = `plan.html#${await encodeLink({ version: 1, view: {}, ...state, document, iteration })}`;
   const isFlat = runs.length === 1 && scenario.robot === "arm" && scenario.dimension === 2;
-  const workspaces = runs.map((one, i) => (/** @type {Brush} */ brush) => {
-    drawWorkspace(
-      brush,
-      one,
-      Math.ceil((scenario.robot === "arm" ? MOST.curves : MOST.lines) / runs.length),
-      state.view?.poses ?? POSES,
-    );
-    drawDriven(brush, one, state);
-    if (runs.length > 1) drawLabel(brush.context, letter(i), 16, 16, brush.palette.ink, brush.palette);
+  const most = Math.ceil((scenario.robot === "arm" ? MOST.curves : MOST.lines) / runs.length);
+  const workspaces = runs.map((one, i) => {
+    const draw = drawingOf(new Workspace(), one, state, most);
+    return (/** @type {Brush} */ brush) => {
+      draw(brush);
+      if (runs.length > 1) drawLabel(brush.context, letter(i), 16, 16, brush.palette.ink, brush.palette);
+    };
   });
-  return {
-    address,
-    panes: [...workspaces, ...(isFlat ? [(/** @type {Brush} */ brush) => drawSpace(brush, runs[0])] : [])],
-  };
+  const [{ planner }] = runs;
+  // A tree of which edges are missing is hard to read.
+  const isTree = planner !== null && planner.edgeCount < planner.vertexCount;
+  const squares = isFlat ? [drawingOf(new CSpace(), runs[0], state, isTree ? MOST.lines : MOST.edges)] : [];
+  return { address, panes: [...workspaces, ...squares] };
 }
 
 /**
@@ -109,183 +112,124 @@ function run(scenario, { algorithm, settings = {} }, query, iteration = Infinity
   return { ...shown, planner, result: planner.result() };
 }
 
-/** @param {Brush} brush @param {Run} run @param {number} most  edges @param {number} poses */
-function drawWorkspace(brush, run, most, poses) {
-  const { context, palette, width, height } = brush;
-  const {
-    scenario,
-    document,
-    query: { name, start, goal },
-    placed,
-    planner,
-  } = run;
-  const view = new View(scenario.extent(), width, height);
-  drawGround(context, view, document, palette);
-  if (document.robot.type === "arm") drawBase(context, view, document.robot.base, palette);
-  if (planner) {
-    const { points, firsts } = motionCurves(scenario, Float64Array.from(thinned(edgesOf(planner), most).flat(2)));
-    setGrowth(brush);
-    for (let m = 0; m + 1 < firsts.length; m++) {
-      const at = 2 * firsts[m];
-      // A piece that begins where the last one ended goes on with its line.
-      const goesOn = m > 0 && points[at] === points[at - 2] && points[at + 1] === points[at - 1];
-      for (let i = firsts[m]; i < firsts[m + 1]; i++) {
-        if (i > firsts[m]) context.lineTo(...view.place(points.subarray(2 * i)));
-        else if (!goesOn) context.moveTo(...view.place(points.subarray(2 * i)));
-      }
-    }
-    context.stroke();
-    context.globalAlpha = 1;
-  }
-  if (goal && placed)
-    placed.drawRegion(context, view, goal, /** @type {any} */ ({ document, query: name }), palette.goal);
-  for (const [pose, colour, dash] of /** @type {[Configuration | undefined, string, number[]][]} */ ([
-    [goal, palette.goal, [5, 4]],
-    [start, palette.start, []],
-  ])) {
-    if (!pose) continue;
-    drawGhost(context, view, scenario.footprint(pose), { colour, fill: 0.16, stroke: 0.95, dash, width: 1.6 });
-    placed?.drawMarks(context, view, pose, 0, colour);
-  }
-  if (!planner) {
-    const hit = [start, goal].find((end) => end && !scenario.check(end).free);
-    if (!hit) return;
-    const parts = scenario.footprint(hit);
-    const shown = { scenario, world: document.world, parts, touching: scenario.check(hit).touching };
-    drawTouching(
-      { context, view, palette, onPart: brush.hatch(palette.stage), onObstacle: brush.hatch(palette.collision) },
-      shown,
-      () => drawRobot(context, view, parts, palette),
-    );
-    return;
-  }
-  const { playback, colour, path } = pathOf(run, palette);
-  if (playback) {
-    for (let i = 1; i <= poses; i++) {
-      const part = i / (poses + 1);
-      drawGhost(context, view, scenario.footprint(playback.configuration(part)), {
-        colour: `color-mix(in oklab, ${palette.goal} ${Math.round(100 * part)}%, ${palette.start})`,
-        fill: 0.05,
-        stroke: 0.55,
-        dash: [],
-        width: 0.7 + 1.5 * part,
-      });
-    }
-    if (playback.flaw)
-      drawGhost(context, view, scenario.footprint(playback.flaw.pose), {
-        colour: palette.collision,
-        fill: 0.3,
-        stroke: 1,
-        dash: [],
-        width: 2,
-      });
-    context.setLineDash(playback.isMiss ? [6, 5] : []);
-    drawPath(context, view, scenario, path, { path: colour });
-    context.setLineDash([]);
-  }
-  if (start) drawStart(context, ...view.place(scenario.endEffector(start)), palette);
-  if (goal) drawGoal(context, ...view.place(scenario.endEffector(goal)), palette);
+/**
+ * What the stage shows of a run, but for its growth.
+ * @param {Run} run
+ * @param {PlannerEntry["state"]} state
+ * @returns {Shown}
+ */
+function shownOf({ scenario, document, query, placed, planner }, { view, drive, roll, euler }) {
+  const { start = null, goal = null, target = null } = query;
+  const goals = goal ? [goal] : [];
+  const hit = planner ? null : [start, goal].find((end) => end && !scenario.check(end).free);
+  const driven = drive || roll ? drivenOf(scenario, drive, drive?.start ?? start ?? [], roll, euler) : null;
+  return /** @type {Shown} */ ({
+    ...{ scenario, document, query: query.name, start, goal, goals, target, placed, marked: null, rough: false },
+    ...{ hover: null, overlay: null, certifying: null },
+    driven: driven && { ...driven, drawUnder: drawTrace, drawOver: drawDrive },
+    hand: hit ?? driven?.trace.subarray(-3) ?? null,
+    check: hit ? scenario.check(hit) : { free: true, touching: [] },
+    view: {
+      ...{ axes: [0, 1], strobe: true, poses: POSES, refused: false, raw: false, slice: false, optimum: false },
+      regions: false,
+      ...(view?.poses ? { poses: view.poses } : {}),
+    },
+  });
 }
 
 /**
  * What a car has been driven, and the motion of one control from there.
- * @param {Brush} brush
+ * @param {Scenario} scenario
+ * @param {PlannerEntry["state"]["drive"]} drive
+ * @param {ArrayLike<number>} start
+ * @param {PlannerEntry["state"]["roll"]} roll
+ * @param {number | undefined} dt  of Euler's steps beside it
+ */
+function drivenOf(scenario, drive, start, roll, dt) {
+  const driven = scenario.drive(Float64Array.from(start));
+  driven.replay(keysOf(drive?.keys ?? ""), drive?.steps ?? 0);
+  const { pose } = driven.state;
+  const rolled = roll && scenario.rollout(pose, ...roll);
+  const beside = roll && dt && { ...scenario.rollout(pose, ...roll, { integration: "euler", dt }), dt, apart: null };
+  const trace = driven.traceSince(0);
+  driven.free();
+  return { trace, steering: roll?.[1] ?? 0, blocked: null, rollout: rolled ?? null, beside: beside || null };
+}
+
+/**
+ * A pane of the stage with a run on it; its growth is thinned, for a small file.
+ * @param {Pane} pane
  * @param {Run} run
  * @param {PlannerEntry["state"]} state
+ * @param {number} most  edges
+ * @returns {(brush: Brush) => void}
  */
-function drawDriven({ context, palette, width, height }, { scenario, query, placed }, { drive, roll, euler }) {
-  if (!placed || (!drive && !roll)) return;
-  const view = new View(scenario.extent(), width, height);
-  const driven = scenario.drive(drive?.start ?? query.start);
-  driven.replay(keysOf(drive?.keys ?? ""), drive?.steps ?? 0);
-  const from = driven.state.pose;
-  /** @type {{ poses: Float64Array, colour: string, dash?: number[] }[]} */
-  const lines = [{ poses: driven.traceSince(0), colour: palette.path }];
-  if (roll) lines.push({ poses: scenario.rollout(from, ...roll).poses, colour: palette.goal });
-  if (roll && euler) {
-    const { poses } = scenario.rollout(from, ...roll, { integration: "euler", dt: euler });
-    lines.push({ poses, colour: palette.unproven, dash: [6, 5] });
-  }
-  for (const { poses, colour, dash } of lines) {
-    setStroke(context, colour, 3, dash);
-    context.lineJoin = "round";
-    context.beginPath();
-    for (const pose of rowsOf(poses, 3)) context.lineTo(...view.place(pose));
-    context.stroke();
-    const last = poses.subarray(-3);
-    drawGhost(context, view, scenario.footprint(last), { colour, fill: 0.2, stroke: 1, dash: [], width: 1.6 });
-    placed.drawMarks(context, view, last, 0, colour);
-  }
-  driven.free();
+function drawingOf(pane, run, state, most) {
+  const shown = shownOf(run, state);
+  const { scenario, planner } = run;
+  return (brush) => {
+    const { playback } = pathOf(run);
+    if (playback) playback.drawn = 1;
+    pane.glow.enabled = false;
+    pane.lane = /** @type {Lane} */ (
+      /** @type {unknown} */ ({
+        scenario,
+        shown,
+        playback,
+        run: null,
+        pose: shown.hand,
+        steering: shown.driven?.steering ?? 0,
+      })
+    );
+    pane.layout(brush, { ...brush, bold: 1, calm: true });
+    const { ground, top } = pane.layers;
+    const clip = (/** @type {CanvasRenderingContext2D} */ context) => pane.clip(context);
+    const growth = { clip, logs: planner ? [{ count: 1, append: () => drawGrowth(brush, pane, planner, most) }] : [] };
+    if (pane instanceof CSpace) {
+      const cells = scenario.cspace({ width: CELLS, height: CELLS });
+      fillContours(brush.context, contoursOf(cells, CELLS), pane.frame(), brush.palette);
+    }
+    drawWhole({ layers: { ground, growth, top } }, brush);
+  };
 }
 
-/** The configuration space of two joints. @param {Brush} brush @param {Run} run */
-function drawSpace(brush, run) {
-  const { context, palette } = brush;
-  const {
-    scenario,
-    planner,
-    query: { start, goal },
-  } = run;
-  const view = drawSquare(brush, scenario);
-  const circles = scenario.circles();
-  const place = (/** @type {ArrayLike<number>} */ q) =>
-    view.place([0, 1].map((axis) => (circles[axis] ? folded(q[axis]) : q[axis])));
-  const line = (/** @type {ArrayLike<number>} */ pair) =>
-    unrolled(pair, 0, circles, circles, (x0, y0, x1, y1) => {
-      context.moveTo(...view.place([x0, y0]));
-      context.lineTo(...view.place([x1, y1]));
-    });
-  if (planner) {
-    setGrowth(brush);
-    // A tree of which edges are missing is hard to read.
-    const isTree = planner.edgeCount < planner.vertexCount;
-    for (const pair of thinned(edgesOf(planner), isTree ? MOST.lines : MOST.edges).flat()) line(pair);
-    context.stroke();
-    context.globalAlpha = 1;
-    drawDots(context, thinned(rowsOf(planner.verticesSince(0), 2), MOST.vertices).map(place), palette.growth, 2.2, 0.8);
-    const {
-      path: { path },
-      colour,
-      playback,
-    } = pathOf(run, palette);
-    setStroke(context, colour, 3.4, playback?.isMiss ? [6, 5] : []);
-    context.lineCap = context.lineJoin = "round";
-    context.beginPath();
-    path.slice(1).forEach((q, i) => line([...path[i], ...q]));
-    context.stroke();
-    context.setLineDash([]);
-  }
-  if (start) drawStart(context, ...place(start), palette);
-  if (goal) drawGoal(context, ...place(goal), palette);
-}
-
-/** Begins a path of edges. @param {Brush} brush */
-function setGrowth({ context, palette }) {
+/** Some edges, as one path, and vertices. @param {Brush} brush @param {Pane} pane @param {Planner} planner @param {number} most */
+function drawGrowth({ context, palette }, pane, planner, most) {
+  const { points, firsts } = pane.lines(Float64Array.from(thinned(edgesOf(planner), most).flat(2)));
   setStroke(context, palette.growth, 0.9);
   context.lineCap = context.lineJoin = "round";
   context.globalAlpha = 0.55;
   context.beginPath();
+  const pieces = Array.from(firsts.subarray(1), (end, m) => [...points.subarray(2 * firsts[m], 2 * end), NaN, NaN]);
+  const lines = Float64Array.from(pieces.flat());
+  tracePen(context, lines, 0, lines.length / 2);
+  context.stroke();
+  if (!(pane instanceof CSpace)) return;
+  const vertices = thinned(rowsOf(planner.verticesSince(0), planner.dimension), MOST.vertices);
+  const places = rowsOf(pane.pixels(Float64Array.from(vertices.flatMap((row) => [...row]))), 2);
+  drawDots(
+    context,
+    places.map(([x, y]) => [x, y]),
+    palette.growth,
+    2.2,
+    0.8,
+  );
 }
 
 /**
  * The path found, or the one to the vertex nearest to the goal.
  * @param {Run} run
- * @param {Brush["palette"]} palette
- * @returns {{ playback: PathPlayback | null, path: Pick<ResultDocument, "path" | "motions" | "blends">, colour: string
- *   }}
+ * @returns {{ playback: PathPlayback | null }}
  */
-function pathOf({ scenario, placed, settings, result }, palette) {
+function pathOf({ scenario, placed, settings, result }) {
   const isProven = (settings.edge_check ?? "proven") === "proven" && settings.integration !== "euler";
-  const colour = isProven ? palette.path : palette.unproven;
-  if (!result) return { playback: null, path: { path: [] }, colour };
+  if (!result) return { playback: null };
   const { status, approximate } = result;
-  if (status === "solved")
-    return { playback: playbackOfResult(scenario, isProven, result, placed), path: result, colour };
-  if (!approximate || approximate.path.length < 2) return { playback: null, path: { path: [] }, colour };
+  if (status === "solved") return { playback: playbackOfResult(scenario, isProven, result, placed) };
+  if (!approximate || approximate.path.length < 2) return { playback: null };
   const playback = playbackOfResult(scenario, isProven, { ...result, ...approximate }, placed);
   if (playback) playback.isMiss = true;
-  return { playback, path: approximate, colour };
+  return { playback };
 }
 
 /** The straight pieces of every edge, each by its ends. @param {Planner} planner @returns {number[][][]} */

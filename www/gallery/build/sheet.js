@@ -1,15 +1,10 @@
 /** What the pictures share: a sheet of panes that is written as SVG, and grounds without pixels. */
-import { View } from "planarium/draw";
-import { coordinatesOf } from "../../domain/coordinates.js";
-import { MARGIN, drawAxes } from "../../draw/angles.js";
-import { contoursOf, fillContours } from "../../draw/contours.js";
 import { hatch } from "../../draw/hatch.js";
 import { SvgLayer } from "../../draw/svg-layer.js";
 import { slim } from "./slim.js";
 
 /** @import { App } from "../../app/app.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Scenario } from "../../domain/types.js" */
 /** @import { Brush } from "../../draw/figure.js" */
 
 /** Side of a pane, pixels. */
@@ -74,34 +69,6 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
   });
   const file = layer.toString({ background: PALETTE.stage, title });
   return slim(file.replace(/(<svg[^>]*>)/, (root) => `${root}<style>${style}</style>`));
-}
-
-/**
- * The configuration space of an arm of two joints, with its obstacles. Everything drawn later is clipped to it.
- * @param {Brush} brush
- * @param {Scenario} scenario
- * @returns {View}
- */
-export function drawSquare({ context, palette, width, height }, scenario) {
-  const coordinates = coordinatesOf({ scenario, document: scenario.document() });
-  const [across, up] = coordinates;
-  const view = new View({ min: [across.low, up.low], max: [across.high, up.high] }, width, height, MARGIN, true);
-  const square = {
-    x: view.x(across.low),
-    y: view.y(up.high),
-    width: (across.high - across.low) * view.scaleX,
-    height: (up.high - up.low) * view.scaleY,
-  };
-  fillContours(context, contoursOf(scenario.cspace({ width: CELLS, height: CELLS }), CELLS), square, palette);
-  context.strokeStyle = palette.obstacleEdge;
-  context.lineWidth = 1;
-  context.strokeRect(square.x, square.y, square.width, square.height);
-  context.fillStyle = palette.quiet;
-  drawAxes(context, view, square, coordinates);
-  context.beginPath();
-  context.rect(square.x, square.y, square.width, square.height);
-  context.clip();
-  return view;
 }
 
 /**

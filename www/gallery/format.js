@@ -154,7 +154,7 @@ export const PAGES = {
   reach: "Kinematics",
   neighbours: "Neighbours",
   trajectories: "Trajectories",
-  fleet: "Robot fleets",
+  fleet: "Fleets",
   "prm-rl": "Learned edges",
   experiments: "Experiments",
 };

@@ -1,5 +1,4 @@
 /** Code that embeds the page with its current state in a web page, in slides or in a notebook. */
-import { experimentOf } from "../link/experiment.js";
 import { make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { encodeLink } from "../link/codec.js";
@@ -67,7 +66,7 @@ export function showSnippets(page, host) {
     if (!details.open || !page.state) return;
     try {
       const { origin, pathname, protocol } = location;
-      const fragment = await encodeLink(experimentOf(page));
+      const fragment = await encodeLink(page.experiment);
       const [, , codeOf] = KINDS[kind.selectedIndex];
       text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
       result.textContent =

@@ -10,7 +10,7 @@ import { ORDER, reconcile, same } from "../../www/planner/experiment.js";
 import { experimentOver } from "../../www/planner/over-seeds.js";
 import { LESSONS, stageAt } from "../../www/planner/lessons/script.js";
 import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
-import { known } from "../../www/planner/link/known.js";
+import { experimentOf, known } from "../../www/planner/link/experiment.js";
 import { Page } from "../../www/planner/page.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Planners } from "../../www/planner/settings/planners.js";
@@ -104,7 +104,7 @@ function makePage() {
   /** The link's fragment, of the moment that the session shows. */
   const link = () => {
     page.state = /** @type {any} */ ({ clock: session.clock, lanes: [] });
-    return encodeLink(page.experiment);
+    return encodeLink(experimentOf(page));
   };
   return { page, session, panel, notices, done, link };
 }

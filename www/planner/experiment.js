@@ -6,6 +6,7 @@
  */
 import { loadScene } from "../app/resources.js";
 import { MADE, axesOf } from "../domain/names.js";
+import { POSES } from "./link/experiment.js";
 import { fits, withArticle } from "./settings/planners.js";
 import { letter } from "./race/standings.js";
 import { SCENES } from "./scenes/scenes.js";
@@ -21,9 +22,6 @@ export const EMPTY = { version: 1, lanes: [], iteration: 0, view: { strobe: true
 
 /** Another scene than the open one, with its first query. @satisfies {Patch} */
 export const ELSEWHERE = { scene: undefined, document: undefined, options: undefined, query: undefined };
-
-/** Configurations drawn along a path, by default. */
-export const POSES = 8;
 
 /**
  * What is made to agree with the record, in this order, and the entries that it depends on. "opened" stands for a

@@ -2,7 +2,7 @@
 import { encodeFragment } from "../formats/fragment.js";
 import { make } from "../app/dom.js";
 import { generationOf } from "./experiment.js";
-import { changed } from "./settings/planners.js";
+import { changed } from "../domain/option-names.js";
 
 /** @import { ExperimentDocument } from "planarium/full" */
 /** @import { LinkedDocument, LinkedWorld } from "../experiments/link.js" */

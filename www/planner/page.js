@@ -5,7 +5,6 @@
 import {
   ELSEWHERE,
   EMPTY,
-  POSES,
   entryOf,
   fitted,
   generationOf,
@@ -17,10 +16,7 @@ import {
 } from "./experiment.js";
 import { letter } from "./race/standings.js";
 import { nameAll } from "./race/names.js";
-import { isProjected } from "../app/projector.js";
-import { keyText } from "../domain/key-text.js";
 import { requirePart } from "./link/codec.js";
-import { changed } from "./settings/planners.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Panel } from "./settings/panel.js" */
@@ -52,7 +48,7 @@ export class Page {
     this.planners = planners;
     this.notice = app.notice;
     this.calm = app.reducedMotion;
-    /** The state of the page; its moment (iteration, configuration in hand) is the session's. @type {Experiment} */
+    /** The state of the page; the iteration and the configuration in hand are the session's. @type {Experiment} */
     this.record = EMPTY;
     /** What the lanes of the record run with. @type {Plan[]} */
     this.plans = [];
@@ -145,30 +141,6 @@ export class Page {
     );
   }
 
-  /** The whole state as a link stores it: usual values are left out. @returns {Experiment} */
-  get experiment() {
-    const { record, state, plans, planners, race, session, entry, generation } = this;
-    if (!state) throw new Error("No scene is open.");
-    const { query, view, scene, document } = record;
-    const { poses } = view;
-    return {
-      version: 1,
-      query,
-      lanes: plans.map((plan) => planners.shortened(plan)),
-      iteration: state.clock.now,
-      view: {
-        ...view,
-        poses: poses === POSES ? undefined : poses,
-        projector: isProjected(),
-        lens: plans.length > 1 ? race?.picture : undefined,
-      },
-      scene,
-      document,
-      options: generation ? changed(generation.options, (name) => entry?.generate?.options[name]) : undefined,
-      ...inHand(session),
-    };
-  }
-
   /**
    * Reads the scenario of an experiment.
    * @param {Patch} experiment
@@ -197,20 +169,14 @@ export class Page {
     if ((patch.lanes?.length ?? 0) > 1) await this.loadRace();
     if (request !== this.request) return null;
     const opened = await this.read({ ...this.record, ...whole });
+    const { document } = opened;
     try {
       check?.(opened);
-      if (request === this.request)
-        return this.apply(
-          whole.document ? { ...whole, document: /** @type {any} */ (opened.document) } : whole,
-          { play, isAsGiven },
-          opened,
-        );
-    } catch (error) {
-      opened.scenario.free();
-      throw error;
+      if (request !== this.request) return null;
+      return this.apply(whole.document ? { ...whole, document } : whole, { play, isAsGiven }, opened);
+    } finally {
+      if (this.session.shown?.scenario !== opened.scenario) opened.scenario.free();
     }
-    opened.scenario.free();
-    return null;
   }
 
   /** Changes the state of the page; an error is shown. @param {Patch} patch */
@@ -232,8 +198,7 @@ export class Page {
     const was = this.facts?.robot;
     const facts = opened ?? this.facts;
     if (!facts) return [];
-    /** @type {any} */
-    const next = { ...before, ...patch };
+    const next = /** @type {Experiment} */ ({ ...before, ...patch });
     // Other coordinates have other meanings.
     if (was !== facts.robot && !patch.view) next.view = { ...next.view, axes: undefined };
     const { experiment, faults } = fitted(next, facts, planners, { was, isAsGiven });
@@ -412,27 +377,4 @@ export class Page {
         : message;
     this.notice.show(`${subject} cannot be planned.`, Object.assign(new Error(text), { code, pointer }));
   }
-}
-
-/**
- * The configuration in hand, or the drive by keys with the control that is shown.
- * @param {Session} session
- * @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">}
- */
-function inHand({ shown, driving }) {
-  const recording = driving?.record();
-  if (!shown?.hand) return {};
-  if (!driving || !recording) return { pose: [...shown.hand] };
-  const { start, record, steps } = recording;
-  const { tape, rollout, rolled, dt } = driving;
-  return {
-    drive: {
-      start: String(start) === String(shown.start) ? undefined : start,
-      // Of a recording that is being replayed, all of it.
-      keys: keyText([...record, ...(tape?.record ?? [])]),
-      steps: tape?.steps ?? steps,
-    },
-    roll: rollout ? rolled : undefined,
-    euler: dt || undefined,
-  };
 }

@@ -2,6 +2,7 @@
 import { make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { encodeLink } from "../link/codec.js";
+import { experimentOf } from "../link/experiment.js";
 
 /** @import { Page } from "../page.js" */
 
@@ -66,7 +67,7 @@ export function showSnippets(page, host) {
     if (!details.open || !page.state) return;
     try {
       const { origin, pathname, protocol } = location;
-      const fragment = await encodeLink(page.experiment);
+      const fragment = await encodeLink(experimentOf(page));
       const [, , codeOf] = KINDS[kind.selectedIndex];
       text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
       result.textContent =

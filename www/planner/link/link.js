@@ -3,7 +3,7 @@ import { errorInfo } from "../../app/error-info.js";
 import { makeShare } from "../../app/link.js";
 import { grouped } from "../../app/dom.js";
 import { decodeLink, encodeLink } from "./codec.js";
-import { known } from "./known.js";
+import { experimentOf, known } from "./experiment.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
@@ -28,7 +28,7 @@ export class Link {
     this.faults = [];
     const encode = async () => {
       await page.arrived();
-      return encodeLink(page.experiment);
+      return encodeLink(experimentOf(page));
     };
     this.share = makeShare(page.app, encode, () => contentsOf(page.session));
     page.onOpen(() => {

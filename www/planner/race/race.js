@@ -22,6 +22,8 @@ export class Race {
     this.sheets = sheets;
     /** @type {Rival[]} */
     this.rivals = [];
+    /** The names in the table. */
+    this.named = "";
     /** The planners that are offered. @type {PlannerInfo[]} */
     this.served = [];
     this.table = new Table(byId("standings", HTMLElement), page.panel.on.seeds);
@@ -151,7 +153,8 @@ export class Race {
     lens.hidden = !isRace || !this.hasSquare;
     this.numbers.hidden = isRace;
     this.sheets.element.classList.toggle("race", isRace);
-    this.table.build(isRace ? names : []);
+    if (names.join("\n") !== this.named) this.table.build(isRace ? names : []);
+    this.named = names.join("\n");
     if (!isRace) return false;
     const kind = this.picture;
     for (const input of lens.querySelectorAll("input")) input.checked = input.value === kind;

@@ -1,5 +1,6 @@
 /** The planners: which of them serve a robot, their parameters, and what a planner runs with. */
 import { robotName } from "../../domain/names.js";
+import { changed } from "../../domain/option-names.js";
 import { withSeed } from "../../widgets/field.js";
 
 /** @import { ParameterInfo, Plan, PlannerInfo, Scenario, Settings } from "../../domain/types.js" */
@@ -87,17 +88,3 @@ export class Planners {
 
 /** @param {readonly [string, ParameterInfo["default"] | undefined]} entry */
 const isSet = ([, value]) => value !== null && value !== undefined;
-
-/**
- * The settings that differ from the usual ones, sorted by name so that equal experiments have equal links.
- * @param {Settings} settings
- * @param {(name: string) => unknown} usual
- * @returns {Settings}
- */
-export function changed(settings, usual) {
-  return Object.fromEntries(
-    Object.entries(settings)
-      .filter(([name, value]) => value !== usual(name))
-      .sort(),
-  );
-}

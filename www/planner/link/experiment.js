@@ -1,10 +1,71 @@
-/** What the page knows of an experiment in a link: other names, and values that it would refuse, are left out. */
-import { MADE } from "../../domain/names.js";
+/**
+ * The state of the page as an experiment for a link, and back: other names than the page knows, and values that it would
+ * refuse, are left out.
+ */
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
+import { keyText } from "../../domain/key-text.js";
+import { MADE } from "../../domain/names.js";
+import { changed } from "../../domain/option-names.js";
+import { isProjected } from "../../app/projector.js";
 
+/** @import { Page } from "../page.js" */
+/** @import { Session } from "../session.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings } from "../../domain/types.js" */
 /** @typedef {{ find: (algorithm: string) => unknown, parametersOf: (algorithm: string) => ParameterInfo[] }} Planners */
+
+/** Configurations drawn along a path, by default. */
+export const POSES = 8;
+
+/**
+ * The state with the moment that is shown. Settings equal to the planner's defaults are left out, and options equal to
+ * the scene's.
+ * @param {Page} page   with an open scenario
+ * @returns {Experiment}
+ */
+export function experimentOf({ record, state, plans, planners, race, session, entry, generation }) {
+  if (!state) throw new Error("No scene is open.");
+  const { query, view, scene, document } = record;
+  return {
+    version: 1,
+    query,
+    lanes: plans.map((plan) => planners.shortened(plan)),
+    iteration: state.clock.now,
+    view: {
+      ...view,
+      poses: view.poses === POSES ? undefined : view.poses,
+      projector: isProjected(),
+      lens: plans.length > 1 ? race?.picture : undefined,
+    },
+    scene,
+    document,
+    options: generation ? changed(generation.options, (name) => entry?.generate?.options[name]) : undefined,
+    ...inHand(session),
+  };
+}
+
+/**
+ * The configuration in hand, or the drive by keys with the control that is shown.
+ * @param {Session} session
+ * @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">}
+ */
+function inHand({ shown, driving }) {
+  const recording = driving?.record();
+  if (!shown?.hand) return {};
+  if (!driving || !recording) return { pose: [...shown.hand] };
+  const { start, record, steps } = recording;
+  const { tape, rollout, rolled, dt } = driving;
+  return {
+    drive: {
+      start: String(start) === String(shown.start) ? undefined : start,
+      // Of a recording that is being replayed, all of it.
+      keys: keyText([...record, ...(tape?.record ?? [])]),
+      steps: tape?.steps ?? steps,
+    },
+    roll: rollout ? rolled : undefined,
+    euler: dt || undefined,
+  };
+}
 
 /**
  * @param {Experiment} experiment

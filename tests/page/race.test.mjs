@@ -584,6 +584,17 @@ async function dot(page, chart, label) {
   }, label);
 }
 
+test("over 100 seeds a race is an experiment with all its planners", () =>
+  onPausedPage(async (page) => {
+    await race(page, "rrt");
+    for (const button of ["#race-over-seeds", "#over-seeds"]) {
+      const [other] = await Promise.all([page.context().waitForEvent("page"), page.click(button)]);
+      await other.waitForSelector('body[data-count="200"]');
+      assert.equal(await other.isHidden("#notice"), true);
+      await other.close();
+    }
+  }));
+
 test("the path's curve begins where the path was found; the cursor is at the time that is shown", () =>
   onPausedPage(async (page) => {
     const plans = [

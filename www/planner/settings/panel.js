@@ -50,7 +50,8 @@ export class Panel {
   /** Offers the scene's own planner, where another one or other settings are shown. @param {string} title  or empty */
   offerOwn(title) {
     this.own.hidden = title === "";
-    this.own.textContent = `Use this scene\u2019s own: ${title}`;
+    const isShown = this.form.info.title === title;
+    this.own.textContent = isShown ? "Use this scene\u2019s settings" : `Use this scene\u2019s planner: ${title}`;
   }
 
   /** Offers the queries of a scenario. @param {string[]} names @param {string | undefined} selected */

@@ -23,15 +23,15 @@ export class Panel {
       this.planner.focus();
     });
     this.own.hidden = true;
-    const ofSeed = [button("new-seed", "New seed", () => this.reseed())];
-    if (on.seeds) ofSeed.push(button("over-seeds", "Over 100 seeds", on.seeds));
+    const newSeed = button("new-seed", "New seed", () => this.reseed());
     const rest = byId("more-parameters", HTMLElement);
     this.form = new SettingsForm(this.planner, byId("parameters", HTMLElement), rest, on.lane, ({ summary }) => {
       byId("planner-summary", HTMLElement).textContent = summary;
-      this.form.field("seed")?.element.append(...ofSeed);
+      this.form.field("seed")?.element.append(newSeed);
       byId("more", HTMLDetailsElement).hidden = rest.childElementCount === 0;
     });
     byId("planner-summary", HTMLElement).after(this.own);
+    if (on.seeds) byId("parameters", HTMLElement).after(button("over-seeds", "Over 100 seeds", on.seeds));
     this.query.addEventListener("change", () => on.query(this.query.value));
     this.planner.disabled = false;
   }

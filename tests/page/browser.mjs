@@ -270,10 +270,12 @@ export async function choose(page, name, value) {
     .evaluate((input) => /** @type {HTMLElement} */ (input).click());
 }
 
-/** Puts a scene on the stage. @param {Page} page @param {string} id */
+/** Puts a scene on the stage, with its own planner. @param {Page} page @param {string} id */
 export async function chooseScene(page, id) {
   await choose(page, "scene", id);
   await page.waitForSelector(`body[data-scene=${id}]`);
+  const own = page.locator("#own-planner:not([hidden])");
+  if ((await own.count()) > 0) await own.evaluate((button) => /** @type {HTMLElement} */ (button).click());
   await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
 }
 

@@ -391,21 +391,7 @@ test("a rival of the same planner is a copy until it is told otherwise; captions
     assert.equal((await table(page))[1].name, "B PRM, k 4, shortcut 30");
   }));
 
-test("its seed is that of A until it is given one", () =>
-  onPausedPage(async (page) => {
-    await race(page, "rrt-connect");
-    await setParameter(page, "seed", "5");
-    await finish(page);
-    const plan = { algorithm: "rrt-connect", settings: { seed: 5 } };
-    assert.equal((await table(page))[1].fingerprint, alone("stones", plan).fingerprint);
-    await give(page, "B", "seed", "6");
-    await finish(page);
-    const [, b] = await table(page);
-    assert.equal(b.fingerprint, alone("stones", { ...plan, settings: { seed: 6 } }).fingerprint);
-    assert.equal(b.name, "B RRT-Connect, seed 6");
-  }));
-
-test("a rival has all parameters of its planner; a refused one says why and changes nothing", () =>
+test("a rival has all parameters of its planner; a refused value says why and leaves that parameter as it was", () =>
   onPausedPage(async (page) => {
     await race(page, "rrt");
     const isArms = (/** @type {{ robots: string[] }} */ { robots }) => robots.includes("arm");
@@ -419,9 +405,15 @@ test("a rival has all parameters of its planner; a refused one says why and chan
     const before = await table(page);
     await give(page, "B", "k", "0");
     assert.match(await page.innerText("#rival-B-k-reason"), /below/);
+    assert.deepEqual(await table(page), before);
     await setParameter(page, "k", "5");
     await atRest(page);
-    assert.deepEqual(await table(page), before);
+    assert.deepEqual(
+      (await table(page)).map(({ name }) => name),
+      ["A PRM, k 5", "B PRM, k 9"],
+    );
+    assert.equal(await page.inputValue("#rival-B-k"), "0");
+    assert.match(await page.innerText("#rival-B-k-reason"), /below/);
     await give(page, "B", "k", "7");
     assert.deepEqual(
       (await table(page)).map(({ name }) => name),
@@ -497,7 +489,7 @@ test("only planners that serve the robot are offered; others are removed, and th
     await chooseScene(page, "rings");
     assert.equal(
       await page.innerText("#notice strong"),
-      "Kinodynamic RRT needs a car, so rival B was removed. SST needs a car, so rival C was removed.",
+      "Kinodynamic RRT needs a car; this scene has a disc: PRM is used as A. Kinodynamic RRT needs a car, so rival B was removed. SST needs a car, so rival C was removed.",
     );
     assert.deepEqual(
       (await table(page)).map(({ name, found }) => [name, found]),
@@ -592,6 +584,17 @@ async function dot(page, chart, label) {
     };
   }, label);
 }
+
+test("over 100 seeds a race is an experiment with all its planners", () =>
+  onPausedPage(async (page) => {
+    await race(page, "rrt");
+    for (const button of ["#race-over-seeds", "#over-seeds"]) {
+      const [other] = await Promise.all([page.context().waitForEvent("page"), page.click(button)]);
+      await other.waitForSelector('body[data-count="200"]');
+      assert.equal(await other.isHidden("#notice"), true);
+      await other.close();
+    }
+  }));
 
 test("the path's curve begins where the path was found; the cursor is at the time that is shown", () =>
   onPausedPage(async (page) => {

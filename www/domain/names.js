@@ -7,6 +7,9 @@ import { hasSlide } from "./coordinates.js";
 
 /** @import { Check, Scenario, ScenarioDocument } from "./types.js" */
 
+/** Begins the name of a scene that is generated and not a built-in one; the name of its generator follows. */
+export const MADE = "make-";
+
 /** @param {Scenario["robot"]} robot */
 export function robotName(robot) {
   return robot === "rigid_body" ? "body" : robot;

@@ -1,5 +1,7 @@
 /** Names of options: snake_case on pages, in links and in documents, camelCase in the package. */
 
+/** @import { Settings } from "./types.js" */
+
 /** @param {string} name */
 function inCamelCase(name) {
   return name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
@@ -39,4 +41,18 @@ export function withOptions(settings, use) {
     if (typeof thrown.pointer === "string") thrown.pointer = inSnakeCase(thrown.pointer);
     throw error;
   }
+}
+
+/**
+ * The settings that differ from the usual ones, sorted by name so that equal experiments have equal links.
+ * @param {Settings} settings
+ * @param {(name: string) => unknown} usual
+ * @returns {Settings}
+ */
+export function changed(settings, usual) {
+  return Object.fromEntries(
+    Object.entries(settings)
+      .filter(([name, value]) => value !== usual(name))
+      .sort(),
+  );
 }

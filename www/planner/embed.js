@@ -4,7 +4,7 @@
  */
 import { errorInfo } from "../app/error-info.js";
 import { paced } from "../app/paced.js";
-import { SCENES } from "./scenes/scenes.js";
+import { entryOf, laneOf } from "./experiment.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { SceneEntry, Settings, State } from "../domain/types.js" */
@@ -74,26 +74,28 @@ function check(order) {
 
 /** Answers the messages of the parent. @param {Page} page */
 export function watchParent(page) {
-  /** What is loaded, checked as far as it can be before the open scene is left. @param {Order} order */
-  function wantedOf({ scene, document, algorithm, settings, query, iteration, play }) {
+  /** The patch of an order, checked as far as it can be before the open scene is left. @param {Order} order */
+  function patchOf({ scene, document, algorithm, settings, query, iteration }) {
     if (scene !== undefined && document !== undefined)
       throw fault("duplicate-field", "/document", "An order loads a scene or a document, not both.");
-    const entry = SCENES.find(({ id }) => id === scene);
+    const entry = entryOf({ scene });
     if (!entry && document === undefined)
       throw fault("unknown-scene", "/scene", `There is no scene "${String(scene)}".`);
-    return { entry, document: document ?? {}, plans: plansOf(entry, algorithm, settings), query, iteration, play };
+    return { scene, document, lanes: lanesOf(entry, algorithm, settings), query, iteration };
   }
 
   /**
    * The settings are those of the planner that is named, or change those of the scene.
-   * @param {SceneEntry | undefined} entry
+   * @param {SceneEntry | null} entry
    * @param {string | undefined} algorithm
    * @param {Settings | undefined} settings
    */
-  function plansOf(entry, algorithm, settings) {
-    if (algorithm === undefined && settings === undefined) return undefined;
-    const chosen = algorithm ?? entry?.algorithm ?? page.panel.algorithm;
-    const known = page.panel.parametersOf(chosen).map(({ name }) => name);
+  function lanesOf(entry, algorithm, settings) {
+    const [first, ...rivals] = page.record.lanes;
+    const own = entry && laneOf(entry);
+    if (algorithm === undefined && settings === undefined) return own ? [own, ...rivals] : undefined;
+    const chosen = algorithm ?? (own ?? first).algorithm;
+    const known = page.planners.parametersOf(chosen).map(({ name }) => name);
     if (known.length === 0) throw fault("unknown-planner", "/algorithm", `There is no planner "${chosen}".`);
     const unknown = Object.keys(settings ?? {}).find((name) => !known.includes(name));
     if (unknown !== undefined)
@@ -102,24 +104,23 @@ export function watchParent(page) {
         `/settings/${unknown}`,
         `The planner "${chosen}" has no setting "${unknown}"; it has ${known.join(", ")}.`,
       );
-    return [{ algorithm: chosen, settings: { ...(algorithm === undefined ? entry?.settings : {}), ...settings } }];
+    return [{ algorithm: chosen, settings: { ...(algorithm === undefined ? own?.settings : {}), ...settings } }];
   }
 
   /** Loads a scene. @param {Order} order */
   async function load(order) {
-    const { entry, document, ...opening } = wantedOf(order);
-    const source = entry ? await page.sourceOf(entry) : { document };
-    const { query } = opening;
-    if (query !== undefined) {
-      const scenario = page.session.read(source);
-      const names = scenario.document().queries.map(({ name }) => name);
-      scenario.free();
-      if (!names.includes(query))
-        throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${names.join(", ")}.`);
-    }
-    await page.open(source, { entry, ...opening });
+    const { query } = order;
+    const faults = await page.open(patchOf(order), {
+      play: order.play,
+      isAsGiven: order.algorithm !== undefined,
+      check({ queries }) {
+        if (query !== undefined && !queries.includes(query))
+          throw fault("unknown-query", "/query", `There is no query "${query}"; there are ${queries.join(", ")}.`);
+      },
+    });
+    const { request } = page;
     await page.arrived();
-    if (page.source !== source) throw fault("superseded", "", "Another scene was loaded meanwhile.");
+    if (!faults || page.request !== request) throw fault("superseded", "", "Another scene was loaded meanwhile.");
     return planned(Object.keys(order.settings ?? {}));
   }
 

@@ -110,21 +110,19 @@ export class Lane {
     };
   }
 
-  /** The plan for a query. @param {string | undefined} query @returns {Plan} */
-  planOf(query) {
-    const { algorithm, settings } = this.plan;
+  /** The plan with the query. @returns {Plan} */
+  get task() {
+    const {
+      plan: { algorithm, settings },
+      shown: { query },
+    } = this;
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 
-  /**
-   * Begins a run.
-   * @param {string | undefined} query
-   * @param {Catalogue} catalogue
-   * @throws {Error} the core refuses the plan
-   */
-  start(query, catalogue) {
+  /** Begins a run. @param {Catalogue} catalogue @throws {Error} the core refuses the plan */
+  start(catalogue) {
     this.free();
-    const { algorithm, settings } = this.planOf(query);
+    const { algorithm, settings } = this.task;
     this.run = new RunLog(this.scenario, algorithm, settings, catalogue);
   }
 

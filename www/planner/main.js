@@ -36,6 +36,7 @@ import { watchAnnouncements } from "./announce.js";
 import { watchAsking } from "./ask.js";
 import { offerCertificate } from "./certificate/controls.js";
 import { Counters } from "./counters.js";
+import { sourceOf } from "./experiment.js";
 import { showLegend } from "./legend.js";
 import { Page } from "./page.js";
 import { Pose } from "./pose/controls.js";
@@ -44,6 +45,7 @@ import { showPseudocode } from "./pseudocode.js";
 import { SCENES } from "./scenes/scenes.js";
 import { Session, placed } from "./session.js";
 import { Panel } from "./settings/panel.js";
+import { Planners } from "./settings/planners.js";
 import { Sheets } from "./sheets.js";
 import { Transport } from "./timeline/transport.js";
 
@@ -68,17 +70,18 @@ const isOpen = await app.open(
     const stage = byId("stage", HTMLElement);
     const readout = byId("readout", HTMLOutputElement);
     const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
-    const panel = new Panel(
-      session.catalogue.planners,
-      () => library.randomSeed() % SEEDS,
-      () => page.plan(),
-      () => page.setQuery(),
-    );
-    const page = new Page(app, session, panel);
+    const panel = new Panel(() => library.randomSeed() % SEEDS, {
+      lane: (lane) => page.change({ lanes: page.record.lanes.with(0, lane) }),
+      query: (query) => page.change({ query }),
+      own: () => page.useOwn(),
+      // A page in one file has no others beside it.
+      seeds: document.querySelector(".rooms") && (() => page.overSeeds()),
+    });
+    const page = new Page(app, session, panel, new Planners(session.catalogue.planners));
     const sheets = new Sheets(page);
     const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
     const gallery = makeGallery(SCENES, (entry) => {
-      void app.track(page.openScene(entry), `The scene "${entry.title}" could not be loaded.`);
+      void app.track(page.open({ scene: entry.id }), `The scene "${entry.title}" could not be loaded.`);
     });
     const transport = new Transport(page);
     watchKeys([stage, transport.bar], {
@@ -127,8 +130,11 @@ const isOpen = await app.open(
       if (location.hash) void app.track(openAddress());
     });
 
+    page.arrange = () => {
+      if (!page.race?.arrange() && page.facts) sheets.arrange(page.facts);
+    };
     page.onOpen((facts, entry) => {
-      if (!page.race?.arrange()) sheets.arrange(facts);
+      document.body.dataset.scene = entry?.id ?? "file";
       pose.build(facts);
       gallery.mark(entry?.id ?? null);
     });
@@ -166,7 +172,7 @@ const isOpen = await app.open(
     app.onTheme(() => page.act(() => session.stage.setTheme(app.look)));
     app.setTheme();
     if (location.hash) await openAddress();
-    else await page.openScene(SCENES[0]);
+    else await page.open({ scene: SCENES[0].id });
     app.onTheme(() => void app.track(drawThumbnails()));
     setTimeout(() => {
       session.stage.prepare();
@@ -190,7 +196,7 @@ const isOpen = await app.open(
 
     async function drawThumbnails() {
       for (const entry of SCENES)
-        gallery.draw(entry.id, await worker.thumbnail(await page.sourceOf(entry), SIDE, app.look));
+        gallery.draw(entry.id, await worker.thumbnail(await sourceOf({ scene: entry.id }), SIDE, app.look));
       setTimeout(() => void loadModules(), MODULES);
     }
 

@@ -1,50 +1,68 @@
 /**
- * The page as its features see it: the open scene, the state of the last frame, and events. Features register listeners
- * for scenes and states; none of them knows the others.
+ * The page as its features see it: its state, the open scene, the state of the last frame, and events. Features change
+ * the state by patches, and register listeners for scenes and frames; none of them knows the others.
  */
-import { nameAll } from "./race/names.js";
-import { loadScene } from "../app/resources.js";
+import {
+  ELSEWHERE,
+  EMPTY,
+  entryOf,
+  fitted,
+  generationOf,
+  laneOf,
+  reconcile,
+  same,
+  sourceOf,
+  viewOf,
+} from "./experiment.js";
 import { letter } from "./race/standings.js";
-import { robotName } from "../domain/names.js";
+import { nameAll } from "./race/names.js";
+import { requirePart } from "./link/codec.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Panel } from "./settings/panel.js" */
 /** @import { DriveControls } from "./driving/controls.js" */
+/** @import { Facts, Patch } from "./experiment.js" */
+/** @import { Experiment } from "./link/codec.js" */
+/** @import { Planners } from "./settings/planners.js" */
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
-/** @import { Plan, ScenarioDocument, SceneEntry, SceneFacts, Source, State, ViewOptions } from "../domain/types.js" */
+/** @import { Placed } from "./stage/placed.js" */
+/** @import { Plan, Scenario, ScenarioDocument, SceneEntry, SceneFacts, State } from "../domain/types.js" */
+/** @typedef {Facts & { scenario: Scenario, document: ScenarioDocument, placed: Placed | null }} Opened   what was read */
 /**
- * @typedef {{ entry?: SceneEntry, query?: string, plans?: Plan[], iteration?: number, play?: boolean }} Opening   how
- *   to open a scenario
+ * @typedef {object} How   a patch is applied
+ * @property {boolean} [play]       whether new runs play at once
+ * @property {boolean} [isAsGiven]  planners that do not serve the robot stay, and the core refuses them
+ * @property {(facts: Facts) => void} [check]   throws, and the open scene stays
  */
 
 /** Iterations a second of a scenario from a file. */
 const PACE = 60;
 
 export class Page {
-  /** @param {App} app @param {Session} session @param {Panel} panel */
-  constructor(app, session, panel) {
+  /** @param {App} app @param {Session} session @param {Panel} panel @param {Planners} planners */
+  constructor(app, session, panel, planners) {
     this.app = app;
     this.session = session;
     this.panel = panel;
+    this.planners = planners;
     this.notice = app.notice;
     this.calm = app.reducedMotion;
+    /** The state of the page; the iteration and the configuration in hand are the session's. @type {Experiment} */
+    this.record = EMPTY;
+    /** What the lanes of the record run with. @type {Plan[]} */
+    this.plans = [];
     /** The state of the last frame. @type {State | null} */
     this.state = null;
     /** The open scenario. @type {SceneFacts | null} */
     this.facts = null;
-    /** The origin of the open scenario. @type {Source | null} */
-    this.source = null;
-    /** The open scene, where it is a built-in one. @type {SceneEntry | null} */
-    this.entry = null;
+    /** The title of the scene as it was opened. */
     this.name = "";
     /**
      * Iterations a second that the scene was opened with; undefined keeps the previous speed.
      * @type {number | undefined}
      */
     this.pace = undefined;
-    /** The plans of the current runs: first the panel's, then its rivals'. @type {Plan[]} */
-    this.current = [];
     /** Number of the latest request to open a scene; an older one that is still loading is dropped. */
     this.request = 0;
     /** Loaded on demand. @type {Race | null} */
@@ -53,6 +71,8 @@ export class Page {
     this.loadRace = async () => {};
     /** Loads the driving controls. @type {() => Promise<DriveControls>} */
     this.loadDrive = () => Promise.reject(new Error("The driving controls are not loaded yet."));
+    /** Arranges the figures on the stage. */
+    this.arrange = () => {};
     /** The scenario whose queries the panel names. @type {ScenarioDocument | undefined} */
     this.named = undefined;
     /** Whether the current refusal has been shown. */
@@ -81,98 +101,201 @@ export class Page {
     if (this.state) listener(this.state);
   }
 
-  /** @param {SceneEntry} entry @returns {Promise<Source>} */
-  async sourceOf(entry) {
-    return entry.generate ? { generate: entry.generate } : { document: await loadScene(entry.id) };
+  /** The open scene, where it is a built-in one. */
+  get entry() {
+    return entryOf(this.record);
   }
 
-  /**
-   * Loads and opens a built-in scene, unless a newer request comes meanwhile.
-   * @param {SceneEntry} entry
-   * @param {Opening} [opening]
-   * @returns {Promise<boolean>} whether it was opened
-   * @throws {Error} it cannot be loaded or read
-   */
-  async openScene(entry, opening) {
-    const request = ++this.request;
-    const source = await this.sourceOf(entry);
-    if (request !== this.request) return false;
-    await this.open(source, { ...opening, entry });
-    return true;
+  /** What generated the open scene, if something did. */
+  get generation() {
+    return generationOf(this.record);
   }
 
-  /**
-   * Opens a scenario, a built-in one with its own planner and parameters. One that cannot be read leaves the open one
-   * in place.
-   * @param {Source} source @param {Opening} [opening]
-   * @throws {Error} with `code` and `pointer`
-   */
-  async open(source, { entry, query, plans, iteration, play = !this.calm } = {}) {
-    const { panel, session } = this;
-    const request = ++this.request;
-    if (plans && plans.length > 1) await this.loadRace();
-    // A scene that is opened again keeps the current speed.
-    const pace = entry && entry === this.entry ? undefined : (entry?.pace ?? PACE);
-    const given = plans?.[0] ?? entry;
-    const scenario = session.read(source);
-    const placed = await session.placedOf(scenario);
-    if (request !== this.request) {
-      scenario.free();
-      return;
-    }
-    // Planners and parameters for other robots would be refused.
-    panel.offer(scenario.robot);
-    if (!given) panel.form.build();
-    const plan = given
-      ? panel.planFrom(given.algorithm, given.settings)
-      : (panel.plan ?? { algorithm: panel.algorithm, settings: {} });
-    const dropped = this.race?.offer() ?? [];
-    // With their defaults, so that their names say what they differ in.
-    const wanted =
-      plans?.slice(1).map(({ algorithm, settings }) => panel.planFrom(algorithm, settings)) ??
-      this.race?.beside(plan) ??
-      this.current.slice(1);
-    const isServed = (/** @type {Plan} */ { algorithm }) => panel.serves(algorithm);
-    const removed = plans
-      ? wanted.map((rival, i) => ({ ...rival, lane: i + 1 })).filter((rival) => !isServed(rival))
-      : dropped;
-    const current = [plan, ...wanted.filter(isServed)];
-    const facts = this.run(() =>
-      session.open(
-        scenario,
-        {
-          plans: current,
-          query,
-          iteration,
-          play,
-          pace,
-          story: {
-            sentence: entry?.story ?? "",
-            algorithm: entry?.algorithm ?? "",
-            isProven: (entry?.settings.edge_check ?? "proven") === "proven",
-          },
-        },
-        placed,
-      ),
+  /** The name of the current query. */
+  get query() {
+    return this.record.query ?? this.session.shown?.document.queries[0]?.name;
+  }
+
+  /** The robot: planners and parameters for others are not offered. */
+  get robot() {
+    return this.session.shown?.scenario.robot ?? "arm";
+  }
+
+  /** The title of the scene, and whether it was edited. */
+  get title() {
+    return this.state?.isEdited ? `${this.name} (edited)` : this.name;
+  }
+
+  get names() {
+    return nameAll(this.plans, (algorithm) => this.planners.titleOf(algorithm));
+  }
+
+  /** Whether the state has the entries of a patch. @param {Patch} patch */
+  has({ lanes, options, ...patch }) {
+    const { record, facts, planners, plans, robot, generation } = this;
+    return (
+      facts !== null &&
+      same({ ...record, ...patch }, record) &&
+      same(generationOf({ scene: record.scene, options }), generation) &&
+      (!lanes || same(planners.plansOf(lanes, robot), plans))
     );
-    this.notice.hide();
-    this.source = source;
-    this.entry = entry ?? null;
-    this.current = current;
-    this.pace = pace;
-    this.name = entry?.title ?? facts.title;
-    this.isRefusalShown = false;
-    if (plans) this.race?.adopt(current);
-    if (given) panel.suggest(given.algorithm, given.settings, entry?.settings);
-    this.show(facts);
-    if (removed.length > 0) this.notice.show(removed.map((one) => this.removal(one)).join(" "), "");
   }
 
-  /** Why a rival was removed. @param {{ lane: number, algorithm: string }} rival */
-  removal({ lane, algorithm }) {
-    const info = this.panel.infos.find(({ id }) => id === algorithm);
-    const robots = info?.robots.map((robot) => `${robot === "arm" ? "an" : "a"} ${robotName(robot)}`).join(" or ");
-    return `${info ? `${info.title} needs ${robots}` : `There is no planner "${algorithm}"`}, so rival ${letter(lane)} was removed.`;
+  /**
+   * Reads the scenario of an experiment.
+   * @param {Patch} experiment
+   * @returns {Promise<Opened>}
+   * @throws {Error} it cannot be loaded or read, with `code` and `pointer`
+   */
+  async read(experiment) {
+    const scenario = this.session.read(await sourceOf(experiment));
+    const { robot, dimension } = scenario;
+    const document = scenario.document();
+    const queries = document.queries.map(({ name }) => name);
+    return { scenario, document, robot, dimension, queries, placed: await this.session.placedOf(scenario) };
+  }
+
+  /**
+   * Changes the state of the page and reads its scenario, unless a newer request comes meanwhile. A patch with a scene
+   * or a document is another scene, with its first query. One that cannot be read leaves the open one in place.
+   * @param {Patch} patch
+   * @param {How} [how]
+   * @returns {Promise<string[] | null>} sentences about what did not fit; null: a newer request came
+   * @throws {Error} it cannot be loaded or read, with `code` and `pointer`
+   */
+  async open(patch, { play = !this.calm, check, isAsGiven } = {}) {
+    const request = ++this.request;
+    const whole = patch.scene || patch.document ? { ...ELSEWHERE, ...patch } : patch;
+    if ((patch.lanes?.length ?? 0) > 1) await this.loadRace();
+    if (request !== this.request) return null;
+    const opened = await this.read({ ...this.record, ...whole });
+    const { document } = opened;
+    try {
+      check?.(opened);
+      if (request !== this.request) return null;
+      return this.apply(whole.document ? { ...whole, document } : whole, { play, isAsGiven }, opened);
+    } finally {
+      if (this.session.shown?.scenario !== opened.scenario) opened.scenario.free();
+    }
+  }
+
+  /** Changes the state of the page; an error is shown. @param {Patch} patch */
+  change(patch) {
+    this.app.guard(() => this.apply(patch));
+  }
+
+  /**
+   * Changes the state of the page, and makes everything agree that depends on what differs.
+   * @param {Patch} patch
+   * @param {How} [how]
+   * @param {Opened} [opened]   the scenario, where it is another one than that on the stage
+   * @returns {string[]} sentences about what did not fit, which are shown
+   */
+  apply(patch, { play = this.autoplay, isAsGiven } = {}, opened = undefined) {
+    const { record: before, session, planners, entry: left } = this;
+    const { document: _, ...checked } = patch;
+    requirePart(checked);
+    const was = this.facts?.robot;
+    const facts = opened ?? this.facts;
+    if (!facts) return [];
+    const next = /** @type {Experiment} */ ({ ...before, ...patch });
+    // Other coordinates have other meanings.
+    if (was !== facts.robot && !patch.view) next.view = { ...next.view, axes: undefined };
+    const { experiment, faults } = fitted(next, facts, planners, { was, isAsGiven });
+    const { iteration, pose, drive: _drive, roll: _roll, euler: _euler, ...lasting } = experiment;
+    this.record = { ...lasting, iteration: 0 };
+    this.plans = planners.plansOf(lasting.lanes, facts.robot);
+    reconcile(
+      before,
+      this.record,
+      { ...patch, pose, opened },
+      {
+        scenario: () => opened && this.enter(opened, left, Boolean(patch.lanes)),
+        settings: () => this.showSettings(),
+        rivals: () => this.race?.agree(),
+        view: () => session.setView(viewOf(lasting.view, facts.robot)),
+        run: () => this.begin(play),
+        figures: () => this.arrange(),
+        news: () => this.announce(),
+        time: () => this.seek(iteration),
+        hand: () => pose && session.byHand.hold(Float64Array.from(pose)),
+      },
+    );
+    session.markDirty();
+    if (faults.length > 0) this.notice.show(faults.join(" "), "");
+    return faults;
+  }
+
+  /**
+   * Puts a scenario on the stage.
+   * @param {Opened} opened
+   * @param {SceneEntry | null} left   the scene before
+   * @param {boolean} isOwn   whether planners come with it
+   */
+  enter({ scenario, document, placed }, left, isOwn) {
+    const { entry, record } = this;
+    const isKept = !isOwn && entry && record.lanes[0].algorithm !== entry.algorithm;
+    // A scene that is opened again keeps the current speed, and so does a planner.
+    this.pace = entry && (entry === left || isKept) ? undefined : (entry?.pace ?? PACE);
+    this.session.open(scenario, document, placed, this.pace);
+    this.name = entry?.title ?? (scenario.title || scenario.name);
+  }
+
+  showSettings() {
+    const { panel, planners, robot, record, entry } = this;
+    panel.show(record.lanes[0], planners.for(robot), robot, entry?.settings);
+    const own = entry && laneOf(entry);
+    panel.offerOwn(
+      own && !same(planners.plansOf([own], robot)[0], this.plans[0]) ? planners.titleOf(own.algorithm) : "",
+    );
+  }
+
+  /** The first lane becomes the scene's own planner. */
+  useOwn() {
+    const { entry, record } = this;
+    if (!entry) return;
+    const { scene, options, query } = record;
+    void this.app.track(this.open({ scene, options, query, lanes: record.lanes.with(0, laneOf(entry)) }));
+  }
+
+  /** Opens the experiments page with the scene and the planners of the runs, over many seeds. */
+  overSeeds() {
+    const opening = import("./over-seeds.js").then(({ openOverSeeds }) => openOverSeeds(this));
+    void this.app.track(opening, "The experiment cannot be opened.");
+  }
+
+  /** Begins new runs. @param {boolean} play */
+  begin(play) {
+    const { session, plans, query = "" } = this;
+    this.notice.hide();
+    this.isRefusalShown = false;
+    session.plan(plans, play && !session.editor?.on, query || undefined);
+    this.facts = session.facts();
+    this.panel.selectQuery(query);
+  }
+
+  /** Announces the open scenario to the listeners. */
+  announce() {
+    const { session, panel, entry } = this;
+    const facts = session.facts();
+    this.facts = facts;
+    this.notice.hide();
+    session.story = {
+      sentence: entry?.story ?? "",
+      algorithm: entry?.algorithm ?? "",
+      isProven: (entry?.settings.edge_check ?? "proven") === "proven",
+    };
+    panel.offerQueries(facts.queries, facts.query);
+    this.named = undefined;
+    this.nameQueries();
+    for (const listener of this.openListeners) listener(facts, entry);
+  }
+
+  /** Shows an iteration, or in a race a time. @param {number} time */
+  seek(time) {
+    const { clock, shown, refusal, timeline } = this.session;
+    const isShown = clock.now === time && !clock.playing && !clock.owes && !shown?.hand;
+    if (!refusal && !isShown) timeline.seek(time);
   }
 
   /** Names the queries in collision, which an edited scene may change. */
@@ -181,16 +304,6 @@ export class Page {
     if (session.shown?.document === this.named) return;
     this.named = session.shown?.document;
     this.panel.nameQueries(session.queryTexts);
-  }
-
-  /** Announces the open scenario to the listeners. @param {SceneFacts} facts */
-  show(facts) {
-    this.facts = facts;
-    this.panel.offerQueries(facts.queries, facts.query);
-    this.named = undefined;
-    this.nameQueries();
-    document.body.dataset.scene = this.entry?.id ?? "file";
-    for (const listener of this.openListeners) listener(facts, this.entry);
   }
 
   /**
@@ -217,32 +330,6 @@ export class Page {
     }
   }
 
-  /** The plans of the panel and the rivals, or null while a field holds an invalid value. @returns {Plan[] | null} */
-  get plans() {
-    const { plan } = this.panel;
-    const rivals = plan && (this.race ? this.race.beside(plan) : []);
-    return rivals && [plan, ...rivals];
-  }
-
-  /** The title of the scene, and whether it was edited. */
-  get title() {
-    return this.state?.isEdited ? `${this.name} (edited)` : this.name;
-  }
-
-  get names() {
-    return nameAll(this.current, (algorithm) => this.panel.titleOf(algorithm));
-  }
-
-  /** Begins new runs with the current settings. */
-  plan() {
-    const { plans } = this;
-    if (!plans) return;
-    this.notice.hide();
-    this.current = plans;
-    this.isRefusalShown = false;
-    this.act((session) => session.plan(plans, this.autoplay));
-  }
-
   /** Points at a vertex by its number. @param {number} vertex  -1: none */
   async inspect(vertex) {
     const pointing = await this.session.byHand.ready();
@@ -251,15 +338,9 @@ export class Page {
     });
   }
 
-  /** Changes the view. @param {Partial<ViewOptions>} view */
+  /** Changes the view. @param {Experiment["view"]} view */
   setView(view) {
-    this.act((session) => session.setView(view));
-  }
-
-  /** Plans the query selected in the panel. */
-  setQuery() {
-    this.isRefusalShown = false;
-    this.act((session) => session.setQuery(this.panel.query.value, this.autoplay));
+    this.change({ view: { ...this.record.view, ...view } });
   }
 
   /** Whether a new run plays at once: after a change to a run that plays or has ended. */
@@ -288,7 +369,7 @@ export class Page {
     if (lane > 0) this.race?.refuse(lane, pointer, message);
     else if (this.panel.form.refuse(pointer, message)) return;
     const subject = state.clock.isRace
-      ? `${letter(lane)}, ${this.panel.titleOf(state.lanes[lane].algorithm)},`
+      ? `${letter(lane)}, ${this.planners.titleOf(state.lanes[lane].algorithm)},`
       : "This";
     const text =
       lane > 0

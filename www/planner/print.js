@@ -22,9 +22,9 @@ export function watchPrint(page) {
 }
 
 /** @param {Page} page */
-function lineOf({ title, current, panel, state }) {
-  const plans = current.map(({ algorithm, settings }, lane) => {
-    const name = current.length > 1 ? `${letter(lane)} ${panel.titleOf(algorithm)}` : panel.titleOf(algorithm);
+function lineOf({ title, plans: lanes, planners, state }) {
+  const plans = lanes.map(({ algorithm, settings }, lane) => {
+    const name = lanes.length > 1 ? `${letter(lane)} ${planners.titleOf(algorithm)}` : planners.titleOf(algorithm);
     const values = [...FIRST]
       .filter((one) => settings[one] !== undefined)
       .map((one) => `${one.replaceAll("_", " ")} ${settings[one]}`);

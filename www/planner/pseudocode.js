@@ -31,7 +31,7 @@ export function showPseudocode(page) {
     if (lane.algorithm !== shown) {
       shown = lane.algorithm;
       marks.clear();
-      lines = (page.panel.infos.find(({ id }) => id === shown)?.pseudocode ?? []).map(({ text, indent, lit_by }) => {
+      lines = (page.planners.find(shown)?.pseudocode ?? []).map(({ text, indent, lit_by }) => {
         const row = make("li", {}, text);
         row.dataset.indent = String(indent);
         return { row, marks: lit_by };

@@ -80,7 +80,7 @@ export class Repair {
     } = session;
     if (!shown) return;
     const lane = new Lane(shown, former.plan);
-    lane.start(session.query, session.catalogue);
+    lane.start(session.catalogue);
     lane.run?.take(growth);
     this.held = -1;
     session.refusal = null;

@@ -12,7 +12,6 @@ import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
 import { Lane } from "./lane.js";
 import { Optima } from "./optimum.js";
-import { axesOf } from "../domain/names.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
 import { Repair } from "./repair.js";
@@ -68,8 +67,6 @@ export class Session {
     this.shown = null;
     /** @type {Lane[]} */
     this.lanes = [];
-    /** The name of the current query. @type {string | undefined} */
-    this.query = undefined;
     /** @type {ViewOptions} */
     this.view = {
       axes: [0, 1],
@@ -83,7 +80,7 @@ export class Session {
     };
     this.optima = new Optima(app, () => this.markDirty());
     this.optima.viewers.push(() => this.view.optimum);
-    /** The scene's sentence about its own planner. */
+    /** The scene's sentence about its own planner. @type {Story} */
     this.story = { algorithm: "", isProven: true, sentence: "" };
     /** Why the core refused to plan, and the lane. @type {{ error: unknown, lane: number } | null} */
     this.refusal = null;
@@ -119,18 +116,15 @@ export class Session {
   }
 
   /**
-   * Opens a scenario and frees the previous one.
+   * Puts a scenario on the stage and frees the previous one.
    * @param {Scenario} scenario
-   * @param {{ plans: Plan[], query?: string, play: boolean, pace?: number, iteration?: number, story: Story }}
-   *   options  `plans`: up to four
+   * @param {ScenarioDocument} document
    * @param {Placed | null} placed
+   * @param {number} [pace]
    */
-  open(scenario, { plans, query, play, pace, iteration = 0, story }, placed) {
-    if (Boolean(placed) !== Boolean(this.shown?.placed) || this.view.axes.some((axis) => axis >= scenario.dimension))
-      this.view.axes = axesOf(scenario.robot);
+  open(scenario, document, placed, pace) {
     for (const lane of this.lanes.splice(0)) lane.free();
     this.shown?.scenario.free();
-    const document = scenario.document();
     this.shown = {
       scenario,
       document,
@@ -150,14 +144,9 @@ export class Session {
       placed,
       driven: null,
     };
-    this.story = story;
     if (pace !== undefined) this.clock.pace = pace;
-    this.query = document.queries.find(({ name }) => name === query)?.name ?? document.queries[0]?.name;
     this.stage.invalidate();
     this.editor?.begin();
-    this.plan(plans, play && !this.editor?.on);
-    if (iteration > 0) this.timeline.seek(iteration);
-    return this.facts();
   }
 
   /** @param {Source} source */
@@ -177,7 +166,7 @@ export class Session {
       robot: scenario.robot,
       dimension: scenario.dimension,
       queries: document.queries.map(({ name }) => name),
-      query: this.query,
+      query: this.shown?.query,
       coordinates: coordinatesOf({ scenario, document }),
       start: start ? Array.from(start) : null,
       goal: goal ? Array.from(goal) : null,
@@ -240,21 +229,21 @@ export class Session {
     return free ? free.reduce((sum, one) => sum + one, 0) : 0;
   }
 
-  /** Plans another query of the scenario. @param {string} query @param {boolean} play */
-  setQuery(query, play) {
-    this.query = query;
-    this.plan(this.plans, play);
-    this.stage.invalidate();
-  }
-
   get plans() {
     return this.lanes.map(({ plan }) => plan);
   }
 
-  /** Begins new runs, one for each plan. @param {Plan[]} plans @param {boolean} play */
-  plan(plans, play) {
+  /**
+   * Begins new runs, one for each plan.
+   * @param {Plan[]} plans
+   * @param {boolean} play
+   * @param {string} [query]   its name
+   */
+  plan(plans, play, query = this.shown?.query) {
     const { shown, clock } = this;
     if (!shown) return;
+    if (query !== shown.query) this.stage.invalidate();
+    shown.query = query;
     this.setEnds(shown);
     this.plannings++;
     this.repair.waiting = null;
@@ -270,7 +259,7 @@ export class Session {
     for (const lane of this.lanes.splice(plans.length)) lane.free();
     let at = 0;
     try {
-      for (; at < this.lanes.length; at++) this.lanes[at].start(this.query, this.catalogue);
+      for (; at < this.lanes.length; at++) this.lanes[at].start(this.catalogue);
       clock.playing = play;
     } catch (error) {
       for (const lane of this.lanes) lane.free();
@@ -291,8 +280,7 @@ export class Session {
   /** Shows the start and the goal of the current query. @param {Shown} shown */
   setEnds(shown) {
     this.certifying?.end();
-    const query = shown.document.queries.find(({ name }) => name === this.query);
-    shown.query = query?.name;
+    const query = shown.document.queries.find(({ name }) => name === shown.query);
     shown.start = query?.start ?? null;
     shown.goal = query?.goal ?? null;
     shown.target = query?.target ?? null;
@@ -406,12 +394,14 @@ export class Session {
     return this.lanes.flatMap(({ playback }) => playback ?? []);
   }
 
-  /** Changes the view. @param {Partial<ViewOptions>} view */
+  /** Changes the view. @param {ViewOptions} view */
   setView(view) {
+    const { axes, refused } = this.view;
+    // The top layer, with the configurations and the path before shortcutting, is redrawn in each frame.
+    const isOther = String(view.axes) !== String(axes) || view.refused !== refused;
     Object.assign(this.view, view);
     this.markDirty();
-    // The top layer, with the configurations and the path before shortcutting, is redrawn in each frame.
-    if ("axes" in view || "refused" in view) this.stage.invalidate();
+    if (isOther) this.stage.invalidate();
   }
 
   wake() {

@@ -62,7 +62,7 @@ export class Certifying {
     session.clock.halt();
     session.markDirty();
     try {
-      await worker.certify(shown.document, { query: session.query, clearance });
+      await worker.certify(shown.document, { query: shown.query, clearance });
       while (asked === this.asked && !found.certificate) {
         const { cells, certificate } = await worker.divide(session.app.reducedMotion ? Infinity : PART);
         found.blocks.push(cells);

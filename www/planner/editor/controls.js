@@ -9,7 +9,8 @@ import { button, press } from "../../widgets/elements.js";
 import { Field } from "../../widgets/field.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { EditTool, SceneEntry, Source } from "../../domain/types.js" */
+/** @import { Patch } from "../experiment.js" */
+/** @import { EditTool } from "../../domain/types.js" */
 /** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
@@ -68,8 +69,8 @@ export class EditorControls {
     this.host = byId("editor", HTMLElement);
     this.stage = byId("stage", HTMLElement);
     this.narrow = matchMedia("(max-width: 63.99rem)");
-    /** The scene as it was opened. @type {{ source: Source | null, entry: SceneEntry | null }} */
-    this.original = { source: null, entry: null };
+    /** The scene as it was opened, as a part of the page's state. @type {Patch} */
+    this.original = {};
     this.changes = 0;
     this.message = "";
     /** The objects that the fields are for. */
@@ -137,7 +138,8 @@ export class EditorControls {
     });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
     page.onOpen(() => {
-      this.original = { source: page.source, entry: page.entry };
+      const { scene, options, document } = page.record;
+      this.original = { scene, options, document };
     });
     page.onState(({ isEditing }) => {
       if (isEditing) this.show(this.editor);
@@ -293,11 +295,8 @@ export class EditorControls {
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */
   adopt(isChanged) {
     const { page, original } = this;
-    const facts = page.session.facts();
-    page.source = isChanged ? { document: facts.document } : original.source;
-    page.entry = isChanged ? null : original.entry;
-    page.notice.hide();
-    page.show(facts);
+    const { document } = this.editor;
+    page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document } } : original);
     this.original = original;
   }
 }

@@ -111,16 +111,7 @@ export class Hand {
         moved: false,
       };
     } else {
-      const hit = hitAt(
-        pane,
-        square !== null,
-        shown,
-        editor.session.query,
-        editor.selected,
-        pointer.x,
-        pointer.y,
-        reach,
-      );
+      const hit = hitAt(pane, square !== null, shown, shown.query, editor.selected, pointer.x, pointer.y, reach);
       editor.choose(hit?.object ?? null, hit?.part ?? null);
       if (hit)
         this.drag = {

@@ -68,7 +68,6 @@ export class Editor {
     this.on = false;
     this.changes = 0;
     this.history = new History(/** @type {ScenarioDocument} */ (session.shown?.document));
-    this.story = session.story;
     this.hand = new Hand(this);
     /** @type {EditTool} */
     this.tool = "select";
@@ -86,7 +85,6 @@ export class Editor {
   /** Begins with the scenario that was opened. */
   begin() {
     this.history = new History(this.document);
-    this.story = this.session.story;
     this.hand.release();
     this.tool = "select";
     this.selected = this.part = this.refusal = this.refused = null;
@@ -158,7 +156,7 @@ export class Editor {
 
   /** Selects the next or the previous object. @param {number} way */
   select(way) {
-    const objects = objectsOf(this.document, this.session.query);
+    const objects = objectsOf(this.document, this.shown.query);
     const at = objects.findIndex((object) => same(object, this.selected));
     this.choose(objects.at(at < 0 && way < 0 ? -1 : (at + way) % objects.length) ?? null, null);
   }
@@ -351,7 +349,7 @@ export class Editor {
     /** @param {ScenarioDocument} document @returns {number} 0: refused, 1: start or goal in collision, 2: both free */
     const suits = (document) => {
       const scenario = this.read(document);
-      const poses = objectsOf(document, this.session.query).map((object) => poseOf(document, object));
+      const poses = objectsOf(document, this.shown.query).map((object) => poseOf(document, object));
       const free = scenario && poses.every((pose) => !pose || scenario.check(pose).free);
       scenario?.free();
       return scenario ? 1 + Number(free) : 0;
@@ -386,7 +384,6 @@ export class Editor {
       this.announcement = this.whereabouts;
     }
     this.changes++;
-    session.story = this.isChanged ? { algorithm: "", isProven: true, sentence: "" } : this.story;
     this.shown.rough = false;
     session.stage.invalidate();
   }

@@ -82,7 +82,7 @@ function numericShape(bytes) {
  * @throws {Error} the core refuses one of them
  */
 async function build(page, polygons, alone) {
-  const { facts, plans, panel } = page;
+  const { facts, query } = page;
   if (!facts) return;
   const { world } = facts.document;
   const fresh = polygons.map((vertices) => /** @type {Obstacle} */ ({ type: "polygon", vertices }));
@@ -90,7 +90,7 @@ async function build(page, polygons, alone) {
     ...facts.document,
     world: { ...world, obstacles: alone ? fresh : [...world.obstacles, ...fresh] },
   };
-  await page.open({ document }, { plans: plans ?? page.current, query: panel.query.value || undefined });
+  await page.open({ document, query });
 }
 
 /**

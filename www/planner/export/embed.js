@@ -1,8 +1,8 @@
 /** Code that embeds the page with its current state in a web page, in slides or in a notebook. */
-import { experimentOf } from "../link/experiment.js";
 import { make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { encodeLink } from "../link/codec.js";
+import { experimentOf } from "../link/experiment.js";
 
 /** @import { Page } from "../page.js" */
 

@@ -88,7 +88,7 @@ export function showExport(page) {
       save(npy(vertices.slice(0, past[PAST.vertices]), dimension), `${nameOfLane()}-vertices.npy`);
     }),
     offer("counters", "Counters", "CSV", "For a spreadsheet: one row per iteration.", noRun, async () => {
-      const runs = await Promise.all(page.current.map((_, i) => runOf(i)));
+      const runs = await Promise.all(page.plans.map((_, i) => runOf(i)));
       save(countersCsv(runs), `${name(page.state?.lanes[0].made)}.csv`);
     }),
   );
@@ -141,12 +141,12 @@ export function showExport(page) {
 
   /** The name of a file, at the time shown. @param {number} [time] */
   function name(time = page.state?.clock.now ?? 0) {
-    return nameOf(page.facts?.name ?? "", page.current, time);
+    return nameOf(page.facts?.name ?? "", page.plans, time);
   }
 
   /** The same for the chosen planner. @param {number} [time] */
   function nameOfLane(time = page.state?.lanes[Number(lane.value)].iteration ?? 0) {
-    return nameOf(page.facts?.name ?? "", [page.current[Number(lane.value)]], time);
+    return nameOf(page.facts?.name ?? "", [page.plans[Number(lane.value)]], time);
   }
 
   /** Makes and saves an image. @param {ImageKind} kind */

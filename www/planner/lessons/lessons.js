@@ -12,7 +12,7 @@ import { LessonBand } from "../../widgets/lesson.js";
 /** @import { Shown } from "../../widgets/lesson.js" */
 /** @import { Page } from "../page.js" */
 /** @import { Lesson } from "./script.js" */
-/** @import { SceneEntry, State } from "../../domain/types.js" */
+/** @import { State } from "../../domain/types.js" */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 
@@ -59,7 +59,7 @@ export class Lessons {
       await this.put(Number(step) - 1, lesson);
       return;
     }
-    if (!page.facts) await page.openScene(SCENES[0]);
+    if (!page.facts) await page.open({ scene: SCENES[0].id });
     page.notice.show(
       lesson
         ? `The lesson "${lesson.title}" has ${lesson.steps.length} steps; there is no step ${step}.`
@@ -93,9 +93,9 @@ export class Lessons {
       const isShown = await this.arrive();
       // Another step or scene may have been opened meanwhile.
       if (!isShown || this.lesson !== lesson || this.at !== step || !this.isThere) return;
-      page.act(({ timeline }) => timeline.seek(beginningOf(lesson, step)));
+      page.change({ iteration: beginningOf(lesson, step) });
     } catch (error) {
-      if (!page.facts) await page.openScene(SCENES[0]);
+      if (!page.facts) await page.open({ scene: SCENES[0].id });
       page.app.fail(error, "This step could not be shown.");
     }
   }
@@ -108,11 +108,8 @@ export class Lessons {
     if (!(await this.arrive()) || this.lesson !== lesson || this.at !== at) return;
     this.show("run");
     const rest = this.rest ?? (page.calm ? Infinity : undefined);
-    page.act(({ timeline }) => {
-      timeline.seek(beginningOf(lesson, at));
-      if (rest === undefined) timeline.play();
-      else timeline.seek(rest);
-    });
+    page.change({ iteration: beginningOf(lesson, at) });
+    page.act(({ timeline }) => (rest === undefined ? timeline.play() : timeline.seek(rest)));
   }
 
   /** The iteration at which the run pauses; undefined for its end. */
@@ -125,14 +122,13 @@ export class Lessons {
    * @returns {Promise<boolean>} whether it does then
    */
   async arrive() {
-    return this.isThere || this.page.openScene(this.stage.entry, { plans: this.stage.plans, play: false });
+    return this.isThere || (await this.page.open(this.stage, { play: false })) !== null;
   }
 
-  /** The scene and the plans of the step. */
+  /** The scene and the planner of the step, as a patch of the page's state. */
   get stage() {
-    const { scene, algorithm, settings } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
-    const entry = /** @type {SceneEntry} */ (SCENES.find(({ id }) => id === scene));
-    return { entry, plans: [this.page.panel.planFrom(algorithm, settings)] };
+    const { scene, ...lane } = stageAt(/** @type {Lesson} */ (this.lesson), this.at);
+    return { scene, document: undefined, options: undefined, query: undefined, lanes: [lane] };
   }
 
   /** Whether the run has ended or paused. @param {State} state */
@@ -150,13 +146,6 @@ export class Lessons {
 
   /** Whether the page shows the scene of the step with its planner. */
   get isThere() {
-    const { source, facts, current, panel } = this.page;
-    const { entry, plans } = this.stage;
-    return (
-      this.page.entry === entry &&
-      (!source || !("generate" in source) || source.generate === entry.generate) &&
-      panel.query.value === (facts?.queries[0] ?? "") &&
-      JSON.stringify(current) === JSON.stringify(plans)
-    );
+    return this.page.has(this.stage);
   }
 }

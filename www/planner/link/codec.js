@@ -69,9 +69,14 @@ const experimentRule = withDefaults(
   { version: /** @type {const} */ (1), iteration: 0, view: {} },
 );
 
+/** Throws a fault unless a value is a part of an experiment. @param {unknown} value */
+export function requirePart(value) {
+  experimentRule(value, "experiment");
+}
+
 /** Throws a fault unless a value is an experiment; entries with defaults may be absent. @param {unknown} value */
 function requireExperiment(value) {
-  experimentRule(value, "experiment");
+  requirePart(value);
   const { scene, document, lanes } = /** @type {Partial<Experiment>} */ (value);
   must((scene || document) && lanes?.every((lane) => lane.algorithm), "it lacks a scene or an algorithm");
 }

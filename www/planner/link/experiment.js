@@ -1,64 +1,47 @@
 /**
- * Converts the state of the page to an experiment and back. Names in a link that the page does not know, and values
- * that it would refuse, are left out, with a sentence for each.
+ * The state of the page as an experiment for a link, and back: other names than the page knows, and values that it would
+ * refuse, are left out.
  */
 import { reasonAgainst, withSeed } from "../../widgets/field.js";
 import { keyText } from "../../domain/key-text.js";
-import { axesOf } from "../../domain/names.js";
+import { MADE } from "../../domain/names.js";
+import { changed } from "../../domain/option-names.js";
 import { isProjected } from "../../app/projector.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
 /** @import { Experiment } from "./codec.js" */
-/** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings, Source } from "../../domain/types.js" */
-/**
- * @typedef {{ source: Source | null, entry: SceneEntry | undefined, plans: Plan[] | undefined }} Found   no source: the
- *   entry's own
- */
+/** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings } from "../../domain/types.js" */
+/** @typedef {{ find: (algorithm: string) => unknown, parametersOf: (algorithm: string) => ParameterInfo[] }} Planners */
 
 /** Configurations drawn along a path, by default. */
 export const POSES = 8;
 
-/** Begins the name of a generated scenario that is not a built-in scene. */
-const MADE = "make-";
-
 /**
- * The current state. Settings equal to the planner's defaults are left out, and options equal to the scene's.
+ * The state with the moment that is shown. Settings equal to the planner's defaults are left out, and options equal to
+ * the scene's.
  * @param {Page} page   with an open scenario
  * @returns {Experiment}
  */
-export function experimentOf({ entry, source, facts, state, current, panel, race, session }) {
-  if (!source || !facts || !state) throw new Error("No scene is open.");
-  const query = panel.query.value;
-  const { axes, refused, strobe, poses, raw, slice, optimum, regions } = state.view;
-  /** @type {Experiment} */
-  const experiment = {
+export function experimentOf({ record, state, plans, planners, race, session, entry, generation }) {
+  if (!state) throw new Error("No scene is open.");
+  const { query, view, scene, document } = record;
+  return {
     version: 1,
-    query: query && query !== facts.queries[0] ? query : undefined,
-    lanes: current.map(({ algorithm, settings }) => {
-      const usual = new Map(panel.parametersOf(algorithm).map(({ name, default: value }) => [name, value]));
-      return { algorithm, settings: changed(settings, (name) => usual.get(name)) };
-    }),
+    query,
+    lanes: plans.map((plan) => planners.shortened(plan)),
     iteration: state.clock.now,
     view: {
-      axes: String(axes) === String(axesOf(facts.robot)) ? undefined : axes,
-      refused,
-      strobe,
-      poses: poses === POSES ? undefined : poses,
-      raw,
-      slice,
-      optimum,
-      regions,
+      ...view,
+      poses: view.poses === POSES ? undefined : view.poses,
       projector: isProjected(),
-      lens: current.length > 1 ? race?.picture : undefined,
+      lens: plans.length > 1 ? race?.picture : undefined,
     },
+    scene,
+    document,
+    options: generation ? changed(generation.options, (name) => entry?.generate?.options[name]) : undefined,
+    ...inHand(session),
   };
-  const made = "generate" in source ? source.generate : null;
-  if (entry) experiment.scene = entry.id;
-  else if (made) experiment.scene = MADE + made.kind;
-  else experiment.document = { ...facts.document };
-  if (made) experiment.options = changed(made.options, (name) => entry?.generate?.options[name]);
-  return { ...experiment, ...inHand(session) };
 }
 
 /**
@@ -85,50 +68,41 @@ function inHand({ shown, driving }) {
 }
 
 /**
- * The settings that differ from the usual ones, sorted by name so that equal experiments have equal links.
- * @param {Settings} settings
- * @param {(name: string) => unknown} usual
- * @returns {Settings}
+ * @param {Experiment} experiment
+ * @param {{ scenes: SceneEntry[], generators: GeneratorInfo[], planners: Planners }} catalogue
+ * @param {string[]} faults   a sentence is added to it for each part that is left out
+ * @returns {Experiment}
  */
-function changed(settings, usual) {
-  return Object.fromEntries(
-    Object.entries(settings)
-      .filter(([name, value]) => value !== usual(name))
-      .sort(),
-  );
+export function known(experiment, { scenes, generators, planners }, faults) {
+  const { scene = "", document, options = {}, view } = experiment;
+  const lanes = experiment.lanes
+    .filter(({ algorithm }) => {
+      if (!planners.find(algorithm)) faults.push(`There is no planner "${algorithm}".`);
+      return planners.find(algorithm);
+    })
+    .map(({ algorithm, settings }) => ({
+      algorithm,
+      settings: sift(settings, planners.parametersOf(algorithm), faults),
+    }));
+  const entry = scenes.find(({ id }) => id === scene);
+  const made = entry ? entry.generate?.kind : scene.slice(MADE.length);
+  const generator = generators.find(({ id }) => id === made && (entry || scene.startsWith(MADE)));
+  const isKnown = document || entry || generator;
+  if (!isKnown) faults.push(`There is no scene "${scene}"; the first scene is shown instead.`);
+  const own = isKnown ? entry : scenes[0];
+  const [first = own && { algorithm: own.algorithm, settings: own.settings }, ...rivals] = lanes;
+  return {
+    ...experiment,
+    scene: document ? undefined : (own?.id ?? scene),
+    options: generator && sift(options, withSeed(generator.options, "scene"), faults),
+    lanes: first ? [first, ...rivals.map((lane) => withoutSeed(lane, first))] : [],
+    view: rivals.length > 0 ? { ...view, lens: view.lens ?? "workspace" } : view,
+  };
 }
 
-/**
- * Finds the scene and the planners of an experiment.
- * @param {Experiment} experiment
- * @param {{ scenes: SceneEntry[], generators: GeneratorInfo[], page: Page }} catalogue
- * @param {string[]} faults   sentences are added to it
- * @returns {Found}
- */
-export function find({ scene = "", document, lanes, options = {} }, { scenes, generators, page: { panel } }, faults) {
-  /** @param {GeneratorInfo["id"]} kind @param {Settings} [base] @returns {Source} */
-  const generated = (kind, base) => {
-    const table = withSeed(generators.find(({ id }) => id === kind)?.options ?? [], "scene");
-    return { generate: { kind, options: { ...base, ...sift(options, table, faults) } } };
-  };
-  const plans = lanes
-    .filter(({ algorithm }) => {
-      const known = panel.infos.some(({ id }) => id === algorithm);
-      if (!known) faults.push(`There is no planner "${algorithm}".`);
-      return known;
-    })
-    .map(({ algorithm, settings }) => ({ algorithm, settings: sift(settings, panel.parametersOf(algorithm), faults) }));
-  const found = { plans: plans.length > 0 ? plans : undefined };
-  if (document) return { ...found, source: { document }, entry: undefined };
-  const made = generators.find(({ id }) => MADE + id === scene);
-  if (made) return { ...found, source: generated(made.id), entry: undefined };
-  const entry = scenes.find(({ id }) => id === scene);
-  if (!entry) faults.push(`There is no scene "${scene}"; the first scene is shown instead.`);
-  return {
-    ...found,
-    source: entry?.generate ? generated(entry.generate.kind, entry.generate.options) : null,
-    entry: entry ?? scenes[0],
-  };
+/** A rival without the seed, where it has that of A. @param {Plan} lane @param {Plan} first @returns {Plan} */
+function withoutSeed({ algorithm, settings: { seed = 0, ...settings } }, first) {
+  return { algorithm, settings: seed === (first.settings.seed ?? 0) ? settings : { ...settings, seed } };
 }
 
 /**

@@ -2,15 +2,17 @@
 import { errorInfo } from "../../app/error-info.js";
 import { makeShare } from "../../app/link.js";
 import { byId, grouped, reveal } from "../../app/dom.js";
-import { axesOf } from "../../domain/names.js";
 import { decodeLink, encodeLink } from "./codec.js";
-import { POSES, experimentOf, find } from "./experiment.js";
+import { experimentOf, known } from "./experiment.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Session } from "../session.js" */
 /** @import { Projector } from "../../app/projector.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
+
+/** What a link can show besides the run; the switches are under "View". */
+const SHOWN = /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]);
 
 export class Link {
   /**
@@ -22,7 +24,7 @@ export class Link {
   constructor(page, scenes, generators, projector) {
     this.page = page;
     this.projector = projector;
-    this.catalogue = { scenes, generators, page };
+    this.catalogue = { scenes, generators, planners: page.planners };
     /** The time in the link, until the run has reached it. @type {number | null} */
     this.wanted = null;
     /** The parts of the link that could not be restored. @type {string[]} */
@@ -56,10 +58,10 @@ export class Link {
     const { experiment, fault } = await decodeLink(fragment);
     try {
       if (experiment) return await this.restore(experiment);
-      if (!page.facts) await page.openScene(this.catalogue.scenes[0]);
+      if (!page.facts) await page.open({ scene: this.catalogue.scenes[0].id });
       page.notice.show(fault, "");
     } catch (error) {
-      if (!page.facts) await page.openScene(this.catalogue.scenes[0]);
+      if (!page.facts) await page.open({ scene: this.catalogue.scenes[0].id });
       page.app.fail(error, "The link cannot be opened.");
     }
   }
@@ -67,61 +69,34 @@ export class Link {
   /** @param {Experiment} experiment @throws {Error} its scenario cannot be read */
   async restore(experiment) {
     const { page, catalogue, faults } = this;
-    const { query, iteration, view } = experiment;
-    const { source, entry, plans } = find(experiment, catalogue, faults);
-    const opening = { entry, query, plans, iteration, play: false };
-    if (source) await page.open(source, opening);
-    else if (!entry || !(await page.openScene(entry, opening))) return;
-    const { facts } = page;
-    if (!facts) return;
-    if (query && facts.query !== query) faults.push(`This scene has no query "${query}".`);
-    const usual = axesOf(facts.robot);
-    const [across, up] = view.axes ?? usual;
-    const areThere = Math.max(across, up) < facts.dimension && across !== up;
-    if (view.axes && !areThere) faults.push(`This robot has no coordinates ${across} and ${up}.`);
-    const {
-      refused = false,
-      strobe = false,
-      poses = POSES,
-      raw = false,
-      slice = false,
-      optimum = false,
-      regions = false,
-      projector = false,
-      lens = "workspace",
-    } = view;
-    page.setView({ axes: areThere ? [across, up] : usual, refused, strobe, poses, raw, slice, optimum, regions });
-    if (refused || strobe || raw || slice || optimum || regions) reveal(byId("view", HTMLElement));
-    if (page.current.length > 1) reveal(byId("race", HTMLElement));
-    this.projector.turn(projector);
-    if (page.current.length > 1) page.race?.setPicture(lens);
+    const unfit = await page.open(known(experiment, catalogue, faults), { play: false });
+    if (!unfit) return;
+    faults.push(...unfit);
+    const { iteration, view, ...rest } = experiment;
+    this.projector.turn(view.projector ?? false);
+    if (SHOWN.some((name) => view[name])) reveal(byId("view", HTMLElement));
+    if (page.plans.length > 1) reveal(byId("race", HTMLElement));
+    if (rest.pose) reveal(byId("pose", HTMLElement));
     this.wanted = iteration;
-    await this.restoreHand(experiment);
+    await this.drive(rest);
     if (faults.length > 0) this.complain();
   }
 
-  /** The configuration in hand, or the drive by keys. @param {Experiment} experiment */
-  async restoreHand({ pose, drive, roll, euler }) {
+  /** Restores a drive by keys. @param {Pick<Experiment, "drive" | "roll" | "euler">} experiment */
+  async drive({ drive, roll, euler }) {
     const { page, faults } = this;
-    const { session, facts } = page;
+    const { session } = page;
+    if ((!drive && !roll && !euler) || page.robot !== "car") return;
     const { plannings } = session;
-    if (drive || roll || euler) {
-      if (facts?.robot !== "car") return void faults.push("This robot cannot be driven.");
-      const controls = await page.loadDrive();
-      // Whoever drives does not plan.
-      await page.arrived();
-      if (session.plannings !== plannings) return;
-      try {
-        controls.restore(drive ?? {}, roll, euler);
-      } catch (error) {
-        if (errorInfo(error).code === "internal") throw error;
-        faults.push(errorInfo(error).message.replace(/\.?$/, "."));
-      }
-    } else if (pose && pose.length !== facts?.dimension)
-      faults.push(`The configuration has ${pose.length} numbers; one of this robot has ${facts?.dimension}.`);
-    else if (pose) {
-      reveal(byId("pose", HTMLElement));
-      page.act(({ byHand }) => byHand.hold(Float64Array.from(pose)));
+    const controls = await page.loadDrive();
+    // Whoever drives does not plan.
+    await page.arrived();
+    if (session.plannings !== plannings) return;
+    try {
+      controls.restore(drive ?? {}, roll, euler);
+    } catch (error) {
+      if (errorInfo(error).code === "internal") throw error;
+      faults.push(errorInfo(error).message.replace(/\.?$/, "."));
     }
   }
 

@@ -10,7 +10,7 @@ import { Table } from "./table.js";
 
 /** @import { Page } from "../page.js" */
 /** @import { Sheets } from "../sheets.js" */
-/** @import { PaneKind, Plan, State } from "../../domain/types.js" */
+/** @import { PaneKind, PlannerInfo, State } from "../../domain/types.js" */
 
 /** Rivals at most. */
 const MOST = 3;
@@ -22,11 +22,11 @@ export class Race {
     this.sheets = sheets;
     /** @type {Rival[]} */
     this.rivals = [];
-    /** The plans that the figures and the table were last made for. @type {Plan[]} */
-    this.shown = [];
-    /** The kind of figure, where one was chosen. @type {PaneKind | null} */
-    this.kind = null;
-    this.table = new Table(byId("standings", HTMLElement));
+    /** The names in the table. */
+    this.named = "";
+    /** The planners that are offered. @type {PlannerInfo[]} */
+    this.served = [];
+    this.table = new Table(byId("standings", HTMLElement), page.panel.on.seeds);
     this.numbers = byId("numbers", HTMLElement);
     this.list = make("div", {});
     this.choice = make("select", { id: "rival" });
@@ -40,10 +40,10 @@ export class Race {
       this.button,
     );
     byId("race", HTMLElement).append(this.list, row, this.hint);
-    this.offer();
     this.lens = this.makeLens();
     sheets.element.before(this.lens);
     page.race = this;
+    this.agree();
     page.onState((state) => this.show(state));
   }
 
@@ -53,7 +53,7 @@ export class Race {
       return make(
         "label",
         {},
-        make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.setPicture(kind) }),
+        make("input", { type: "radio", name: "lens", value: kind, onchange: () => this.page.setView({ lens: kind }) }),
         words,
       );
     };
@@ -66,85 +66,67 @@ export class Race {
     );
   }
 
-  /**
-   * Offers the planners for the robot, and removes other rivals.
-   * @returns {{ lane: number, algorithm: string }[]} those removed
-   */
-  offer() {
+  /** Shows the rivals of the page's state, and the planners for its robot. */
+  agree() {
     const {
-      choice,
-      page: {
-        panel,
-        panel: { served },
-      },
+      page: { planners, robot, record },
+      rivals,
     } = this;
-    const before = choice.value;
-    choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
-    // By default a planner with two trees.
-    choice.value =
-      served.find(({ id, grows }) => (panel.serves(before) ? id === before : grows === "trees"))?.id ?? served[0].id;
-    const dropped = this.rivals.filter(({ planner }) => !panel.serves(planner.value));
-    this.rivals = this.rivals.filter((rival) => !dropped.includes(rival));
-    for (const { form } of this.rivals) {
-      form.offer(served);
-      form.build();
+    const [, ...lanes] = record.lanes;
+    const served = planners.for(robot);
+    if (served !== this.served) this.offer(served);
+    if (lanes.length !== rivals.length || this.hint.textContent === "") {
+      while (rivals.length < lanes.length) this.enter(rivals.length + 1);
+      rivals.length = lanes.length;
+      this.list.replaceChildren(...rivals.map(({ element }) => element));
+      this.button.disabled = this.choice.disabled = lanes.length === MOST;
+      this.hint.textContent =
+        lanes.length === 0
+          ? "A second planner on the same scene, with the settings above; then change one."
+          : `The planner above is A. All get the same number of clearance evaluations.${lanes.length === MOST ? " Four race at most." : ""}`;
     }
-    this.number();
-    return dropped.map(({ lane, planner }) => ({ lane, algorithm: planner.value }));
+    rivals.forEach(({ form }, i) => form.show(lanes[i], served, robot));
   }
 
-  /** The rivals' plans, or null while a field holds an invalid value. @param {Plan} plan @returns {Plan[] | null} */
-  beside(plan) {
-    const plans = this.rivals.map((rival) => rival.plan(plan));
-    return plans.includes(null) ? null : plans.flatMap((one) => one ?? []);
+  /** Offers planners for a rival. @param {PlannerInfo[]} served */
+  offer(served) {
+    const {
+      choice,
+      choice: { value },
+    } = this;
+    this.served = served;
+    choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
+    // By default a planner with two trees.
+    const isServed = served.some(({ id }) => id === value);
+    choice.value = served.find(({ id, grows }) => (isServed ? id === value : grows === "trees"))?.id ?? served[0].id;
+  }
+
+  /** @param {number} lane */
+  enter(lane) {
+    const { page } = this;
+    this.rivals.push(
+      new Rival(lane, {
+        change: (plan) => page.change({ lanes: page.record.lanes.with(lane, plan) }),
+        remove: () => {
+          page.change({ lanes: page.record.lanes.toSpliced(lane, 1) });
+          this.button.focus();
+        },
+      }),
+    );
   }
 
   /** Adds a rival with the settings of planner A. */
   add() {
-    const { seed: _, ...settings } = this.page.panel.form.given;
-    this.enter({ algorithm: this.choice.value, settings });
-    this.number();
+    const {
+      page,
+      page: {
+        record: { lanes },
+      },
+    } = this;
+    const { seed: _, ...settings } = lanes[0].settings;
     byId("curves-fold", HTMLDetailsElement).open = true;
-    this.page.plan();
+    page.change({ lanes: [...lanes, { algorithm: this.choice.value, settings }] });
     if (this.button.disabled) this.rivals[MOST - 1].planner.focus();
-  }
-
-  /** @param {Plan} plan */
-  enter(plan) {
-    const rival = new Rival(this.page.panel, plan, { change: () => this.page.plan(), remove: () => this.drop(rival) });
-    this.rivals.push(rival);
-  }
-
-  /** @param {Rival} rival */
-  drop(rival) {
-    this.rivals.splice(this.rivals.indexOf(rival), 1);
-    this.number();
-    this.button.focus();
-    this.page.plan();
-  }
-
-  /** Replaces the rivals by those of a link. @param {Plan[]} plans */
-  adopt([first, ...others]) {
-    this.rivals = [];
-    for (const {
-      algorithm,
-      settings: { seed, ...settings },
-    } of others) {
-      this.enter({ algorithm, settings: seed === first.settings.seed ? settings : { seed, ...settings } });
-    }
-    this.number();
-  }
-
-  /** Shows the rivals with their letters. */
-  number() {
-    this.list.replaceChildren(...this.rivals.map(({ element }) => element));
-    this.rivals.forEach((rival, i) => rival.place(i + 1));
-    const { length } = this.rivals;
-    this.button.disabled = this.choice.disabled = length === MOST;
-    this.hint.textContent =
-      length === 0
-        ? "A second planner on the same scene, with the settings above; then change one."
-        : `The planner above is A. All get the same number of clearance evaluations.${length === MOST ? " Four race at most." : ""}`;
   }
 
   /** @param {number} lane @param {string} pointer @param {string} reason */
@@ -159,25 +141,20 @@ export class Race {
 
   /** The kind of figure for each planner. @returns {PaneKind} */
   get picture() {
-    return this.hasSquare ? (this.kind ?? (this.page.facts?.dimension === 2 ? "cspace" : "workspace")) : "workspace";
-  }
-
-  /** @param {PaneKind} kind */
-  setPicture(kind) {
-    this.kind = kind;
-    this.arrange();
+    const { facts, record } = this.page;
+    return this.hasSquare ? (record.view.lens ?? (facts?.dimension === 2 ? "cspace" : "workspace")) : "workspace";
   }
 
   /** Shows a figure for each planner. @returns {boolean} whether there is a race */
   arrange() {
     const { page, lens } = this;
-    const { current, names } = page;
-    const isRace = current.length > 1;
-    this.shown = current;
+    const { plans, names } = page;
+    const isRace = plans.length > 1;
     lens.hidden = !isRace || !this.hasSquare;
     this.numbers.hidden = isRace;
     this.sheets.element.classList.toggle("race", isRace);
-    this.table.build(isRace ? names : []);
+    if (names.join("\n") !== this.named) this.table.build(isRace ? names : []);
+    this.named = names.join("\n");
     if (!isRace) return false;
     const kind = this.picture;
     for (const input of lens.querySelectorAll("input")) input.checked = input.value === kind;
@@ -187,8 +164,7 @@ export class Race {
 
   /** @param {State} state */
   show(state) {
-    const { page } = this;
-    if (page.current !== this.shown && !this.arrange() && page.facts) this.sheets.arrange(page.facts);
-    if (page.current.length > 1 && state.lanes.length === page.current.length) this.table.show(state, this.sheets);
+    const { plans } = this.page;
+    if (plans.length > 1 && state.lanes.length === plans.length) this.table.show(state, this.sheets);
   }
 }

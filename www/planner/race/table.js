@@ -2,7 +2,7 @@
 import { leaders } from "./standings.js";
 import { grouped, make, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
-import { labelled } from "../../widgets/elements.js";
+import { button, labelled } from "../../widgets/elements.js";
 import { duration, percent } from "../../widgets/format.js";
 
 /** @import { Sheets } from "../sheets.js" */
@@ -23,8 +23,8 @@ const COLUMNS = [
 const OF_SEARCHES = ["Vertices visited", "Time to search"];
 
 export class Table {
-  /** @param {HTMLElement} host */
-  constructor(host) {
+  /** @param {HTMLElement} host @param {(() => void) | null} onSeeds   runs over many seeds are wanted */
+  constructor(host, onSeeds) {
     this.host = host;
     /** @type {HTMLTableRowElement[]} */
     this.rows = [];
@@ -34,6 +34,7 @@ export class Table {
       { className: "hint" },
       "Standings at equal cost (one seed): over many seeds the winner may differ.",
     );
+    if (onSeeds) this.caution.append(" ", button("race-over-seeds", "Over 100 seeds", onSeeds));
   }
 
   /** Makes a row for each planner. @param {string[]} names */

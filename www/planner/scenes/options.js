@@ -1,37 +1,38 @@
 /** The options of generated scenes: sliders for those of a built-in scene, and a form for any other. */
 import { byId, make } from "../../app/dom.js";
+import { MADE } from "../../domain/names.js";
 import { withSeed } from "../../widgets/field.js";
 import { Options } from "../../widgets/options.js";
 import { optionsAt } from "./scenes.js";
 
+/** @import { Experiment } from "../link/codec.js" */
 /** @import { Page } from "../page.js" */
-/** @import { GeneratorInfo, SceneEntry, Settings, Slider, Source } from "../../domain/types.js" */
+/** @import { GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
 
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
   const sliders = make("div", { className: "sliders" });
   const fold = byId("make-fold", HTMLDetailsElement);
   byId("scene-options", HTMLElement).append(sliders);
-  fold.append(makeForm(generators, (kind, options) => request({ generate: { kind, options } })));
+  fold.append(makeForm(generators, (kind, options) => request({ scene: MADE + kind, options })));
   /** @type {SceneEntry | null} */
   let shown = null;
   /** @type {ReturnType<typeof makeRow>[]} */
   let rows = [];
   /** @type {Settings} */
   let options = {};
-  /** The latest request that has not begun. @type {{ source: Source, entry: SceneEntry | undefined } | null} */
+  /** The latest request that has not begun. @type {Pick<Experiment, "scene" | "options"> | null} */
   let next = null;
 
   page.onOpen((_, entry) => adopt(entry));
 
   /** Shows the sliders of the open scene. @param {SceneEntry | null} entry */
   function adopt(entry) {
-    const { source } = page;
-    const generate = source && "generate" in source ? source.generate : null;
+    const { generation } = page;
     // A slider that is being moved is ahead of the scene that was opened for it.
-    if (!next) options = { ...generate?.options };
+    if (!next) options = { ...generation?.options };
     if (entry !== shown) {
-      rows = entry?.generate && generate ? (entry.sliders ?? []).map(makeRow) : [];
+      rows = entry?.generate && generation ? (entry.sliders ?? []).map(makeRow) : [];
       sliders.replaceChildren(...rows.map(({ element }) => element));
     }
     shown = entry;
@@ -47,7 +48,7 @@ export function showSceneOptions(page, generators) {
       if (!shown?.generate) return;
       options = { ...options, ...optionsAt({ ...shown, generate: undefined }, { [option]: Number(input.value) }) };
       show();
-      request({ generate: { kind: shown.generate.kind, options } }, shown);
+      request({ options });
     });
     const show = () => {
       input.value = String(words ? words.indexOf(String(options[option])) : options[option]);
@@ -66,10 +67,10 @@ export function showSceneOptions(page, generators) {
     };
   }
 
-  /** @param {Source} source @param {SceneEntry} [entry] */
-  function request(source, entry) {
+  /** @param {Pick<Experiment, "scene" | "options">} patch   of the page's state */
+  function request(patch) {
     if (!next) requestAnimationFrame(openNext);
-    next = { source, entry };
+    next = patch;
     // The state shown is out of date from now on, not only from the next frame.
     page.session.markDirty();
   }
@@ -77,14 +78,8 @@ export function showSceneOptions(page, generators) {
   /** Opens the latest request with the current settings of the planner. */
   function openNext() {
     if (!next) return;
-    const { source, entry } = next;
+    const opening = page.open(next, { play: page.autoplay });
     next = null;
-    const opening = page.open(source, {
-      entry,
-      plans: page.plans ?? undefined,
-      query: page.panel.query.value,
-      play: page.autoplay,
-    });
     void page.app.track(opening, "This scene cannot be generated.");
   }
 }

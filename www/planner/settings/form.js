@@ -6,6 +6,7 @@ import { make } from "../../app/dom.js";
 import { namesOfDocuments } from "../../domain/option-names.js";
 import { Field, withSeed } from "../../widgets/field.js";
 import { Fields } from "../../widgets/options.js";
+import { fits } from "./planners.js";
 
 /** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
@@ -49,128 +50,134 @@ export class SettingsForm extends Fields {
    * @param {HTMLSelectElement} planner
    * @param {HTMLElement} first   for the main parameters
    * @param {HTMLElement} rest    for the others
-   * @param {(info: ParameterInfo) => boolean} fits   whether a parameter is for the robot
-   * @param {() => void} onChange
+   * @param {(lane: Plan) => void} onChange   the planner and the settings given to it, after a valid change
    * @param {(info: PlannerInfo) => void} [onBuild]   the fields of a planner were made
    */
-  constructor(planner, first, rest, fits, onChange, onBuild = () => {}) {
+  constructor(planner, first, rest, onChange, onBuild = () => {}) {
     super([]);
     this.planner = planner;
     this.first = first;
     this.rest = rest;
-    this.fits = fits;
     this.onChange = onChange;
     this.onBuild = onBuild;
     /** The planners for the robot. @type {PlannerInfo[]} */
     this.infos = [];
-    /** Settings by hand, of a preset or of a scene, stored when the planner changes. @type {Settings} */
-    this.given = {};
+    /** The lane that is shown; its settings may be for another planner, and are kept for that. @type {Plan} */
+    this.lane = { algorithm: "", settings: {} };
     /** Begins the ids of the fields. */
     this.family = "parameter";
     /** Changes to the parameter of the seed. @type {Partial<ParameterInfo>} */
     this.seed = {};
-    /** Parameters that the scene sets; they count as main parameters. @type {Set<string>} */
-    this.lead = new Set();
+    /** Parameters that the scene sets; they count as main parameters. */
+    this.lead = "";
     /** @type {PlannerInfo["presets"]} */
     this.presets = [];
-    this.preset = make("select", {
-      id: "preset",
-      onchange: () => this.apply(this.presets.find(({ id }) => id === this.preset.value)?.settings ?? {}),
-    });
+    this.preset = make("select", { id: "preset", onchange: () => this.apply() });
     this.presetRow = make(
       "label",
       { className: "row", htmlFor: "preset" },
       make("span", { className: "name" }, "Settings"),
       this.preset,
     );
-    planner.addEventListener("change", () => {
-      this.build();
-      onChange();
-    });
+    planner.addEventListener("change", () => onChange({ ...this.lane, algorithm: planner.value }));
   }
 
-  /** Offers planners; the one selected stays so, or else the first one is. @param {PlannerInfo[]} infos */
-  offer(infos) {
-    const {
-      planner,
-      planner: { value },
-    } = this;
-    this.infos = infos;
-    planner.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
-    planner.value = value;
-    if (planner.selectedIndex < 0) planner.selectedIndex = 0;
+  /**
+   * Shows a lane. Fields are made for another planner, robot or scene, and else set where their value is another one.
+   * @param {Plan} lane
+   * @param {PlannerInfo[]} infos   the planners for the robot
+   * @param {string} robot
+   * @param {Settings} [scene]   the settings of the scene itself
+   */
+  show(lane, infos, robot, scene) {
+    const lead = scene ? Object.keys(scene).join(" ") : this.lead;
+    const isOther = lane.algorithm !== this.lane.algorithm || infos !== this.infos || lead !== this.lead;
+    if (infos !== this.infos)
+      this.planner.replaceChildren(...infos.map(({ id, title }) => make("option", { value: id }, title)));
+    Object.assign(this, { lane, infos, lead });
+    this.planner.value = lane.algorithm;
+    if (isOther) this.build(robot);
+    for (const field of this.fields) {
+      const value = this.wanted(field);
+      // What was typed and is invalid stays as long as its value does.
+      if (field.current !== value) field.set(value ?? "");
+      field.validate();
+    }
+    this.selectPreset();
   }
 
   get info() {
-    return this.infos.find(({ id }) => id === this.planner.value) ?? this.infos[0];
+    return this.infos.find(({ id }) => id === this.lane.algorithm) ?? this.infos[0];
   }
 
-  /** The plan, or null while a field holds an invalid value. @returns {Plan | null} */
-  get plan() {
-    const { settings, planner } = this;
-    return settings && { algorithm: planner.value, settings };
+  /** The value of a field in the lane; undefined for automatic. @param {Field} field */
+  wanted({ info: { name, default: usual } }) {
+    return this.lane.settings[name] ?? usual ?? undefined;
   }
 
-  /** Applies a preset. @param {Settings} settings */
-  apply(settings) {
-    const { seed } = this.given;
-    this.given = { ...(seed === undefined ? {} : { seed }), ...settings };
-    this.build();
-    this.onChange();
+  /** Reports the values of the fields; an invalid one leaves its parameter as it was. */
+  report() {
+    const settings = { ...this.lane.settings };
+    for (const field of this.fields.filter((one) => one.validate())) {
+      const { value, info } = field;
+      if (value === undefined) delete settings[info.name];
+      else if (value !== this.wanted(field)) settings[info.name] = value;
+    }
+    this.onChange({ ...this.lane, settings });
   }
 
-  /** Makes the fields of the planner. */
-  build() {
+  /** Reports the settings of the chosen preset, and the seed. */
+  apply() {
+    const { seed } = this.lane.settings;
+    const preset = this.presets.find(({ id }) => id === this.preset.value);
+    this.onChange({ ...this.lane, settings: { ...(seed === undefined ? {} : { seed }), ...preset?.settings } });
+  }
+
+  /** Makes the fields of the planner. @param {string} robot */
+  build(robot) {
     const { family, info } = this;
-    const option = (/** @type {string} */ value, /** @type {string} */ title) =>
-      make("option", { value, disabled: value === "own" }, title);
-    this.presets = info.presets
-      .map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }))
-      .filter(({ settings }) => !repeatsFault(settings) || this.equals(settings));
-    this.presetRow.hidden = this.presets.length === 0;
-    this.preset.replaceChildren(
-      option("own", "custom"),
-      option("", "defaults"),
-      ...this.presets.map(({ id, title }) => option(id, title)),
-    );
-    this.selectPreset();
     this.fields = withSeed(info.parameters)
-      .filter(this.fits)
+      .filter((given) => fits(given, robot))
       .map((given) => {
         const parameter = given.name === "seed" ? { ...given, ...this.seed } : given;
-        const field = new Field(
-          parameter,
-          this.given[parameter.name] ?? parameter.default,
-          () => {
-            this.store(field);
-            this.onChange();
-          },
-          family,
-        );
-        return field;
+        const value = this.lane.settings[parameter.name] ?? parameter.default;
+        return new Field(parameter, value, () => this.report(), family);
       });
-    const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.lead.has(name);
+    const isFirst = (/** @type {Field} */ { info: { name } }) => FIRST.has(name) || this.leads(name);
     this.first.replaceChildren(this.presetRow, ...this.fields.filter(isFirst).map(({ element }) => element));
     this.rest.replaceChildren(...groupsOf(this.fields.filter((field) => !isFirst(field))));
     this.onBuild(info);
   }
 
-  /** Stores the value of a field. @param {Field} field */
-  store({ info: { name }, value }) {
-    if (value === undefined) delete this.given[name];
-    else this.given[name] = value;
-    this.selectPreset();
+  /** Whether the scene sets a parameter. @param {string} name */
+  leads(name) {
+    return this.lead.split(" ").includes(name);
   }
 
-  /** Selects the preset that equals the settings. */
+  /** Offers the presets, and selects the one that equals the settings. */
   selectPreset() {
-    const found = this.presets.find(({ settings }) => this.equals(settings));
-    this.preset.value = found?.id ?? (this.equals({}) ? "" : "own");
+    const all = this.info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
+    const presets = all.filter(({ settings }) => !repeatsFault(settings) || this.equals(settings));
+    if (presets.map(({ id }) => id).join() !== this.presets.map(({ id }) => id).join() || this.preset.length === 0) {
+      const option = (/** @type {string} */ value, /** @type {string} */ title) =>
+        make("option", { value, disabled: value === "own" }, title);
+      this.preset.replaceChildren(
+        option("own", "custom"),
+        option("", "defaults"),
+        ...presets.map(({ id, title }) => option(id, title)),
+      );
+    }
+    this.presets = presets;
+    this.presetRow.hidden = presets.length === 0;
+    this.preset.value = presets.find(({ settings }) => this.equals(settings))?.id ?? (this.equals({}) ? "" : "own");
   }
 
   /** Whether the settings are those of a preset, but for the seed. @param {Settings} settings */
   equals(settings) {
-    const { given, info } = this;
+    const {
+      lane: { settings: given },
+      info,
+    } = this;
     const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
     return Object.keys({ ...given, ...settings }).every(
       (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),

@@ -140,10 +140,7 @@ export class Timeline {
     } = this;
     const { plannings, lanes, shown } = session;
     if (!shown) return;
-    const fresh =
-      this.sent === plannings
-        ? null
-        : { document: shown.document, plans: lanes.map((lane) => lane.planOf(session.query)) };
+    const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.task) };
     this.sent = this.pending = plannings;
     try {
       const growths = await session.team.advance({ fresh, column, wanted, isResult });

@@ -270,6 +270,7 @@ test("charts have the values of the rows; pictures and files hold them", () =>
     ]) {
       await page.selectOption("#baseline", b.name);
       await page.selectOption("#other", a.name);
+      await page.waitForSelector("body[data-settled=true]");
       assert.deepEqual([await page.inputValue("#other"), await page.inputValue("#baseline")], [a.name, b.name]);
       const shares = paired(a.solved, b.solved, a.name, b.name, "");
       const sentences = await words();

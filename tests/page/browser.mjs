@@ -16,7 +16,7 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
-/** @typedef {"ground" | "growth" | "edges" | "vertices" | "marks" | "top"} LayerName  of a figure */
+/** @typedef {"ground" | "growth" | "roadmap" | "edges" | "vertices" | "marks" | "top"} LayerName  of a figure */
 /**
  * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string }} More   `path`: of the
  *   page, its query and fragment

@@ -61,7 +61,7 @@ const SHOWS = {
   "in collision": ["top", "collision"],
   found: ["top", "start", "rejected"],
   drawn: ["ground", "growth"],
-  trajectories: ["ground", "growth"],
+  trajectories: ["growth", "growth"],
 };
 
 test("all 161 rows are there, each with a verdict, its place and its entries", () => {

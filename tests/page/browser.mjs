@@ -17,7 +17,7 @@ export const pageRoot = fileURLToPath(new URL("../../dist/page", import.meta.url
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} Options */
-/** @typedef {"ground" | "growth" | "edges" | "vertices" | "marks" | "top"} LayerName  of a figure */
+/** @typedef {"ground" | "growth" | "roadmap" | "edges" | "vertices" | "marks" | "top"} LayerName  of a figure */
 /**
  * @typedef {{ before?: (page: Page) => Promise<void>, expectErrors?: boolean, path?: string, isFolded?: boolean }} More
  *   `path`: of a page, its query and fragment; without a name it is the planner's

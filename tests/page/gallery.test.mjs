@@ -68,7 +68,7 @@ const SHOWS = {
   "in collision": ["top", "collision"],
   found: ["top", "start", "rejected"],
   drawn: ["ground", "growth"],
-  trajectories: ["ground", "growth"],
+  trajectories: ["growth", "growth"],
   fleet: ["top"],
 };
 

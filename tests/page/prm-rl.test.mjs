@@ -173,7 +173,7 @@ test("at first the page plans by PRM-RL, drives and plays; with reduced motion a
     assert.doesNotMatch(await page.innerText("main"), /proven (?!free)/, "nothing learned is called proven");
     for (const colour of ["unproven", "goal", "newest", "robot"])
       assert.ok((await pixelsOf(page, "floor", "top", colour)) > 50, colour);
-    assert.ok((await pixelsOf(page, "floor", "ground", "growth")) > 100);
+    assert.ok((await pixelsOf(page, "floor", "roadmap", "growth")) > 100);
   });
 });
 

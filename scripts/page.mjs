@@ -11,7 +11,7 @@ import { root } from "./run.mjs";
 const dist = join(root, "dist");
 
 /** The pages, in the order of the links between them. The first is the planner's, the others are rooms. */
-const PAGES = [
+export const PAGES = [
   ["index", "Plan"],
   ["reach", "Reach"],
   ["neighbours", "Neighbours"],

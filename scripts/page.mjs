@@ -15,7 +15,7 @@ const dist = join(root, "dist");
  * The pages, in the order of the links between them: the file, the name in the links, the title on the start page, and
  * what one learns there. The first is the planner's, the others are rooms; the start page, `index.html`, is not listed.
  */
-const PAGES = [
+export const PAGES = [
   {
     name: "plan",
     link: "Planners",

@@ -45,6 +45,9 @@ const JAVASCRIPT = "**/*.{js,mjs,ts}";
 /** How many lines of the output of a failed suite are repeated at the end. */
 const REPEATED_LINES = 40;
 
+/** How many test files run at a time: a test of a page keeps both its own process and the browser's busy. */
+const FILES_AT_A_TIME = 2;
+
 /** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";
 
@@ -120,8 +123,8 @@ const suites = [
     run: () =>
       harness("wasm-pack", ["test", "--node", "--", "--locked", "--test", "all", "--", SMOKE_TEST], wasmEnvironment()),
   },
-  { groups: ["package"], name: "npm package", run: () => nodeTests("package", 2) },
-  { groups: ["page"], name: "page, in Chromium", run: () => withBrowser((env) => nodeTests("page", 2, env)) },
+  { groups: ["package"], name: "npm package", run: () => nodeTests("package") },
+  { groups: ["page"], name: "page, in Chromium", run: () => withBrowser((env) => nodeTests("page", env)) },
 ];
 
 /**
@@ -220,10 +223,9 @@ function types(project) {
 /**
  * Runs the tests in a folder with Node's test runner.
  * @param {string} folder
- * @param {number} concurrency  files at a time
  * @param {Env} [env]
  */
-async function nodeTests(folder, concurrency, env) {
+async function nodeTests(folder, env) {
   const place = join(root, "tests", folder);
   const files = readdirSync(place)
     .filter((name) => name.endsWith(".test.mjs"))
@@ -233,7 +235,7 @@ async function nodeTests(folder, concurrency, env) {
   const report = join(root, "dist", `${folder}-tests.tap`);
   const args = [
     "--test",
-    `--test-concurrency=${concurrency}`,
+    `--test-concurrency=${FILES_AT_A_TIME}`,
     "--test-reporter=spec",
     "--test-reporter-destination=stdout",
     "--test-reporter=tap",

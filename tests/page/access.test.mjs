@@ -1,21 +1,20 @@
 /**
- * The page for everyone: axe in every state, keyboard and touch, widths from 320 to 2560, forced colours, less motion,
- * a projector.
+ * The planner's page for everyone: keyboard and touch, colours, less motion, a projector. What holds for all pages is in
+ * pages.test.mjs.
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  PHONE,
   addressOf,
+  PHONE,
   atRest,
   chooseScene,
   click,
   coloursOf,
-  fill,
   finish,
+  isDeep,
   keys,
   onPausedPage,
-  pickFile,
   pixelsOf,
   pressUntil,
   reveal,
@@ -29,36 +28,14 @@ import {
   setParameter,
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
-import { assertFaultless, assertFits, assertForced, assertTargets } from "./looks.mjs";
+import { assertFaultless, assertForced, assertTargets } from "./looks.mjs";
 
 /** @import { Page } from "playwright-core" */
 
 useBrowser();
 
-/** How a fresh page comes into each state. @type {Record<string, (page: Page) => Promise<unknown>>} */
-const STATES = {
-  "solved, all numbers and parameters open": async (page) => {
-    await finish(page);
-    await reveal(page, "#more-parameters");
-    await unfold(page, "view");
-    await unfold(page, "curves");
-  },
-  "the editor, with something selected": async (page) => {
-    await page.click("#edit");
-    await page.waitForSelector("#edit-tools");
-    await page.locator("#stage").press("]");
-    await atRest(page);
-  },
-  "a lesson, with everything unfolded": async (page) => {
-    await page.evaluate(() => {
-      for (const details of document.querySelectorAll("details")) details.open = true;
-    });
-    await unfold(page, "export");
-    await page.click("#lessons button");
-    await page.waitForSelector("#lesson:not([hidden])");
-    await atRest(page);
-  },
-  "a generated scene, with a link to be copied by hand": async (page) => {
+test("a generated scene, with a link to be copied by hand: axe finds nothing, and nothing hangs over", () =>
+  onPausedPage(async (page) => {
     await page.evaluate(() => {
       Object.defineProperty(navigator, "clipboard", {
         get() {
@@ -70,28 +47,8 @@ const STATES = {
     await click(page, "#step-10");
     await page.click("#link");
     await page.locator("#link-told input").waitFor();
-  },
-  "the robot moved by hand, in collision, beside a refused file": async (page) => {
-    await page.click("#your-turn");
-    await fill(page, "#pose-0-number", "0.7");
-    await fill(page, "#pose-1-number", "0");
-    await page.waitForSelector("#touching[data-free=false]");
-    await pickFile(page, "mine.json", "{");
-    await page.waitForSelector("#notice[data-code=invalid-json]");
-  },
-};
-
-/** The least side of a figure in the states that differ in width. @type {Record<string, number>} */
-const FITS = { "solved, all numbers and parameters open": 200, "the editor, with something selected": 120 };
-
-for (const [state, enter] of Object.entries(STATES)) {
-  test(`${state}: axe finds nothing, and nothing hangs over`, () =>
-    onPausedPage(async (page) => {
-      await enter(page);
-      await assertFaultless(page, state);
-      if (state in FITS) await assertFits(page, state, FITS[state]);
-    }));
-}
+    await assertFaultless(page, "a link to be copied");
+  }));
 
 test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () =>
   onPausedPage(async (page) => {
@@ -227,49 +184,6 @@ test("single keys work on stage and transport, and nowhere else", () =>
     await pressUntil(page, "e", "#counters[data-status=solved], #counters[data-status=exhausted]");
   }));
 
-test("everything is reached by Tab, with a focus that shows", () =>
-  onPausedPage(async (page) => {
-    const reached = new Set();
-    for (let i = 0; i < 60; i++) {
-      await page.keyboard.press("Tab");
-      const { id, outline } = await page.evaluate(() => {
-        const element = document.activeElement ?? document.body;
-        const shown = element.matches(".card input") ? (element.parentElement ?? element) : element;
-        return {
-          id: element.id || element.getAttribute("name") || element.tagName,
-          outline: getComputedStyle(shown).outlineStyle,
-        };
-      });
-      if (id === "BODY") break;
-      reached.add(id);
-      assert.notEqual(outline, "none", id);
-    }
-    for (const id of [
-      "theme",
-      "your-turn",
-      "stage",
-      "play",
-      "step-1",
-      "step-10",
-      "step-100",
-      "finish",
-      "reset",
-      "speed",
-      "scene",
-      "open",
-      "planner",
-      "parameter-k",
-      "parameter-samples",
-      "parameter-seed",
-      "new-seed",
-      "pose-0",
-      "pose-0-number",
-      "pose-1",
-    ]) {
-      assert.ok(reached.has(id), `${id} is not reached`);
-    }
-  }));
-
 test("a scene is chosen, planned, gone back in and raced by keys alone", () =>
   onPausedPage(async (page) => {
     await page.focus("input[name=scene]:checked");
@@ -337,8 +251,8 @@ const luminance = (bytes) =>
     .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
     .reduce((sum, part, i) => sum + [0.2126, 0.7152, 0.0722][i] * part, 0);
 
-test("on a projector words are larger and lines bolder; axe finds nothing, nor in a frame", () =>
-  onPausedPage(async (page, url) => {
+test("on a projector words are larger and lines bolder; axe finds nothing", () =>
+  onPausedPage(async (page) => {
     await chooseScene(page, "firs");
     await finish(page);
     const ink = async () =>
@@ -357,13 +271,6 @@ test("on a projector words are larger and lines bolder; axe finds nothing, nor i
     assert.deepEqual(await violations(page), []);
     await page.keyboard.press("Escape");
     assert.equal(await page.isVisible(".panel"), true);
-    await page.goto(addressOf(url, "?embed=1"));
-    await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-    // The heading is the parent's to give.
-    assert.deepEqual(
-      (await violations(page)).filter((found) => !found.startsWith("page-has-heading-one")),
-      [],
-    );
   }));
 
 test("few controls are in view at first; More stays open, and opens for a link that sets something in it", () =>
@@ -388,7 +295,7 @@ test("few controls are in view at first; More stays open, and opens for a link t
       assert.equal(await page.isVisible("#preset"), true);
       await page.click("#more > summary");
       await page.goto("about:blank");
-      await page.goto(`${url}${link}`);
+      await page.goto(addressOf(url, link));
       await atRest(page);
       assert.equal(await page.isVisible("#preset"), true);
       assert.equal(await page.inputValue("#preset"), "unchecked-1000-4");
@@ -412,7 +319,7 @@ for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "f
           { width: 640, height: 480 },
         ]) {
           await page.setViewportSize(viewport);
-          await page.goto(`${url}${path}?embed=1`);
+          await page.goto(addressOf(url, `${path}?embed=1`));
           await assertFills(page, `frame of ${viewport.width}`);
           assert.equal(await page.isVisible(".masthead"), false);
         }
@@ -451,10 +358,10 @@ test("a disc has one figure, which fits any width", () =>
   onPausedPage(async (page) => {
     await chooseScene(page, "rings");
     await finish(page);
-    await assertFits(page, "rings", 200);
+    await assertFaultless(page, "rings", 200);
   }));
 
-for (const deviceScaleFactor of [1, 3]) {
+for (const deviceScaleFactor of isDeep ? [1, 3] : [3]) {
   test(`canvases are as sharp as the screen, with ${deviceScaleFactor} device pixels to a CSS pixel`, () =>
     onPausedPage(
       async (page) => {
@@ -477,19 +384,3 @@ for (const deviceScaleFactor of [1, 3]) {
       { deviceScaleFactor, viewport: { width: 1000, height: 800 } },
     ));
 }
-
-test("light and dark follow the system until the reader chooses", () =>
-  onPausedPage(
-    async (page) => {
-      const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-      const light = await background();
-      await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
-      assert.notEqual(await background(), light);
-      await page.click("#theme");
-      assert.equal(await background(), light);
-      await page.reload();
-      await page.waitForSelector("#counters[data-status=running]");
-      assert.equal(await background(), light, "the choice is remembered");
-    },
-    { colorScheme: "light" },
-  ));

@@ -16,7 +16,6 @@ import {
   onPausedPage,
   root,
   thumbnails,
-  unfold,
   useBrowser,
   worker,
 } from "./browser.mjs";
@@ -47,47 +46,6 @@ test("without a network every scene can be shown and planned, once the page is o
         await page.clock.install();
       },
     },
-  ));
-
-test("a page that was open once opens without a network with all its rooms, and plans the same", () =>
-  onPausedPage(
-    async (page, url) => {
-      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
-      const there = await finish(page);
-      // Pictures of the gallery are stored once they are seen.
-      await page.goto(`${url}gallery.html`);
-      const picture = page.locator(".entry img").first();
-      const { src, unseen } = await picture.evaluate(async (image) => {
-        await /** @type {HTMLImageElement} */ (image).decode();
-        return {
-          src: /** @type {HTMLImageElement} */ (image).src,
-          unseen: /** @type {HTMLImageElement} */ ([...document.images].at(-1)).src,
-        };
-      });
-      await page.waitForFunction((address) => caches.match(address), src);
-      assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
-      await page.context().setOffline(true);
-      await page.goto("about:blank");
-      await page.goto(addressOf(url));
-      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-      assert.equal((await finish(page)).fingerprint, there.fingerprint);
-      await chooseScene(page, "rings");
-      for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
-      assert.equal(await page.isHidden("#notice"), true);
-      for (const room of ["reach", "neighbours", "trajectories", "fleet", "prm-rl", "experiments", "gallery"]) {
-        await page.goto(`${url}${room}.html`);
-        await page.waitForSelector("body[data-state=ready][data-settled=true]");
-      }
-      await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
-      await page.goto(url);
-      await page.waitForSelector("#grow:enabled");
-      for (const shown of await page.locator("main img").all())
-        await shown.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
-      await page.click("#grow");
-      await page.waitForSelector("#grown[data-state=solved]");
-    },
-    { serviceWorkers: "allow" },
-    { expectErrors: true },
   ));
 
 test("the page in one file has at most 1260 KB and asks for nothing", () => {

@@ -6,7 +6,7 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before } from "node:test";
+import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { pagePolicy, serve } from "../../scripts/serve.mjs";
@@ -54,6 +54,9 @@ export const TRAP = `{
 let browser;
 /** @type {{ url: string, close?: () => Promise<void> } | undefined} */
 let server;
+let begin = async () => {};
+/** @type {Promise<void> | undefined} */
+let starting;
 /** Pages that wait for the next test, by what cannot be changed once a page is open. @type {Map<string, Opened>} */
 const idle = new Map();
 
@@ -97,9 +100,12 @@ export async function stop() {
  */
 export const addressOf = (url, path = "") => new URL(path, new URL(PLAN, url)).href;
 
-/** Starts browser and server for the tests of a file. @param {string} [folder]  of the page, where it is another one */
+/**
+ * The tests of a file have a browser and a server, once one of them opens a page.
+ * @param {string} [folder]  of the page, where it is another one
+ */
 export function useBrowser(folder) {
-  before(() => start(folder));
+  begin = () => (starting ??= start(folder));
   after(stop);
 }
 
@@ -144,6 +150,7 @@ async function opened(options) {
  * @param {More} [more]
  */
 export async function onPage(options, test, { before, expectErrors = false, path = "" } = {}) {
+  await begin();
   assert.ok(server, "start() comes first");
   const { url } = server;
   const {
@@ -160,7 +167,7 @@ export async function onPage(options, test, { before, expectErrors = false, path
   let isKept = false;
   try {
     if (viewport) await page.setViewportSize(viewport);
-    await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
+    await page.emulateMedia({ media: null, colorScheme, reducedMotion, forcedColors });
     await before?.(page);
     await page.goto(addressOf(url, path));
     await test(page, url);

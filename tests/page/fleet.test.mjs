@@ -20,7 +20,6 @@ import {
   pressUntil,
   useBrowser,
 } from "./browser.mjs";
-import { assertRoom } from "./looks.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
@@ -515,21 +514,3 @@ test("a hundred robots have a row each; the list scrolls to the chosen one, and 
     assert.equal(await isInView(), true);
     assert.notDeepEqual(await pictureOf(page, "#floor canvas[data-layer=top]"), before);
   }));
-
-test("axe finds nothing and all fits, unfolded, and where an order fails; forced colours are honoured", () =>
-  onFleet((page) =>
-    assertRoom(page, {
-      "everything unfolded": async () => {
-        await page.evaluate(() => {
-          for (const details of document.querySelectorAll("details")) details.open = true;
-        });
-        await page.click("#robot-7 .chip");
-        await seek(page, 5);
-      },
-      "an order that fails": async () => {
-        await chooseFleet(page, "swap");
-        await page.click("#robot-2 .chip");
-        await replanned(page, () => page.click("#first"), "exhausted");
-      },
-    }),
-  ));

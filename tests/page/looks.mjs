@@ -4,15 +4,16 @@ import { DESK, coloursOf, frames, violations } from "./browser.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
+/** From the narrowest phone to a large desk, with the widths of a phone, a tablet and a small desk. */
+const WIDTHS = [320, 390, 768, 1024, 1440];
 /**
  * Colours do not depend on the width, nor names and roles on the colours: two looks hold all of both.
  * @type {["light" | "dark", number][]}
  */
 const LOOKS = [
-  ["light", 1280],
+  ["light", 1440],
   ["dark", 320],
 ];
-const WIDTHS = [320, 360, 390, 600, 704, 768, 820, 1024, 1280, 1920, 2560];
 
 /** Waits until the page is at rest. @param {Page} page */
 async function settled(page) {
@@ -21,46 +22,39 @@ async function settled(page) {
 }
 
 /**
- * Axe finds nothing, and nothing hangs over, in light and dark, on a desktop and on the narrowest phone.
+ * Axe finds nothing, and nothing hangs over, in light and dark, on a desktop and on the narrowest phone; and, if there
+ * are figures, at every width they are large enough.
  * @param {Page} page
  * @param {string} state  that the page is in
+ * @param {number} [side]  of a figure, at least
  */
-export async function assertFaultless(page, state) {
-  for (const [colorScheme, width] of LOOKS) {
-    await page.setViewportSize({ width, height: 860 });
-    await page.emulateMedia({ colorScheme });
+export async function assertFaultless(page, state, side = 0) {
+  for (const width of WIDTHS) {
+    const look = LOOKS.find(([, one]) => one === width);
+    if (!look && side === 0) continue;
+    await page.setViewportSize({ width, height: 900 });
+    if (look) await page.emulateMedia({ colorScheme: look[0] });
     await settled(page);
-    assert.deepEqual(await violations(page), [], `${state}, ${colorScheme}, ${width} px`);
     assert.equal(await overhang(page), 0, `${state}, ${width} px`);
+    if (look) assert.deepEqual(await violations(page), [], `${state}, ${look[0]}, ${width} px`);
+    if (side > 0) await assertFigures(page, side, `${state}, ${width} px`);
   }
   await page.emulateMedia({ colorScheme: "light" });
   await page.setViewportSize(DESK.viewport);
   await settled(page);
 }
 
-/**
- * Nothing hangs over from 320 to 2560 pixels, and every figure stays large enough.
- * @param {Page} page
- * @param {string} state
- * @param {number} side  of a figure, at least
- */
-export async function assertFits(page, state, side) {
-  for (const width of WIDTHS) {
-    await page.setViewportSize({ width, height: 900 });
-    await settled(page);
-    assert.equal(await overhang(page), 0, `${state}, ${width} px`);
-    const sheets = await page
-      .locator(".sheet")
-      .evaluateAll((all) =>
-        all.filter((sheet) => sheet.checkVisibility()).map((sheet) => sheet.getBoundingClientRect().toJSON()),
-      );
-    assert.ok(
-      sheets.length > 0 && sheets.every((sheet) => sheet.width >= side && sheet.height >= side),
-      `${state}, ${width} px: ${JSON.stringify(sheets)}`,
+/** There are figures, none smaller than it may be. @param {Page} page @param {number} side @param {string} where */
+async function assertFigures(page, side, where) {
+  const sheets = await page
+    .locator(".sheet")
+    .evaluateAll((all) =>
+      all.filter((sheet) => sheet.checkVisibility()).map((sheet) => sheet.getBoundingClientRect().toJSON()),
     );
-  }
-  await page.setViewportSize(DESK.viewport);
-  await settled(page);
+  assert.ok(
+    sheets.length > 0 && sheets.every((sheet) => sheet.width >= side && sheet.height >= side),
+    `${where}: ${JSON.stringify(sheets)}`,
+  );
 }
 
 /** Every control is at least 24 pixels high and wide. @param {Page} page */
@@ -85,22 +79,38 @@ export async function assertForced(page) {
 }
 
 /**
- * Every state of a room is without fault, fits and has targets for fingers; then, with forced colours, the page is
- * drawn in them.
- * @param {Page} page
- * @param {Record<string, (page: Page) => Promise<unknown>>} states  how each is entered from the one before it
+ * Everything that can be used is reached by Tab, in its order, and shows that it has the focus.
+ * @param {Page} page  just opened
+ * @param {number} [most]  steps
  */
-export async function assertRoom(page, states) {
-  for (const [state, enter] of Object.entries(states)) {
-    await enter(page);
-    await assertFaultless(page, state);
-    await assertFits(page, state, 200);
-    await assertTargets(page);
-  }
-  await page.emulateMedia({ forcedColors: "active" });
-  await settled(page);
-  await assertForced(page);
-  assert.deepEqual(await violations(page), []);
+export async function assertKeys(page, most = 60) {
+  const wanted = await page.evaluate(() => {
+    const shown = /** @type {string[]} */ ([]);
+    Object.assign(window, { focused: shown });
+    const nameOf = (/** @type {HTMLElement} */ one) =>
+      one.id || one.getAttribute("name") || one.textContent?.trim() || one.className;
+    document.addEventListener("focusin", ({ target }) => {
+      const element = /** @type {HTMLElement} */ (target);
+      const outlined = element.matches(".card input") ? (element.parentElement ?? element) : element;
+      shown.push(nameOf(element) + (getComputedStyle(outlined).outlineStyle === "none" ? " without a focus" : ""));
+    });
+    const groups = new Set();
+    return /** @type {HTMLElement[]} */ ([
+      ...document.querySelectorAll("a[href], button, select, input, summary, textarea, [tabindex='0']"),
+    ])
+      .filter((one) => one.tabIndex >= 0 && !one.matches(":disabled") && one.checkVisibility())
+      .filter((one) => {
+        // Of a group of radio buttons one is a stop.
+        const group = one instanceof HTMLInputElement && one.type === "radio" ? one.name : "";
+        if (group === "" || groups.has(group)) return group === "";
+        return groups.add(group);
+      })
+      .map(nameOf);
+  });
+  const expected = wanted.slice(0, most);
+  for (let i = 0; i < expected.length; i++) await page.keyboard.press("Tab");
+  const reached = await page.evaluate(() => /** @type {{ focused?: string[] }} */ (window).focused);
+  assert.deepEqual(reached, expected);
 }
 
 /** How many pixels hang over. @param {Page} page */

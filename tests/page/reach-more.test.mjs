@@ -7,7 +7,6 @@ import { BODIES } from "../../www/reach/scenes.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
 import { DESK, download, fill, keys, linkOf, pickFile, pixelsOf, useBrowser } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
-import { assertRoom } from "./looks.mjs";
 import { choose, click, entryOf, linksOf, onReach, poseOf, press, put, rest, solved, windowOf } from "./reach.mjs";
 import { allOf, readXml } from "./xml.mjs";
 import { load, textOf } from "./library.mjs";
@@ -212,42 +211,21 @@ test("the stage as PNG and SVG, the scenario as JSON", () =>
     Scenario.parse((await download(page, "#export-scenario")).text).free();
   }));
 
-test("in any state axe finds nothing and all fits; forced colours are honoured", () =>
-  onReach(async (page) => {
-    await assertRoom(page, {
-      "by hand": async () => {},
-      touching: async () => {
-        await put(page, "joint-0-number", "0.78");
-        await put(page, "joint-1-number", "0");
-      },
-      "from A to B": () => page.click("#mode-between"),
-      solved: async () => {
-        await choose(page, "corner");
-        await page.click("#mode-solve");
-        await solved(page);
-      },
-      "a body, from A to B the faulty way": async () => {
-        await choose(page, "plan-corner");
-        await click(page, "#mode-between");
-        await put(page, "joint-2-number", "-3");
-        await click(page, "#set-a");
-        await click(page, "#rounds button[data-direction=faulty]");
-        assert.equal(await page.getAttribute("#between", "data-missed"), "1");
-      },
-      "with stops": async () => {
-        await choose(page, "limits");
-        await page.click("#export-fold > summary");
-      },
-    });
-    await click(page, "#mode-hand");
-    const [adjust, colour, ground] = await page.locator("#mode-hand").evaluate((button) => {
-      const { forcedColorAdjust, color, backgroundColor } = getComputedStyle(button);
-      return [forcedColorAdjust, color, backgroundColor];
-    });
-    assert.equal(adjust, "none", "no plate under the word of what is chosen");
-    assert.notEqual(colour, ground);
-    assert.ok((await pixelsOf(page, "workspace", "top", "robot")) > 100);
-  }));
+test("in forced colours the arm is drawn, and no plate is under the word of what is chosen", () =>
+  onReach(
+    async (page) => {
+      await click(page, "#mode-between");
+      await click(page, "#mode-hand");
+      const [adjust, colour, ground] = await page.locator("#mode-hand").evaluate((button) => {
+        const { forcedColorAdjust, color, backgroundColor } = getComputedStyle(button);
+        return [forcedColorAdjust, color, backgroundColor];
+      });
+      assert.equal(adjust, "none");
+      assert.notEqual(colour, ground);
+      assert.ok((await pixelsOf(page, "workspace", "top", "robot")) > 100);
+    },
+    { ...DESK, forcedColors: "active" },
+  ));
 
 test("a link that slides is dragged along its direction, moved by keys, and changed; the link holds it", () =>
   onReach(

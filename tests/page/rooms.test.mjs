@@ -10,30 +10,6 @@ import { onReach, poseOf, rest } from "./reach.mjs";
 
 useBrowser();
 
-test("the pages link each other, say which of them one is on, and share their colours", () =>
-  onReach(
-    async (page, url) => {
-      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Kinematics");
-      const addresses = await page
-        .locator(".rooms a")
-        .evaluateAll((links) => links.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
-      for (const address of addresses) assert.equal((await page.request.get(address)).status(), 200, address);
-      await page.click(".rooms a >> text=Planners");
-      await page.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-      assert.equal(page.url(), `${url}plan.html`);
-      assert.equal(await page.innerText(".rooms [aria-current=page]"), "Planners");
-      await page.click(".rooms a >> text=Kinematics");
-      await page.waitForSelector("body[data-state=ready]");
-      await page.click("#theme");
-      assert.equal(await page.getAttribute("html", "data-theme"), "dark");
-      for (const name of ["plan.html", ""]) {
-        await page.goto(url + name);
-        await page.waitForSelector("html[data-theme=dark]");
-      }
-    },
-    { ...DESK, colorScheme: "light" },
-  ));
-
 test("a room whose core was lost says so, and goes on", () =>
   onReach(
     async (page) => {
@@ -53,29 +29,6 @@ test("a room whose core was lost says so, and goes on", () =>
     DESK,
     { before: async (page) => void (await page.addInitScript(TRAP)) },
   ));
-
-for (const [path, failed] of [
-  ["", "#counters[data-status=failed]"],
-  ["reach.html", "body[data-state=failed]"],
-]) {
-  test(`without its WebAssembly ${path || "the planner's page"} says so and stays a page`, () =>
-    onPage(
-      DESK,
-      async (page) => {
-        await page.waitForSelector(failed, { state: "attached" });
-        await page.waitForSelector("#notice:not([hidden])");
-        assert.match(await page.innerText("#notice"), /WebAssembly/);
-        assert.ok((await page.locator(".rooms a").count()) > 1);
-      },
-      {
-        path,
-        expectErrors: true,
-        before: async (page) => {
-          await page.route(/\.wasm$/, (route) => route.abort());
-        },
-      },
-    ));
-}
 
 const rule = record({ values: list(number, 0, Infinity) });
 
@@ -109,67 +62,6 @@ test("a state in an address is 2 KB at most, and unpacks to no more than 16", as
   await assert.rejects(encodeState({ values: Array.from({ length: 20_000 }, () => 0) }, rule), /too long/);
   const { fault } = await decodeState(`1${"A".repeat(3000)}`, rule);
   assert.match(fault ?? "", /too long/);
-});
-
-test("a link that does not work is said not to, in every room, which opens all the same", async () => {
-  const forest = {
-    robot: "three",
-    draw: { n: 300, seed: 1, free: true },
-    q: [0, 0, 0],
-    k: 3,
-    index: "forest",
-    given: { trees: 1000 },
-  };
-  for (const [room, ready, fragments, said] of /** @type {const} */ ([
-    [
-      "reach",
-      "body[data-state=ready][data-settled=true][data-scene=islands]",
-      ["1abc", "2abc", `1${"a".repeat(3000)}`, "nothing"],
-      /This link does not work/,
-    ],
-    [
-      "neighbours",
-      "body[data-state=ready][data-settled=true][data-robot=two]",
-      ["1abc", "nothing"],
-      /This link does not work/,
-    ],
-    [
-      "neighbours",
-      "body[data-state=ready][data-settled=true][data-robot=two]",
-      [await encodeState(forest, () => {})],
-      /The link cannot be opened/,
-    ],
-    ["trajectories", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
-    ["fleet", "body[data-settled=true] #stage[data-status=solved]", ["1broken"], /This link does not work/],
-    [
-      "fleet",
-      "body[data-settled=true] #stage[data-status=solved]",
-      [
-        await encodeState({ kind: "maze" }, () => {}),
-        await encodeState({ given: { haste: 3 } }, () => {}),
-        await encodeState({ order: [0, 900] }, () => {}),
-      ],
-      /The link cannot be opened/,
-    ],
-    [
-      "prm-rl",
-      "body[data-state=ready][data-settled=true] #stage[data-status=solved]",
-      ["1broken"],
-      /This link does not work/,
-    ],
-    ["experiments", "body[data-settled=true][data-phase=ready]", ["1broken"], /This link does not work/],
-  ])) {
-    for (const fragment of fragments) {
-      await onPage(
-        { reducedMotion: "reduce" },
-        async (page) => {
-          await page.waitForSelector(ready);
-          assert.match(await page.innerText("#notice"), said, `${room}: ${fragment}`);
-        },
-        { path: `${room}.html#${fragment}` },
-      );
-    }
-  }
 });
 
 test("links that were made before states had defaults still open", async () => {

@@ -1,0 +1,284 @@
+/**
+ * One table over all pages, those of the list that the build reads: how each opens, what it refuses, and for whom it
+ * is. What is particular about a page stands in its row in pages.mjs.
+ */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PAGES } from "../../scripts/page.mjs";
+import { DESK, addressOf, coloursOf, dropFile, finish, onPage, unfold, useBrowser, violations } from "./browser.mjs";
+import { assertFaultless, assertForced, assertKeys, assertTargets, overhang } from "./looks.mjs";
+import { ROWS, rest } from "./pages.mjs";
+
+/** @import { Page } from "./browser.mjs" */
+
+useBrowser();
+
+const CALM = /** @type {import("./browser.mjs").Options} */ ({ ...DESK, reducedMotion: "reduce" });
+/** What a page says of how it comes to its state, rather than of the state. */
+const PASSING = ["settled", "plans", "begun"];
+const addressAt = (/** @type {string} */ name) => `${name}.html`;
+
+/** Waits until a page is as it opens. @param {Page} page @param {string} [ready] */
+const open = async (page, ready = "body") => {
+  await page.waitForSelector(ready, { state: "attached" });
+  await rest(page);
+};
+
+/** All that a reader has put into the page, and what it says of itself. @param {Page} page */
+const stateOf = async (page) => {
+  await rest(page);
+  return page.evaluate(
+    (passing) => ({
+      data: ["body", "#stage", "#counters"].map((one) =>
+        Object.entries({ .../** @type {HTMLElement | null} */ (document.querySelector(one))?.dataset }).filter(
+          ([key]) => !passing.includes(key),
+        ),
+      ),
+      fields: Array.from(
+        document.querySelectorAll(".panel :is(input:not([type=file]), select), #transport input"),
+        (one) => {
+          const { id, name, value, checked } = /** @type {HTMLInputElement} */ (one);
+          return `${id || name}: ${value} ${checked ?? ""}`;
+        },
+      ),
+    }),
+    PASSING,
+  );
+};
+
+/** What a page says that it refuses. @param {Page} page */
+const refusal = async (page) => {
+  await page.waitForSelector("#notice:not([hidden])");
+  return page.innerText("#notice");
+};
+
+test("every row is that of a page", () => {
+  const names = PAGES.map(({ name }) => name);
+  for (const name of Object.keys(ROWS)) assert.ok(names.includes(name), name);
+});
+
+for (const { name, link: title } of PAGES) {
+  const {
+    ready,
+    core = "full",
+    side = 200,
+    states = {},
+    takesFiles = true,
+    isPrinted = true,
+    isEmbedded = true,
+    broken,
+  } = ROWS[name] ?? {};
+  const path = addressAt(name);
+
+  test(`${title}: open, it is for everyone, and refuses in words`, (t) => {
+    /** @type {string[]} */
+    const requests = [];
+    return onPage(
+      CALM,
+      async (page) => {
+        await t.test("opens in silence, computes nothing needless, and says which page it is", async () => {
+          await open(page, ready);
+          const modules = requests.filter((url) => url.endsWith(".wasm")).map((url) => new URL(url).pathname);
+          assert.deepEqual([...new Set(modules)], core ? [`/planarium/${core}_bg.wasm`] : []);
+          assert.ok(page.workers().length <= (core ? 1 : 0), `${page.workers().length} workers`);
+          assert.equal(await page.innerText("[aria-current=page]"), title);
+          assert.equal(await page.locator("h1").count(), 1);
+          assert.equal(await page.isHidden("#notice"), true);
+        });
+        await t.test("is used by keys", () => assertKeys(page));
+        await t.test("is light or dark as the reader chooses", async () => {
+          const colours = () => coloursOf(page, ["var(--page)", "var(--ink)", "var(--stage)", "var(--robot)"]);
+          const light = await colours();
+          await page.emulateMedia({ colorScheme: "dark" });
+          await rest(page);
+          assert.notDeepEqual(await colours(), light, "that of the system");
+          await page.emulateMedia({ colorScheme: "light" });
+          await page.click("#theme");
+          await rest(page);
+          const dark = await colours();
+          assert.ok(
+            light.every((colour, i) => String(colour) !== String(dark[i])),
+            JSON.stringify({ light, dark }),
+          );
+          await page.reload();
+          await open(page, ready);
+          assert.deepEqual(await colours(), dark, "the choice is remembered");
+          await page.evaluate(() => {
+            localStorage.clear();
+            delete document.documentElement.dataset.theme;
+          });
+        });
+        for (const [state, enter] of Object.entries({ "as it opens": rest, ...states })) {
+          await t.test(`${state}: axe finds nothing, all fits any width, and fingers hit the controls`, async () => {
+            await enter(page);
+            await assertFaultless(page, `${title}, ${state}`, side);
+            await assertTargets(page);
+          });
+        }
+        await t.test("is drawn in forced colours", async () => {
+          await page.emulateMedia({ forcedColors: "active" });
+          await rest(page);
+          await assertForced(page);
+          assert.deepEqual(await violations(page), []);
+          await page.emulateMedia({ forcedColors: "none" });
+          await rest(page);
+        });
+        await t.test("refuses a file that it cannot read, and loses nothing", async () => {
+          const before = await stateOf(page);
+          await dropFile(page, "broken.json", "{");
+          if (takesFiles) {
+            assert.match(await refusal(page), /broken\.json/);
+            assert.deepEqual(await violations(page), []);
+          }
+          assert.deepEqual(await stateOf(page), before);
+        });
+        await t.test("fits a sheet of paper", async () => {
+          await page.emulateMedia({ media: "print" });
+          await page.setViewportSize({ width: 794, height: 1123 });
+          await rest(page);
+          assert.equal(await overhang(page), 0);
+          if (isPrinted)
+            assert.deepEqual(
+              await page
+                .locator("button, input, select, #notice")
+                .evaluateAll((all) => all.filter((one) => one.checkVisibility()).map((one) => one.id)),
+              [],
+            );
+          await page.pdf();
+        });
+      },
+      {
+        path,
+        before: async (page) => void page.on("request", (request) => requests.push(request.url())),
+      },
+    );
+  });
+
+  test(`${title}: a link that does not work is refused in a sentence, and the page opens as ever`, () =>
+    onPage(
+      CALM,
+      async (page, url) => {
+        await open(page, ready);
+        const usual = await stateOf(page);
+        const unreadable = ["1broken", "nothing"];
+        for (const fragment of [...unreadable, ...(broken ?? [])]) {
+          await page.goto("about:blank");
+          await page.goto(addressOf(url, `${path}#${fragment}`));
+          if (core) assert.match(await refusal(page), /(This|The) link (does not work|cannot be opened)/, fragment);
+          await open(page, ready);
+          if (unreadable.includes(fragment)) assert.deepEqual(await stateOf(page), usual, fragment);
+        }
+        if (!core) return;
+        await page.click("#notice button");
+        await page.evaluate(() => {
+          location.hash = "1broken";
+        });
+        await refusal(page);
+        assert.deepEqual(await stateOf(page), usual, "an open page stays as it is");
+      },
+      { path },
+    ));
+
+  if (isEmbedded)
+    test(`${title}: in a frame it is its figure alone, and fits`, () =>
+      onPage(
+        { ...CALM, viewport: { width: 640, height: 420 } },
+        async (page) => {
+          await open(page, ready);
+          for (const hidden of [".masthead", ".panel"]) assert.equal(await page.isVisible(hidden), false, hidden);
+          assert.equal(await page.isVisible("#stage"), true);
+          assert.equal(await overhang(page), 0);
+          // The heading is the parent's to give.
+          const found = await violations(page);
+          assert.deepEqual(
+            found.filter((one) => !one.startsWith("page-has-heading-one")),
+            [],
+          );
+        },
+        { path: `${path}?embed=1` },
+      ));
+}
+
+test("without their WebAssembly the pages say so, and stay pages", () =>
+  onPage(
+    CALM,
+    async (page, url) => {
+      for (const { name } of PAGES) {
+        if (ROWS[name]?.core === "") continue;
+        await page.goto(addressOf(url, addressAt(name)));
+        await page.waitForSelector("#counters[data-status=failed], body[data-state=failed]", { state: "attached" });
+        assert.match(await refusal(page), /WebAssembly/, name);
+        assert.ok((await page.locator(".rooms a").count()) > 1, name);
+      }
+    },
+    {
+      path: "icon.svg",
+      expectErrors: true,
+      before: async (page) => {
+        await page.route(/\.wasm$/, (route) => route.abort());
+      },
+    },
+  ));
+
+test("the pages link each other; all addresses are there, and the choice of a theme holds for all", () =>
+  onPage(
+    { ...CALM, colorScheme: "light" },
+    async (page, url) => {
+      const links = await page
+        .locator(".rooms a")
+        .evaluateAll((all) => all.map((link) => /** @type {HTMLAnchorElement} */ (link).href));
+      assert.deepEqual(
+        new Set(links.filter((link) => !link.includes("/docs/"))),
+        new Set([...PAGES.map(({ name }) => addressAt(name))].map((address) => addressOf(url, address))),
+      );
+      for (const link of links) assert.equal((await page.request.get(link)).status(), 200, link);
+      await page.click("#theme");
+      for (const link of links.slice(0, PAGES.length)) {
+        await page.goto(link);
+        await page.waitForSelector("html[data-theme=dark]");
+      }
+    },
+    { path: addressAt(PAGES[1].name) },
+  ));
+
+test("what was open once opens without a network, every page of it, and plans the same", () =>
+  onPage(
+    { ...CALM, serviceWorkers: "allow" },
+    async (page, url) => {
+      await open(page, ROWS.plan.ready);
+      await page.waitForFunction(async () => (await navigator.serviceWorker.ready).active?.state === "activated");
+      const there = await finish(page);
+      // Pictures of the gallery are stored once they are seen.
+      await page.goto(addressOf(url, "gallery.html"));
+      const picture = page.locator(".entry img").first();
+      const { src, unseen } = await picture.evaluate(async (image) => {
+        await /** @type {HTMLImageElement} */ (image).decode();
+        return {
+          src: /** @type {HTMLImageElement} */ (image).src,
+          unseen: /** @type {HTMLImageElement} */ ([...document.images].at(-1)).src,
+        };
+      });
+      await page.waitForFunction((address) => caches.match(address), src);
+      assert.equal(await page.evaluate(async (address) => (await caches.match(address)) === undefined, unseen), true);
+      await page.context().setOffline(true);
+      await page.goto("about:blank");
+      await page.goto(addressOf(url));
+      await open(page, ROWS.plan.ready);
+      assert.equal((await finish(page)).fingerprint, there.fingerprint);
+      for (const fold of ["editor", "lessons", "export", "curves"]) await unfold(page, fold);
+      assert.equal(await page.isHidden("#notice"), true);
+      for (const { name } of PAGES) {
+        await page.goto(addressOf(url, addressAt(name)));
+        await open(page, ROWS[name]?.ready);
+      }
+      await page.goto(addressOf(url, "gallery.html"));
+      await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+      await page.goto(url);
+      await page.waitForSelector("#grow:enabled");
+      for (const shown of await page.locator("main img").all())
+        await shown.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
+      await page.click("#grow");
+      await page.waitForSelector("#grown[data-state=solved]");
+    },
+    { expectErrors: true },
+  ));

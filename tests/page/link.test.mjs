@@ -132,7 +132,7 @@ test("a link holds a moved slider, a generated scene, and a scenario of one's ow
     const moved = await roundTrip(page, "slider");
     assert.deepEqual(moved.options, { width: 0.44 });
 
-    await page.click("#scene-options summary");
+    await page.click("#make-fold > summary");
     await page.selectOption("#make-kind", "maze");
     await page.fill("#make-seed", "12");
     await page.click("#make button");

@@ -19,6 +19,7 @@ import {
   onPage,
   pickFile,
   pixelsOf,
+  reveal,
   useBrowser,
 } from "./browser.mjs";
 import { drag, plane } from "./editing.mjs";
@@ -573,6 +574,7 @@ test("a scenario without room is opened, and said to have no free configuration"
       await page.waitForSelector("body[data-state=ready][data-settled=true] #notice[data-code=unsupported]");
       assert.match(await page.innerText("#notice"), /No configurations could be sampled[^]*none is free/);
       assert.equal(await page.innerText("#story"), "There are no configurations.");
+      await reveal(page, "#free");
       await page.click("label[for=free]");
       await rest(page);
       assert.equal((await stateOf(page)).n, "5");

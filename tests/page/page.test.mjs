@@ -42,6 +42,7 @@ useBrowser();
 test("a printed page has scene, settings and iteration, no buttons, and panes side by side", () =>
   onPausedPage(async (page) => {
     const { iterations } = await finish(page);
+    await page.waitForSelector("body[data-complete=true]");
     for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await page.emulateMedia({ media: "screen", colorScheme });
       assert.equal(await page.isVisible("#printed"), false);
@@ -226,7 +227,7 @@ test("every planner has its pseudo-code, a short panel, rarer parameters under h
           Array.from(document.querySelectorAll("#pseudocode li"), (line) => line.textContent).join("\n") === wanted,
         lines,
       );
-      const first = await page.locator("#parameters .field").count();
+      const first = await page.locator(":is(#main-parameters, #parameters) .field").count();
       const groups = await page
         .locator("#more-parameters .group")
         .evaluateAll((elements) =>

@@ -148,6 +148,7 @@ export const ROWS = {
   },
   trajectories: {
     ready: "#stage[data-status=solved]",
+    side: 180,
     takesFiles: false,
     states: { unfolded: unfoldAll },
   },

@@ -201,7 +201,7 @@ test("of many moves at once the last one stays, and words are words", () =>
 
 test("any scene that the core makes can be made; a value out of range is refused beside its field", () =>
   onPausedPage(async (page) => {
-    await page.click("#scene-options summary");
+    await page.click("#make-fold > summary");
     await page.waitForSelector("#make-kind");
     assert.deepEqual(
       await offered(page, "make-kind"),

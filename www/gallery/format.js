@@ -67,11 +67,10 @@
 /**
  * What an entry's page must show, once it is open:
  * - of the planner's page "solved", "exhausted" or "running" for the first planner at the iteration; "flawed" for a
- * path that collides;
- *   "refused" where planning is refused, as the start or the goal is in collision;
+ *   path that collides; "refused" where planning is refused, as the start or the goal is in collision;
  * - of Reach "free" or "in collision", the configuration shown;
  * - of Neighbours "found", or "drawn" where only the list is shown, of Trajectories, PRM-RL and Fleet "solved" or
- * "exhausted", of Experiments "open".
+ *   "exhausted", of Experiments "open".
  * @typedef {"solved" | "exhausted" | "running" | "flawed" | "refused" | "free" | "in collision" | "found" | "drawn" |
  *   "open"} Expect
  */

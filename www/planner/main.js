@@ -7,22 +7,19 @@
  *   and everything is drawn), and once the newest iteration is shown and its result is known `data-fingerprint` and,
  *   once solved, `data-length`.
  * - `#play` carries `data-playing`; `body` carries `data-scene` (an id of scenes.js, or "file"), and `data-complete`
- * once no scene
- *   needs the network any more.
+ *   once no scene needs the network any more.
  * - `#notice` is hidden, or carries `data-code` and `data-pointer` of the error it shows.
  * - `#readout` carries `data-vertex`, the vertex under the pointer or "-1" for a mere configuration, and `data-free`;
- * neither
- *   while the pointer is on nothing.
+ *   neither while the pointer is on nothing.
  * - `#touching` carries `data-free` and names the parts in collision.
  * - `#editor`, while it is open, carries `data-tool`, `data-kind` and `data-title` of the selection, `data-undo`,
- * `data-redo`, `data-changes`,
- *   `data-busy` ("true" during a gesture), `data-code` of the last refusal and `data-touching`, which names a start or
- *   goal in collision.
+ *   `data-redo`, `data-changes`, `data-busy` ("true" during a gesture), `data-code` of the last refusal and
+ *   `data-touching`, which names a start or goal in collision.
  * - `#certify` carries `data-on`, whether it is shown if a path exists, and then `data-verdict`, empty before it is
- * decided.
+ *   decided.
  * - `#story` carries `data-tone`, "bad" where a path that was found collides.
  * - In a race each row of `#standings tbody` carries `data-status` and, at rest at the newest iteration,
- * `data-fingerprint`.
+ *   `data-fingerprint`.
  * - The work of each frame in which the graph grew is a `performance.measure` called "planarium-frame".
  */
 import * as library from "planarium";
@@ -40,7 +37,6 @@ import { sourceOf } from "./experiment.js";
 import { showLegend } from "./legend.js";
 import { Page } from "./page.js";
 import { Pose } from "./pose/controls.js";
-import { watchPrint } from "./print.js";
 import { showPseudocode } from "./pseudocode.js";
 import { SCENES } from "./scenes/scenes.js";
 import { Session, placed } from "./session.js";
@@ -53,7 +49,7 @@ import { Transport } from "./timeline/transport.js";
 
 /** Milliseconds after the first picture at which the other layers get their memory and the thumbnails are drawn. */
 const THUMBNAILS = 250;
-/** Milliseconds after the thumbnails at which the modules for other scenes are loaded. */
+/** Milliseconds after the thumbnails at which the modules for other scenes and for prints are loaded. */
 const MODULES = 3000;
 /** The number of seeds that "New seed" chooses from: six digits can be said aloud. */
 const SEEDS = 1_000_000;
@@ -97,7 +93,6 @@ const isOpen = await app.open(
     watchAsking(page);
     offerCertificate(page, worker);
     showPseudocode(page);
-    watchPrint(page);
 
     const options = new LazyFeature(notice, async () =>
       (await import("./scenes/options.js")).showSceneOptions(page, library.generators()),
@@ -116,6 +111,7 @@ const isOpen = await app.open(
       .byButton("edit", (editor) => editor.begin());
     const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
     page.loadDrive = () => drive.get();
+    const print = new LazyFeature(notice, async () => (await import("./print.js")).watchPrint(page));
     const lessons = new LazyFeature(
       notice,
       async () => new (await import("./lessons/lessons.js")).Lessons(page),
@@ -200,10 +196,10 @@ const isOpen = await app.open(
       setTimeout(() => void loadModules(), MODULES);
     }
 
-    /** Loads the modules that other scenes need, for when there is no network. */
+    /** Loads the modules that other scenes and prints need, for when there is no network. */
     async function loadModules() {
       try {
-        await Promise.all([options.get(), placed()]);
+        await Promise.all([options.get(), placed(), print.get()]);
         document.body.dataset.complete = "true";
       } catch {
         // There is no network any more: the next use tries again, and reports the error.

@@ -3,13 +3,11 @@
  *
  * For tests, beside what app.js says:
  * - `body` carries `data-scene` (an id that scenes.js opens, or "file"), `data-robot` ("arm" or "body"), `data-mode`,
- * and `data-q`, the configuration;
+ *   and `data-q`, the configuration;
  * - `#stage` carries `data-free`, `data-reached` ("false" while the tip cannot reach the wanted point),
- * `data-singular`,
- *   and `data-cells` ("true" once the square shows its obstacles finely);
+ *   `data-singular`, and `data-cells` ("true" once the square shows its obstacles finely);
  * - `#between` carries `data-hit`, the part of the motion at which it first collides, or "none", and `data-missed`, how
- * many coordinates do
- *   not end at B.
+ *   many coordinates do not end at B.
  */
 import { json } from "../app/files.js";
 import { byId } from "../app/dom.js";

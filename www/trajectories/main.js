@@ -91,6 +91,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
     return isMoving;
   });
   app.onDraw(() => {
+    stage.dataset.drawn = String(figure.sheet.rowsOf("growth"));
     drawCharts(!course.isPlaying && app.pending === 0);
     performance.measure("trajectories-frame", { start: frameStart });
   });
@@ -199,7 +200,6 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
       begun: experiment.epoch,
       accepted: accepted.length,
       tried: result.iterations,
-      drawn: figure.sheet.rowsOf("growth"),
       last,
       fingerprint: result.fingerprint,
     });

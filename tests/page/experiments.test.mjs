@@ -513,7 +513,10 @@ test("a student compares RRT in three environments, from the page that opens", (
           ["passage", "100"],
         ],
       );
-      assert.match((await taken(page, "svg")).text, /RRT in 3 worlds.*A bug trap.*n =[^<]*(?:<\/text><text[^>]*>)?100 each\./s);
+      assert.match(
+        (await taken(page, "svg")).text,
+        /RRT in 3 worlds.*A bug trap.*n =[^<]*(?:<\/text><text[^>]*>)?100 each\./s,
+      );
     },
     { path: "experiments.html" },
   ));

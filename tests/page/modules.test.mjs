@@ -137,9 +137,9 @@ test("each iteration leaves a row of counts: what it showed can be shown again",
   }
   const { data, width } = run.history;
   for (const evaluations of [0, 1, 37, 1000, Infinity]) {
-    const i = run.iterationAt(PAST.evaluations, evaluations);
-    assert.ok(data[i * width + PAST.evaluations] <= evaluations);
-    assert.ok(i === run.made || data[(i + 1) * width + PAST.evaluations] > evaluations);
+    const i = run.iterationAt(PAST.clearanceEvaluations, evaluations);
+    assert.ok(data[i * width + PAST.clearanceEvaluations] <= evaluations);
+    assert.ok(i === run.made || data[(i + 1) * width + PAST.clearanceEvaluations] > evaluations);
   }
 });
 
@@ -471,21 +471,21 @@ test("whoever is behind goes next: a frame that is too short leaves all nearly l
   while (
     !compete(
       runs.map(({ stepper }) => stepper),
-      PAST.evaluations,
+      PAST.clearanceEvaluations,
       Infinity,
       performance.now() + 0.5,
     )
   ) {
     frames++;
     for (const run of runs) run.fetch();
-    const going = runs.filter(({ ended }) => !ended).map((run) => run.clock(PAST.evaluations));
+    const going = runs.filter(({ ended }) => !ended).map((run) => run.clock(PAST.clearanceEvaluations));
     const dearest = Math.max(
       0,
       ...runs.map(({ history: { data, width, count } }) =>
         Math.max(
           ...Array.from(
             { length: count - 1 },
-            (_, i) => data[(i + 1) * width + PAST.evaluations] - data[i * width + PAST.evaluations],
+            (_, i) => data[(i + 1) * width + PAST.clearanceEvaluations] - data[i * width + PAST.clearanceEvaluations],
           ),
         ),
       ),
@@ -547,7 +547,7 @@ test("a path with blends is played round its corners, and the story tells how ma
 
 test("thinning keeps the first path and the end, rises, and costs no more for a long run", () => {
   const run = ended(new LocalRun(load("stones"), "prm", { samples: 5000, k: 9, seed: 0, shortcut: 200 }));
-  for (const column of [-1, PAST.evaluations]) {
+  for (const column of [-1, PAST.clearanceEvaluations]) {
     const head = run.clock(column);
     const [rows] = thinned([run], column, head);
     const times = Array.from({ length: rows.length / 3 }, (_, i) => rows[3 * i]);
@@ -562,8 +562,8 @@ test("thinning keeps the first path and the end, rises, and costs no more for a 
     const costs = times.map((_, i) => rows[3 * i + 2]);
     assert.equal(
       costs.filter((cost) => cost < Infinity)[0],
-      run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.cost],
+      run.history.row(run.iterationAt(column, run.clockAt(column, found)))[PAST.length],
     );
-    assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.cost]);
+    assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.length]);
   }
 });

@@ -107,7 +107,7 @@ for (const algorithm of ["informed-rrt-star", "aorrtc"]) {
     const [start, goal] = [0, 1].map((vertex) => Array.from(run.vertices.row(vertex)));
     for (let part = 1; part <= 16; part++) {
       run.shown = Math.floor((run.made * part) / 16);
-      const cost = run.past[PAST.cost];
+      const cost = run.past[PAST.length];
       const edges = run.bestEdges;
       assert.equal(edges.length > 0, cost < Infinity);
       assert.ok(edges.every((edge) => run.isEdgeThere(edge)));

@@ -124,10 +124,15 @@ async function assertSameOn(page, workers, times = [1234]) {
     await seek(page, wanted);
     assert.equal(await time(page), wanted);
     (await table(page)).forEach(({ counts, name }, i) => {
-      const at = runs[i].rows.findLastIndex((row) => row[PAST.evaluations] <= wanted);
+      const at = runs[i].rows.findLastIndex((row) => row[PAST.clearanceEvaluations] <= wanted);
       assert.deepEqual(
         counts,
-        [...[PAST.vertices, PAST.edges, PAST.motions, PAST.evaluations].map((column) => runs[i].rows[at][column]), at],
+        [
+          ...[PAST.vertices, PAST.edges, PAST.motionChecks, PAST.clearanceEvaluations].map(
+            (column) => runs[i].rows[at][column],
+          ),
+          at,
+        ],
         `${name} at ${wanted}`,
       );
     });
@@ -332,13 +337,17 @@ test("two, three or four run as each would alone, bit for bit; then the robots f
         const { rows: history, planner } = runs[i];
         const last = history[history.length - 1];
         assert.deepEqual(counts, [
-          ...[PAST.vertices, PAST.edges, PAST.motions, PAST.evaluations].map((column) => last[column]),
+          ...[PAST.vertices, PAST.edges, PAST.motionChecks, PAST.clearanceEvaluations].map((column) => last[column]),
           history.length - 1,
         ]);
-        const first = history.find((row) => row[PAST.cost] < Infinity);
+        const first = history.find((row) => row[PAST.length] < Infinity);
         assert.equal(
           found.split(",").slice(0, 2).join("").match(/^\d+/)?.[0] ?? found,
-          first ? String(first[PAST.evaluations]) : planner.reason === "not-connected" ? "not connected" : "gave up",
+          first
+            ? String(first[PAST.clearanceEvaluations])
+            : planner.reason === "not-connected"
+              ? "not connected"
+              : "gave up",
         );
         if (first) assert.equal(cost.split(" (")[0], `${planner.result().length.toFixed(2)} rad`);
       });
@@ -598,15 +607,15 @@ test("the path's curve begins where the path was found; the cursor is at the tim
     await seek(page, 2000);
     await page.waitForFunction(() => document.querySelectorAll("svg.cost .future circle").length === 2);
     for (const [i, label] of ["A", "B"].entries()) {
-      const first = /** @type {number[]} */ (runs[i].rows.find((row) => row[PAST.cost] < Infinity));
+      const first = /** @type {number[]} */ (runs[i].rows.find((row) => row[PAST.length] < Infinity));
       const { x, y, cursor } = await dot(page, "cost", label);
       assert.ok(
-        Math.abs(x.value - first[PAST.evaluations]) <= x.pixel,
-        `${label} at ${x.value}, not ${first[PAST.evaluations]}`,
+        Math.abs(x.value - first[PAST.clearanceEvaluations]) <= x.pixel,
+        `${label} at ${x.value}, not ${first[PAST.clearanceEvaluations]}`,
       );
       assert.ok(
-        Math.abs(y.value - first[PAST.cost]) <= y.pixel,
-        `${label} is ${y.value} long, not ${first[PAST.cost]}`,
+        Math.abs(y.value - first[PAST.length]) <= y.pixel,
+        `${label} is ${y.value} long, not ${first[PAST.length]}`,
       );
       assert.ok(Math.abs(cursor.value - 2000) <= cursor.pixel, `cursor at ${cursor.value}`);
     }
@@ -637,7 +646,7 @@ test("the path's curve begins where the path was found; the cursor is at the tim
     for (const [at, ...values] of rows) {
       runs.forEach((run, i) => {
         const row = /** @type {number[]} */ (
-          run.rows.findLast((one, k) => k === 0 || (one[PAST.evaluations] <= Number(at) && Number(at) > 0))
+          run.rows.findLast((one, k) => k === 0 || (one[PAST.clearanceEvaluations] <= Number(at) && Number(at) > 0))
         );
         const [vertices, cost, gap] = values.slice(3 * i);
         assert.equal(
@@ -645,11 +654,11 @@ test("the path's curve begins where the path was found; the cursor is at the tim
           row === run.rows[0] ? Number(vertices) : row[PAST.vertices],
           `vertices at ${at}`,
         );
-        if (row[PAST.cost] === Infinity) return assert.deepEqual([cost, gap], ["\u2013", "\u2013"]);
-        assert.ok(Math.abs(Number(cost) - row[PAST.cost]) < 1e-4 * row[PAST.cost], `length at ${at}`);
+        if (row[PAST.length] === Infinity) return assert.deepEqual([cost, gap], ["\u2013", "\u2013"]);
+        assert.ok(Math.abs(Number(cost) - row[PAST.length]) < 1e-4 * row[PAST.length], `length at ${at}`);
         assert.ok(
-          Math.abs(Number(gap) - 100 * (row[PAST.cost] / (length ?? NaN) - 1)) < 0.06,
-          `gap at ${at}: ${gap} of ${row[PAST.cost]} and ${length}`,
+          Math.abs(Number(gap) - 100 * (row[PAST.length] / (length ?? NaN) - 1)) < 0.06,
+          `gap at ${at}: ${gap} of ${row[PAST.length]} and ${length}`,
         );
       });
     }

@@ -112,7 +112,7 @@ await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => 
 
   const ready = byId("ready", HTMLSelectElement);
   ready.append(
-    make("option", { value: "", disabled: true }, "of your own"),
+    make("option", { value: "", disabled: true }, "custom"),
     ...READY.map(({ id, title }) => make("option", { value: id }, title)),
   );
   ready.addEventListener("change", () => void app.track(openReady(ready.value)));

@@ -22,7 +22,7 @@ import { partsAt, poseOf, roomOf } from "./trajectory.js";
 const TAIL = 1.6;
 /** Edges of all roadmaps from which on they are fainter. */
 const MANY_EDGES = 4000;
-/** Robots from which on ways and ends are fainter. */
+/** With this number of robots or more, routes and ends are fainter. */
 const MANY_ROBOTS = 30;
 /** The least radius of a robot with a number, CSS pixels. */
 const READABLE = 5;
@@ -57,12 +57,12 @@ export class Floor {
               ])
             : [],
       },
-      // While the plan grows its ways are on top.
+      // While the plan grows its routes are on top.
       ends: {
         key: [document, colours, isStraight || !isRunning ? shown : null],
         draw: (/** @type {Brush} */ { context, palette }) => {
           this.drawEnds(context, palette);
-          if (isStraight || !isRunning) this.drawWays(context);
+          if (isStraight || !isRunning) this.drawRoutes(context);
         },
       },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
@@ -195,7 +195,7 @@ export class Floor {
   }
 
   /** Every robot's way from its start to its goal. @param {Context} context */
-  drawWays(context) {
+  drawRoutes(context) {
     const { shown } = this.session;
     context.save();
     context.lineJoin = "round";
@@ -223,7 +223,7 @@ export class Floor {
     const { session } = this;
     const { robots, shown, run, time, selected, touching, isStraight } = session;
     if (!session.document) return;
-    if (!isStraight && run.status === "running") this.drawWays(context);
+    if (!isStraight && run.status === "running") this.drawRoutes(context);
     context.lineCap = context.lineJoin = "round";
     shown.forEach((way, i) => {
       if (!way || time === 0) return;

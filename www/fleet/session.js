@@ -36,7 +36,7 @@ import { Trajectory, poseOf, straightOf } from "./trajectory.js";
 /** Iterations of the first frame in which a plan grows, and how many more there are in each next one. */
 const FIRST = 4;
 const MORE = 1.06;
-/** The composite plans for so many robots, with so many coordinates at most. */
+/** The most robots that the composite plans for, and the most coordinates they have together. */
 const TOGETHER = [2, 3];
 const COORDINATES = 8;
 
@@ -195,7 +195,7 @@ export class FleetSession {
         Object.assign(this, { run: nothing(robots.length), time: isQuick ? this.time : 0, isStraight: false });
       this.grow(progress);
       app.changed();
-      // As long as iterations are fast, there are so many in a frame.
+      // The iterations of a frame, as long as they are fast.
       if (!isStill && !progress.isLate) await new Promise(requestAnimationFrame);
       signal.throwIfAborted();
     }

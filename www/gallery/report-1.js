@@ -928,7 +928,7 @@ export const REPORT_1 = {
       state: { options: { seed: 2, shape: "cargo" }, planned: 1, driven: 1, time: 1000 },
       shows: { reached: 20 },
       see: "{reached} of twenty drives reach the goal. The load stays within the dashed ring, as its curve under the figure shows.",
-      try: "Choose straight edges and drive: the controller that looks at no rays collides in most drives.",
+      try: "Choose straight edges and drive: the controller that does not use its rays collides in most drives.",
       report: "The second task of the paper: cargo under a flying robot, with a limit of its displacement.",
       holds: "yes",
       chosen: "The floor, the limits and the policy; the carrier moves in the plane.",

@@ -1,6 +1,6 @@
 /**
  * A roadmap that stands is asked for another path: from or to the robot as it is posed by hand, or for another query of
- * the scene. Nothing is planned anew.
+ * the scene. Nothing is planned again.
  */
 import { byId, make, write } from "../app/dom.js";
 import { button } from "../widgets/elements.js";

@@ -139,8 +139,8 @@ export class Lane {
     const at = run ? run.foundBy() : -1;
     return {
       isOver: run?.status !== "running",
-      found: run && at >= 0 ? run.history.row(at)[PAST.evaluations] : null,
-      cost: run ? run.past[PAST.cost] : Infinity,
+      found: run && at >= 0 ? run.history.row(at)[PAST.clearanceEvaluations] : null,
+      cost: run ? run.past[PAST.length] : Infinity,
       metric: this.metric,
       collides: Boolean(this.playback?.flaw),
     };

@@ -33,7 +33,7 @@ export function experimentOver({ record, entry, name, plans, names, planners }, 
       const table = infos.find(({ id }) => id === algorithm)?.parameters ?? [];
       const usual = new Map(table.map(({ name: parameter, default: value }) => [parameter, value]));
       const set = changed(settings, (parameter) => usual.get(parameter));
-      // In a race with its letter, which tells planners apart that differ in their seeds alone.
+      // In a race with its letter, since planners may differ in their seeds alone.
       return /** @type {ExperimentDocument["planners"][number]} */ ({
         ...(rivals.length > 0 ? { name: names[lane] } : {}),
         algorithm,

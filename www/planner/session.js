@@ -307,7 +307,7 @@ export class Session {
   }
 
   /**
-   * Asks the roadmap that stands for the path between two configurations: nothing is planned anew.
+   * Asks the roadmap that stands for the path between two configurations: nothing is planned again.
    * @param {Configuration} start
    * @param {Configuration} goal
    * @param {string} query   its name, empty if it is none of the scenario's

@@ -139,16 +139,16 @@ function laneState(lane) {
     made: run.made,
     vertices: past[PAST.vertices],
     edges: past[PAST.edges] - run.countOf(EVENT.rewired),
-    checks: past[PAST.checks],
-    motions: past[PAST.motions],
-    evaluations: past[PAST.evaluations],
-    cost: past[PAST.cost],
-    gap: gapOf(past[PAST.cost], truth),
+    checks: past[PAST.configurationChecks],
+    motions: past[PAST.motionChecks],
+    evaluations: past[PAST.clearanceEvaluations],
+    cost: past[PAST.length],
+    gap: gapOf(past[PAST.length], truth),
     length:
       isEnd && status === "solved"
         ? (run.result.blended_length ?? run.result.length)
-        : run.phase === "improving" && past[PAST.cost] < Infinity
-          ? past[PAST.cost]
+        : run.phase === "improving" && past[PAST.length] < Infinity
+          ? past[PAST.length]
           : null,
     unit: unitOf(scenario.document().robot),
     reason: isEnd ? (run.result.reason ?? null) : null,

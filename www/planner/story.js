@@ -59,7 +59,7 @@ export function going(run, scene) {
   const own = `the ${robotName(run.scenario.robot)}\u2019s configurations`;
   const begins = run.shown < OPENING;
   if (phase === "improving" && run.goesOn)
-    return `A path is found. ${run.kind === "trees" ? "Trees grow anew" : `The ${run.isTree ? "tree" : "roadmap"} grows on`} by motions ${checked}, and the best path gets shorter.`;
+    return `A path is found. ${run.kind === "trees" ? "The trees restart" : `The ${run.isTree ? "tree" : "roadmap"} grows on`} by motions ${checked}, and the best path gets shorter.`;
   if (phase === "improving") return `A path is found; it is now being shortened by motions ${checked}.`;
   if (phase === "sampling")
     return `${sought}. Each dot is a collision-free configuration of the ${robotName(run.scenario.robot)}.`;
@@ -227,7 +227,7 @@ function standing(lanes, standings) {
       ? "Every planner gave up, without a path."
       : "All planners get the same budget, measured in clearance evaluations (distance computations).";
   const { found } = standings[first[0]];
-  if (isOver && lanes.every(({ run }) => run?.past[PAST.evaluations] === 0))
+  if (isOver && lanes.every(({ run }) => run?.past[PAST.clearanceEvaluations] === 0))
     return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";
   const [best] = shortest;
   const length = best === undefined ? "" : lengthText(standings[best].cost, lanes[best].scenario);

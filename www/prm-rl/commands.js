@@ -154,7 +154,7 @@ export const commands = {
   /**
    * Drives along a path several times, each with noise of its own.
    * @param {NavigationDocument} document  with one query
-   * @param {PolicyDocument | null} policy  null: by a controller that looks at no rays
+   * @param {PolicyDocument | null} policy  null: by a controller that does not use its rays
    * @param {number[][]} path @param {number} seed @param {number} trials
    * @returns {Execution[]}
    */
@@ -168,7 +168,7 @@ export const commands = {
   },
 
   /**
-   * Begins a comparison of the ways to drive.
+   * Begins a comparison of the methods.
    * @param {NavigationDocument} document
    * @param {PolicyDocument} policy
    * @param {Settings} settings

@@ -1,4 +1,4 @@
-/** A comparison of the ways to drive, as the page shows it: it grows while it runs, and can be paused. */
+/** A comparison of the methods, as the page shows it: it grows while it runs, and can be paused. */
 
 import { coalesced, latest } from "../app/work.js";
 

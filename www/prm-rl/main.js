@@ -176,7 +176,7 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
         id: "summary",
         title: "Comparison",
         format: "JSON",
-        meaning: "The statistics of the ways.",
+        meaning: "The statistics of the methods.",
         content: () => json({ summary: comparison.summary, queries: comparison.queries }),
         name: () => `${names.name()}-comparison`,
       },

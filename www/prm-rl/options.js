@@ -1,4 +1,4 @@
-/** The options of the ways that plan: those of the core, with usual values of this page for the roadmap. */
+/** The options of the methods that plan: as in the core, with usual values of this page for the roadmap. */
 import { comparisonOptions, rolloutOptions } from "planarium/full";
 import { withSeed } from "../widgets/field.js";
 

@@ -44,7 +44,7 @@ import { TrainingRun } from "./training.js";
 /** The floor at first. */
 export const FIRST = /** @type {const} */ ({ kind: "rooms", options: { seed: 2 } });
 
-/** The ways that can be planned and driven one by one. @type {Way[]} */
+/** The methods that can be planned and driven one by one. @type {Way[]} */
 export const WAYS = ["policy", "straight", "straight-policy", "prm-rl"];
 
 /** @returns {Run} */

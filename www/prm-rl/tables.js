@@ -1,5 +1,5 @@
 /**
- * The tables of this page: the ways to drive to one goal, the edges of a path, and the comparison with its intervals
+ * The tables of this page: the methods that drive to one goal, the edges of a path, and the comparison with its intervals
  * drawn.
  */
 import { byId, grouped, make, makeSvg } from "../app/dom.js";

@@ -41,7 +41,7 @@ export class TrainingRun {
     this.selected = 0;
   }
 
-  /** Begins anew, unless the settings are refused. */
+  /** Begins again, unless the settings are refused. */
   begin = latest(async (signal) => {
     const { session, pool, given } = this;
     this.status = "beginning";
@@ -90,7 +90,7 @@ export class TrainingRun {
     }
   }
 
-  /** Forgets the training: the next one begins anew. */
+  /** Forgets the training: the next one begins from scratch. */
   clear() {
     this.begin.cancel();
     this.pool.isRunning = false;

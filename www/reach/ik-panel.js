@@ -32,7 +32,7 @@ export class IkPanel {
     this.host = byId("solve", HTMLElement);
     /** The configuration at which the run starts. */
     this.start = session.robot.q;
-    /** The configuration that this panel has set: with another one the run starts anew. @type {unknown} */
+    /** The configuration that this panel has set: with another one the run starts again. @type {unknown} */
     this.shown = null;
     /** The settings that differ from the defaults. @type {Settings} */
     this.given = {};

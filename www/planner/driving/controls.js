@@ -243,7 +243,7 @@ export class DriveControls {
   }
 
   /**
-   * Drives as a link tells: a recording is replayed; with a control, the motion of that control from the recording's
+   * Drives as a link says: a recording is replayed; with a control, the motion of that control from the recording's
    * end is shown.
    * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll
    * @param {Experiment["euler"]} euler @throws {Error} with `code` and `pointer`

@@ -28,7 +28,7 @@ export function thinned(runs, column, head, isLog = false) {
     Float64Array.from(
       sorted.flatMap((time) => {
         const row = run.history.row(run.iterationAt(column, time));
-        return [time, row[PAST.vertices], row[PAST.cost]];
+        return [time, row[PAST.vertices], row[PAST.length]];
       }),
     ),
   );

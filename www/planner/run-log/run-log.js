@@ -3,6 +3,7 @@
  * a row of counts to the history. The graph at an earlier iteration is therefore the beginning of the log: going back
  * needs no planning.
  */
+import { eventKinds, historyColumns } from "planarium";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 import { firstIndex } from "../../domain/search.js";
@@ -17,20 +18,11 @@ import { grownSince } from "../worker/stepper.js";
 
 /** @typedef {{ phases: readonly string[], planners: PlannerInfo[] }} Catalogue   of the package */
 
-/** Kinds of event, by the numbers of the package. */
-export const EVENT = {
-  rejected: 0,
-  refused: 1,
-  expanded: 2,
-  solved: 3,
-  discarded: 4,
-  guard: 5,
-  removed: 6,
-  rewired: 7,
-};
+/** The numbers of the kinds of event. */
+export const EVENT = numbersOf(eventKinds);
 
-/** Columns of a row of history, in the order of the package. */
-export const PAST = { vertices: 0, edges: 1, events: 2, phase: 3, checks: 4, motions: 5, evaluations: 6, cost: 7 };
+/** The columns of a row of history. */
+export const PAST = numbersOf(historyColumns);
 
 /** The root of a vertex: none in a roadmap, or that of the start or the goal. */
 export const SIDE = { none: 0, start: 1, goal: 2 };
@@ -185,7 +177,7 @@ export class RunLog {
   /** The first iteration with a path, up to a last one; -1 without a path. @param {number} [last] */
   foundBy(last = this.shown) {
     const { data, width } = this.history;
-    const hasPath = (/** @type {number} */ i) => data[i * width + PAST.cost] < Infinity;
+    const hasPath = (/** @type {number} */ i) => data[i * width + PAST.length] < Infinity;
     return hasPath(last) ? firstIndex(0, last, hasPath) : -1;
   }
 
@@ -302,7 +294,7 @@ export class RunLog {
   /** The length of the path before shortcutting; Infinity without a path. */
   get rawLength() {
     const found = this.foundBy(this.made);
-    return found < 0 ? Infinity : this.history.row(found)[PAST.cost];
+    return found < 0 ? Infinity : this.history.row(found)[PAST.length];
   }
 
   /**
@@ -405,4 +397,14 @@ function rowsOf(edge, { data, width, count }, firsts) {
   let end = first;
   while (end < count && data[end * width] === edge) end++;
   return data.slice(first * width, end * width).filter((_, i) => i % width > 0);
+}
+
+/**
+ * The number of each word of a list.
+ * @template {string} W
+ * @param {readonly W[]} words
+ * @returns {Record<W, number>}
+ */
+function numbersOf(words) {
+  return /** @type {Record<W, number>} */ (Object.fromEntries(words.map((word, i) => [word, i])));
 }

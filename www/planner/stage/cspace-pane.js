@@ -21,7 +21,7 @@ import { folded, unrolled } from "../../draw/trace.js";
  */
 
 /**
- * Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for so many device
+ * Cells a side of the picture of obstacles: `rough` at first and while the world is edited, then one for a number of device
  * pixels.
  */
 const CELLS = { rough: 64, least: 256, most: 512, pixels: 2 };

@@ -13,7 +13,7 @@ const INFORMED = new Set(["informed-rrt-star", "bit-star", "aorrtc"]);
 
 /** Whether a lane shows an ellipse. @param {Lane} lane */
 export function isInformed({ run, scenario }) {
-  return run !== null && scenario.robot === "disc" && INFORMED.has(run.algorithm) && run.past[PAST.cost] < Infinity;
+  return run !== null && scenario.robot === "disc" && INFORMED.has(run.algorithm) && run.past[PAST.length] < Infinity;
 }
 
 /**
@@ -30,7 +30,7 @@ export function drawInformed(context, view, lane, colour) {
   } = lane;
   if (!run || !start || !goal || !isInformed(lane)) return;
   const [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
-  const cost = run.past[PAST.cost];
+  const cost = run.past[PAST.length];
   // The path may be the straight line, or shorter than it by rounding.
   const across = Math.sqrt(Math.max(0, cost * cost - dx * dx - dy * dy));
   context.save();

@@ -29,7 +29,7 @@ export class Clock {
 
   /** The column of the history with this time; -1 counts iterations. */
   get column() {
-    return this.isRace ? PAST.evaluations : -1;
+    return this.isRace ? PAST.clearanceEvaluations : -1;
   }
 
   /** The time in a step. */

@@ -3,7 +3,7 @@
  * a row of counts to the history. The graph at an earlier iteration is therefore the beginning of the log: going back
  * needs no planning.
  */
-import { eventKinds, historyColumns } from "#tables";
+import { eventKinds, historyColumns } from "../../../dist/package/tables.js";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 import { firstIndex } from "../../domain/search.js";

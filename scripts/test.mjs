@@ -46,7 +46,7 @@ const JAVASCRIPT = "**/*.{js,mjs,ts}";
 const REPEATED_LINES = 40;
 
 /** How many test files run at a time: a test of a page keeps both its own process and the browser's busy. */
-const FILES_AT_A_TIME = 3;
+const FILES_AT_A_TIME = 2;
 
 /** The folder of wasm-bindgen's programs. */
 let bindgenFolder = "";

@@ -151,7 +151,7 @@ export function tablesOf({ phases, event_kinds, history_columns }) {
       )
       .join("");
   return {
-    script: each((name, list) => `export const ${name} = Object.freeze(${list});`),
+    script: each((name, list) => `export const ${name} = /* @__PURE__ */ Object.freeze(${list});`),
     declarations: each((name, list) => `export declare const ${name}: readonly ${list};`),
   };
 }

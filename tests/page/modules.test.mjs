@@ -13,6 +13,7 @@ import { EVENT, PAST, SIDE } from "../../www/planner/run-log/run-log.js";
 import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
+import { hitsOf } from "../../www/planner/stage/growth.js";
 import { folded, unrolled } from "../../www/draw/trace.js";
 import { motionCurves } from "planarium/draw";
 import { ending, going } from "../../www/planner/story.js";
@@ -566,4 +567,28 @@ test("thinning keeps the first path and the end, rises, and costs no more for a 
     );
     assert.equal(costs[costs.length - 1], run.history.row(run.made)[PAST.length]);
   }
+});
+
+test("a rejected motion that ends outside the bounds is drawn whole, and the others up to where they hit", () => {
+  const wall = [5, 0, 6, 4, 5, 4];
+  const scenario = Scenario.parse({
+    format: "planarium-scenario-1",
+    name: "wall",
+    world: {
+      bounds: { min: [0, 0], max: [10, 10] },
+      obstacles: [{ type: "polygon", vertices: [wall.slice(0, 2), wall.slice(2, 4), wall.slice(4)] }],
+    },
+    robot: { type: "disc", radius: 0 },
+    queries: [{ name: "round", start: [1, 1], goal: [9, 1] }],
+  });
+  const planner = scenario.planner({ seed: 1 });
+  const [inside, outside] = [
+    [1, 1, 9, 1],
+    [1, 1, 1, 11],
+  ];
+  const [part] = planner.firstHits(inside);
+  assert.ok(part < 1);
+  const hits = hitsOf(planner, Float64Array.of(...inside, ...outside, ...inside), 4);
+  assert.deepEqual([...hits], [part, 1, part]);
+  assert.throws(() => hitsOf(planner, Float64Array.of(1, 1, NaN, 1), 4), { code: "not-finite" });
 });

@@ -66,12 +66,13 @@ const isOpen = await app.open(
     const stage = byId("stage", HTMLElement);
     const readout = byId("readout", HTMLOutputElement);
     const hint = matchMedia("(hover: hover)").matches ? "Point at a vertex to see its details." : "";
+    const seeds = new LazyFeature(notice, () => import("./over-seeds.js"));
     const panel = new Panel(() => library.randomSeed() % SEEDS, {
       lane: (lane) => page.change({ lanes: page.record.lanes.with(0, lane) }),
       query: (query) => page.change({ query }),
       own: () => page.useOwn(),
       // A page in one file has no others beside it.
-      seeds: document.querySelector(".rooms") && (() => page.overSeeds()),
+      seeds: document.querySelector(".rooms") && (() => seeds.use(({ openOverSeeds }) => openOverSeeds(page))),
     });
     const page = new Page(app, session, panel, new Planners(session.catalogue.planners));
     const sheets = new Sheets(page);

@@ -69,7 +69,12 @@ function worldOf({ scene, document, options = {}, query }, title) {
 }
 
 /** Opens the experiments page with the scene, the query and the planners of a page. @param {Page} page */
-export async function openOverSeeds(page) {
+export function openOverSeeds(page) {
+  void page.app.track(open(page), "The experiment cannot be opened.");
+}
+
+/** @param {Page} page */
+async function open(page) {
   const document = experimentOver(page, page.session.library.planners());
   const fragment = await encodeFragment({ document, view: { chart: "success", measure: "solved" }, run: true }, LIMITS);
   make("a", { href: `experiments.html#${fragment}`, target: "_blank", rel: "noopener" }).click();

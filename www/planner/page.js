@@ -258,12 +258,6 @@ export class Page {
     void this.app.track(this.open({ scene, options, query, lanes: record.lanes.with(0, laneOf(entry)) }));
   }
 
-  /** Opens the experiments page with the scene and the planners of the runs, over many seeds. */
-  overSeeds() {
-    const opening = import("./over-seeds.js").then(({ openOverSeeds }) => openOverSeeds(this));
-    void this.app.track(opening, "The experiment cannot be opened.");
-  }
-
   /** Begins new runs. @param {boolean} play */
   begin(play) {
     const { session, plans, query = "" } = this;

@@ -3,6 +3,7 @@
  * a jump it starts from the nearest snapshot. Each layer is drawn in the order of the log, one mark at a time, so that
  * the picture of an iteration is the same to the pixel however it was reached.
  */
+import { errorInfo } from "../../app/error-info.js";
 import { difference } from "planarium/draw";
 import { EVENT, PAST } from "../run-log/run-log.js";
 import { cross, disc, ring, setStroke } from "../../draw/marks.js";
@@ -283,7 +284,7 @@ export class Growth {
       ends.set(run.vertices.row(data[i * width + 2]), k * 2 * n);
       ends.set(other >= 0 ? run.vertices.row(other) : data.subarray(i * width + 4, i * width + 4 + n), k * 2 * n + n);
     });
-    const hits = run.isDriven ? new Float64Array(which.length).fill(1) : run.planner.firstHits(ends);
+    const hits = run.isDriven ? new Float64Array(which.length).fill(1) : hitsOf(run.planner, ends, 2 * n);
     const { points, firsts } = this.pane.lines(shortened(ends, n, hits, run.circles), run.circles);
     which.forEach((i, k) => lines.set(i, points.slice(2 * firsts[k], 2 * firsts[k + 1])));
     return lines;
@@ -295,6 +296,29 @@ export function countsOf(run) {
   if (!run) return { vertices: 0, edges: 0, events: 0 };
   const { past } = run;
   return { vertices: past[PAST.vertices], edges: past[PAST.edges], events: past[PAST.events] };
+}
+
+/**
+ * The part of each motion before its first collision. The end of a curve that was cut short may lie outside the bounds;
+ * the core does not ask about such a motion, and all of it is drawn.
+ * @param {Pick<RunLog["planner"], "firstHits">} planner
+ * @param {Float64Array} ends
+ * @param {number} width  numbers of a motion
+ * @returns {Float64Array}
+ */
+export function hitsOf(planner, ends, width) {
+  try {
+    return planner.firstHits(ends);
+  } catch (error) {
+    if (errorInfo(error).code !== "out-of-range") throw error;
+    const count = ends.length / width;
+    if (count === 1) return Float64Array.of(1);
+    const half = width * Math.floor(count / 2);
+    return Float64Array.of(
+      ...hitsOf(planner, ends.subarray(0, half), width),
+      ...hitsOf(planner, ends.subarray(half), width),
+    );
+  }
 }
 
 /** The motions from each row to the next, as rows of from, to. @param {Float64Array} rows @param {number} n */

@@ -15,6 +15,7 @@ import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
 import { hitsOf } from "../../www/planner/stage/growth.js";
 import { folded, unrolled } from "../../www/draw/trace.js";
+import { Scenario } from "planarium";
 import { motionCurves } from "planarium/draw";
 import { ending, going } from "../../www/planner/story.js";
 import { nameAll } from "../../www/planner/race/names.js";
@@ -570,13 +571,18 @@ test("thinning keeps the first path and the end, rises, and costs no more for a 
 });
 
 test("a rejected motion that ends outside the bounds is drawn whole, and the others up to where they hit", () => {
-  const wall = [5, 0, 6, 4, 5, 4];
+  /** @type {[number, number][]} */
+  const vertices = [
+    [5, 0],
+    [6, 4],
+    [5, 4],
+  ];
   const scenario = Scenario.parse({
     format: "planarium-scenario-1",
     name: "wall",
     world: {
       bounds: { min: [0, 0], max: [10, 10] },
-      obstacles: [{ type: "polygon", vertices: [wall.slice(0, 2), wall.slice(2, 4), wall.slice(4)] }],
+      obstacles: [{ type: "polygon", vertices }],
     },
     robot: { type: "disc", radius: 0 },
     queries: [{ name: "round", start: [1, 1], goal: [9, 1] }],

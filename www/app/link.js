@@ -132,21 +132,25 @@ export async function useLink(app, rule, { save, spare = "", open, contents }) {
   };
   const share = makeShare(app, encode, () => (typeof contents === "string" ? contents : contents(isWhole)));
   byId("link", HTMLElement).addEventListener("click", () => void share());
+  /** The number of the newest address: an older one, which takes longer to read, is given up. */
+  let newest = 0;
   addEventListener("hashchange", () => {
     if (location.hash) void app.track(openAddress());
   });
   await openAddress();
 
   async function openAddress() {
+    const own = ++newest;
     if (location.hash.length < 2) return void (await open(null));
     const { state, fault } = await decodeState(location.hash, rule);
+    if (own !== newest) return;
     try {
       if (state) app.notice.hide();
       await open(state);
       if (!state) app.notice.show(fault, "");
     } catch (error) {
       // Something else has begun meanwhile.
-      if (isAbort(error)) return;
+      if (isAbort(error) || own !== newest) return;
       await open(null);
       app.fail(error, "The link cannot be opened.");
     }

@@ -6,6 +6,7 @@ import { randomSeed } from "planarium";
 import { App } from "./app.js";
 import { byId } from "./dom.js";
 import { watchFiles } from "./drop.js";
+import { watchEscape } from "./escape.js";
 import { watchKeys } from "./keys.js";
 import { useLink } from "./link.js";
 import { isAbort, latest } from "./work.js";
@@ -40,7 +41,7 @@ import { isAbort, latest } from "./work.js";
 /** New seeds are below this: short enough to say aloud. */
 const SEEDS = 100_000;
 
-export class Room {
+class Room {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
@@ -90,6 +91,7 @@ export class Room {
  */
 export async function openRoom(name, make) {
   const app = new App();
+  watchEscape();
   const room = new Room(app);
   await app.open(name, async (/** @type {Remote<C>} */ worker) => {
     const { show, rebuild, rule, link, openFile, reseed, keys } = make(room, worker);

@@ -2,7 +2,7 @@
 
 /**
  * Work of which only the newest call counts: a newer one aborts the older, and `cancel` aborts it too. A call that was
- * aborted rejects with an `AbortError`, which `App.fail` does not show.
+ * aborted rejects with an `AbortError`, which `App.fail` does not show, whatever came of its work.
  * @template {unknown[]} A
  * @template T
  * @param {(signal: AbortSignal, ...args: A) => Promise<T>} work
@@ -14,9 +14,11 @@ export function latest(work) {
   const call = async (/** @type {A} */ ...args) => {
     cancel();
     const { signal } = (controller = new AbortController());
-    const result = await work(signal, ...args);
-    signal.throwIfAborted();
-    return result;
+    try {
+      return await work(signal, ...args);
+    } finally {
+      signal.throwIfAborted();
+    }
   };
   return Object.assign(call, { cancel });
 }
@@ -31,16 +33,18 @@ export function coalesced(work) {
   let running = null;
   let isDue = false;
   const run = async () => {
-    while (isDue) {
-      isDue = false;
-      await work();
+    try {
+      while (isDue) {
+        isDue = false;
+        await work();
+      }
+    } finally {
+      running = null;
     }
   };
   return () => {
     isDue = true;
-    return (running ??= run().finally(() => {
-      running = null;
-    }));
+    return (running ??= run());
   };
 }
 

@@ -8,7 +8,7 @@ import { drawLine } from "./marks.js";
 export const MARGIN = { left: 34, right: 12, top: 12, bottom: 32 };
 
 /** @param {Coordinate} coordinate */
-export function titleOf({ name, unit }) {
+function titleOf({ name, unit }) {
   return unit === "m" ? `${name} (m)` : name;
 }
 

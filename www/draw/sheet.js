@@ -187,8 +187,8 @@ export class Sheet {
   /**
    * Draws what is out of date.
    * @param {Share} [share]
-   * @returns {boolean} whether it made a copy: then no log has grown, as the browser rasterizes all pending drawing
-   *   before it copies
+   * @returns {boolean} whether it made a copy: then no log has grown but one that was emptied, as the browser
+   *   rasterizes all pending drawing before it copies
    */
   draw({ until = Infinity, most = Infinity } = {}) {
     if (!this.palette || this.width === 0) return false;
@@ -202,7 +202,7 @@ export class Sheet {
     for (const { content, drawn } of all) {
       const { key, draw, logs = [], clip } = content;
       const { layer } = drawn;
-      if (draw ? isSame(key, drawn.key) : due || most <= 0 || drawn.shows(content)) continue;
+      if (draw ? isSame(key, drawn.key) : (due && !drawn.isWhole) || most <= 0 || drawn.shows(content)) continue;
       if (clip && !layer.clip) layer.enclose(clip);
       if (draw) layer.clear();
       const { context } = layer;

@@ -7,6 +7,7 @@
  */
 import { Experiment } from "planarium/full";
 import { App } from "../app/app.js";
+import { watchEscape } from "../app/escape.js";
 import { byId, counted, grouped, make } from "../app/dom.js";
 import { watchFiles } from "../app/drop.js";
 import { json } from "../app/files.js";
@@ -51,6 +52,7 @@ const AT_ONCE = { here: 5000, link: 400 };
 const SCALE = 2;
 
 const app = new App();
+watchEscape();
 
 await app.open("experiments", async (/** @type {ExperimentWorker} */ worker) => {
   const session = new ExperimentSession(app, worker);

@@ -100,7 +100,12 @@ export class Pool {
         while (!signal.aborted && !isFailed) {
           const job = queue.jobOf(worker, this.most);
           if (!job) return;
-          if (document && this.opened.get(worker) !== document) await this.open(document, worker);
+          if (document && this.opened.get(worker) !== document) {
+            await this.open(document, worker);
+            if (signal.aborted) return;
+            // A worker that was opened again does not know how far its trials were.
+            job.isNew = true;
+          }
           const {
             first,
             rows: ended,

@@ -7,7 +7,7 @@
 /** A cell of a row. @typedef {number | string | boolean | null} Cell */
 
 /** The columns of times, which no seed decides. */
-export const TIMES = ["build_seconds", "search_seconds"];
+const TIMES = ["build_seconds", "search_seconds"];
 /** The most trials of the page: about 250 bytes each. */
 export const MOST = 1_000_000;
 

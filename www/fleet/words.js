@@ -14,7 +14,7 @@ export function nameOf({ robots }, i) {
 }
 
 /** Several robots in words. @param {FleetSession} session @param {number[]} all */
-export function namesOf(session, all) {
+function namesOf(session, all) {
   const [first, ...rest] = all.slice(0, NAMED).map((i) => nameOf(session, i));
   const others = all.length - NAMED;
   const words = [first, ...rest.map((name) => name.replace(/^robot /, "")), ...(others > 0 ? [`${others} more`] : [])];

@@ -3,7 +3,7 @@
 /** @import { Entry, Topic } from "./format.js" */
 
 /** @type {{ id: Topic, title: string, about: string, best: string[] }[]} */
-export const TOPICS = [
+const TOPICS = [
   {
     id: "sampling",
     title: "Sampling",

@@ -35,6 +35,8 @@ export function watchAsking(page) {
   });
   page.onOpen(offer);
   page.onState(reflect);
+  offer();
+  if (page.state) reflect(page.state);
 
   function offer() {
     queries.replaceChildren(

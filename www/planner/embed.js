@@ -3,6 +3,7 @@
  * docs/teaching.md lists. Once ready and with each change, the frame posts its state to the parent.
  */
 import { errorInfo } from "../app/error-info.js";
+import { watchEscape } from "../app/escape.js";
 import { paced } from "../app/paced.js";
 import { entryOf, laneOf } from "./experiment.js";
 
@@ -168,13 +169,5 @@ export function watchParent(page) {
     paced(PAUSE, () => window.parent.postMessage({ planarium: "state", state: numbersOf(page.state) }, "*")),
   );
 
-  // Escape returns the focus to the parent.
-  if (document.documentElement.classList.contains("embed")) {
-    addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || event.defaultPrevented) return;
-      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-      window.parent.focus();
-      window.parent.postMessage({ planarium: "escape" }, "*");
-    });
-  }
+  watchEscape();
 }

@@ -30,7 +30,6 @@ import { LazyFeature } from "../app/lazy-feature.js";
 import { watchKeys } from "../app/keys.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
 import { watchAnnouncements } from "./announce.js";
-import { watchAsking } from "./ask.js";
 import { offerCertificate } from "./certificate/controls.js";
 import { Counters } from "./counters.js";
 import { sourceOf } from "./experiment.js";
@@ -91,7 +90,6 @@ const isOpen = await app.open(
     });
     watchFiles(app, (name, bytes) => void app.track(openFile(name, bytes), `${name} could not be opened.`));
     watchAnnouncements(page);
-    watchAsking(page);
     offerCertificate(page, worker);
     showPseudocode(page);
 
@@ -105,6 +103,8 @@ const isOpen = await app.open(
       "race-fold",
     );
     page.loadRace = () => race.get();
+    const asking = new LazyFeature(notice, async () => (await import("./ask.js")).watchAsking(page));
+    let canAsk = false;
     new LazyFeature(notice, async () => (await import("./view.js")).watchView(page)).inFold("view-fold");
     new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
     new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page))
@@ -137,6 +137,10 @@ const isOpen = await app.open(
     });
     page.onState((state) => {
       counters.show(state.lanes[0], state.settled);
+      if (!canAsk && (state.canAsk || (page.facts?.queries.length ?? 0) > 1)) {
+        canAsk = true;
+        asking.use();
+      }
       showLegend(page, state);
       const { hover } = state;
       write(readout, hover ? hover.text : hint);
@@ -200,7 +204,7 @@ const isOpen = await app.open(
     /** Loads the modules that other scenes and prints need, for when there is no network. */
     async function loadModules() {
       try {
-        await Promise.all([options.get(), placed(), print.get()]);
+        await Promise.all([options.get(), placed(), asking.get(), print.get()]);
         document.body.dataset.complete = "true";
       } catch {
         // There is no network any more: the next use tries again, and reports the error.

@@ -200,7 +200,8 @@ export class Page {
     if (!facts) return [];
     const next = /** @type {Experiment} */ ({ ...before, ...patch });
     // Other coordinates have other meanings.
-    if (was !== facts.robot && !patch.view) next.view = { ...next.view, axes: undefined };
+    if ((was !== facts.robot || this.facts?.dimension !== facts.dimension) && !patch.view)
+      next.view = { ...next.view, axes: undefined };
     const { experiment, faults } = fitted(next, facts, planners, { was, isAsGiven });
     const { iteration, pose, drive: _drive, roll: _roll, euler: _euler, ...lasting } = experiment;
     this.record = { ...lasting, iteration: 0 };

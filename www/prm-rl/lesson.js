@@ -125,11 +125,15 @@ export class Lesson {
 
   /** Turns the robot once on the spot. */
   async turn() {
-    const { session, app } = this;
-    const [x, y, theta] = session.start;
+    const { session, app, step } = this;
+    const {
+      document,
+      start: [x, y, theta],
+    } = session;
     const begin = performance.now();
     for (let part = 0; !app.reducedMotion && part < 1;) {
       await new Promise(requestAnimationFrame);
+      if (this.step !== step || session.document !== document) return;
       part = Math.min(1, (performance.now() - begin) / 2500);
       session.setEnds({ start: [x, y, theta + 2 * Math.PI * part] });
     }
@@ -156,8 +160,10 @@ export class Lesson {
     this.band.show("run");
     try {
       await run();
-    } finally {
       if (this.step === step) this.band.show("answer", text());
+    } catch (error) {
+      if (this.step === step) this.band.show("question");
+      throw error;
     }
   }
 

@@ -120,6 +120,9 @@ export async function openState(
   const source = /** @type {Source} */ (document ? { document } : { kind, options });
   if (step > 0) lesson.leave();
   session.open(source, { start, goal });
+  const { document: own } = session;
+  // Another floor may be opened while the link's training, plan or drives are made.
+  const isLeft = () => session.document !== own;
   session.usePolicy(session.shipped, "shipped");
   session.setPart(part);
   if (way !== "policy") session.given[way] = given;
@@ -130,15 +133,19 @@ export async function openState(
   training.clear();
   if (part === "train" || generations > 0) {
     await training.begin();
+    if (isLeft()) return;
     await training.run(generations);
+    if (isLeft()) return;
   }
   if (policy === "trained" && training.policy) session.usePolicy(training.policy, "trained");
   if (planned) await session.plan(true);
+  if (isLeft()) return;
   if (driven) {
     await session.drive(true);
+    if (isLeft()) return;
     session.setTime(time);
     session.select({ selected: Math.min(selected, trials - 1) });
   }
   if (executions > 0) await comparison.run(executions);
-  if (step > 0) await lesson.put(step);
+  if (step > 0 && !isLeft()) await lesson.put(step);
 }

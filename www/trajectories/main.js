@@ -145,16 +145,20 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
     const { settings } = options;
     course.pause();
     if (!settings) return refuse();
+    isRefused = false;
     app.notice.hide();
     const isBegun = await room.attempt(
       async () => {
         await experiment.begin(/** @type {TrajectoryOptions} */ (settings));
         return true;
       },
-      (pointer, message) => options.refuse(pointer, message) && !refuse(),
+      (pointer, message) => {
+        const isKnown = options.refuse(pointer, message);
+        refuse();
+        return isKnown;
+      },
     );
     if (!isBegun) return false;
-    isRefused = false;
     course.enable(true);
     animationStart = performance.now();
     app.changed();
@@ -173,6 +177,8 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
 
   /** @param {State | null} state */
   async function open(state) {
+    // A link that cannot be read leaves the open experiment in place.
+    if (!state && experiment.result) return;
     const { given, tried, one } = state ?? stateRule.defaults;
     options = form(given);
     const unknown = Object.keys(given).find((name) => !options.field(name));
@@ -182,7 +188,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
       if (state || app.reducedMotion) await experiment.advance(state ? tried : Infinity, showProgress);
       else course.setPlaying(true);
       figure.redraw(["top"]);
-    } else if (state) throw new Error("Its settings are not valid.");
+    } else if (state && isRefused) throw new Error("Its settings are not valid.");
   }
 
   /** Shows the numbers. */

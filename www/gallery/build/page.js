@@ -20,7 +20,7 @@ function holdsMark(verdict) {
 }
 
 /** The planners of an entry, by their ids. @param {Entry} entry @returns {string[]} */
-export function plannersOf(entry) {
+function plannersOf(entry) {
   return entry.page === "planner" ? [...new Set(entry.state.lanes.map(({ algorithm = "" }) => algorithm))] : [];
 }
 

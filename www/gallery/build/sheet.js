@@ -13,7 +13,7 @@ export const SIDE = 300;
 export const CELLS = 72;
 
 /** The colours by the names that the page's style gives them: the file's own style has their values. */
-export const PALETTE = /** @type {Palette} */ (
+const PALETTE = /** @type {Palette} */ (
   Object.fromEntries(
     [
       "stage",

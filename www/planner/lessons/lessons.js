@@ -46,7 +46,10 @@ export class Lessons {
     );
     byId("lessons", HTMLElement).append(list);
     page.onState((state) => {
-      if (this.shown === "run" && this.isOver(state)) this.show("answer");
+      if (this.shown !== "run") return;
+      // Something else was opened while the step ran.
+      if (!this.isThere) this.show("question");
+      else if (this.isOver(state)) this.show("answer");
     });
   }
 
@@ -133,7 +136,7 @@ export class Lessons {
 
   /** Whether the run has ended or paused. @param {State} state */
   isOver({ clock, lanes: [{ status }] }) {
-    return (status !== "running" || clock.now >= (this.rest ?? Infinity)) && this.isThere;
+    return status !== "running" || clock.now >= (this.rest ?? Infinity);
   }
 
   /** Shows the question, or also the answer. @param {Shown} shown */

@@ -55,7 +55,9 @@ export class Link {
   async open(fragment) {
     const { page } = this;
     this.faults = [];
+    const request = ++page.request;
     const { experiment, fault } = await decodeLink(fragment);
+    if (request !== page.request) return;
     try {
       if (experiment) return await this.restore(experiment);
       if (!page.facts) await page.open({ scene: this.catalogue.scenes[0].id });

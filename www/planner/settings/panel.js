@@ -24,6 +24,8 @@ export class Panel {
       this.planner.focus();
     });
     this.own.hidden = true;
+    /** The settings of the scene that is shown. @type {Settings | undefined} */
+    this.scene = undefined;
     const newSeed = button("new-seed", "New seed", () => this.reseed());
     const rest = byId("more-parameters", HTMLElement);
     this.form = new SettingsForm(this.planner, byId("parameters", HTMLElement), rest, on.lane, ({ summary }) => {
@@ -47,7 +49,8 @@ export class Panel {
    */
   show(lane, infos, robot, scene) {
     const { form } = this;
-    const isOther = scene !== undefined || form.lane.algorithm !== lane.algorithm;
+    const isOther = scene !== this.scene || form.lane.algorithm !== lane.algorithm;
+    this.scene = scene;
     form.show(lane, infos, robot, scene);
     if (!isOther) return;
     // What differs from the scene and from the defaults is in view.

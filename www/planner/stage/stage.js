@@ -20,7 +20,7 @@ const RATION = { first: 240, least: 48, most: 960 };
 /** A frame is short below this number of milliseconds, and long above. */
 const GAP = { short: 18, long: 25 };
 
-export const KINDS = { workspace: Workspace, cspace: CSpace };
+const KINDS = { workspace: Workspace, cspace: CSpace };
 
 export class Stage {
   /** @param {Painter} painter @param {() => void} wake   requests a frame */

@@ -92,11 +92,12 @@ export async function assembleFront(out, pages) {
 
 /** The first fleet of its page on its way. */
 async function fleetPane() {
-  const [{ FleetSession }, { commands }, { Floor }, { drawWhole }, { NO_APP }] = await Promise.all([
+  const [{ FleetSession }, { commands }, { Floor }, { drawWhole }, { coloursOf }, { NO_APP }] = await Promise.all([
     import("../www/fleet/session.js"),
     import("../www/fleet/commands.js"),
     import("../www/fleet/floor.js"),
     import("../www/draw/sheet.js"),
+    import("../www/gallery/build/fleet.js"),
     import("../www/gallery/build/sheet.js"),
   ]);
   const session = new FleetSession(NO_APP, /** @type {any} */ (commands));
@@ -104,11 +105,7 @@ async function fleetPane() {
   await session.load({ kind: "ring", options: { count: 12 } }, { isQuick: true });
   session.setTime(MEETING);
   const floor = new Floor(session);
-  // Equal in lightness, as on the page, and in both themes.
-  floor.colours = session.robots.map((_, i) => {
-    const hue = 250 + (360 * i) / session.robots.length;
-    return `light-dark(oklch(0.53 0.135 ${hue}), oklch(0.78 0.135 ${hue}))`;
-  });
+  floor.colours = coloursOf(session.robots.length);
   return (/** @type {import("../www/draw/sheet.js").Brush} */ brush) => drawWhole(floor, brush);
 }
 

@@ -24,6 +24,11 @@ const NAMES = /** @type {const} */ ([
 
 /** @typedef {Record<typeof NAMES[number], string>} Palette */
 
+/** The colours as custom properties, for files whose own style has their values. */
+export const PROPERTIES = /** @type {Palette} */ (
+  Object.fromEntries(NAMES.map((name) => [name, `var(--${name.replace("E", "-e")})`]))
+);
+
 /** The colours of the series of a chart, in their order. */
 export const SERIES = /** @type {const} */ ([
   "start",
@@ -40,7 +45,7 @@ export const SERIES = /** @type {const} */ ([
 export function readPalette(root) {
   const probes = NAMES.map((name) => {
     const probe = document.createElement("span");
-    probe.style.color = `var(--${name.replace("E", "-e")})`;
+    probe.style.color = PROPERTIES[name];
     // Forced colours replace the colour of text, but not what it means here.
     probe.style.forcedColorAdjust = "none";
     return probe;

@@ -62,9 +62,10 @@ async function start() {
   try {
     const library = await import("planarium");
     await library.default();
+    const begun = beginRun(library);
     run?.planner.free();
     run?.scenario.free();
-    run = beginRun(library);
+    run = begun;
     speed = FIRST;
     enter("running");
   } catch {

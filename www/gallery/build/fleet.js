@@ -22,7 +22,7 @@ export async function openFleet({ state }) {
   const session = new FleetSession(NO_APP, /** @type {Remote<Commands>} */ (/** @type {unknown} */ (commands)));
   await openState(session, /** @type {State} */ ({ ...stateRule.defaults, ...state }));
   const floor = new Floor(session);
-  floor.colours = session.robots.map((_, i, { length }) => colourOf(Math.round(250 + (360 * i) / length) % 360));
+  floor.colours = coloursOf(session.robots.length);
   return {
     address,
     pane: PANE,
@@ -30,7 +30,13 @@ export async function openFleet({ state }) {
   };
 }
 
-/** As the page's colours of robots, for both themes: a picture does not know which one it will be in. @param {number} hue */
-function colourOf(hue) {
-  return `light-dark(oklch(0.53 0.135 ${hue}),oklch(0.78 0.135 ${hue}))`;
+/**
+ * The page's colours of robots, equal in lightness, for both themes: a picture does not know which one it will be in.
+ * @param {number} count
+ */
+export function coloursOf(count) {
+  return Array.from({ length: count }, (_, i) => {
+    const hue = Math.round(250 + (360 * i) / count) % 360;
+    return `light-dark(oklch(0.53 0.135 ${hue}),oklch(0.78 0.135 ${hue}))`;
+  });
 }

@@ -1,41 +1,16 @@
 /** What the pictures share: a sheet of panes that is written as SVG, and grounds without pixels. */
+import { PROPERTIES } from "../../app/palette.js";
 import { hatch } from "../../draw/hatch.js";
 import { SvgLayer } from "../../draw/svg-layer.js";
 import { slim } from "./slim.js";
 
 /** @import { App } from "../../app/app.js" */
-/** @import { Palette } from "../../app/palette.js" */
 /** @import { Brush } from "../../draw/figure.js" */
 
 /** Side of a pane, pixels. */
 export const SIDE = 300;
 /** Cells a side of obstacles in configuration space. */
 export const CELLS = 72;
-
-/** The colours by the names that the page's style gives them: the file's own style has their values. */
-const PALETTE = /** @type {Palette} */ (
-  Object.fromEntries(
-    [
-      "stage",
-      "ink",
-      "quiet",
-      "line",
-      "obstacle",
-      "obstacleEdge",
-      "robot",
-      "robotEdge",
-      "start",
-      "goal",
-      "growth",
-      "newest",
-      "halo",
-      "path",
-      "unproven",
-      "rejected",
-      "collision",
-    ].map((name) => [name, `var(--${name.replace("E", "-e")})`]),
-  )
-);
 
 /** The application, as far as a session needs one to compute. */
 export const NO_APP = /** @type {App} */ (
@@ -59,7 +34,7 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
     context.translate((i % columns) * width, Math.floor(i / columns) * height);
     draw({
       context,
-      palette: PALETTE,
+      palette: PROPERTIES,
       width,
       height,
       ratio: 1,
@@ -67,7 +42,7 @@ export function sheetOf(panes, { title, style }, { width, height } = { width: SI
     });
     context.restore();
   });
-  const file = layer.toString({ background: PALETTE.stage, title });
+  const file = layer.toString({ background: PROPERTIES.stage, title });
   return slim(file.replace(/(<svg[^>]*>)/, (root) => `${root}<style>${style}</style>`));
 }
 

@@ -109,7 +109,7 @@ const isOpen = await app.open(
     new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
     new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page))
       .inFold("editor-fold")
-      .byButton("edit", (editor) => editor.begin());
+      .byButton("edit", (editor) => editor.toggle());
     const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
     page.loadDrive = () => drive.get();
     const print = new LazyFeature(notice, async () => (await import("./print.js")).watchPrint(page));

@@ -147,8 +147,12 @@ export class EditorControls {
     if (this.fold.open) this.turn();
   }
 
-  /** Opens the editor and scrolls to it. */
-  begin() {
+  /** Opens the editor and scrolls to it, or closes it. */
+  toggle() {
+    if (this.fold.open) {
+      this.fold.open = false;
+      return;
+    }
     reveal(this.fold);
     this.place();
     (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({
@@ -172,6 +176,7 @@ export class EditorControls {
     const on = this.fold.open;
     this.act((editor) => editor.turn(on));
     this.stage.classList.toggle("editing", on);
+    press(byId("edit", HTMLElement), on);
     this.place();
   }
 

@@ -71,6 +71,8 @@ export class EditorControls {
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened, as a part of the page's state. @type {Patch} */
     this.original = {};
+    /** Its iterations a second. @type {number | undefined} */
+    this.pace = undefined;
     this.changes = 0;
     this.message = "";
     /** The objects that the fields are for. */
@@ -138,8 +140,9 @@ export class EditorControls {
     });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
     page.onOpen(() => {
-      const { scene, options, document } = page.record;
-      this.original = { scene, options, document };
+      const { scene, options, document, pace } = page.record;
+      this.original = { scene, options, document, pace };
+      this.pace = page.entry?.pace ?? pace;
     });
     page.onState(({ isEditing }) => {
       if (isEditing) this.show(this.editor);
@@ -299,9 +302,9 @@ export class EditorControls {
 
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */
   adopt(isChanged) {
-    const { page, original } = this;
+    const { page, original, pace } = this;
     const { document } = this.editor;
-    page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document } } : original);
+    page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document }, pace } : original);
     this.original = original;
   }
 }

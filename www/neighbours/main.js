@@ -97,8 +97,8 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
           ? "the scenario, your list, the target and the query"
           : "the scenario, the target and the query. Your list is too long for a link and is not included";
       },
-      open: async (/** @type {State | null} */ state) => {
-        if (state) await openState(session, state);
+      open: async (/** @type {State | null} */ state, signal) => {
+        if (state) await openState(session, state, signal);
         else if (session.count === 0 && !session.isLoading) await session.open(ROBOTS[0]);
       },
     },

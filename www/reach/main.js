@@ -126,8 +126,8 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
     link: {
       save: () => stateOf(session, ik),
       contents: "the robot, its configuration and the current mode",
-      open: async (/** @type {State | null} */ state) => {
-        if (state) await openState(session, ik, state);
+      open: async (/** @type {State | null} */ state, signal) => {
+        if (state) await openState(session, ik, state, signal);
       },
     },
     openFile: ({ text }) => session.open(text),

@@ -92,7 +92,7 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   const roadmap = byId("roadmap", HTMLInputElement);
   roadmap.addEventListener("change", () => {
     session.hasRoadmap = roadmap.checked;
-    figure.redraw(["ground"]);
+    app.requestFrame();
   });
   const names = { name: () => `fleet-${session.document?.name ?? ""}`, title: () => session.title };
   showDownloads(
@@ -179,8 +179,7 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   function show() {
     const { run, time, end, isStraight, shown, touching, robots, document } = session;
     if (!document) return;
-    figure.redraw(["top"]);
-    if (differs("ground", document, run, run.status, isStraight)) figure.redraw();
+    figure.redraw();
     list.show();
     if (differs("colours", document)) recolour();
     if (differs("offers", run, run.status, session.algorithm)) byId("offer", HTMLElement).replaceChildren(...offers());

@@ -40,8 +40,9 @@ export class Workspace {
   }
 
   get layers() {
+    const { list, document } = this.session;
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: [list, document], draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
   }

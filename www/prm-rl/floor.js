@@ -29,12 +29,12 @@ export class Floor {
   }
 
   get layers() {
-    const { part, run } = this.session;
+    const { part, run, document } = this.session;
     const { edges, refused, vertices } = run;
     // A roadmap of many edges is fainter.
     const isMany = edges.length > 2000;
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: document, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       roadmap: {
         key: [run, part, isMany],
         logs:

@@ -197,14 +197,14 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
     if (part !== "train" || length === 0 || app.reducedMotion || training.status !== "running") {
       if (demonstrations.time !== Infinity) {
         demonstrations.time = Infinity;
-        figures.demonstrations.redraw(["top"]);
+        figures.demonstrations.redraw();
       }
       began = now;
       return false;
     }
     // Drives of the policy so far are played over and over.
     demonstrations.time = ((PLAYED * Math.max(0, now - began)) / 1000) % demonstrations.round;
-    figures.demonstrations.redraw(["top"]);
+    figures.demonstrations.redraw();
     return true;
   });
   app.onDraw(() => {
@@ -311,9 +311,7 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
       void room.attempt(() => training.begin());
     if (differs("part", part, session.hasLoad)) showPart(part, session.hasLoad);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
-    if (differs("ground", task, part, run, run.status)) figures.floor.redraw();
-    if (differs("demonstrations", part, training.floors)) figures.demonstrations.redraw();
-    for (const figure of all) figure.redraw(["top"]);
+    for (const figure of all) figure.redraw();
     const counts = countsOf(run.drives);
     Object.assign(stage.dataset, {
       status: refusal ? "refused" : run.status,

@@ -32,7 +32,7 @@ export class Workspace {
 
   get layers() {
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: this.session.robot, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
   }

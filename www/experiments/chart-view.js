@@ -94,21 +94,8 @@ export class ChartView {
     this.took = this.drawnAt - began;
   }
 
-  /**
-   * What is under the chart, in its exports too: the reader's caption, or what the marks mean; and what is still to
-   * come.
-   */
   get caption() {
-    const {
-      chart,
-      session: { view, ceiling, rows, uncertified },
-    } = this;
-    if (!chart) return "";
-    const isOfPaths = chart.measure === SOLVED || chart.kind.isOfAll;
-    const words = ceiling && isOfPaths ? [ceiling.words] : [];
-    const left = rows.done < rows.count ? [`${grouped(rows.done)} of ${grouped(rows.count)} trials.`] : [];
-    if (isOfPaths && uncertified > 0) left.push("Worlds without a path are still being examined.");
-    return [...(view.caption === undefined ? [remarkOf(chart), ...words] : [view.caption]), ...left].join(" ");
+    return this.chart ? captionOf(this.chart, this.session) : "";
   }
 
   /** What is shown, to export it. @throws {Error} there is no chart yet */
@@ -147,6 +134,19 @@ export class ChartView {
       ),
     );
   }
+}
+
+/**
+ * What is under the chart, in its exports too: the reader's caption, or what the marks mean; and what is still to come.
+ * @param {ChartData} chart
+ * @param {Pick<ExperimentSession, "view" | "ceiling" | "rows" | "uncertified">} session
+ */
+export function captionOf(chart, { view, ceiling, rows, uncertified }) {
+  const isOfPaths = chart.measure === SOLVED || chart.kind.isOfAll;
+  const words = ceiling && isOfPaths ? [ceiling.words] : [];
+  const left = rows.done < rows.count ? [`${grouped(rows.done)} of ${grouped(rows.count)} trials.`] : [];
+  if (isOfPaths && uncertified > 0) left.push("Worlds without a path are still being examined.");
+  return [...(view.caption === undefined ? [remarkOf(chart), ...words] : [view.caption]), ...left].join(" ");
 }
 
 /** @param {Cell} cell */

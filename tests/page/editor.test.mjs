@@ -311,9 +311,9 @@ test("a start in collision is marked and named, planning is refused, and continu
     assert.ok(await page.isHidden("#notice"), "said where the hand is, not above the stage");
     assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 150);
     // With the editor closed the page shows a notice; with the editor open again the start can be moved.
-    await page.click("#editor-fold > summary");
+    await page.click("#edit[aria-pressed=true]");
     await page.waitForSelector("#notice[data-code=start-in-collision]");
-    await page.click("#edit");
+    await page.click("#edit[aria-pressed=false]");
     await until(page, "touching", "The start is in collision: the disc touches obstacle 0.");
     const again = await plane(page, 1);
     await drag(page, [again(-0.8, 0.7), again(-0.3, 0.7)]);

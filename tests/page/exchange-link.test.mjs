@@ -93,6 +93,7 @@ function randomExperiment(random) {
       free: random.chance(0.5),
     };
   }
+  if (random.chance(0.3)) experiment.pace = 1 + random.below(1000);
   if (random.chance(0.5)) experiment.query = random.pick(["round", "to the left", "Größe"]);
   if (random.chance(0.4)) experiment.options = randomSettings(random);
   if (random.chance(0.3)) experiment.pose = Array.from({ length: 1 + random.below(8) }, () => random.next() * 7 - 3.5);

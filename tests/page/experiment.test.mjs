@@ -41,14 +41,20 @@ function makePage() {
     shown: null,
     refusal: null,
     opened: 0,
-    clock: { now: 0, playing: false, owes: false },
+    clock: { now: 0, pace: 0, playing: false, owes: false },
     read: (/** @type {any} */ source) =>
       source.generate
         ? Scenario.generate(source.generate.kind, source.generate.options)
         : Scenario.parse(source.document),
     placedOf: async () => null,
-    open(/** @type {Scenario} */ scenario, /** @type {object} */ document) {
+    open(
+      /** @type {Scenario} */ scenario,
+      /** @type {object} */ document,
+      /** @type {null} */ _,
+      /** @type {number | undefined} */ pace,
+    ) {
       log.push("scenario");
+      this.clock.pace = pace ?? this.clock.pace;
       this.shown?.scenario.free();
       this.shown = { scenario, document, query: undefined, hand: null };
       this.opened++;
@@ -272,6 +278,30 @@ test("a planner that does not serve a scene is replaced, and a notice says so; i
   assert.match(notices.join(), /^[A-Z][\w ]+ has no effect on a car\.$/);
   await page.open({ scene: "parking" });
   assert.deepEqual(notices, [], "it is said once");
+  const lanes = [{ algorithm: "rrt", settings: { blend: 0.1 } }];
+  for (const made of [{ page, notices }, makePage()]) {
+    await made.page.open({ scene: "blossom", lanes });
+    assert.match(
+      made.notices.join(),
+      /has no effect on a car\.$/,
+      "those of a link are new, on a page's first scene too",
+    );
+  }
+});
+
+test("a planner that is wanted as it is stays, until others or another scene are", async () => {
+  const { page, notices } = makePage();
+  const lanes = [{ algorithm: "sst", settings: {} }];
+  const algorithm = () => page.record.lanes[0].algorithm;
+  await page.open({ scene: "stones", lanes }, { isAsGiven: true });
+  page.setView({ refused: true });
+  page.change({ iteration: 4 });
+  assert.deepEqual([algorithm(), notices], ["sst", []]);
+  page.change({ lanes: [...lanes] });
+  assert.equal(algorithm(), sceneOf("stones").algorithm);
+  await page.open({ scene: "stones", lanes }, { isAsGiven: true });
+  await page.open({ scene: "maze" });
+  assert.equal(algorithm(), sceneOf("maze").algorithm);
 });
 
 test("the lanes of a race stay as they are when the scene changes", async () => {
@@ -329,11 +359,14 @@ test("each step of each lesson is a patch that the page then has, until somethin
 });
 
 test("an edited scene is another state without another run, and Undo to the first document is the scene again", async () => {
-  const { page, session, done } = await openPage("stones");
+  const { page, session, done, link } = await openPage("stones");
   const { scene, options, document } = page.record;
-  page.change({ scene: undefined, options: undefined, document: { ...session.shown.document } });
+  page.change({ scene: undefined, options: undefined, document: { ...session.shown.document }, pace: 130 });
   assert.equal(done(), "settings news");
   assert.deepEqual([page.record.scene, page.entry], [undefined, null]);
+  const fresh = makePage();
+  await follow(fresh.page, await link());
+  assert.equal(fresh.session.clock.pace, sceneOf("stones").pace, "its link has the speed of the scene");
   page.change({ scene, options, document });
   assert.equal(done(), "settings news");
   assert.equal(page.entry?.id, "stones");

@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium/full";
 import { ceilingOf, tasksOf } from "../../www/experiments/ceiling.js";
+import { captionOf } from "../../www/experiments/chart-view.js";
 import { CHARTS, chartOf, completed, remarkOf } from "../../www/experiments/charts.js";
 import { commonTrials } from "../../www/experiments/common.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
@@ -378,6 +379,9 @@ test("paused, gone on with and cancelled, it ends with the same rows", () =>
         before,
         "the chart shows those that have ended",
       );
+      const part = `${before} of 1200`;
+      assert.ok((await page.innerText("#remark")).replaceAll(",", "").endsWith(`${part} trials.`), "and says so");
+      assert.ok((await taken(page, "rows")).name.includes(`-${part.replaceAll(" ", "-")}-trials.`));
       pressed = press("run", before);
       await page.click("#run");
       await pressed;
@@ -708,6 +712,11 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
     assert.deepEqual([chart.kind.id, chart.rows().length > 0, chart.counted.length > 0], [id, true, true]);
     assert.match(remarkOf(chart), /^[A-Z].* n = \d+ (?:each|to \d+)\./, id);
     assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
+    const captionWhile = (/** @type {number} */ uncertified) =>
+      captionOf(chart, { view: {}, ceiling: null, rows, uncertified });
+    assert.equal(captionWhile(0), remarkOf(chart), id);
+    const isOfPaths = chart.measure === "solved" || chart.kind.isOfAll === true;
+    assert.equal(captionWhile(2).endsWith("still being examined."), isOfPaths, id);
     // Worlds across or in series have ceilings of their own.
     const worlds = [...factors, of("world", ["u", "v"], false)];
     assert.equal(chartOf(rows, worlds, { chart: id }, ["length"], "m", { most: 75 }).ceiling, null, id);

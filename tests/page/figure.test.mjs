@@ -69,8 +69,6 @@ test("a layer is drawn again when its key differs, one without a key when it is 
   assert.equal(draw(), "ground cleared, ground two", "each item of a key counts");
   sheet.redraw();
   assert.equal(draw(), "top cleared, top 30x20", "a key is not overruled");
-  sheet.redraw(["top"]);
-  assert.equal(draw(), "top cleared, top 30x20");
   sheet.fit({ width: 40, height: 20 }, LOOK);
   assert.match(draw(), /ground two.*top 40x20/, "in another size all is drawn");
 });

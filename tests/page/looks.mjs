@@ -44,7 +44,7 @@ export async function assertFaultless(page, state, side = 0) {
   await settled(page);
 }
 
-/** There are figures, none smaller than it may be. @param {Page} page @param {number} side @param {string} where */
+/** There are figures, none smaller than it may be; below a desk's width no caption is cut. @param {Page} page @param {number} side @param {string} where */
 async function assertFigures(page, side, where) {
   const sheets = await page
     .locator(".sheet")
@@ -55,6 +55,13 @@ async function assertFigures(page, side, where) {
     sheets.length > 0 && sheets.every((sheet) => sheet.width >= side && sheet.height >= side),
     `${where}: ${JSON.stringify(sheets)}`,
   );
+  const cut = await page.locator(".pane figcaption, .scroll caption").evaluateAll((all) =>
+    all
+      .filter((one) => innerWidth < 1024 && one.checkVisibility())
+      .filter((one) => one.scrollWidth > one.clientWidth || one.getBoundingClientRect().right > innerWidth)
+      .map(({ textContent }) => textContent),
+  );
+  assert.deepEqual(cut, [], where);
 }
 
 /** Every control is at least 24 pixels high and wide. @param {Page} page */

@@ -14,9 +14,10 @@ import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
 import { hitsOf } from "../../www/planner/stage/growth.js";
+import { handleAhead } from "../../www/draw/placed-handles.js";
 import { folded, unrolled } from "../../www/draw/trace.js";
 import { Scenario } from "planarium";
-import { motionCurves } from "planarium/draw";
+import { View, motionCurves } from "planarium/draw";
 import { ending, going } from "../../www/planner/story.js";
 import { nameAll } from "../../www/planner/race/names.js";
 import { leaders, letters } from "../../www/planner/race/standings.js";
@@ -79,6 +80,26 @@ test("traced curves end where the core says, and follow its interpolation", () =
     assert.ok(Math.hypot(points[2 * i] - x, points[2 * i + 1] - y) < 1e-9, `point ${i}`);
   }
   assert.equal(firsts[2], 2 * firsts[1]);
+});
+
+test("a handle lies ahead, and within the canvas at any border", () => {
+  const view = new View({ min: [0, 0], max: [10, 10] }, 300, 200);
+  const [x, y] = view.place([5, 5]);
+  assert.deepEqual(handleAhead(view, [5, 5, 0], 30), [x + 30, y]);
+  for (const [px, py] of [
+    [0, 0],
+    [10, 0],
+    [5, 10],
+    [0, 10],
+    [10, 10],
+  ])
+    for (let theta = -3; theta < 3.2; theta += 0.25) {
+      const [fromX, fromY] = view.place([px, py]);
+      const [hx, hy] = handleAhead(view, [px, py, theta], 400);
+      assert.ok(hx > 7.9 && hx < 292.1 && hy > 7.9 && hy < 192.1, `${[px, py, theta]}: ${[hx, hy]}`);
+      assert.ok(Math.hypot(hx - fromX, hy - fromY) > 5, "apart from the place itself");
+      assert.ok(Math.abs(Math.atan2(fromY - hy, hx - fromX) - theta) < 1e-9, "in the direction");
+    }
 });
 
 test("rows grow and keep what they hold", () => {

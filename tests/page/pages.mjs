@@ -13,7 +13,7 @@ import { atRest, choose, click, fill, finish, pickFile, unfold } from "./browser
  * @property {"planarium" | "full" | ""} [core]  the module of WebAssembly that it loads
  * @property {number} [side]  of its figures at any width, pixels, at least; 0: it has none
  * @property {Record<string, (page: Page) => Promise<unknown>>} [states]  how each is entered from the one before it
- * @property {string[]} [broken]  fragments that are refused in part, besides those that no page can read
+ * @property {string[]} [broken]  fragments that are refused for what they say, besides those that no page can read
  * @property {boolean} [takesFiles]
  * @property {boolean} [isEmbedded]  does it open in a frame, as its figure alone?
  * @property {boolean} [isPrinted]  is it printed without its controls?
@@ -118,7 +118,11 @@ export const ROWS = {
         await unfoldAll(page);
       },
     },
-    broken: ["2abc", `1${"a".repeat(3000)}`],
+    broken: [
+      "2abc",
+      `1${"a".repeat(3000)}`,
+      await fragmentOf({ scene: "corner", robot: { links: [0.1, -1] }, solve: { method: "ccd" } }),
+    ],
   },
   neighbours: {
     ready: "body[data-robot=two][data-found]",
@@ -144,6 +148,7 @@ export const ROWS = {
         index: "forest",
         given: { trees: 1000 },
       }),
+      await fragmentOf({ robot: "body", weights: [0, -1] }),
     ],
   },
   trajectories: {
@@ -151,6 +156,7 @@ export const ROWS = {
     side: 180,
     takesFiles: false,
     states: { unfolded: unfoldAll },
+    broken: [await fragmentOf({ given: { haste: 3 } })],
   },
   fleet: {
     ready: "#stage[data-status=solved]",
@@ -170,6 +176,7 @@ export const ROWS = {
       await fragmentOf({ kind: "maze" }),
       await fragmentOf({ given: { haste: 3 } }),
       await fragmentOf({ order: [0, 900] }),
+      await fragmentOf({ planner: "composite" }),
     ],
   },
   "prm-rl": {
@@ -186,6 +193,7 @@ export const ROWS = {
       },
       "a comparison": (page) => press(page, "#part-compare"),
     },
+    broken: [await fragmentOf({ options: { seed: 5 }, given: { haste: 3 }, planned: 1 })],
   },
   experiments: {
     ready: "body[data-phase=ready]",

@@ -128,6 +128,7 @@ for (const { name, link: title } of PAGES) {
           await dropFile(page, "broken.json", "{");
           if (takesFiles) {
             assert.match(await refusal(page), /broken\.json/);
+            assert.equal(await page.getAttribute("#notice", "data-code"), "invalid-json");
             assert.deepEqual(await violations(page), []);
           }
           assert.deepEqual(await stateOf(page), before);
@@ -160,22 +161,24 @@ for (const { name, link: title } of PAGES) {
       async (page, url) => {
         await open(page, ready);
         const usual = await stateOf(page);
-        const unreadable = ["1broken", "nothing"];
-        for (const fragment of [...unreadable, ...(broken ?? [])]) {
+        const refused = ["1broken", "nothing", ...(broken ?? [])];
+        for (const fragment of refused) {
           await page.goto("about:blank");
           await page.goto(addressOf(url, `${path}#${fragment}`));
           if (core) assert.match(await refusal(page), /(This|The) link (does not work|cannot be opened)/, fragment);
           await open(page, ready);
-          if (unreadable.includes(fragment)) assert.deepEqual(await stateOf(page), usual, fragment);
+          assert.deepEqual(await stateOf(page), usual, fragment);
         }
         if (!core) return;
-        await page.click("#notice button");
         const there = await stateOf(page);
-        await page.evaluate(() => {
-          location.hash = "1broken";
-        });
-        await refusal(page);
-        assert.deepEqual(await stateOf(page), there, "an open page stays as it is");
+        for (const fragment of refused) {
+          await page.click("#notice button");
+          await page.evaluate((hash) => {
+            location.hash = hash;
+          }, fragment);
+          await refusal(page);
+          assert.deepEqual(await stateOf(page), there, `an open page stays as it is: ${fragment}`);
+        }
       },
       { path },
     ));

@@ -109,15 +109,17 @@ export function setAddress(fragment) {
  * @property {() => object} save   the state
  * @property {string} [spare]   an entry that is left out of a link that would be too long with it, which then is not
  *   whole
- * @property {(state: any) => unknown} open   gets null where the address has no state, and may throw
+ * @property {(state: any, signal: AbortSignal) => unknown} open   gets null where the address has no state, and may
+ *   throw; the signal: something else is opened meanwhile
  * @property {string | ((isWhole: boolean) => string)} contents   of the link, in words
  */
 
 /**
  * Makes the share button, and opens the state in the address, now and whenever the address changes.
  * @param {App} app @param {StateRule} rule @param {Link} link
+ * @param {(act: (signal: AbortSignal) => unknown) => Promise<unknown>} opening   of which only the newest counts
  */
-export async function useLink(app, rule, { save, spare = "", open, contents }) {
+export async function useLink(app, rule, { save, spare = "", open, contents }, opening) {
   let isWhole = true;
   const encode = async () => {
     const state = save();
@@ -132,27 +134,33 @@ export async function useLink(app, rule, { save, spare = "", open, contents }) {
   };
   const share = makeShare(app, encode, () => (typeof contents === "string" ? contents : contents(isWhole)));
   byId("link", HTMLElement).addEventListener("click", () => void share());
-  /** The number of the newest address: an older one, which takes longer to read, is given up. */
-  let newest = 0;
+  /** Whether there is a state to return to. */
+  let isOpen = false;
   addEventListener("hashchange", () => {
-    if (location.hash) void app.track(openAddress());
+    if (location.hash) void app.track(opening(openAddress));
   });
-  await openAddress();
+  await opening(openAddress);
 
-  async function openAddress() {
-    const own = ++newest;
-    if (location.hash.length < 2) return void (await open(null));
-    const { state, fault } = await decodeState(location.hash, rule);
-    if (own !== newest) return;
+  /**
+   * Opens the state in the address; where it is refused, all is as it was.
+   * @param {AbortSignal} signal
+   */
+  async function openAddress(signal) {
+    const { state, fault } =
+      location.hash.length < 2 ? { state: null, fault: "" } : await decodeState(location.hash, rule);
+    signal.throwIfAborted();
+    const before = isOpen ? save() : null;
+    if (state) app.notice.hide();
     try {
-      if (state) app.notice.hide();
-      await open(state);
-      if (!state) app.notice.show(fault, "");
+      await open(state, signal);
+      signal.throwIfAborted();
+      if (fault) app.notice.show(fault, "");
     } catch (error) {
       // Something else has begun meanwhile.
-      if (isAbort(error) || own !== newest) return;
-      await open(null);
+      if (!state || isAbort(error) || signal.aborted) throw error;
+      if (!before || JSON.stringify(save()) !== JSON.stringify(before)) await open(before, signal);
       app.fail(error, "The link cannot be opened.");
     }
+    isOpen = true;
   }
 }

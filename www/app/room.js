@@ -29,7 +29,7 @@ import { isAbort, latest } from "./work.js";
 /**
  * What a room does.
  * @typedef {object} Parts
- * @property {() => void} show   the state, in a frame after it has changed; writes only what differs
+ * @property {() => void} [show]   the state, in a frame after it has changed; writes only what differs
  * @property {() => unknown} rebuild   the objects of the core, which has lost them
  * @property {StateRule} rule   of the state that a link stores
  * @property {Link} link
@@ -45,7 +45,7 @@ class Room {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    /** Opens a scene or a file; another one that is still loading is given up. */
+    /** Opens a scene, a file or a link; another one that is still loading is given up. */
     this.opening = latest(async (signal, /** @type {(signal: AbortSignal) => unknown} */ act) => await act(signal));
   }
 
@@ -95,7 +95,7 @@ export async function openRoom(name, make) {
   const room = new Room(app);
   await app.open(name, async (/** @type {Remote<C>} */ worker) => {
     const { show, rebuild, rule, link, openFile, reseed, keys } = make(room, worker);
-    app.onShow(show);
+    if (show) app.onShow(show);
     app.rebuild = rebuild;
     if (keys) watchKeys([byId("stage", HTMLElement)], keys);
     if (openFile)
@@ -108,6 +108,6 @@ export async function openRoom(name, make) {
       button.disabled = false;
       button.addEventListener("click", () => reseed(randomSeed() % SEEDS));
     }
-    await app.track(useLink(app, rule, link));
+    await app.track(useLink(app, rule, link, room.opening));
   });
 }

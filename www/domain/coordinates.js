@@ -44,10 +44,11 @@ export function longestOf(arm) {
  * The direction of each link at a configuration, radians, not wrapped.
  * @param {ArmRobot} arm
  * @param {ArrayLike<number>} q
+ * @param {LinkJoint[]} [joints]  of the arm
  */
-export function directionsOf(arm, q) {
+export function directionsOf(arm, q, joints = jointsOf(arm)) {
   let angle = 0;
-  return jointsOf(arm).map((joint, i) => (angle += joint.type === "prismatic" ? joint.angle : q[i]));
+  return joints.map((joint, i) => (angle += joint.type === "prismatic" ? joint.angle : q[i]));
 }
 
 /** Whether a link of an arm slides. @param {ArmRobot} arm */
@@ -62,7 +63,7 @@ export function hasSlide(arm) {
  */
 export function slidesOf(arm, q) {
   const joints = jointsOf(arm);
-  return directionsOf(arm, q).map((direction, i) => (joints[i].type === "prismatic" ? direction : null));
+  return directionsOf(arm, q, joints).map((direction, i) => (joints[i].type === "prismatic" ? direction : null));
 }
 
 /** @param {{ scenario: Scenario, document: ScenarioDocument }} shown @returns {Coordinate[]} */

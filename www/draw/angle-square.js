@@ -29,9 +29,14 @@ export class AngleSquare {
 
   get layers() {
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: this.key, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
+  }
+
+  /** What the ground depends on. @returns {unknown[]} */
+  get key() {
+    return [this.obstacles];
   }
 
   /** @param {Brush} _brush */

@@ -68,9 +68,9 @@ export class Figure {
     this.element.remove();
   }
 
-  /** Redraws layers without a key in the next frame. @param {readonly string[]} [names]  all where absent */
-  redraw(names) {
-    this.sheet.redraw(names);
+  /** Redraws layers without a key in the next frame. */
+  redraw() {
+    this.sheet.redraw();
     this.app.requestFrame();
   }
 

@@ -171,10 +171,10 @@ export class Sheet {
     for (const { layer } of Object.values(this.drawn)) layer.prepare();
   }
 
-  /** Draws layers again that have no key. @param {readonly string[]} [names]  all where absent */
-  redraw(names = Object.keys(this.drawn)) {
-    const { layers } = this.drawing;
-    for (const name of names) if (layers[name].key === undefined && layers[name].draw) this.drawn[name].key = NOTHING;
+  /** Draws layers again that have no key. */
+  redraw() {
+    for (const [name, { key, draw }] of Object.entries(this.drawing.layers))
+      if (key === undefined && draw) this.drawn[name].key = NOTHING;
   }
 
   /** Whether all logs, and all layers with a key, are drawn as they are now. */

@@ -7,6 +7,7 @@ import { withOptions } from "../domain/option-names.js";
 /** @import { FleetPlanner, FleetPlannerId, GenerateFleetOptions } from "planarium/full" */
 /** @import { Settings } from "../domain/types.js" */
 /** @import { Generated } from "./scenes.js" */
+/** @typedef {Generated | { document: object | string }} From   where a fleet is from */
 
 /** Milliseconds of a call, at most, and iterations between two looks at the clock. */
 const LONGEST = 24;
@@ -23,14 +24,23 @@ let planner = null;
 let sent = { order: "", planned: 0, roadmaps: [] };
 
 export const commands = {
-  /** @param {Generated | { document: object | string }} source @throws {Error} it is refused, and nothing changes */
+  /**
+   * Whether a plan can begin for a fleet; nothing changes.
+   * @param {From} source @param {FleetPlannerId} algorithm @param {Settings} settings @param {number[] | null} order
+   * @throws {Error} the fleet or the plan is refused
+   */
+  check(source, algorithm, settings, order) {
+    const opened = fleetOf(source);
+    try {
+      plannerOf(opened, algorithm, settings, order).free();
+    } finally {
+      opened.free();
+    }
+  },
+
+  /** @param {From} source @throws {Error} it is refused, and nothing changes */
   open(source) {
-    const opened =
-      "kind" in source
-        ? withOptions(source.options, (/** @type {GenerateFleetOptions} */ options) =>
-            Fleet.generate(source.kind, options),
-          )
-        : Fleet.parse(/** @type {string} */ (source.document));
+    const opened = fleetOf(source);
     fleet?.free();
     fleet = opened;
     return { document: opened.toJSON(), title: opened.title, conflicts: opened.straightConflicts() };
@@ -40,15 +50,12 @@ export const commands = {
    * Begins to plan.
    * @param {FleetPlannerId} algorithm
    * @param {Settings} settings
-   * @param {string[] | null} order  names of all robots
+   * @param {number[] | null} order  all robots
    * @throws {Error} it is refused, and nothing changes
    */
   begin(algorithm, settings, order) {
     if (!fleet) throw new Error("No fleet has been opened.");
-    const opened = fleet;
-    const begun = withOptions(settings, (options) =>
-      opened.planner({ ...options, algorithm, ...(order && { order }) }),
-    );
+    const begun = plannerOf(fleet, algorithm, settings, order);
     planner?.free();
     planner = begun;
     sent = { order: "", planned: 0, roadmaps: [] };
@@ -82,6 +89,27 @@ export const commands = {
 
 export function reset() {
   fleet = planner = null;
+}
+
+/** @param {From} source */
+function fleetOf(source) {
+  return "kind" in source
+    ? withOptions(source.options, (/** @type {GenerateFleetOptions} */ options) => Fleet.generate(source.kind, options))
+    : Fleet.parse(/** @type {string} */ (source.document));
+}
+
+/**
+ * @param {Fleet} opened
+ * @param {FleetPlannerId} algorithm
+ * @param {Settings} settings
+ * @param {number[] | null} order  all robots, if `prioritized` plans in it
+ */
+function plannerOf(opened, algorithm, settings, order) {
+  const { robots } = opened.toJSON();
+  const names = order?.map((robot) => robots[robot]?.name ?? String(robot));
+  return withOptions(settings, (options) =>
+    opened.planner({ ...options, algorithm, ...(names && algorithm === "prioritized" && { order: names }) }),
+  );
 }
 
 /** What has grown since the last time. With another order, all trajectories are new. @param {FleetPlanner} run */

@@ -92,7 +92,7 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   const roadmap = byId("roadmap", HTMLInputElement);
   roadmap.addEventListener("change", () => {
     session.hasRoadmap = roadmap.checked;
-    figure.redraw(["ground"]);
+    app.requestFrame();
   });
   const names = { name: () => `fleet-${session.document?.name ?? ""}`, title: () => session.title };
   showDownloads(
@@ -129,9 +129,9 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
     link: {
       save: () => stateOf(session),
       contents: "the fleet, the planner, the order of priorities and the time",
-      open: async (/** @type {State | null} */ state) => {
+      open: async (/** @type {State | null} */ state, signal) => {
         course.pause();
-        if (state) await openState(session, state);
+        if (state) await openState(session, state, signal);
         else if (session.run.status === "none") {
           const begun = room.attempt(() => session.load(session.document ? session.source : SCENES[0]));
           if (app.reducedMotion) await begun;
@@ -154,6 +154,7 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   /** @param {Source} source @param {Refusal} [onRefused] */
   function load(source, onRefused) {
     app.notice.hide();
+    room.opening.cancel();
     playing(() => session.load(source), onRefused);
   }
 
@@ -178,8 +179,7 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
   function show() {
     const { run, time, end, isStraight, shown, touching, robots, document } = session;
     if (!document) return;
-    figure.redraw(["top"]);
-    if (differs("ground", document, run, run.status, isStraight)) figure.redraw();
+    figure.redraw();
     list.show();
     if (differs("colours", document)) recolour();
     if (differs("offers", run, run.status, session.algorithm)) byId("offer", HTMLElement).replaceChildren(...offers());

@@ -64,6 +64,11 @@ function nothing(robots) {
   };
 }
 
+/** What the worker needs. @param {Source} source */
+function fromOf(source) {
+  return "kind" in source ? { kind: source.kind, options: source.options } : { document: source.document };
+}
+
 export class FleetSession {
   /** @param {App} app @param {Remote<Commands>} worker */
   constructor(app, worker) {
@@ -147,11 +152,19 @@ export class FleetSession {
       /** @type {Source} */ source,
       /** @type {{ order?: number[] | null, isQuick?: boolean }} */ { order = null, isQuick = false } = {},
     ) => {
-      const from = "kind" in source ? { kind: source.kind, options: source.options } : { document: source.document };
-      this.enter(source, await this.worker.open(from, signal), order);
+      this.enter(source, await this.worker.open(fromOf(source), signal), order);
       return this.plan(isQuick);
     },
   );
+
+  /**
+   * Whether a fleet is accepted, with a planner, its options and an order.
+   * @param {Source} source @param {FleetPlannerId} algorithm @param {Settings} given @param {number[] | null} order
+   * @throws {Error} it is refused
+   */
+  async check(source, algorithm, given, order) {
+    await this.worker.check(fromOf(source), algorithm, given, order);
+  }
 
   /** @param {Source} source @param {Opened} opened @param {number[] | null} order */
   enter(source, { document, title, conflicts }, order) {
@@ -176,12 +189,7 @@ export class FleetSession {
     this.plans++;
     const { app, worker, algorithm, given, order, robots } = this;
     try {
-      await worker.begin(
-        algorithm,
-        given[algorithm],
-        order && algorithm === "prioritized" ? order.map((robot) => robots[robot]?.name ?? String(robot)) : null,
-        signal,
-      );
+      await worker.begin(algorithm, given[algorithm], order, signal);
     } catch (error) {
       // The plan that grew until now ends, too.
       if (!signal.aborted && this.run.status === "running") this.run = nothing(robots.length);

@@ -1,5 +1,4 @@
 /** The state that a link stores: the fleet, the planner and its options, the order of priorities, and what is shown. */
-import { isAbort } from "../app/work.js";
 import { flag, json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
 
 /** @import { FleetDocument, FleetGeneratorId, FleetPlannerId } from "planarium/full" */
@@ -42,20 +41,21 @@ export function stateOf({ source, document, algorithm, given, order, time, isStr
   };
 }
 
-/** @param {FleetSession} session @param {State} state @throws {Error} the core refuses it */
-export async function openState(session, { document, kind, options, planner, given, order, time, straight }) {
-  const { algorithm: before, given: own } = session;
+/**
+ * @param {FleetSession} session @param {State} state
+ * @param {AbortSignal} [signal]   something else is opened meanwhile
+ * @throws {Error} the core refuses it, and nothing changes
+ */
+export async function openState(session, { document, kind, options, planner, given, order, time, straight }, signal) {
   /** @type {Source} */
   const source = document
     ? { name: document.name, document }
     : { kind: /** @type {FleetGeneratorId} */ (kind), options };
-  Object.assign(session, { algorithm: planner, given: { ...own, [planner]: given } });
-  try {
-    await session.load(source, { order: order.length > 0 ? order : null, isQuick: true });
-  } catch (error) {
-    if (!isAbort(error)) Object.assign(session, { algorithm: before, given: own });
-    throw error;
-  }
+  const wanted = order.length > 0 ? order : null;
+  await session.check(source, planner, given, wanted);
+  signal?.throwIfAborted();
+  Object.assign(session, { algorithm: planner, given: { ...session.given, [planner]: given } });
+  await session.load(source, { order: wanted, isQuick: true });
   if (straight) session.setStraight(true);
   session.setTime(time);
 }

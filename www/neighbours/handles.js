@@ -20,7 +20,7 @@ export function watchHandles(session, stage, { workspace, square }) {
   watchDrag(session.app, workspace.canvas, ({ x, y, near }) => {
     if (!session.isAsking) return null;
     const { view, handles } = workspace.drawing;
-    const distances = handles.map((handle) => Math.hypot(view.x(handle[0]) - x, view.y(handle[1]) - y));
+    const distances = handles.map(([hx, hy]) => Math.hypot(hx - x, hy - y));
     const least = Math.min(...distances);
     return least > near ? null : (place) => moveHandle(distances.indexOf(least), ...view.toPlane(place.x, place.y));
   });

@@ -97,8 +97,8 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
           ? "the scenario, your list, the target and the query"
           : "the scenario, the target and the query. Your list is too long for a link and is not included";
       },
-      open: async (/** @type {State | null} */ state) => {
-        if (state) await openState(session, state);
+      open: async (/** @type {State | null} */ state, signal) => {
+        if (state) await openState(session, state, signal);
         else if (session.count === 0 && !session.isLoading) await session.open(ROBOTS[0]);
       },
     },
@@ -122,7 +122,7 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
   }
 
   function show() {
-    const { entry, document: opened, list, coordinates, count, q, k, index, given, found } = session;
+    const { entry, coordinates, count, q, k, index, given, found } = session;
     const { missed, file, scenario, isArm, isPlanar, isAsking } = session;
     const { dataset } = document.body;
     Object.assign(dataset, {
@@ -145,8 +145,7 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
       gallery.mark(entry.id);
       if (isPlanar) figures.square.drawing.setCells(scenario.cspace({ width: CELLS, height: CELLS }), CELLS);
     }
-    for (const figure of all) figure.redraw(["top"]);
-    if (differs("ground", list, opened)) for (const figure of all) figure.redraw();
+    for (const figure of all) figure.redraw();
     if (differs("table", found)) showNeighbours(session);
     app.write({
       where: `${entry.title} \u00b7 ${grouped(count)} configurations`,

@@ -260,6 +260,6 @@ function weightsOf({ robot }) {
 }
 
 /** @param {ScenarioDocument} document  of a body or a car @param {Weights} weights @returns {ScenarioDocument} */
-function weighted({ robot, ...rest }, [translation, rotation]) {
+export function weighted({ robot, ...rest }, [translation, rotation]) {
   return /** @type {ScenarioDocument} */ ({ ...rest, robot: { ...robot, metric: { translation, rotation } } });
 }

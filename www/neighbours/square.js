@@ -21,6 +21,11 @@ export class Square extends AngleSquare {
     this.session = session;
   }
 
+  /** @override */
+  get key() {
+    return [...super.key, this.session.list];
+  }
+
   /** @param {Brush} brush @override */
   drawGround(brush) {
     const { session } = this;

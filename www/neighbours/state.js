@@ -15,6 +15,7 @@ import {
 } from "../formats/rules.js";
 import { sceneDocument } from "../planner/scenes/document.js";
 import { ROBOTS, entryOf } from "./robots.js";
+import { weighted } from "./session.js";
 
 /** @import { IndexId, NeighboursOptions } from "planarium" */
 /** @import { ScenarioDocument } from "../domain/types.js" */
@@ -71,19 +72,22 @@ export function stateOf({ entry, ownWeights, sampling, q, k, index, given, isAsk
 /**
  * @param {NeighbourSession} session
  * @param {State} state
+ * @param {AbortSignal} [signal]   something else is opened meanwhile
  * @throws {Error} the core refuses it, or there is no such scene
  */
 export async function openState(
   session,
   { document, scene, robot, weights, draw, list: own, q, k, index, given, ask },
+  signal,
 ) {
   const entry = document
     ? entryOf(document, "file")
     : scene
       ? entryOf(await sceneDocument(scene), scene)
       : (ROBOTS.find(({ id }) => id === robot) ?? ROBOTS[0]);
-  // The core checks the options before anything changes.
-  const scenario = Scenario.parse(entry.document);
+  signal?.throwIfAborted();
+  // The core checks the weights and the options before anything changes.
+  const scenario = Scenario.parse(weights ? weighted(entry.document, weights) : entry.document);
   try {
     scenario.neighbours(/** @type {NeighboursOptions} */ ({ ...given, index: "forest" })).free();
   } finally {

@@ -9,7 +9,6 @@ import { drawLabels } from "../draw/labels.js";
 import { drawGhost } from "../draw/shapes.js";
 import { FEW } from "./session.js";
 
-/** @import { Point } from "../domain/types.js" */
 /** @import { Brush } from "../draw/figure.js" */
 /** @import { NeighbourSession } from "./session.js" */
 
@@ -26,19 +25,24 @@ export class Workspace {
   }
 
   /**
-   * The handles of the target: the ends of the links of an arm; otherwise the middle, and the front of a body.
-   * @returns {Point[]}
+   * The handles of the target, CSS pixels: the ends of the links of an arm; otherwise the middle, and the front of a
+   * body.
+   * @returns {[x: number, y: number][]}
    */
   get handles() {
-    const { scenario, q, isArm, isPlaced } = this.session;
+    const {
+      view,
+      session: { scenario, q, isArm, isPlaced },
+    } = this;
     const parts = scenario.footprint(q);
-    if (isArm) return parts.map((part) => (/** @type {Point} */ (part.type === "capsule" ? part.b : [0, 0])));
-    return isPlaced ? placedHandles(parts, q) : [[q[0], q[1]]];
+    if (isArm) return parts.map((part) => view.place(part.type === "capsule" ? part.b : [0, 0]));
+    return isPlaced ? placedHandles(view, parts, q) : [view.place(q)];
   }
 
   get layers() {
+    const { list, document } = this.session;
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: [list, document], draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
   }
@@ -135,7 +139,7 @@ export class Workspace {
         });
     }
     drawRobot(context, view, scenario.footprint(q), palette);
-    const handles = this.handles.map((handle) => view.place(handle));
+    const { handles } = this;
     for (const at of handles) drawHandle(context, ...at, palette.robot, palette);
     if (indices.length > RANKED) return;
     const labels = [...indices].map((i, rank) => {

@@ -21,7 +21,13 @@ import { SCENES } from "./scenes/scenes.js";
 export const EMPTY = { version: 1, lanes: [], iteration: 0, view: { strobe: true } };
 
 /** Another scene than the open one, with its first query. @satisfies {Patch} */
-export const ELSEWHERE = { scene: undefined, document: undefined, options: undefined, query: undefined };
+export const ELSEWHERE = {
+  scene: undefined,
+  document: undefined,
+  options: undefined,
+  pace: undefined,
+  query: undefined,
+};
 
 /**
  * What is made to agree with the record, in this order, and the entries that it depends on. "opened" stands for a
@@ -95,8 +101,8 @@ export function viewOf({ projector: _, lens: __, ...view }, robot) {
  * @param {Experiment} experiment
  * @param {Facts} facts   of its scenario
  * @param {Planners} planners
- * @param {{ was?: Facts["robot"], isAsGiven?: boolean }} [how]   `was`: the robot before; `isAsGiven`: planners stay, which the
- *   core then refuses
+ * @param {{ was?: Facts["robot"], isAsGiven?: boolean }} [how]   `was`: the robot that the lanes were for, if any;
+ *   `isAsGiven`: planners stay, which the core then refuses
  * @returns {{ experiment: Experiment, faults: string[] }}
  */
 export function fitted(experiment, facts, planners, { was, isAsGiven = false } = {}) {
@@ -108,7 +114,8 @@ export function fitted(experiment, facts, planners, { was, isAsGiven = false } =
   for (const { algorithm, settings } of lanes)
     for (const info of planners.parametersOf(algorithm)) {
       const value = settings[info.name];
-      const isLost = value !== undefined && value !== info.default && !fits(info, robot) && fits(info, was ?? robot);
+      const isNew = was === undefined || fits(info, was);
+      const isLost = value !== undefined && value !== info.default && !fits(info, robot) && isNew;
       if (isLost) faults.push(`${info.title || info.name} has no effect on ${withArticle(robot)}.`);
     }
   const hasQuery = query === undefined || queries.includes(query);

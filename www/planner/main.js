@@ -41,7 +41,7 @@ import { SCENES } from "./scenes/scenes.js";
 import { Session, placed } from "./session.js";
 import { Panel } from "./settings/panel.js";
 import { Planners } from "./settings/planners.js";
-import { Sheets } from "./sheets.js";
+import { Figures } from "./figures.js";
 import { Transport } from "./timeline/transport.js";
 
 /** @import { PlannerWorker } from "./worker/worker.js" */
@@ -74,7 +74,7 @@ const isOpen = await app.open(
       seeds: document.querySelector(".rooms") && (() => seeds.use(({ openOverSeeds }) => openOverSeeds(page))),
     });
     const page = new Page(app, session, panel, new Planners(session.catalogue.planners));
-    const sheets = new Sheets(page);
+    const figures = new Figures(page);
     const pose = new Pose((at) => page.act(({ byHand }) => byHand.hold(Float64Array.from(at))));
     const gallery = makeGallery(SCENES, (entry) => {
       void app.track(page.open({ scene: entry.id }), `The scene "${entry.title}" could not be loaded.`);
@@ -99,7 +99,7 @@ const isOpen = await app.open(
     page.onOpen((_, entry) => {
       if (entry?.sliders) options.use();
     });
-    const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, sheets)).inFold(
+    const race = new LazyFeature(notice, async () => new (await import("./race/race.js")).Race(page, figures)).inFold(
       "race-fold",
     );
     page.loadRace = () => race.get();
@@ -109,7 +109,7 @@ const isOpen = await app.open(
     new LazyFeature(notice, async () => (await import("./curves.js")).watchCurves(page)).inFold("curves-fold");
     new LazyFeature(notice, async () => new (await import("./editor/controls.js")).EditorControls(page))
       .inFold("editor-fold")
-      .byButton("edit", (editor) => editor.begin());
+      .byButton("edit", (editor) => editor.toggle());
     const drive = new LazyFeature(notice, async () => new (await import("./driving/controls.js")).DriveControls(page));
     page.loadDrive = () => drive.get();
     const print = new LazyFeature(notice, async () => (await import("./print.js")).watchPrint(page));
@@ -128,7 +128,7 @@ const isOpen = await app.open(
     });
 
     page.arrange = () => {
-      if (!page.race?.arrange() && page.facts) sheets.arrange(page.facts);
+      if (!page.race?.arrange() && page.facts) figures.arrange(page.facts);
     };
     page.onOpen((facts, entry) => {
       document.body.dataset.scene = entry?.id ?? "file";
@@ -153,8 +153,8 @@ const isOpen = await app.open(
       });
       stage.classList.toggle("in-hand", state.inHand);
       pose.reflect(state);
-      sheets.showAxes(state, page.facts);
-      sheets.describe(state);
+      figures.showAxes(state, page.facts);
+      figures.describe(state);
     });
     session.onDirty = () => counters.unsettle();
     turn.addEventListener("click", (event) => {

@@ -58,13 +58,10 @@ export class Page {
     this.facts = null;
     /** The title of the scene as it was opened. */
     this.name = "";
-    /**
-     * Iterations a second that the scene was opened with; undefined keeps the previous speed.
-     * @type {number | undefined}
-     */
-    this.pace = undefined;
     /** Number of the latest request to open a scene; an older one that is still loading is dropped. */
     this.request = 0;
+    /** Whether planners that do not serve the robot stay. */
+    this.isAsGiven = false;
     /** Loaded on demand. @type {Race | null} */
     this.race = null;
     /** Loads the race. @type {() => Promise<unknown>} */
@@ -202,7 +199,11 @@ export class Page {
     // Other coordinates have other meanings.
     if ((was !== facts.robot || this.facts?.dimension !== facts.dimension) && !patch.view)
       next.view = { ...next.view, axes: undefined };
-    const { experiment, faults } = fitted(next, facts, planners, { was, isAsGiven });
+    this.isAsGiven = isAsGiven ?? (this.isAsGiven && !opened && !patch.lanes);
+    const { experiment, faults } = fitted(next, facts, planners, {
+      was: opened && patch.lanes ? undefined : was,
+      isAsGiven: this.isAsGiven,
+    });
     const { iteration, pose, drive: _drive, roll: _roll, euler: _euler, ...lasting } = experiment;
     this.record = { ...lasting, iteration: 0 };
     this.plans = planners.plansOf(lasting.lanes, facts.robot);
@@ -237,8 +238,8 @@ export class Page {
     const { entry, record } = this;
     const isKept = !isOwn && entry && record.lanes[0].algorithm !== entry.algorithm;
     // A scene that is opened again keeps the current speed, and so does a planner.
-    this.pace = entry && (entry === left || isKept) ? undefined : (entry?.pace ?? PACE);
-    this.session.open(scenario, document, placed, this.pace);
+    const pace = entry && (entry === left || isKept) ? undefined : (entry?.pace ?? record.pace ?? PACE);
+    this.session.open(scenario, document, placed, pace);
     this.name = entry?.title ?? (scenario.title || scenario.name);
   }
 

@@ -120,7 +120,7 @@ export class Session {
    * @param {Scenario} scenario
    * @param {ScenarioDocument} document
    * @param {Placed | null} placed
-   * @param {number} [pace]
+   * @param {number} [pace]   iterations a second; the previous speed where absent
    */
   open(scenario, document, placed, pace) {
     for (const lane of this.lanes.splice(0)) lane.free();

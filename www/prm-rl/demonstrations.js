@@ -35,7 +35,7 @@ export class Demonstrations {
 
   get layers() {
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: [this.session.training.floors], draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
   }

@@ -6,6 +6,7 @@ import { View } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawGround } from "../draw/ground.js";
 import { addLine, drawHandle, setStroke } from "../draw/marks.js";
+import { handleAhead } from "../draw/placed-handles.js";
 import { drawGoal, drawLabel, drawStart } from "../draw/shapes.js";
 import { distanceToSegment } from "../draw/trace.js";
 import { drawOutcome, drawRobotAt, drawTrace } from "./marks.js";
@@ -28,12 +29,12 @@ export class Floor {
   }
 
   get layers() {
-    const { part, run } = this.session;
+    const { part, run, document } = this.session;
     const { edges, refused, vertices } = run;
     // A roadmap of many edges is fainter.
     const isMany = edges.length > 2000;
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: document, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       roadmap: {
         key: [run, part, isMany],
         logs:
@@ -63,10 +64,13 @@ export class Floor {
       view,
       session: { start, goal },
     } = this;
-    const [x, y] = view.place(start);
     /** @type {["turn", number, number]} */
-    const turn = ["turn", x + AHEAD * Math.cos(start[2]), y - AHEAD * Math.sin(start[2])];
-    return [["start", x, y], ["goal", ...view.place(goal)], ...(this.isDriven || this.session.hasLoad ? [] : [turn])];
+    const turn = ["turn", ...handleAhead(view, start, AHEAD)];
+    return [
+      ["start", ...view.place(start)],
+      ["goal", ...view.place(goal)],
+      ...(this.isDriven || this.session.hasLoad ? [] : [turn]),
+    ];
   }
 
   /** The step of the path at a place, or null. @param {number} x @param {number} y @param {number} near */

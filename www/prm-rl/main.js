@@ -12,7 +12,9 @@ import { byId, grouped } from "../app/dom.js";
 import { json, save } from "../app/files.js";
 import { comparer } from "../app/once.js";
 import { openRoom } from "../app/room.js";
+import { isAbort } from "../app/work.js";
 import { Figure } from "../draw/figure.js";
+import { parsed } from "../formats/json.js";
 import { Course } from "../widgets/course.js";
 import { showDownloads } from "../widgets/downloads.js";
 import { button, press } from "../widgets/elements.js";
@@ -195,14 +197,14 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
     if (part !== "train" || length === 0 || app.reducedMotion || training.status !== "running") {
       if (demonstrations.time !== Infinity) {
         demonstrations.time = Infinity;
-        figures.demonstrations.redraw(["top"]);
+        figures.demonstrations.redraw();
       }
       began = now;
       return false;
     }
     // Drives of the policy so far are played over and over.
     demonstrations.time = ((PLAYED * Math.max(0, now - began)) / 1000) % demonstrations.round;
-    figures.demonstrations.redraw(["top"]);
+    figures.demonstrations.redraw();
     return true;
   });
   app.onDraw(() => {
@@ -223,10 +225,18 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
       spare: "document",
       contents: (isWhole) =>
         `${isWhole ? "the floor, start and goal, the settings, and what was trained, planned and driven" : "the settings, but not your floor: it is too long"}${session.origin === "file" ? "; your policy is too long and is not included" : ""}`,
-      open: async (/** @type {State | null} */ state) => {
+      open: async (/** @type {State | null} */ state, signal) => {
         course.pause();
-        if (state) return openState(session, lesson, state);
-        if (session.document) return;
+        const isFirst = !session.document;
+        if (state) {
+          try {
+            return await openState(session, lesson, state, signal);
+          } catch (error) {
+            if (isFirst && !isAbort(error)) session.forget();
+            throw error;
+          }
+        }
+        if (!isFirst) return;
         session.open(FIRST);
         const begun = drive();
         if (app.reducedMotion) await begun;
@@ -234,7 +244,8 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
       },
     },
     openFile: ({ text }) => {
-      if (/"format"\s*:\s*"planarium-policy-/.test(text)) session.usePolicy(parsed(text), "file");
+      if (/"format"\s*:\s*"planarium-policy-/.test(text))
+        session.usePolicy(/** @type {PolicyDocument} */ (parsed(text)), "file");
       else session.open({ document: text });
     },
     reseed: (seed) => {
@@ -300,9 +311,7 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
       void room.attempt(() => training.begin());
     if (differs("part", part, session.hasLoad)) showPart(part, session.hasLoad);
     for (const one of WAYS) press(byId(`way-${one}`, HTMLElement), one === way);
-    if (differs("ground", task, part, run, run.status)) figures.floor.redraw();
-    if (differs("demonstrations", part, training.floors)) figures.demonstrations.redraw();
-    for (const figure of all) figure.redraw(["top"]);
+    for (const figure of all) figure.redraw();
     const counts = countsOf(run.drives);
     Object.assign(stage.dataset, {
       status: refusal ? "refused" : run.status,
@@ -411,16 +420,3 @@ function swingText({ document, run, selected, time }) {
 
 /** Seconds of the demonstrations in one. */
 const PLAYED = 4;
-
-/**
- * A policy as the page uses it; what is wrong with it is said by the core.
- * @param {string} text
- * @returns {PolicyDocument}
- */
-function parsed(text) {
-  try {
-    return JSON.parse(text);
-  } catch (error) {
-    throw Object.assign(new Error(/** @type {Error} */ (error).message), { code: "invalid-json" });
-  }
-}

@@ -205,6 +205,16 @@ export class NavigationSession {
     this.app.changed();
   }
 
+  /** Forgets the floor, and all settings: they were refused. */
+  forget() {
+    Object.assign(this, { document: null, given: noSettings() });
+    for (const run of [this.training, this.comparison]) {
+      run.given = {};
+      run.clear();
+    }
+    this.clear();
+  }
+
   /** Forgets all plans and drives. */
   clear() {
     this.planning.cancel();

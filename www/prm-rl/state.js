@@ -3,7 +3,7 @@
  * is left out.
  */
 import { json, list, name, number, oneOf, record, settings, whole, withDefaults } from "../formats/rules.js";
-import { FIRST, WAYS } from "./session.js";
+import { FIRST, WAYS, noSettings } from "./session.js";
 
 /** @import { NavigationDocument, NavigationGeneratorId } from "planarium/full" */
 /** @import { Rule } from "../formats/rules.js" */
@@ -89,6 +89,7 @@ export function stateOf(
  * @param {NavigationSession} session
  * @param {Lesson} lesson
  * @param {State} state
+ * @param {AbortSignal} [signal]   something else is opened meanwhile
  * @throws {Error} the core refuses it
  */
 export async function openState(
@@ -115,16 +116,18 @@ export async function openState(
     executions,
     step,
   },
+  signal,
 ) {
   const { training, comparison } = session;
   const source = /** @type {Source} */ (document ? { document } : { kind, options });
   if (step > 0) lesson.leave();
   session.open(source, { start, goal });
   const { document: own } = session;
-  // Another floor may be opened while the link's training, plan or drives are made.
-  const isLeft = () => session.document !== own;
+  // Something else may be opened while the link's training, plan or drives are made.
+  const isLeft = () => signal?.aborted || session.document !== own;
   session.usePolicy(session.shipped, "shipped");
   session.setPart(part);
+  session.given = noSettings();
   if (way !== "policy") session.given[way] = given;
   Object.assign(session, { trials });
   session.setWay(way);

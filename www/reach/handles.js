@@ -79,11 +79,11 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
   function grabInWorkspace({ x, y, near, isTouch }) {
     const { robot, mode, target } = session;
     const { view } = workspace.drawing;
-    const isNear = (/** @type {Point} */ point) => Math.hypot(view.x(point[0]) - x, view.y(point[1]) - y) <= near;
+    const isNear = (/** @type {number[]} */ [px, py]) => Math.hypot(px - x, py - y) <= near;
     const pointOf = (/** @type {Place} */ place) => view.toPlane(place.x, place.y);
     if (!robot.isArm) return grabBody(pointOf({ x, y, near, isTouch }), isTouch, isNear, pointOf);
-    if (mode === "solve" && isNear(target)) return (place) => setTarget(pointOf(place));
-    if (isNear(robot.tip)) return (place) => session.moveTip(pointOf(place));
+    if (mode === "solve" && isNear(view.place(target))) return (place) => setTarget(pointOf(place));
+    if (isNear(view.place(robot.tip))) return (place) => session.moveTip(pointOf(place));
     const [px, py] = view.toPlane(x, y);
     const distances = robot.parts.map((part) =>
       part.type === "capsule" ? distanceToSegment(px, py, part.a, part.b) - part.radius : Infinity,
@@ -100,7 +100,7 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
    * Turns a body by the handle in front of it, or moves it.
    * @param {Point} point
    * @param {boolean} isTouch
-   * @param {(point: Point) => boolean} isNear
+   * @param {(place: number[]) => boolean} isNear  CSS pixels
    * @param {(place: Place) => Point} pointOf
    * @returns {Grip | null}
    */
@@ -110,7 +110,7 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
       q,
       q: [x, y],
     } = session.robot;
-    const [middle, front] = placedHandles(parts, q);
+    const [middle, front] = placedHandles(workspace.drawing.view, parts, q);
     if (isNear(front)) {
       return (place) => {
         const [toX, toY] = pointOf(place);

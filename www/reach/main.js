@@ -117,7 +117,7 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
     if (session.robot !== robot || !cells) return;
     figures.square.drawing.setCells(cells, CELLS.fine);
     stage.dataset.cells = "true";
-    figures.square.redraw();
+    app.requestFrame();
   });
   return {
     show,
@@ -126,8 +126,8 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
     link: {
       save: () => stateOf(session, ik),
       contents: "the robot, its configuration and the current mode",
-      open: async (/** @type {State | null} */ state) => {
-        if (state) await openState(session, ik, state);
+      open: async (/** @type {State | null} */ state, signal) => {
+        if (state) await openState(session, ik, state, signal);
       },
     },
     openFile: ({ text }) => session.open(text),
@@ -156,7 +156,6 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
     figures.axes.note.textContent = `one axis per ${axis}`;
     figures.square.note.textContent = robot.slides ? "each point: two coordinates" : "each point: two joint angles";
     byId("mode-solve", HTMLElement).hidden = !robot.isArm;
-    for (const figure of all) figure.redraw();
     showRoughly(robot);
   }
 
@@ -195,7 +194,7 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
     if (differs("robot", robot)) showRobot(robot);
     if (differs("scene", entry)) gallery.mark(entry?.id ?? null);
     if (differs("mode", mode)) showMode(mode);
-    for (const figure of all) figure.redraw(["top"]);
+    for (const figure of all) figure.redraw();
     const collision = collisionText(session);
     app.write({
       where: `${robot.document.title ?? robot.document.name} \u00b7 ${robotText(robot)}`,

@@ -12,6 +12,7 @@ import {
   whole,
   withDefaults,
 } from "../formats/rules.js";
+import { Robot } from "./robot.js";
 import { sceneOf } from "./scenes.js";
 
 /** @import { Point, ScenarioDocument } from "../domain/types.js" */
@@ -112,6 +113,7 @@ export function stateOf(session, ik) {
  * @param {ReachSession} session
  * @param {IkPanel} ik
  * @param {State} state
+ * @param {AbortSignal} [signal]   something else is opened meanwhile
  * @throws {Error} there is no such scene, or the core refuses it
  */
 export async function openState(
@@ -135,15 +137,18 @@ export async function openState(
     solve: { method, ...given },
     steps,
   },
+  signal,
 ) {
   const entry = scene ? await sceneOf(scene) : null;
-  if (typeof method === "string") ik.choose(method, given);
+  signal?.throwIfAborted();
   if (entry) {
-    session.openScene(entry);
     const { joint_limits: limits, joints, ...rest } = /** @type {ArmRobot} */ (entry.document.robot);
     const own = free ? rest : { ...rest, ...(limits && { joint_limits: limits }), ...(joints && { joints }) };
-    const changed = /** @type {ArmRobot} */ ({ ...own, ...changes });
-    if (free || Object.keys(changes).length > 0) session.changeArm({ ...entry.document, robot: changed });
+    const document = { ...entry.document, robot: /** @type {ArmRobot} */ ({ ...own, ...changes }), queries: [] };
+    // The core checks it before anything changes.
+    new Robot(document, []).free();
+    session.openScene(entry);
+    if (free || Object.keys(changes).length > 0) session.changeArm(document);
   } else {
     session.open(
       /** @type {ScenarioDocument} */ ({
@@ -156,6 +161,7 @@ export async function openState(
       }),
     );
   }
+  if (typeof method === "string") ik.choose(method, given);
   const { robot } = session;
   if (a) session.a = robot.fitted(a);
   if (b) session.b = robot.fitted(b);

@@ -32,7 +32,7 @@ export class Workspace {
 
   get layers() {
     return {
-      ground: { draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
+      ground: { key: this.session.robot, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       top: { draw: (/** @type {Brush} */ brush) => this.drawTop(brush) },
     };
   }
@@ -147,12 +147,12 @@ export class Workspace {
       });
     }
     const colour = robot.check.free ? palette.robot : palette.collision;
-    const handles = robot.isArm ? [] : [placedHandles(robot.parts, robot.q)[1]];
-    for (const handle of handles) {
+    if (!robot.isArm) {
+      const [, front] = placedHandles(this.view, robot.parts, robot.q);
       setStroke(context, colour, 1.4, [2, 3]);
-      drawLine(context, x, y, ...this.view.place(handle));
+      drawLine(context, x, y, ...front);
       context.setLineDash([]);
-      drawHandle(context, ...this.view.place(handle), colour, palette);
+      drawHandle(context, ...front, colour, palette);
     }
     drawHandle(context, x, y, colour, palette);
   }

@@ -75,7 +75,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
       plane.moment = plane.moment === null ? 0 : null;
       animationStart = performance.now();
       press(animate, plane.moment !== null);
-      figure.redraw(["top"]);
+      figure.redraw();
     },
     { className: "quiet", ariaPressed: "false" },
   );
@@ -86,7 +86,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
     if (plane.moment !== null) plane.moment = (Math.max(0, now - animationStart) / 1000) % plane.round;
     plane.isStill = app.reducedMotion || !course.isPlaying;
     const isMoving = plane.isMoving(now);
-    if (isMoving || wasMoving) figure.redraw(["top"]);
+    if (isMoving || wasMoving) figure.redraw();
     wasMoving = isMoving;
     return isMoving;
   });
@@ -135,7 +135,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
   }
 
   function showProgress() {
-    figure.redraw(["top"]);
+    figure.redraw();
     app.changed();
     if (!experiment.isRunning) app.announcer.say(sentence(""));
   }
@@ -187,7 +187,7 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
     if (await restart()) {
       if (state || app.reducedMotion) await experiment.advance(state ? tried : Infinity, showProgress);
       else course.setPlaying(true);
-      figure.redraw(["top"]);
+      figure.redraw();
     } else if (state && isRefused) throw new Error("Its settings are not valid.");
   }
 

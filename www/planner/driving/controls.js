@@ -3,6 +3,7 @@
  * transport.
  */
 import { json, save } from "../../app/files.js";
+import { parsed } from "../../formats/json.js";
 import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { keysOf } from "../../domain/key-text.js";
 import { Driving, FORMAT } from "./driving.js";
@@ -211,7 +212,7 @@ export class DriveControls {
   /** @param {File} file */
   async open(file) {
     const { page } = this;
-    const record = JSON.parse(await file.text());
+    const record = parsed(await file.text());
     const fault =
       record?.format !== FORMAT
         ? `This is not a recording of a drive: its format is not ${FORMAT}.`

@@ -71,6 +71,8 @@ export class EditorControls {
     this.narrow = matchMedia("(max-width: 63.99rem)");
     /** The scene as it was opened, as a part of the page's state. @type {Patch} */
     this.original = {};
+    /** Its iterations a second. @type {number | undefined} */
+    this.pace = undefined;
     this.changes = 0;
     this.message = "";
     /** The objects that the fields are for. */
@@ -138,8 +140,9 @@ export class EditorControls {
     });
     for (const element of [this.stage, this.bar]) element.addEventListener("keydown", (event) => this.key(event));
     page.onOpen(() => {
-      const { scene, options, document } = page.record;
-      this.original = { scene, options, document };
+      const { scene, options, document, pace } = page.record;
+      this.original = { scene, options, document, pace };
+      this.pace = page.entry?.pace ?? pace;
     });
     page.onState(({ isEditing }) => {
       if (isEditing) this.show(this.editor);
@@ -147,8 +150,12 @@ export class EditorControls {
     if (this.fold.open) this.turn();
   }
 
-  /** Opens the editor and scrolls to it. */
-  begin() {
+  /** Opens the editor and scrolls to it, or closes it. */
+  toggle() {
+    if (this.fold.open) {
+      this.fold.open = false;
+      return;
+    }
     reveal(this.fold);
     this.place();
     (this.narrow.matches ? byId("story", HTMLElement) : this.fold).scrollIntoView({
@@ -172,6 +179,7 @@ export class EditorControls {
     const on = this.fold.open;
     this.act((editor) => editor.turn(on));
     this.stage.classList.toggle("editing", on);
+    press(byId("edit", HTMLElement), on);
     this.place();
   }
 
@@ -294,9 +302,9 @@ export class EditorControls {
 
   /** Makes the edited scenario the page's, or restores the one that was opened. @param {boolean} isChanged */
   adopt(isChanged) {
-    const { page, original } = this;
+    const { page, original, pace } = this;
     const { document } = this.editor;
-    page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document } } : original);
+    page.change(isChanged ? { scene: undefined, options: undefined, document: { ...document }, pace } : original);
     this.original = original;
   }
 }

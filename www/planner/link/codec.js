@@ -56,8 +56,9 @@ const experimentRule = withDefaults(
       projector: flag,
       lens: oneOf(/** @type {const} */ (["workspace", "cspace"])),
     }),
-    // Of the scene.
+    // Of the scene: what generates it, and, where it is none of the built-in ones, iterations a second.
     options: settings,
+    pace: whole(1000, 1),
     // The configuration in hand. Or a car that is driven: from the start of the query unless another one is given, keys
     // as `keyText` writes them, and the steps made; then one control, v, phi and seconds, whose motion is shown. Beside
     // the exact arc Euler's path, with a step in seconds.

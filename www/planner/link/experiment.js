@@ -25,7 +25,7 @@ export const POSES = 8;
  */
 export function experimentOf({ record, state, plans, planners, race, session, entry, generation }) {
   if (!state) throw new Error("No scene is open.");
-  const { query, view, scene, document } = record;
+  const { query, view, scene, document, pace } = record;
   return {
     version: 1,
     query,
@@ -39,6 +39,7 @@ export function experimentOf({ record, state, plans, planners, race, session, en
     },
     scene,
     document,
+    pace,
     options: generation ? changed(generation.options, (name) => entry?.generate?.options[name]) : undefined,
     ...inHand(session),
   };

@@ -25,10 +25,11 @@ export class Link {
     this.page = page;
     this.projector = projector;
     this.catalogue = { scenes, generators, planners: page.planners };
-    /** The time in the link, until the run has reached it. @type {number | null} */
+    /**
+     * The time in the link, until the run has reached it, and what of the link could not be restored.
+     * @type {{ time: number, faults: string[] } | null}
+     */
     this.wanted = null;
-    /** The parts of the link that could not be restored. @type {string[]} */
-    this.faults = [];
     const encode = async () => {
       await page.arrived();
       return encodeLink(experimentOf(page));
@@ -40,11 +41,11 @@ export class Link {
     page.onState(({ clock, playing, refusal, settled, growing }) => {
       const { wanted } = this;
       if (wanted === null) return;
-      const isOver = playing || refusal || clock.now >= wanted;
+      const isOver = playing || refusal || clock.now >= wanted.time;
       if (isOver || settled) this.wanted = null;
       if (isOver || !settled || growing) return;
-      this.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(wanted)}.`);
-      this.complain();
+      wanted.faults.push(`The run ends at ${timeText(clock)}, before ${grouped(wanted.time)}.`);
+      this.complain(wanted.faults);
     });
   }
 
@@ -54,7 +55,6 @@ export class Link {
    */
   async open(fragment) {
     const { page } = this;
-    this.faults = [];
     const request = ++page.request;
     const { experiment, fault } = await decodeLink(fragment);
     if (request !== page.request) return;
@@ -70,23 +70,30 @@ export class Link {
 
   /** @param {Experiment} experiment @throws {Error} its scenario cannot be read */
   async restore(experiment) {
-    const { page, catalogue, faults } = this;
+    const { page, catalogue } = this;
+    /** @type {string[]} */
+    const faults = [];
     const unfit = await page.open(known(experiment, catalogue, faults), { play: false });
     if (!unfit) return;
+    const { request } = page;
     faults.push(...unfit);
     const { iteration, view, ...rest } = experiment;
     this.projector.turn(view.projector ?? false);
     if (SHOWN.some((name) => view[name])) reveal(byId("view", HTMLElement));
     if (page.plans.length > 1) reveal(byId("race", HTMLElement));
     if (rest.pose) reveal(byId("pose", HTMLElement));
-    this.wanted = iteration;
-    await this.drive(rest);
-    if (faults.length > 0) this.complain();
+    this.wanted = { time: iteration, faults };
+    await this.drive(rest, faults);
+    if (faults.length > 0 && page.request === request) this.complain(faults);
   }
 
-  /** Restores a drive by keys. @param {Pick<Experiment, "drive" | "roll" | "euler">} experiment */
-  async drive({ drive, roll, euler }) {
-    const { page, faults } = this;
+  /**
+   * Restores a drive by keys.
+   * @param {Pick<Experiment, "drive" | "roll" | "euler">} experiment
+   * @param {string[]} faults   a sentence is added to it where the drive cannot be restored
+   */
+  async drive({ drive, roll, euler }, faults) {
+    const { page } = this;
     const { session } = page;
     if ((!drive && !roll && !euler) || page.robot !== "car") return;
     const { plannings } = session;
@@ -102,8 +109,9 @@ export class Link {
     }
   }
 
-  complain() {
-    this.page.notice.show("Parts of the link could not be restored.", this.faults.join(" "));
+  /** @param {string[]} faults */
+  complain(faults) {
+    this.page.notice.show("Parts of the link could not be restored.", faults.join(" "));
   }
 }
 

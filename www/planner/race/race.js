@@ -9,17 +9,17 @@ import { Rival } from "./rival.js";
 import { Table } from "./table.js";
 
 /** @import { Page } from "../page.js" */
-/** @import { Sheets } from "../sheets.js" */
+/** @import { Figures } from "../figures.js" */
 /** @import { PaneKind, PlannerInfo, State } from "../../domain/types.js" */
 
 /** Rivals at most. */
 const MOST = 3;
 
 export class Race {
-  /** @param {Page} page @param {Sheets} sheets */
-  constructor(page, sheets) {
+  /** @param {Page} page @param {Figures} figures */
+  constructor(page, figures) {
     this.page = page;
-    this.sheets = sheets;
+    this.figures = figures;
     /** @type {Rival[]} */
     this.rivals = [];
     /** The names in the table. */
@@ -41,7 +41,7 @@ export class Race {
     );
     byId("race", HTMLElement).append(this.list, row, this.hint);
     this.lens = this.makeLens();
-    sheets.element.before(this.lens);
+    figures.element.before(this.lens);
     page.race = this;
     this.agree();
     page.onState((state) => this.show(state));
@@ -152,19 +152,19 @@ export class Race {
     const isRace = plans.length > 1;
     lens.hidden = !isRace || !this.hasSquare;
     this.numbers.hidden = isRace;
-    this.sheets.element.classList.toggle("race", isRace);
+    this.figures.element.classList.toggle("race", isRace);
     if (names.join("\n") !== this.named) this.table.build(isRace ? names : []);
     this.named = names.join("\n");
     if (!isRace) return false;
     const kind = this.picture;
     for (const input of lens.querySelectorAll("input")) input.checked = input.value === kind;
-    this.sheets.show(names.map((caption, lane) => ({ id: `lane-${letter(lane)}`, kind, lane, caption })));
+    this.figures.show(names.map((caption, lane) => ({ id: `lane-${letter(lane)}`, kind, lane, caption })));
     return true;
   }
 
   /** @param {State} state */
   show(state) {
     const { plans } = this.page;
-    if (plans.length > 1 && state.lanes.length === plans.length) this.table.show(state, this.sheets);
+    if (plans.length > 1 && state.lanes.length === plans.length) this.table.show(state, this.figures);
   }
 }

@@ -5,7 +5,7 @@ import { endText } from "../../domain/names.js";
 import { button, labelled } from "../../widgets/elements.js";
 import { duration, percent } from "../../widgets/format.js";
 
-/** @import { Sheets } from "../sheets.js" */
+/** @import { Figures } from "../figures.js" */
 /** @import { LaneState, State } from "../../domain/types.js" */
 
 const COLUMNS = [
@@ -67,8 +67,8 @@ export class Table {
     );
   }
 
-  /** @param {State} state @param {Sheets} sheets */
-  show({ lanes }, sheets) {
+  /** @param {State} state @param {Figures} figures */
+  show({ lanes }, figures) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].dataset, { status, fingerprint }));
     const isSearched = lanes.some(({ visited }) => visited !== null);
     for (const { cells } of this.host.querySelectorAll("tr"))
@@ -93,7 +93,7 @@ export class Table {
         lane.visited === null ? "\u2013" : grouped(lane.visited),
         lane.visited === null || !lane.stats ? "\u2013" : searchTime(lane.stats.search),
       ];
-      sheets.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
+      figures.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
     });
     write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");

@@ -158,15 +158,13 @@ export class SettingsForm extends Fields {
   selectPreset() {
     const all = this.info.presets.map((preset) => ({ ...preset, settings: namesOfDocuments(preset.settings) }));
     const presets = all.filter(({ settings }) => !repeatsFault(settings) || this.equals(settings));
-    if (presets.map(({ id }) => id).join() !== this.presets.map(({ id }) => id).join() || this.preset.length === 0) {
-      const option = (/** @type {string} */ value, /** @type {string} */ title) =>
-        make("option", { value, disabled: value === "own" }, title);
-      this.preset.replaceChildren(
-        option("own", "custom"),
-        option("", "defaults"),
-        ...presets.map(({ id, title }) => option(id, title)),
-      );
-    }
+    const option = (/** @type {string} */ value, /** @type {string} */ title) =>
+      make("option", { value, disabled: value === "own" }, title);
+    this.preset.replaceChildren(
+      option("own", "custom"),
+      option("", "defaults"),
+      ...presets.map(({ id, title }) => option(id, title)),
+    );
     this.presets = presets;
     this.presetRow.hidden = presets.length === 0;
     this.preset.value = presets.find(({ settings }) => this.equals(settings))?.id ?? (this.equals({}) ? "" : "own");

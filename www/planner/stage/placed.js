@@ -3,6 +3,7 @@
  * Loaded with the first of them.
  */
 import { obstaclePath, wrap } from "planarium/draw";
+import { handleAhead } from "../../draw/placed-handles.js";
 
 /** @import { Hover, Shown } from "../lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
@@ -234,8 +235,7 @@ export class Placed {
    * @returns {[number, number]}
    */
   handle(pose, view) {
-    const far = this.front * view.scaleX + HANDLE;
-    return [view.x(pose[0]) + far * Math.cos(pose[2]), view.y(pose[1]) - far * Math.sin(pose[2])];
+    return handleAhead(view, pose, this.front * view.scaleX + HANDLE);
   }
 
   /**

@@ -163,7 +163,7 @@ export class Stage {
     let hasCopied = false;
     for (const [i, { pane, figure }] of drawn.entries()) {
       pane.follow(now);
-      figure.sheet.redraw(["top"]);
+      figure.sheet.redraw();
       // A frame makes one copy.
       const share = { until: began + ((until - began) * (i + 1)) / drawn.length, most: most / drawn.length };
       hasCopied = figure.sheet.draw(hasCopied ? { most: 0 } : share) || hasCopied;

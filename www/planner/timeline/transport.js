@@ -60,7 +60,7 @@ export class Transport {
     this.showSpeed();
     page.onState((state) => this.show(state));
     page.onOpen(() => {
-      if (page.pace !== undefined) this.pace = page.pace;
+      this.pace = page.session.clock.pace;
     });
   }
 

@@ -7,12 +7,12 @@ import { robotName } from "../domain/names.js";
 /** @import { Page } from "./page.js" */
 /** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
 /**
- * @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes
+ * @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Named   the note describes
  *   the drawing
  */
 /** The two parts of a note. @typedef {{ usual: string, standing: string }} Note */
 
-export class Sheets {
+export class Figures {
   /** @param {Page} page */
   constructor(page) {
     this.app = page.app;
@@ -52,7 +52,7 @@ export class Sheets {
     ]);
   }
 
-  /** Shows some sheets, in this order. @param {Sheet[]} wanted */
+  /** Shows some figures, in this order. @param {Named[]} wanted */
   show(wanted) {
     const { stage, element } = this;
     for (const { id, kind, lane } of stage.places.values()) {
@@ -60,9 +60,9 @@ export class Sheets {
       stage.remove(id);
       this.notes.delete(id);
     }
-    for (const [at, sheet] of wanted.entries()) {
-      const { id, caption, note = "" } = sheet;
-      const { figure } = stage.at(id) ?? this.add(sheet);
+    for (const [at, named] of wanted.entries()) {
+      const { id, caption, note = "" } = named;
+      const { figure } = stage.at(id) ?? this.add(named);
       write(figure.caption, caption);
       this.notes.set(id, { usual: note, standing: this.notes.get(id)?.standing ?? "" });
       // Moving an element would release a captured pointer.
@@ -70,14 +70,14 @@ export class Sheets {
     }
     this.writeNotes();
     element.classList.toggle("single", wanted.length === 1);
-    element.dataset.sheets = String(wanted.length);
+    element.dataset.figures = String(wanted.length);
     measure(Array.from(stage.places.values(), ({ figure }) => figure));
   }
 
-  /** @param {Sheet} sheet */
-  add(sheet) {
-    const place = this.stage.add(this.app, this.element, sheet, () => this.session.markDirty());
-    this.listen(place.figure.canvas, sheet.id);
+  /** @param {Named} named */
+  add(named) {
+    const place = this.stage.add(this.app, this.element, named, () => this.session.markDirty());
+    this.listen(place.figure.canvas, named.id);
     return place;
   }
 

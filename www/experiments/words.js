@@ -1,0 +1,53 @@
+/** What the page says of an experiment and of its trials, in sentences. */
+import { counted, grouped } from "../app/dom.js";
+import { capital } from "../widgets/format.js";
+import { plannerTitle } from "./factors.js";
+import { SOLVED } from "./measures.js";
+import { sampleOf } from "./tables.js";
+
+/** @import { ExperimentSession } from "./session.js" */
+
+/** @param {ExperimentSession} session */
+export function sentenceOf({ phase, info, rows, document: { title, worlds, planners }, refusal, ceiling }) {
+  const about = (/** @type {string} */ end) =>
+    title ? `${title.replace(/[.:]$/, "")}${/[?!]$/.test(title) ? "" : end} ` : "";
+  const begin = about(":");
+  if (phase === "refused" || phase === "failed")
+    return `${about(".")}${phase === "refused" ? "The experiment is refused" : "The trials stopped"}: ${refusal?.message ?? ""}.`;
+  if (!info) return `${begin}Checking the experiment\u2026`;
+  if (rows.done === 0 && phase === "ready")
+    return `${begin}${grouped(info.trialCount)} trials of ${counted(planners.length, "planner")} in ${counted(worlds.length, "kind of world", "kinds of worlds")}. Press Run.`;
+  if (phase !== "done")
+    return `${begin}${grouped(info.trialCount)} trials ${phase === "running" ? "are running" : "wait"}\u2026`;
+  const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
+  const limit = ceiling && ceiling.most < 100 ? ` At most ${Number(ceiling.most.toFixed(1))} % can be solved.` : "";
+  return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.${limit}`;
+}
+
+/** @param {ExperimentSession} session */
+export function progressOf({ rows, phase, runtime, uncertified, isBusy }) {
+  if (rows.count === 0) return "";
+  if (uncertified > 0) return `${counted(uncertified, "world")} left to examine for a path`;
+  const left = rows.done > 0 && isBusy ? (runtime / rows.done) * (rows.count - rows.done) : 0;
+  const seconds = phase === "done" ? `, ${(runtime / 1000).toFixed(1)} s` : left > 0 ? `, ${timeText(left)} left` : "";
+  return `${grouped(rows.done)} of ${grouped(rows.count)}${seconds}`;
+}
+
+/**
+ * A refusal as a sentence, with the title of the planner that it begins with; names of parameters stay as they are.
+ * @param {string} message
+ */
+export function refusalText(message) {
+  const named = message.replace(/^[a-z-]+/, (algorithm) => plannerTitle({ algorithm }));
+  return /^(?:these|this|there|the|another|unknown|an?|no|it) /.test(named) ? capital(named) : named;
+}
+
+/** @param {number} milliseconds */
+function timeText(milliseconds) {
+  const seconds = Math.ceil(milliseconds / 1000);
+  return seconds < 60
+    ? `${seconds} s`
+    : seconds < 3600
+      ? `${Math.round(seconds / 60)} min`
+      : `${(seconds / 3600).toFixed(1)} h`;
+}

@@ -1,6 +1,6 @@
 /** The result in at most four sentences: the extremes, two settings in pairs, and all against the first of the two. */
 import { paired, quartiles } from "planarium/full";
-import { pairsOf, settingsOf } from "./common.js";
+import { TASK, pairsOf, settingsOf } from "./common.js";
 import { groupsOf, labelOf } from "./factors.js";
 import { SOLVED, isShare, measureInfo, nounOf } from "./measures.js";
 import { sampleOf } from "./tables.js";
@@ -56,6 +56,8 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
   const result = /** @type {ReturnType<typeof compared>} */ (results.get(second.name));
   const sentences = [extremes(ranked, measure), pairSentence(result, second.name, base.name, measure, tests)];
   if (tests > 1) sentences.push(othersSentence(results, base.name, measure));
+  if (result.n > 0 && result.tasks > 1 && result.tasks < result.n)
+    sentences.push(`The pairs are from ${result.tasks} worlds; the test takes all pairs as independent.`);
   return {
     sentences: sentences.filter(Boolean),
     names: all.map(({ name }) => name),
@@ -116,7 +118,12 @@ function compared(rows, a, b, measure) {
       measure,
     );
   const { n, smaller, larger, sign_p, wilcoxon_p } = paired(sample(true), sample(false), a.name, b.name, measure);
-  return { n, smaller, larger, p: isShare(measure) ? sign_p : wilcoxon_p };
+  const tasks = pairsOf(
+    rows,
+    pairs.map(([trial]) => trial),
+    TASK,
+  ).size;
+  return { n, smaller, larger, tasks, p: isShare(measure) ? sign_p : wilcoxon_p };
 }
 
 /**

@@ -56,8 +56,6 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
   const result = /** @type {ReturnType<typeof compared>} */ (results.get(second.name));
   const sentences = [extremes(ranked, measure), pairSentence(result, second.name, base.name, measure, tests)];
   if (tests > 1) sentences.push(othersSentence(results, base.name, measure));
-  if (result.n > 0 && result.tasks > 1 && result.tasks < result.n)
-    sentences.push(`The pairs are from ${result.tasks} worlds; the test takes all pairs as independent.`);
   return {
     sentences: sentences.filter(Boolean),
     names: all.map(({ name }) => name),
@@ -133,12 +131,13 @@ function compared(rows, a, b, measure) {
  * @param {string} measure
  * @param {number} tests
  */
-function pairSentence({ n, smaller, larger, p }, a, b, measure, tests) {
+function pairSentence({ n, smaller, larger, tasks, p }, a, b, measure, tests) {
   if (n === 0) return `No pair has a value of both ${a} and ${b}.`;
   const over = tests > 1 ? `, corrected for ${tests} tests` : "";
   const verdict = p <= LEVEL / tests ? `significant at 5 %${over}` : `no difference is shown at 5 %${over}`;
   const rounded = Math.round(p * 1e4) / 1e4;
-  const value = rounded > 0 ? `p = ${rounded}` : "p < 0.0001";
+  const worlds = tasks > 1 && tasks < n ? `; it takes the pairs, of ${tasks} worlds, as independent` : "";
+  const value = `${rounded > 0 ? `p = ${rounded}` : "p < 0.0001"}${worlds}`;
   if (!isShare(measure))
     return `The ${nounOf(measure)} of ${a} is smaller than that of ${b} in ${smaller} of ${n} pairs that both solved, larger in ${larger}${smaller + larger < n ? `, equal in ${n - smaller - larger}` : ""}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
   const path = measure === SOLVED ? "a path" : "a valid path";

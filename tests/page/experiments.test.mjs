@@ -319,7 +319,7 @@ test("charts have the values of the rows; pictures and files hold them", () =>
     await fill(page, "#title", "Trials & errors");
     await page.fill("#own-caption", "A caption by the reader.");
     await page.waitForSelector("body[data-phase=done][data-done='48'][data-settled=true]");
-    assert.match(await page.innerText("#remark"), /^A caption by the reader\. Line: median; /);
+    assert.match(await page.innerText("#remark"), /^A caption by the reader\. Boxes: quartiles /);
     await tableOf(page, "line");
 
     const png = await taken(page, "png");

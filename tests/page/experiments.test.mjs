@@ -715,8 +715,9 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
     assert.match(remarkOf(chart), /^[A-Z].* n = \d+ (?:each|to \d+)\./, id);
     assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
     const captionWhile = (/** @type {number} */ uncertified) =>
-      captionOf(chart, { view: {}, ceiling: null, rows, uncertified });
-    assert.equal(captionWhile(0), remarkOf(chart), id);
+      captionOf(chart, { document: small, view: {}, ceiling: null, rows, uncertified });
+    const subject = "PRM, RRT-Connect; Two links among stones, made; 8 trials.";
+    assert.equal(captionWhile(0), `${subject} ${remarkOf(chart)}`, id);
     const isOfPaths = chart.measure === "solved" || chart.kind.isOfAll === true;
     assert.equal(captionWhile(2).endsWith("still being examined."), isOfPaths, id);
     // Worlds across or in series have ceilings of their own.

@@ -3,6 +3,7 @@ import { byId, grouped, make } from "../app/dom.js";
 import { once } from "../app/once.js";
 import { chartOf, remarkOf } from "./charts.js";
 import { SOLVED } from "./measures.js";
+import { subjectOf } from "./words.js";
 
 /** @import { ChartData } from "./charts.js" */
 /** @import { Cell } from "./rows.js" */
@@ -86,7 +87,8 @@ export class ChartView {
       picture && captioned(picture, { title: session.document.title ?? "", caption: this.caption, palette });
     host.replaceChildren(...(picture ? [picture] : this.waiting()));
     byId("caption", HTMLElement).textContent = chart ? `${chart.kind.title}: ${chart.title}` : "";
-    byId("remark", HTMLElement).textContent = this.caption;
+    const hint = chart && chart.points.length > 0 ? " Click a dot to watch its run." : "";
+    byId("remark", HTMLElement).textContent = this.caption + hint;
     this.showTable();
     for (const listener of this.listeners) listener();
     Object.assign(document.body.dataset, { chart: chart?.kind.id ?? "", drawn: rows.done });
@@ -137,16 +139,18 @@ export class ChartView {
 }
 
 /**
- * What is under the chart, in its exports too: the reader's caption, or what the marks mean; and what is still to come.
+ * What is under the chart, in its exports too: the reader's caption, or what was run; what the marks mean; and what is
+ * still to come.
  * @param {ChartData} chart
- * @param {Pick<ExperimentSession, "view" | "ceiling" | "rows" | "uncertified">} session
+ * @param {Pick<ExperimentSession, "document" | "view" | "ceiling" | "rows" | "uncertified">} session
  */
-export function captionOf(chart, { view, ceiling, rows, uncertified }) {
+export function captionOf(chart, session) {
+  const { view, ceiling, rows, uncertified } = session;
   const isOfPaths = chart.measure === SOLVED || chart.kind.isOfAll;
   const words = ceiling && isOfPaths ? [ceiling.words] : [];
   const left = rows.done < rows.count ? [`${grouped(rows.done)} of ${grouped(rows.count)} trials.`] : [];
   if (isOfPaths && uncertified > 0) left.push("Worlds without a path are still being examined.");
-  return [...(view.caption === undefined ? [remarkOf(chart), ...words] : [view.caption]), ...left].join(" ");
+  return [view.caption ?? subjectOf(session), remarkOf(chart), ...words, ...left].join(" ");
 }
 
 /** @param {Cell} cell */

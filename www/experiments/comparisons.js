@@ -1,8 +1,8 @@
 /** The result in at most four sentences: the extremes, two settings in pairs, and all against the first of the two. */
 import { paired, quartiles } from "planarium/full";
-import { pairsOf, settingsOf } from "./common.js";
+import { TASK, pairsOf, settingsOf } from "./common.js";
 import { groupsOf, labelOf } from "./factors.js";
-import { SOLVED, isShare, measureInfo } from "./measures.js";
+import { SOLVED, isShare, measureInfo, nounOf } from "./measures.js";
 import { sampleOf } from "./tables.js";
 
 /** @import { Factor } from "./factors.js" */
@@ -36,8 +36,11 @@ export function comparisons(rows, factors, measure, { baseline, other, which = n
     }));
     const sentences =
       groups.length > 1
-        ? [extremes(rankedBy(rows, groups, measure), measure), "Trials in different worlds are no pairs to test."]
-        : ["There are no two settings to compare."];
+        ? [
+            extremes(rankedBy(rows, groups, measure), measure),
+            "Trials in different worlds cannot be paired, so nothing is tested.",
+          ]
+        : ["A comparison needs trials of two settings."];
     return { sentences, names: [], baseline: "", other: "" };
   }
   const half = all.findIndex(({ share }) => share >= 0.5);
@@ -113,7 +116,12 @@ function compared(rows, a, b, measure) {
       measure,
     );
   const { n, smaller, larger, sign_p, wilcoxon_p } = paired(sample(true), sample(false), a.name, b.name, measure);
-  return { n, smaller, larger, p: isShare(measure) ? sign_p : wilcoxon_p };
+  const tasks = pairsOf(
+    rows,
+    pairs.map(([trial]) => trial),
+    TASK,
+  ).size;
+  return { n, smaller, larger, tasks, p: isShare(measure) ? sign_p : wilcoxon_p };
 }
 
 /**
@@ -123,14 +131,15 @@ function compared(rows, a, b, measure) {
  * @param {string} measure
  * @param {number} tests
  */
-function pairSentence({ n, smaller, larger, p }, a, b, measure, tests) {
+function pairSentence({ n, smaller, larger, tasks, p }, a, b, measure, tests) {
   if (n === 0) return `No pair has a value of both ${a} and ${b}.`;
-  const over = tests > 1 ? ` divided by ${tests} tests` : "";
+  const over = tests > 1 ? `, corrected for ${tests} tests` : "";
   const verdict = p <= LEVEL / tests ? `significant at 5 %${over}` : `no difference is shown at 5 %${over}`;
   const rounded = Math.round(p * 1e4) / 1e4;
-  const value = rounded > 0 ? `p = ${rounded}` : "p < 0.0001";
+  const worlds = tasks > 1 && tasks < n ? `; it takes the pairs, of ${tasks} worlds, as independent` : "";
+  const value = `${rounded > 0 ? `p = ${rounded}` : "p < 0.0001"}${worlds}`;
   if (!isShare(measure))
-    return `The ${measureInfo(measure, "").title} of ${a} is smaller than that of ${b} in ${smaller} of ${n} pairs that both solved, larger in ${larger}, equal in ${n - smaller - larger}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
+    return `The ${nounOf(measure)} of ${a} is smaller than that of ${b} in ${smaller} of ${n} pairs that both solved, larger in ${larger}${smaller + larger < n ? `, equal in ${n - smaller - larger}` : ""}: ${verdict} (Wilcoxon\u2019s signed-rank test, ${value}).`;
   const path = measure === SOLVED ? "a path" : "a valid path";
   const test = `${verdict} (McNemar\u2019s exact test, ${value})`;
   if (larger === smaller)
@@ -147,12 +156,15 @@ function pairSentence({ n, smaller, larger, p }, a, b, measure, tests) {
  */
 function othersSentence(results, base, measure) {
   const shown = [...results].filter(([, { n, p }]) => n > 0 && p <= LEVEL / results.size);
-  const named = (/** @type {typeof shown} */ some) =>
-    some.length === 0 ? "none" : some.length > NAMES ? String(some.length) : some.map(([name]) => name).join("; ");
-  const [larger, smaller] = [
-    named(shown.filter(([, one]) => one.larger > one.smaller)),
-    named(shown.filter(([, one]) => one.larger < one.smaller)),
-  ];
   const [more, less] = isShare(measure) ? ["more often", "less often"] : ["larger", "smaller"];
-  return `Of the ${results.size} other settings, these differ significantly from ${base}: ${more} ${larger}, ${less} ${smaller}.`;
+  const parts = [
+    { word: more, some: shown.filter(([, one]) => one.larger > one.smaller) },
+    { word: less, some: shown.filter(([, one]) => one.larger < one.smaller) },
+  ]
+    .filter(({ some }) => some.length > 0)
+    .map(({ word, some }) => `${word}: ${some.length > NAMES ? some.length : some.map(([name]) => name).join(", ")}`);
+  const others = `${results.size} other settings`;
+  return parts.length === 0
+    ? `None of the ${others} differs significantly from ${base}.`
+    : `Of the ${others}, these differ significantly from ${base}: ${parts.join("; ")}.`;
 }

@@ -4,6 +4,7 @@ import { json } from "../app/files.js";
 import { pngPicture, svgPicture } from "../draw/picture.js";
 import { csvFile } from "../formats/csv.js";
 import { showFiles } from "../widgets/downloads.js";
+import { measureInfo } from "./measures.js";
 
 /** @import { ChartView } from "./chart-view.js" */
 /** @import { ExperimentSession } from "./session.js" */
@@ -24,7 +25,10 @@ export function showExports(session, view) {
     const { done, count } = session.rows;
     return done < count ? `${title()}-${done}-of-${count}-trials` : title();
   };
-  const chartName = () => `${name()}-${view.chart?.kind.id ?? "chart"}`;
+  const chartName = () => {
+    const { chart } = view;
+    return chart ? `${name()}-${chart.kind.id}-${chart.measure.replaceAll("_", "-")}` : `${name()}-chart`;
+  };
   showFiles(session.app, name, [
     {
       id: "png",
@@ -56,8 +60,12 @@ export function showExports(session, view) {
       name: chartName,
       content: () => {
         const { chart } = view.shown;
-        const texts = chart.rows().map((row) => row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)));
-        return csvFile(chart.columns, texts);
+        // A file lies apart from the chart: each row says what is measured.
+        const { title, unit } = measureInfo(chart.measure, session.unit);
+        const texts = chart
+          .rows()
+          .map((row) => [...row.map((cell) => (typeof cell === "boolean" ? String(cell) : cell)), title, unit]);
+        return csvFile([...chart.columns, "measure", "unit"], texts);
       },
     },
     {

@@ -54,6 +54,12 @@ export function measureInfo(id, lengthUnit) {
   return { id, title, unit: id === "length" ? lengthUnit : unit };
 }
 
+/** A measure with its article left out, as the subject of a sentence in the singular. @param {string} id */
+export function nounOf(id) {
+  const { title } = measureInfo(id, "");
+  return ["length", "chord_length", "work"].includes(id) || id.endsWith("_seconds") ? title : `number of ${title}`;
+}
+
 /** The factor from the core's unit to the one shown: milliseconds, percent. @param {string} id */
 export function scaleOf(id) {
   return id.endsWith("_seconds") ? 1000 : isShare(id) ? 100 : 1;

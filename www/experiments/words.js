@@ -4,6 +4,10 @@ import { capital } from "../widgets/format.js";
 import { plannerTitle } from "./factors.js";
 import { SOLVED } from "./measures.js";
 import { sampleOf } from "./tables.js";
+import { titleOf } from "./worlds.js";
+
+/** Planners and worlds that a caption names, at most. */
+const NAMES = 3;
 
 /** @import { ExperimentSession } from "./session.js" */
 
@@ -22,6 +26,14 @@ export function sentenceOf({ phase, info, rows, document: { title, worlds, plann
   const solved = sampleOf(rows, Array.from(rows.ended()), SOLVED).reduce((sum, one) => sum + one, 0);
   const limit = ceiling && ceiling.most < 100 ? ` At most ${Number(ceiling.most.toFixed(1))} % can be solved.` : "";
   return `${begin}${grouped(solved)} of ${grouped(rows.count)} trials found a path.${limit}`;
+}
+
+/** What was run, for the caption of a chart. @param {Pick<ExperimentSession, "document" | "rows">} session */
+export function subjectOf({ document: { planners, worlds }, rows }) {
+  const list = (/** @type {string[]} */ all, /** @type {string} */ noun) =>
+    all.length > NAMES ? counted(all.length, noun) : all.join(", ");
+  const algorithms = [...new Set(planners.map(plannerTitle))];
+  return `${list(algorithms, "planner")}; ${list([...new Set(worlds.map(titleOf))], "world")}; ${counted(rows.count, "trial")}.`;
 }
 
 /** @param {ExperimentSession} session */

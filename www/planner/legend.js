@@ -22,6 +22,7 @@ export function showLegend({ calm }, { lanes, view, growing, playing, clock, hov
     rejected: (view.refused || flashes || waits) && (samples || motions),
     path: hasPath || hasBest,
     poses: hasPath && view.strobe,
+    regions: view.regions && some(({ kind }) => kind !== "roadmap"),
     informed: some(({ isInformed }) => isInformed),
     piece: some(({ isApart }) => isApart),
     searched: some(({ isSearched }) => isSearched),

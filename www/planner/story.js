@@ -225,7 +225,7 @@ function standing(lanes, standings) {
   if (first.length === 0)
     return isOver
       ? "Every planner gave up, without a path."
-      : "All planners get the same budget, measured in clearance evaluations (distance computations).";
+      : "All planners are shown after the same work, counted in clearance evaluations (distances computed).";
   const { found } = standings[first[0]];
   if (isOver && lanes.every(({ run }) => run?.past[PAST.clearanceEvaluations] === 0))
     return "There is nothing to avoid here: no clearance is ever evaluated, so all planners finish at once.";

@@ -18,7 +18,10 @@ export const box = {
     const fill = (/** @type {{ series: string }} */ one) => look.styleOf(one.series).colour;
     return {
       marks: [
-        plot.ruleX(chart.summaries, { ...at, y1: "least", y2: "most", stroke: fill, strokeWidth: 1.5 }),
+        ...[
+          ["least", "low"],
+          ["high", "most"],
+        ].map(([y1, y2]) => plot.ruleX(chart.summaries, { ...at, y1, y2, stroke: fill, strokeWidth: 1.5 })),
         plot.barY(chart.summaries, {
           ...at,
           y1: "low",

@@ -31,8 +31,9 @@ export const line = {
   },
   marks(plot, chart, { width, styleOf }) {
     const { across, series, summaries } = chart;
-    const few =
-      across.values.length <= 12 ? { ticks: /** @type {any} */ (across.values.filter((value) => value !== null)) } : {};
+    // Settings without a value have no place on the axis.
+    const valued = across.values.filter((value) => summaries.some(({ x, middle }) => x === value && middle !== null));
+    const few = valued.length <= 12 ? { ticks: /** @type {any} */ (valued.filter((value) => value !== null)) } : {};
     const place = across.isNumeric
       ? { ...few, tickFormat: /** @type {any} */ (String) }
       : { type: /** @type {const} */ ("point"), domain: across.values, padding: 0.5, ...ticksOf(across, width) };

@@ -89,5 +89,5 @@ export const WHOLE_RUN =
 
 /** A dot is a trial. @param {ChartData} chart */
 export function dotsOf({ points }) {
-  return points.length > 0 ? " Each dot is a trial; click it to watch its run." : "";
+  return points.length > 0 ? " Each dot is a trial." : "";
 }

@@ -5,6 +5,7 @@
 import { Experiment } from "planarium/full";
 import { View as Frame } from "planarium/draw";
 import { SERIES } from "../../app/palette.js";
+import { plannerTitle } from "../../experiments/factors.js";
 import { encodeExperiment } from "../../experiments/link.js";
 import { SOLVED, isShare, measureInfo, scaleOf, titled } from "../../experiments/measures.js";
 import { drawLine, setStroke } from "../../draw/marks.js";
@@ -103,6 +104,11 @@ function valueOf(row, measure) {
   return row.status === "solved" ? Number(row[measure] ?? NaN) * scaleOf(measure) : NaN;
 }
 
+/** A value of a column in words. @param {string} column @param {unknown} value */
+function wordOf(column, value) {
+  return column === "planner" ? plannerTitle({ algorithm: String(value) }) : String(value);
+}
+
 /** The columns of planners in which rows differ. @param {TrialRow[]} rows */
 function settingsOf(rows) {
   return Object.keys(rows[0]).filter(
@@ -123,10 +129,10 @@ function groupsOf(rows, { chart, axis = "planner", second }, measure) {
   const groups = new Map();
   for (const row of rows) {
     const [x, series] = [
-      String(row[axis] ?? ""),
+      (row[axis] ?? null) === null ? "" : wordOf(axis, row[axis]),
       others
-        .map((column) => row[column])
-        .filter((value) => value !== null)
+        .filter((column) => row[column] !== null)
+        .map((column) => wordOf(column, row[column]))
         .join(", "),
     ];
     const group = groups.get(`${x}|${series}`) ?? { x, series, values: [], n: 0 };
@@ -145,7 +151,7 @@ function groupsOf(rows, { chart, axis = "planner", second }, measure) {
  * @param {string} measure
  * @param {View} shown
  */
-function drawGroups(brush, groups, measure, { reported = [], isLog = false }) {
+function drawGroups(brush, groups, measure, { axis = "planner", reported = [], isLog = false }) {
   const { context, palette } = brush;
   const [places, series] = [[...new Set(groups.map(({ x }) => x))], [...new Set(groups.map((group) => group.series))]];
   const values = [...groups.flatMap((group) => group.values), ...reported.map(({ value = 0 }) => value)];
@@ -186,7 +192,7 @@ function drawGroups(brush, groups, measure, { reported = [], isLog = false }) {
   }
   setStroke(context, palette.ink, 1.4);
   for (const { x, value = NaN } of reported) {
-    const [px, py] = [view.x(slot * (places.indexOf(String(x)) + 0.06)), view.y(value)];
+    const [px, py] = [view.x(slot * (places.indexOf(wordOf(axis, x)) + 0.06)), view.y(value)];
     for (const side of [-1, 1]) drawLine(context, px - 4, py - 4 * side, px + 4, py + 4 * side);
   }
 }
@@ -211,7 +217,7 @@ function drawShares(brush, rows, work) {
   /** @type {Map<string, number[]>} */
   const all = new Map();
   for (const row of rows) {
-    const name = settings.map((column) => row[column]).join(", ");
+    const name = settings.map((column) => wordOf(column, row[column])).join(", ");
     all.set(name, [...(all.get(name) ?? []), valueOf(row, work)]);
   }
   const most = Math.max(...rows.map((row) => valueOf(row, work)).filter((value) => !Number.isNaN(value)), 1);

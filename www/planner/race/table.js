@@ -32,7 +32,7 @@ export class Table {
     this.caution = make(
       "p",
       { className: "hint" },
-      "Standings at equal cost (one seed): over many seeds the winner may differ.",
+      "This is one seed: over many seeds the winner may differ.",
     );
     if (onSeeds) this.caution.append(" ", button("race-over-seeds", "Over 100 seeds", onSeeds));
   }
@@ -52,7 +52,7 @@ export class Table {
     const table = make(
       "table",
       { className: "standings" },
-      make("caption", {}, "Standings at equal cost (one seed)"),
+      make("caption", {}, "Standings (one seed)"),
       make(
         "thead",
         {},

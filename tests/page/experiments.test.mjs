@@ -29,7 +29,8 @@ import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
 
 /** @import { ExperimentDocument, TrialRow } from "planarium/full" */
 /** @import { Page } from "./browser.mjs" */
-/** @import { LinkedDocument, View } from "../../www/experiments/link.js" */
+/** @import { LinkedDocument } from "../../www/domain/types.js" */
+/** @import { View } from "../../www/experiments/link.js" */
 
 useBrowser();
 

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/draw/snapshots.js";
 import { drawInformed } from "../../www/planner/stage/informed.js";
-import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
+import { EVENT, PAST } from "../../www/planner/run-log/columns.js";
 import { runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
 

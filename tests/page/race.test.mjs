@@ -29,7 +29,7 @@ import {
 } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
 import { assertFaultless, assertTargets } from "./looks.mjs";
-import { PAST } from "../../www/planner/run-log/run-log.js";
+import { PAST } from "../../www/planner/run-log/columns.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/domain/types.js").Plan} Plan */

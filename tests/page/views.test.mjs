@@ -27,7 +27,7 @@ import {
   useBrowser,
 } from "./browser.mjs";
 import { load, planned } from "./library.mjs";
-import { EVENT } from "../../www/planner/run-log/run-log.js";
+import { EVENT } from "../../www/planner/run-log/columns.js";
 import { SIDE as CELLS, addVertex, emptyCells } from "../../www/planner/stage/regions.js";
 
 /** @import { Page } from "./browser.mjs" */

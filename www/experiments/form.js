@@ -15,9 +15,8 @@ import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
 /** @import { ExperimentSeeds, ExperimentWorld, Measure } from "planarium/full" */
-/** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+/** @import { LinkedDocument, LinkedWorld, ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { ExperimentSession } from "./session.js" */
-/** @import { ParameterInfo, Settings } from "../domain/types.js" */
 
 /** Rows for parameters that vary, at least. */
 const VARIED = 2;

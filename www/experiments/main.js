@@ -31,7 +31,8 @@ import { sampleOf } from "./tables.js";
 import { openTrial, watchTrials } from "./trials.js";
 
 /** @import { ChartData } from "./charts.js" */
-/** @import { ExperimentState, LinkedDocument } from "./link.js" */
+/** @import { LinkedDocument } from "../domain/types.js" */
+/** @import { ExperimentState } from "./link.js" */
 /** @import { ExperimentWorker } from "./pool.js" */
 /** @import { Change } from "./session.js" */
 

@@ -5,9 +5,8 @@ import { generationOf } from "./experiment.js";
 import { changed } from "../domain/option-names.js";
 
 /** @import { ExperimentDocument } from "planarium/full" */
-/** @import { LinkedDocument, LinkedWorld } from "../experiments/link.js" */
+/** @import { LinkedDocument, LinkedWorld, PlannerInfo } from "../domain/types.js" */
 /** @import { Page } from "./page.js" */
-/** @import { PlannerInfo } from "../domain/types.js" */
 
 const SEEDS = 100;
 /** Those of a link of the experiments page. */

@@ -5,7 +5,9 @@ import { measure } from "../draw/figure.js";
 import { robotName } from "../domain/names.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
+/** @import { SceneFacts } from "./session.js" */
+/** @import { State } from "./state.js" */
+/** @import { PaneKind, Pointer } from "../domain/types.js" */
 /**
  * @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Sheet   the note describes
  *   the drawing

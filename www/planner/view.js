@@ -6,7 +6,8 @@ import { byId, make, write } from "../app/dom.js";
 import { hasOptimum } from "./optimum.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { SceneFacts, State } from "../domain/types.js" */
+/** @import { SceneFacts } from "./session.js" */
+/** @import { State } from "./state.js" */
 
 /** Limits of the number of configurations along the path. */
 const POSES = { least: 3, most: 24 };

@@ -9,12 +9,20 @@ import { CellPicture, WIDTH } from "./cells.js";
 
 /** @import { Certificate } from "planarium" */
 /** @import { PlannerWorker } from "../worker/worker.js" */
-/** @import { Lane } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
 /** @import { Pane } from "../stage/pane.js" */
 
 /** The part of the cells that a block divides: at first they are seen one by one, and later many are soon there. */
 const PART = 0.012;
+
+/**
+ * @typedef {object} Session   what a subdivision takes of the page's session
+ * @property {{ reducedMotion: boolean }} app
+ * @property {{ halt: () => void }} clock
+ * @property {Shown | null} shown
+ * @property {Certifying | null} certifying
+ * @property {() => void} markDirty
+ */
 
 /**
  * @typedef {object} Found

@@ -11,8 +11,19 @@ import { button } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 
 /** @import { DriveKey } from "planarium" */
-/** @import { Experiment } from "../link/codec.js" */
-/** @import { Page } from "../page.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Session } from "./driving.js" */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {App["notice"]} notice
+ * @property {Session} session
+ * @property {boolean} calm   with reduced motion
+ * @property {{ name: string } | null} facts
+ * @property {(action: () => void) => void} run
+ * @property {(action: () => void) => void} act
+ * @property {(listener: () => void) => void} onState
+ */
 
 /** @type {Record<string, DriveKey>} */
 const KEYS = {
@@ -245,8 +256,10 @@ export class DriveControls {
   /**
    * Drives as a link says: a recording is replayed; with a control, the motion of that control from the recording's
    * end is shown.
-   * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll
-   * @param {Experiment["euler"]} euler @throws {Error} with `code` and `pointer`
+   * @param {{ start?: number[], keys?: string, steps?: number }} drive
+   * @param {[number, number, number]} [roll]   v, phi and seconds
+   * @param {number} [euler]   seconds in a step
+   * @throws {Error} with `code` and `pointer`
    */
   restore({ start, keys = "", steps = 0 }, roll, euler) {
     const { driving } = this;

@@ -6,8 +6,15 @@ import { counted } from "../../app/dom.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
-/** @import { Beside, Driven } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Beside, Driven, Shown } from "../stage/lane.js" */
+/**
+ * @typedef {object} Session   what a drive takes of the page's session
+ * @property {Shown | null} shown
+ * @property {Driving | null} driving
+ * @property {{ pause: () => void }} timeline
+ * @property {{ release: () => void, game: { touches: number, arrived: boolean } }} byHand
+ * @property {() => void} wake
+ */
 
 /** The format of recordings. */
 export const FORMAT = "planarium-drive-1";

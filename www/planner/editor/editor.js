@@ -31,13 +31,27 @@ import {
   withVertex,
 } from "./objects.js";
 
-/**
- * @import { Coordinate, EditTool, ErrorInfo, Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js"
- */
+/** @import { ErrorInfo } from "../../app/error-info.js" */
+/** @import { Coordinate, EditTool, Library, Obstacle, Point } from "../../domain/types.js" */
+/** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
-/** @import { Lane, Shown } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
+/** @import { Stage } from "../stage/stage.js" */
 /** @import { EditorObject } from "./objects.js" */
+/**
+ * @typedef {object} Session   what the editor takes of the page's session
+ * @property {Library} library
+ * @property {Shown | null} shown
+ * @property {Editor | null} editor
+ * @property {{ end: () => void } | null} certifying
+ * @property {{ error: unknown } | null} refusal
+ * @property {{ now: number, playing: boolean }} clock
+ * @property {{ pause: () => void }} timeline
+ * @property {Stage} stage
+ * @property {{ pointing: { at: unknown } | null, release: () => void, showTouching: () => void }} byHand
+ * @property {() => void} forget
+ * @property {(scenario: Scenario, document: ScenarioDocument, live: boolean) => void} replace
+ */
 
 /** How to use each tool. @type {Record<EditTool, string>} */
 const HINTS = {

@@ -2,7 +2,14 @@
 import { byId, write } from "../../app/dom.js";
 import { Slider } from "../../widgets/slider.js";
 
-/** @import { SceneFacts, State } from "../../domain/types.js" */
+/** @import { Coordinate } from "../../domain/types.js" */
+/**
+ * @typedef {object} State   of the page
+ * @property {number[] | null} pose
+ * @property {string} turns
+ * @property {{ text: string, free: boolean }} touching
+ * @property {boolean} inHand
+ */
 
 export class Pose {
   /** @param {(pose: number[]) => void} onPose */
@@ -17,7 +24,7 @@ export class Pose {
     this.sliders = [];
   }
 
-  /** Makes the sliders for a robot. @param {SceneFacts} facts */
+  /** Makes the sliders for a robot. @param {{ coordinates: Coordinate[], start: number[] | null }} facts */
   build({ coordinates, start }) {
     this.sliders = coordinates.map(({ name, low, high, unit }, i) => {
       const value = start?.[i] ?? (low + high) / 2;

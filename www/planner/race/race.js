@@ -8,9 +8,29 @@ import { button } from "../../widgets/elements.js";
 import { Rival } from "./rival.js";
 import { Table } from "./table.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Sheets } from "../sheets.js" */
-/** @import { PaneKind, PlannerInfo, State } from "../../domain/types.js" */
+/** @import { Planners } from "../settings/planners.js" */
+/** @import { Racer } from "./table.js" */
+/** @import { PaneKind, Plan, PlannerInfo, Scenario } from "../../domain/types.js" */
+/**
+ * @typedef {object} Sheets   the figures on the stage
+ * @property {HTMLElement} element
+ * @property {(wanted: { id: string, kind: PaneKind, lane: number, caption: string }[]) => void} show
+ * @property {(lane: number, text: string) => void} setStanding
+ */
+/**
+ * @typedef {object} Page   what a race takes of the page
+ * @property {{ on: { seeds: (() => void) | null } }} panel
+ * @property {Planners} planners
+ * @property {Scenario["robot"]} robot
+ * @property {{ lanes: Plan[], view: { lens?: PaneKind } }} record
+ * @property {{ robot: string, dimension: number } | null} facts
+ * @property {Plan[]} plans
+ * @property {string[]} names
+ * @property {Race | null} race
+ * @property {(patch: { lanes: Plan[] }) => void} change
+ * @property {(view: { lens: PaneKind }) => void} setView
+ * @property {(listener: (state: { lanes: Racer[] }) => void) => void} onState
+ */
 
 /** Rivals at most. */
 const MOST = 3;
@@ -44,7 +64,7 @@ export class Race {
     sheets.element.before(this.lens);
     page.race = this;
     this.agree();
-    page.onState((state) => this.show(state));
+    page.onState(({ lanes }) => this.show(lanes));
   }
 
   /** A choice of the kind of figure for all planners. */
@@ -162,9 +182,10 @@ export class Race {
     return true;
   }
 
-  /** @param {State} state */
-  show(state) {
+  /** @param {Racer[]} lanes */
+  show(lanes) {
     const { plans } = this.page;
-    if (plans.length > 1 && state.lanes.length === plans.length) this.table.show(state, this.sheets);
+    if (plans.length > 1 && lanes.length === plans.length)
+      this.table.show(lanes, (lane, text) => this.sheets.setStanding(lane, text));
   }
 }

@@ -5,8 +5,10 @@ import { endText } from "../../domain/names.js";
 import { button, labelled } from "../../widgets/elements.js";
 import { duration, percent } from "../../widgets/format.js";
 
-/** @import { Sheets } from "../sheets.js" */
-/** @import { LaneState, State } from "../../domain/types.js" */
+/** @import { LaneState } from "../run-log/lane-state.js" */
+/** @import { Standing } from "./standings.js" */
+/** @typedef {(lane: number, text: string) => void} SetStanding   shows the standing of a planner at its figure */
+/** @typedef {LaneState & { standing: Standing }} Racer   a planner at the time shown */
 
 const COLUMNS = [
   "Planner",
@@ -67,8 +69,8 @@ export class Table {
     );
   }
 
-  /** @param {State} state @param {Sheets} sheets */
-  show({ lanes }, sheets) {
+  /** @param {Racer[]} lanes @param {SetStanding} setStanding */
+  show(lanes, setStanding) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].dataset, { status, fingerprint }));
     const isSearched = lanes.some(({ visited }) => visited !== null);
     for (const { cells } of this.host.querySelectorAll("tr"))
@@ -93,7 +95,7 @@ export class Table {
         lane.visited === null ? "\u2013" : grouped(lane.visited),
         lane.visited === null || !lane.stats ? "\u2013" : searchTime(lane.stats.search),
       ];
-      sheets.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
+      setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
     });
     write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");

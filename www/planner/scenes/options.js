@@ -5,9 +5,18 @@ import { withSeed } from "../../widgets/field.js";
 import { Options } from "../../widgets/options.js";
 import { optionsAt } from "./scenes.js";
 
-/** @import { Experiment } from "../link/codec.js" */
-/** @import { Page } from "../page.js" */
-/** @import { GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Generation, GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
+/** @typedef {{ scene?: string, options?: Settings }} Scene   a part of the page's state */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {{ markDirty: () => void }} session
+ * @property {Generation | null} generation
+ * @property {boolean} autoplay
+ * @property {(patch: Scene, how: { play: boolean }) => Promise<unknown>} open
+ * @property {(listener: (facts: object, entry: SceneEntry | null) => void) => void} onOpen
+ */
 
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
@@ -21,7 +30,7 @@ export function showSceneOptions(page, generators) {
   let rows = [];
   /** @type {Settings} */
   let options = {};
-  /** The latest request that has not begun. @type {Pick<Experiment, "scene" | "options"> | null} */
+  /** The latest request that has not begun. @type {Scene | null} */
   let next = null;
 
   page.onOpen((_, entry) => adopt(entry));
@@ -67,7 +76,7 @@ export function showSceneOptions(page, generators) {
     };
   }
 
-  /** @param {Pick<Experiment, "scene" | "options">} patch   of the page's state */
+  /** @param {Scene} patch */
   function request(patch) {
     if (!next) requestAnimationFrame(openNext);
     next = patch;

@@ -11,7 +11,7 @@ import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
 
-/** @import { Lane, Shown } from "../lane.js" */
+/** @import { Lane, Shown } from "./lane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
 /** @import { Coordinate, Scenario } from "../../domain/types.js" */

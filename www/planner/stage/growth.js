@@ -5,7 +5,7 @@
  */
 import { errorInfo } from "../../app/error-info.js";
 import { difference } from "planarium/draw";
-import { EVENT, PAST } from "../run-log/run-log.js";
+import { EVENT, PAST } from "../run-log/columns.js";
 import { cross, disc, ring, setStroke } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
 

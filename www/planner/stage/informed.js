@@ -3,10 +3,10 @@
  * that is the inside of an ellipse with the foci start and goal, whose axis is as long as the path.
  */
 import { setStroke } from "../../draw/marks.js";
-import { PAST } from "../run-log/run-log.js";
+import { PAST } from "../run-log/columns.js";
 
 /** @import { View } from "planarium/draw" */
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 
 /** The planners that draw their samples there. */
 const INFORMED = new Set(["informed-rrt-star", "bit-star", "aorrtc"]);

@@ -7,8 +7,8 @@ import { Pane } from "./pane.js";
 import { drawGhost, drawTarget } from "../../draw/shapes.js";
 import { drawTouched, drawTouching } from "../../draw/touching.js";
 
-/** @import { Hover, Lane } from "../lane.js" */
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { Hover, Lane } from "./lane.js" */
+/** @import { PathPlayback } from "./path-playback.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Brush } from "../../draw/touching.js" */
 /** @import { Check, Configuration, Part, ScenarioDocument } from "../../domain/types.js" */

@@ -160,10 +160,8 @@ export class Floor {
    * @param {Palette} palette
    */
   drawEnds(context, palette) {
-    const {
-      view,
-      session: { robots },
-    } = this;
+    const { view } = this;
+    const { robots } = this.session;
     const isMany = robots.length > MANY_ROBOTS;
     robots.forEach(({ robot, start, goal }, i) => {
       const colour = this.colours[i];
@@ -278,10 +276,8 @@ export class Floor {
    * @param {boolean} isHit
    */
   drawSigns(context, i, palette, isHit) {
-    const {
-      session: { shown, time, end, robots },
-      view,
-    } = this;
+    const { view } = this;
+    const { shown, time, end, robots } = this.session;
     const room = this.roomOf(i);
     const [x, y] = view.place(this.session.poseAt(i));
     if (room >= READABLE) {
@@ -343,10 +339,8 @@ export class Floor {
 
   /** An outline around the chosen robot. @param {Context} context @param {number} i @param {Palette} palette */
   drawSelected(context, i, palette) {
-    const {
-      session: { robots },
-      view,
-    } = this;
+    const { view } = this;
+    const { robots } = this.session;
     const [x, y] = view.place(this.session.poseAt(i));
     const radius = reachOf(robots[i].robot) * view.scaleX + 4;
     context.lineJoin = "round";

@@ -181,10 +181,8 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
   }
 
   function neighboursCsv() {
-    const {
-      found: { indices, distances },
-      coordinates,
-    } = session;
+    const { coordinates } = session;
+    const { indices, distances } = session.found;
     return csvFile(
       ["rank", "number", "distance", ...coordinates.map(({ name }) => name)],
       Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]),

@@ -105,14 +105,8 @@ export function showPanel(session, table) {
   }
 
   function show() {
-    const {
-      entry: { presets },
-      coordinates,
-      sampling,
-      q,
-      k,
-      isAsking,
-    } = session;
+    const { coordinates, sampling, q, k, isAsking } = session;
+    const { presets } = session.entry;
     if (differs("robot", coordinates)) showRobot();
     if (differs("options", session.index, coordinates)) showOptions();
     counts.show(sampling.n);

@@ -50,10 +50,8 @@ export function watchCurves(page) {
 
   /** Draws the curves if they have changed, at rest or after a pause. */
   function update() {
-    const {
-      state,
-      session: { plannings, clock, lanes },
-    } = page;
+    const { state } = page;
+    const { plannings, clock, lanes } = page.session;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
     const key = `${plannings} ${clock.head} ${lanes.map(({ run, optimum }) => [run?.ended, optimum?.length])}`;

@@ -54,10 +54,8 @@ function worldOf({ scene, document, options = {}, query }, title) {
   if (document) return { scenario: /** @type {any} */ (document), ...queries };
   const generation = generationOf({ scene, options });
   if (!generation || (title && Object.keys(options).length === 0)) return { scene: String(scene), ...queries };
-  const {
-    kind,
-    options: { seed = 0, ...set },
-  } = generation;
+  const { kind } = generation;
+  const { seed = 0, ...set } = generation.options;
   return /** @type {LinkedWorld} */ ({
     ...(title ? { name: title } : {}),
     generate: kind,

@@ -73,11 +73,8 @@ export class Repair {
    */
   show(growth) {
     const { session } = this;
-    const {
-      shown,
-      lanes: [former],
-      clock,
-    } = session;
+    const { shown, clock } = session;
+    const [former] = session.lanes;
     if (!shown) return;
     const lane = new Lane(shown, former.plan);
     lane.start(session.catalogue);

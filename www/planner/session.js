@@ -315,10 +315,8 @@ export class Session {
    * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
    */
   async ask(start, goal, query) {
-    const {
-      plannings,
-      lanes: [lane],
-    } = this;
+    const { plannings } = this;
+    const [lane] = this.lanes;
     const answer = await this.team.ask([...start], [...goal]);
     const { shown } = this;
     if (plannings !== this.plannings || !shown || !this.canAsk) return;
@@ -334,10 +332,8 @@ export class Session {
 
   /** Shows the run's own query again. */
   forget() {
-    const {
-      shown,
-      lanes: [lane],
-    } = this;
+    const { shown } = this;
+    const [lane] = this.lanes;
     if (!shown || !lane?.asked) return;
     lane.asked = null;
     this.setEnds(shown);

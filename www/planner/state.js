@@ -60,15 +60,8 @@ export function report(session) {
 
 /** @param {Lane} lane */
 function laneState(lane) {
-  const {
-    plan: { algorithm },
-    run,
-    playback,
-    scenario,
-    standing,
-    asked,
-    optimum: truth,
-  } = lane;
+  const { run, playback, scenario, standing, asked, optimum: truth } = lane;
+  const { algorithm } = lane.plan;
   /** @type {LaneState["optimum"]} */
   const optimum = truth && (truth.isExact ? "shortest" : "reference");
   if (!run) return { ...NO_RUN, algorithm, standing, optimum };

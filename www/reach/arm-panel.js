@@ -53,11 +53,8 @@ export function showArmPanel(session, onOrientation) {
   const hint = byId("keep-hint", HTMLElement);
   hint.before(direction.element);
   const count = new Slider({ name: "links", title: "Links", min: 1, max: MOST_LINKS, kind: "integer" }, 2, (length) => {
-    const {
-      arm: { links },
-      joints,
-      hasLimits,
-    } = session.robot;
+    const { joints, hasLimits } = session.robot;
+    const { links } = session.robot.arm;
     const grown = Array.from({ length }, (_, i) => links[i] ?? links[links.length - 1]);
     change(
       { links: grown },

@@ -170,9 +170,7 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
 
   function show() {
     const { robot, mode, entry, tipGoal } = session;
-    const {
-      ellipse: { major, minor, manipulability },
-    } = robot;
+    const { major, minor, manipulability } = robot.ellipse;
     const isSquare = robot.dimension === 2;
     Object.assign(document.body.dataset, {
       scene: entry?.id ?? "file",

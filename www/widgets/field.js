@@ -73,13 +73,8 @@ export class Field {
 
   /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
-    const {
-      info,
-      value,
-      control: {
-        validity: { badInput },
-      },
-    } = this;
+    const { info, value } = this;
+    const { badInput } = this.control.validity;
     this.automatic.hidden = value !== undefined;
     let reason = "";
     if (badInput || value !== undefined) reason = reasonAgainst(info, badInput ? NaN : value);

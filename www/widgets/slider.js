@@ -57,10 +57,8 @@ export class Slider {
 
   /** The value at the slider; of a logarithmic one rounded to two digits. */
   get rangeValue() {
-    const {
-      info: { min, max, isLog },
-      range,
-    } = this;
+    const { range } = this;
+    const { min, max, isLog } = this.info;
     if (!isLog) return Number(range.value);
     const value = min * (max / min) ** (Number(range.value) / LOG_STEPS);
     return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
@@ -91,10 +89,8 @@ export class Slider {
 
   /** Shows a value. @param {number} value */
   show(value) {
-    const {
-      info: { min, max, isLog },
-      range,
-    } = this;
+    const { range } = this;
+    const { min, max, isLog } = this.info;
     this.current = value;
     if (!range.matches(":active"))
       range.value = String(isLog ? Math.round((LOG_STEPS * Math.log(value / min)) / Math.log(max / min)) : value);

@@ -97,10 +97,8 @@ export class Certifying {
 
   /** The sentence above the stage. */
   get sentence() {
-    const {
-      clearance,
-      found: { blocks, certificate },
-    } = this;
+    const { clearance } = this;
+    const { blocks, certificate } = this.found;
     const path = clearance > 0 ? `path with clearance above ${numberText(clearance)} m` : "path";
     const blocked = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
     if (!certificate)
@@ -122,10 +120,8 @@ export class Certifying {
    */
   draw(pane, context, { scenario }) {
     if (scenario.robot !== "disc" && !(pane instanceof CSpace)) return;
-    const {
-      found: { pictures, blocks, marked },
-      verdict,
-    } = this;
+    const { verdict } = this;
+    const { pictures, blocks, marked } = this.found;
     const picture = pictures.get(pane) ?? new CellPicture(pane);
     pictures.set(pane, picture);
     picture.draw(context, blocks, marked, verdict !== "connected");

@@ -326,15 +326,8 @@ export class DriveControls {
       this.message = "";
     }
     if (!state) return;
-    const {
-      pose: [x, y, theta],
-      v,
-      phi,
-      seconds,
-      steps,
-      blocked,
-      keyCount,
-    } = state;
+    const { v, phi, seconds, steps, blocked, keyCount } = state;
+    const [x, y, theta] = state.pose;
     const replaying = tape !== null;
     Object.assign(this.bar.dataset, {
       v,

@@ -213,11 +213,8 @@ export class Driving {
 
   /** The recording, as a document. */
   record() {
-    const {
-      drive,
-      trace,
-      session: { shown },
-    } = this;
+    const { drive, trace } = this;
+    const { shown } = this.session;
     if (!drive || !shown) return null;
     const { steps, pose } = drive.state;
     return {
@@ -273,10 +270,8 @@ export class Driving {
    * @throws {Error} with `code` and `pointer`
    */
   roll(v, phi, duration) {
-    const {
-      state,
-      session: { shown },
-    } = this;
+    const { state } = this;
+    const { shown } = this.session;
     if (!state || !shown) return;
     this.rollout = null;
     this.show();
@@ -308,13 +303,8 @@ export class Driving {
    * @returns {Beside | null}  null if it is not to be drawn, or nothing moves
    */
   compare(trace) {
-    const {
-      drive,
-      dt,
-      rollout,
-      rolled,
-      session: { shown },
-    } = this;
+    const { drive, dt, rollout, rolled } = this;
+    const { shown } = this.session;
     if (dt === 0 || !drive || !shown) return null;
     const { steps, v, phi } = drive.state;
     const held = v === 0 ? 0 : steps - (drive.record().findLast(({ key }) => key !== "keep")?.step ?? 0);
@@ -340,10 +330,8 @@ export class Driving {
 
   /** Whether the car is at the goal, at rest. */
   get arrived() {
-    const {
-      state,
-      session: { shown },
-    } = this;
+    const { state } = this;
+    const { shown } = this.session;
     return Boolean(state && state.v === 0 && shown?.goal && shown.placed?.isNear(state.pose, shown.goal, shown));
   }
 

@@ -206,20 +206,9 @@ export class EditorControls {
 
   /** @param {Editor} editor */
   show(editor) {
-    const {
-      tool,
-      kind,
-      title,
-      parts,
-      announcement,
-      reason,
-      touching,
-      goal,
-      changes,
-      refusal,
-      history: { undoable, redoable },
-      hand: { isBusy },
-    } = editor;
+    const { tool, kind, title, parts, announcement, reason, touching, goal, changes, refusal } = editor;
+    const { undoable, redoable } = editor.history;
+    const { isBusy } = editor.hand;
     Object.assign(this.host.dataset, {
       tool,
       kind,

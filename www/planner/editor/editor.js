@@ -250,12 +250,8 @@ export class Editor {
 
   /** Turns a goal into a target, or a target into a goal: the first configuration that reaches it. */
   retarget() {
-    const {
-      selected,
-      document,
-      target,
-      shown: { scenario, goal, goals },
-    } = this;
+    const { selected, document, target } = this;
+    const { scenario, goal, goals } = this.shown;
     if (!selected || this.goal === "") return;
     const point = goal && scenario.endEffector(goal).map((value) => rounded(value, 1e-6));
     const next = point
@@ -433,12 +429,8 @@ export class Editor {
 
   /** The position of the end effector, where that is selected. */
   get tip() {
-    const {
-      document,
-      selected,
-      part,
-      shown: { scenario },
-    } = this;
+    const { document, selected, part } = this;
+    const { scenario } = this.shown;
     const pose = poseOf(document, selected);
     return pose && isTip(scenario, part) ? scenario.endEffector(pose) : null;
   }
@@ -499,10 +491,8 @@ export class Editor {
 
   /** The sentence above the stage; empty during a run. */
   get sentence() {
-    const {
-      session: { clock },
-      touching,
-    } = this;
+    const { touching } = this;
+    const { clock } = this.session;
     if (!this.on) return "";
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";

@@ -59,9 +59,7 @@ export function filmsOf(page) {
             ? "Nothing has happened yet."
             : "",
       open: (width, frames) => {
-        const {
-          clock: { now, column },
-        } = session;
+        const { now, column } = session.clock;
         const place = (/** @type {Pane[]} */ panes, /** @type {number} */ part) =>
           showTime(panes, column, Math.round(now * part));
         return { ...film(width, GROWTH, true, place), frames };

@@ -77,10 +77,8 @@ export class PoseByHand {
 
   /** Ends posing and driving. */
   release() {
-    const {
-      session: { shown },
-      pointing,
-    } = this;
+    const { pointing } = this;
+    const { shown } = this.session;
     if (pointing) pointing.grip = null;
     if (!shown) return;
     this.session.driving?.stop();

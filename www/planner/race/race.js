@@ -88,10 +88,8 @@ export class Race {
 
   /** Shows the rivals of the page's state, and the planners for its robot. */
   agree() {
-    const {
-      page: { planners, robot, record },
-      rivals,
-    } = this;
+    const { rivals } = this;
+    const { planners, robot, record } = this.page;
     const [, ...lanes] = record.lanes;
     const served = planners.for(robot);
     if (served !== this.served) this.offer(served);
@@ -110,10 +108,8 @@ export class Race {
 
   /** Offers planners for a rival. @param {PlannerInfo[]} served */
   offer(served) {
-    const {
-      choice,
-      choice: { value },
-    } = this;
+    const { choice } = this;
+    const { value } = choice;
     this.served = served;
     choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
     // By default a planner with two trees.
@@ -137,12 +133,8 @@ export class Race {
 
   /** Adds a rival with the settings of planner A. */
   add() {
-    const {
-      page,
-      page: {
-        record: { lanes },
-      },
-    } = this;
+    const { page } = this;
+    const { lanes } = page.record;
     const { seed: _, ...settings } = lanes[0].settings;
     byId("curves-fold", HTMLDetailsElement).open = true;
     page.change({ lanes: [...lanes, { algorithm: this.choice.value, settings }] });

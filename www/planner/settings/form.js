@@ -174,10 +174,8 @@ export class SettingsForm extends Fields {
 
   /** Whether the settings are those of a preset, but for the seed. @param {Settings} settings */
   equals(settings) {
-    const {
-      lane: { settings: given },
-      info,
-    } = this;
+    const { info } = this;
+    const { settings: given } = this.lane;
     const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
     return Object.keys({ ...given, ...settings }).every(
       (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),

@@ -24,10 +24,8 @@ export function isInformed({ run, scenario }) {
  * @param {string} colour
  */
 export function drawInformed(context, view, lane, colour) {
-  const {
-    run,
-    shown: { start, goal },
-  } = lane;
+  const { run } = lane;
+  const { start, goal } = lane.shown;
   if (!run || !start || !goal || !isInformed(lane)) return;
   const [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
   const cost = run.past[PAST.length];

@@ -119,10 +119,8 @@ export class Lane {
 
   /** The plan with the query. @returns {Plan} */
   get task() {
-    const {
-      plan: { algorithm, settings },
-      shown: { query },
-    } = this;
+    const { algorithm, settings } = this.plan;
+    const { query } = this.shown;
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 

@@ -346,10 +346,8 @@ export class Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette */
   drawPath(context, playback, palette) {
-    const {
-      samples: { rows, parts },
-      scenario,
-    } = playback;
+    const { scenario } = playback;
+    const { rows, parts } = playback.samples;
     if (this.pathLines?.playback !== playback)
       this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
     if (playback.raw && /** @type {Lane} */ (this.lane).shown.view.raw)

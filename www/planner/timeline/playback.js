@@ -157,10 +157,8 @@ export class Timeline {
    * @param {number} wanted  the time to reach @param {boolean} isResult  with the results once it is reached
    */
   async request(wanted, isResult) {
-    const {
-      session,
-      clock: { column },
-    } = this;
+    const { session } = this;
+    const { column } = this.clock;
     const { plannings, lanes, shown } = session;
     if (!shown) return;
     const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.task) };
@@ -178,10 +176,8 @@ export class Timeline {
 
   /** Adds a block to the logs. @param {Growth[]} growths */
   take(growths) {
-    const {
-      session: { lanes },
-      clock,
-    } = this;
+    const { clock } = this;
+    const { lanes } = this.session;
     const isShown = lanes.every(({ run }) => run?.isNewest);
     const isLatest = clock.now === clock.head;
     growths.forEach((growth, i) => lanes[i].run?.take(growth));

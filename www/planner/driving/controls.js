@@ -7,7 +7,7 @@ import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { keysOf } from "../../domain/key-text.js";
 import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
-import { button } from "../../widgets/elements.js";
+import { button, row, toggle } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 
 /** @import { DriveKey } from "planarium" */
@@ -90,14 +90,13 @@ export class DriveControls {
     this.gap = make("div", { hidden: true }, make("dt", {}, "gap to Euler"), this.apart);
     const cells = NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name]));
     const numbers = make("dl", { className: "counters" }, ...cells, this.gap);
-    this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
-    this.byKeys.onchange = () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment()));
-    this.euler = make("input", { type: "checkbox", role: "switch", id: "drive-euler" });
+    this.byKeys = toggle("drive-by-keys", (isOn) => this.act((driving) => driving.setByKeys(isOn, moment())));
+    const setEuler = () => this.act((driving) => driving.setEuler(this.euler.checked ? Number(this.dt.value) : 0));
+    this.euler = toggle("drive-euler", setEuler);
     const steps = EULER_STEPS.map((dt) => make("option", { value: String(dt) }, `${dt} s`));
     this.dt = make("select", { id: "drive-dt" }, ...steps);
     this.dt.value = "0.1";
-    const setEuler = () => this.act((driving) => driving.setEuler(this.euler.checked ? Number(this.dt.value) : 0));
-    this.euler.onchange = this.dt.onchange = setEuler;
+    this.dt.onchange = setEuler;
     this.rolled = make("p", { className: "hint", role: "status" });
     /** The fields of one control: v, phi and the duration. @type {HTMLInputElement[]} */
     this.fields = [];
@@ -105,19 +104,9 @@ export class DriveControls {
       "details",
       { className: "more" },
       make("summary", {}, "More"),
-      make(
-        "label",
-        { className: "row" },
-        make("span", { className: "name" }, "Advance time only when a key is pressed"),
-        this.byKeys,
-      ),
-      make(
-        "label",
-        { className: "row" },
-        make("span", { className: "name" }, "Euler steps beside the arc"),
-        this.euler,
-      ),
-      make("label", { className: "row" }, make("span", { className: "name" }, "Euler\u2019s step"), this.dt),
+      row("Advance time only when a key is pressed", this.byKeys),
+      row("Euler steps beside the arc", this.euler),
+      row("Euler\u2019s step", this.dt),
       this.makeRollout(),
       this.makeRecord(),
     );

@@ -7,7 +7,8 @@ import { byId, make, write } from "../../app/dom.js";
 import { imageOf } from "../../draw/export.js";
 import { writeNpy } from "../../formats/npy.js";
 import { downloadRow, failureOf } from "../../widgets/download-row.js";
-import { filmRow, select } from "../../widgets/films.js";
+import { row, select } from "../../widgets/elements.js";
+import { filmRow } from "../../widgets/films.js";
 import { Progress } from "../../widgets/progress.js";
 import { PAST } from "../run-log/columns.js";
 import { NONE } from "../timeline/playback.js";
@@ -68,13 +69,9 @@ export function showExport(page) {
     ],
     "2",
   );
-  const lane = select("export-lane", "Planner", [], "");
-  const laneRow = make(
-    "label",
-    { className: "row", hidden: true },
-    make("span", { className: "name" }, "Planner"),
-    lane,
-  );
+  const lane = select("export-lane", "Planner", []);
+  const laneRow = row("Planner", lane);
+  laneRow.hidden = true;
   const films = filmRow(page.app, progress, { subjects: filmsOf(page), name });
 
   host.append(
@@ -122,13 +119,13 @@ export function showExport(page) {
    * @param {() => Promise<void>} saveFile @param {...HTMLElement} choices
    */
   function offer(id, title, format, meaning, lack, saveFile, ...choices) {
-    const row = downloadRow(
+    const { element, ...one } = downloadRow(
       { id, title, format, meaning },
       () => void page.app.track(saveFile(), failureOf(title)),
       ...choices,
     );
-    offers.push({ ...row, meaning, lack });
-    return row.element;
+    offers.push({ ...one, meaning, lack });
+    return element;
   }
 
   /** @param {State} state */

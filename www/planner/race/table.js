@@ -2,7 +2,7 @@
 import { leaders } from "./standings.js";
 import { grouped, make, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
-import { button, labelled } from "../../widgets/elements.js";
+import { button, labelled, tableHead } from "../../widgets/elements.js";
 import { duration, percent } from "../../widgets/format.js";
 
 /** @import { LaneState } from "../run-log/lane-state.js" */
@@ -55,11 +55,7 @@ export class Table {
       "table",
       { className: "standings" },
       make("caption", {}, "Standings at equal cost (one seed)"),
-      make(
-        "thead",
-        {},
-        make("tr", {}, ...[...COLUMNS, ...OF_SEARCHES].map((title) => make("th", { scope: "col" }, title))),
-      ),
+      tableHead([...COLUMNS, ...OF_SEARCHES]),
       make("tbody", {}, ...this.rows),
     );
     this.host.append(

@@ -4,6 +4,7 @@ import { MADE } from "../../domain/names.js";
 import { withSeed } from "../../widgets/field.js";
 import { Options } from "../../widgets/options.js";
 import { optionsAt } from "./scenes.js";
+import { row } from "../../widgets/elements.js";
 
 /** @import { App } from "../../app/app.js" */
 /** @import { Generation, GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
@@ -66,13 +67,7 @@ export function showSceneOptions(page, generators) {
     };
     return {
       show,
-      element: make(
-        "label",
-        { className: "row", htmlFor: id },
-        make("span", { className: "name" }, title),
-        input,
-        output,
-      ),
+      element: row(title, input, output),
     };
   }
 
@@ -115,16 +110,10 @@ function makeForm(generators, onMake) {
   };
   kind.addEventListener("change", build);
   build();
-  const kindRow = make(
-    "label",
-    { className: "row", htmlFor: "make-kind" },
-    make("span", { className: "name" }, "Kind"),
-    kind,
-  );
   const form = make(
     "form",
     { id: "make", noValidate: true },
-    kindRow,
+    row("Kind", kind),
     summary,
     rows,
     make("button", { type: "submit" }, "Generate"),

@@ -7,7 +7,7 @@ import { View, drawObstacles, partPath } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawGround } from "../draw/ground.js";
 import { addLine, cross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
+import { addDiamond, drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
 import { robotColours } from "./colours.js";
 import { partsAt, poseOf, roomOf } from "./trajectory.js";
 
@@ -175,15 +175,7 @@ export class Floor {
         width: 1.2,
       });
       context.fillStyle = colour;
-      context.beginPath();
-      for (const [dx, dy] of [
-        [0, -1],
-        [1, 0],
-        [0, 1],
-        [-1, 0],
-      ])
-        context.lineTo(gx + 1.3 * size * dx, gy + 1.3 * size * dy);
-      context.closePath();
+      addDiamond(context, gx, gy, 1.3 * size);
       context.fill();
       context.fillStyle = palette.stage;
       setStroke(context, colour, 1.6);

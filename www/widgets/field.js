@@ -66,9 +66,7 @@ export class Field {
 
   /** Shows why the value is refused. @param {string} reason  or empty */
   refuse(reason) {
-    this.reason.textContent = reason;
-    this.reason.hidden = reason === "";
-    this.control.ariaInvalid = reason ? "true" : null;
+    showReason(this.reason, this.control, reason);
   }
 
   /** Whether the value is valid; an invalid one shows the reason. */
@@ -83,6 +81,16 @@ export class Field {
     this.refuse(reason);
     return reason === "";
   }
+}
+
+/**
+ * Shows why the value of a control is refused, or that it is valid.
+ * @param {HTMLElement} element @param {HTMLElement} control @param {string} reason  or empty
+ */
+export function showReason(element, control, reason) {
+  element.textContent = reason;
+  element.hidden = reason === "";
+  control.ariaInvalid = reason ? "true" : null;
 }
 
 /**

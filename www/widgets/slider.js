@@ -1,6 +1,8 @@
 /** A number as a slider and a field, with the reason beside an invalid value. */
 import { grouped, make } from "../app/dom.js";
-import { reasonAgainst } from "./field.js";
+import { reasonAgainst, showReason } from "./field.js";
+
+/** @import { Coordinate } from "../domain/types.js" */
 
 /**
  * @typedef {object} SliderInfo
@@ -75,9 +77,7 @@ export class Slider {
 
   /** @param {string} reason */
   refuse(reason) {
-    this.reason.textContent = reason;
-    this.reason.hidden = reason === "";
-    this.number.ariaInvalid = reason ? "true" : null;
+    showReason(this.reason, this.number, reason);
   }
 
   /** Writes a value into the field, unless it has the focus. @param {number} value */
@@ -112,4 +112,18 @@ export class Slider {
     Object.assign(number, { min: String(min), max: String(max), step: info.kind === "integer" ? "1" : "any" });
     this.show(this.current);
   }
+}
+
+/**
+ * A slider for each coordinate of a configuration.
+ * @param {string} prefix   begins the names, which end in the number of the coordinate
+ * @param {Coordinate[]} coordinates
+ * @param {ArrayLike<number>} values
+ * @param {(i: number, value: number) => void} onInput
+ */
+export function slidersOf(prefix, coordinates, values, onInput) {
+  return coordinates.map(({ name: title, low: min, high: max, unit }, i) => {
+    const info = { name: `${prefix}${i}`, title, unit, min, max };
+    return new Slider(info, values[i], (value) => onInput(i, value));
+  });
 }

@@ -212,10 +212,7 @@ export class ExperimentSession extends Observable {
     }
   }
 
-  /**
-   * Asks for a certificate of each world in which no trial found a path.
-   * @param {AbortSignal} signal
-   */
+  /** Asks for a certificate of each world in which no trial found a path. @param {AbortSignal} signal */
   async certify(signal) {
     const { resolved: document, rows } = this;
     if (!document) return;

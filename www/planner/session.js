@@ -42,11 +42,7 @@ const MEASURES = 20000;
 export const placed = once(() => import("./stage/placed.js"));
 
 export class Session {
-  /**
-   * @param {App} app
-   * @param {Library} library
-   * @param {PlannerWorker} planners   the worker
-   */
+  /** @param {App} app @param {Library} library @param {PlannerWorker} planners   the worker */
   constructor(app, library, planners) {
     this.app = app;
     this.library = library;

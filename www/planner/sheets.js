@@ -93,19 +93,12 @@ export class Sheets {
   }
 
   /** Notes the coordinates of the configuration space. @param {State} state @param {SceneFacts | null} facts */
-  showAxes(
-    {
-      view: {
-        axes: [across, up],
-        slice,
-      },
-    },
-    facts,
-  ) {
+  showAxes({ view }, facts) {
+    const [across, up] = view.axes;
     const { dimension = 0, coordinates = [] } = facts ?? {};
     this.axes =
       dimension > 2 && across < dimension && up < dimension
-        ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}`
+        ? `${coordinates[across].name} across, ${coordinates[up].name} up${view.slice ? "; slice at the robot\u2019s configuration" : ""}`
         : "";
     this.writeNotes();
   }

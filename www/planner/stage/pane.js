@@ -120,11 +120,7 @@ export class Pane {
     };
   }
 
-  /**
-   * Lays the pane out for its lane.
-   * @param {{ width: number, height: number }} size
-   * @param {Look} look
-   */
+  /** Lays the pane out for its lane. @param {{ width: number, height: number }} size @param {Look} look */
   layout({ width, height }, { palette, ratio, bold }) {
     const { lane } = this;
     Object.assign(this, { width, height, palette, ratio, bold });

@@ -134,20 +134,10 @@ export class Workspace extends Pane {
    * @param {Check["touching"]} touching
    * @param {() => void} draw  the robot
    */
-  drawTouching(
-    context,
-    {
-      shown: {
-        scenario,
-        document: { world },
-      },
-    },
-    parts,
-    touching,
-    draw,
-  ) {
+  drawTouching(context, { shown }, parts, touching, draw) {
+    const { scenario, document } = shown;
     const brush = this.brush(context);
-    if (brush) drawTouching(brush, { scenario, world, parts, touching }, draw);
+    if (brush) drawTouching(brush, { scenario, world: document.world, parts, touching }, draw);
   }
 
   /**

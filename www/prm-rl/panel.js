@@ -7,7 +7,7 @@ import { byId, make } from "../app/dom.js";
 import { comparer } from "../app/once.js";
 import { button, press } from "../widgets/elements.js";
 import { Field, withSeed } from "../widgets/field.js";
-import { Options } from "../widgets/options.js";
+import { formOf } from "../widgets/form.js";
 import { Slider } from "../widgets/slider.js";
 import { optionsOf } from "./options.js";
 
@@ -104,7 +104,7 @@ export function showPanel(session, actions) {
   byId("ends", HTMLElement).append(...coordinates.map(({ slider }) => slider.element));
   /** The floor and the way whose forms are shown. */
   let shown = { floor: "", way: "", train: "", compare: "" };
-  /** @type {Options | null} */
+  /** @type {ReturnType<typeof formOf> | null} */
   let compareForm = null;
   const differs = comparer();
   app.onShow(show);
@@ -149,7 +149,7 @@ export function showPanel(session, actions) {
     const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor")).filter(
       ({ name }) => name !== "shape",
     );
-    form("floor", table, others, undefined, (given, onRefused) => {
+    formOf("floor", table, others, (given, onRefused) => {
       const options = { ...given, ...(shape !== undefined && { shape }) };
       shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
       actions.open({ kind: source.kind, options }, onRefused);
@@ -163,44 +163,31 @@ export function showPanel(session, actions) {
       byId("plan-settings", HTMLElement).replaceChildren(nothing);
       return;
     }
-    form("plan", optionsOf(way), session.given[way], FIRST[way], (given, onRefused) => {
+    const use = (/** @type {Settings} */ given, /** @type {Refusal} */ onRefused) => {
       session.given[way] = given;
       shown.way = JSON.stringify([way, given]);
       actions.plan(onRefused);
-    });
+    };
+    formOf("plan", optionsOf(way), session.given[way], use, FIRST[way]);
   }
 
   function buildTraining() {
     const table = /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training"));
-    form("train", table, training.given, FIRST.train, (given, onRefused) => {
+    const use = (/** @type {Settings} */ given, /** @type {Refusal} */ onRefused) => {
       training.given = given;
       shown.train = JSON.stringify(given);
       actions.train(onRefused);
-    });
+    };
+    formOf("train", table, training.given, use, FIRST.train);
   }
 
   function buildComparison() {
     const table = /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison"));
-    compareForm = form("compare", table, comparison.given, FIRST.compare, (given) => {
+    const use = (/** @type {Settings} */ given) => {
       comparison.given = given;
       shown.compare = JSON.stringify(given);
       actions.compare();
-    });
-  }
-
-  /**
-   * @param {string} prefix   of its element and of its fields
-   * @param {ParameterInfo[]} table
-   * @param {Settings} given
-   * @param {string[] | undefined} first   the options that are not folded away
-   * @param {(given: Settings, onRefused: Refusal) => void} use   valid settings
-   */
-  function form(prefix, table, given, first, use) {
-    const host = byId(`${prefix}-settings`, HTMLElement);
-    const change = () => {
-      if (options.settings) use(options.given, (pointer, reason) => options.refuse(pointer, reason));
     };
-    const options = new Options(host, table, given, change, { prefix, first });
-    return options;
+    compareForm = formOf("compare", table, comparison.given, use, FIRST.compare);
   }
 }

@@ -1,5 +1,5 @@
 /**
- * The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it
+ * The page of experiments: its rows equal the core's, however they are run; charts, files and links hold what it
  * shows.
  */
 import assert from "node:assert/strict";
@@ -342,7 +342,7 @@ test("paused, gone on with and cancelled, it ends with the same rows", () =>
     async (page) => {
       await page.waitForSelector("body[data-phase=ready][data-settled=true]");
       const document = JSON.parse((await taken(page, "document")).text);
-      /** Presses a button as soon as some trials have ended. @param {string} id @param {number} more  than so many */
+      /** Presses a button as soon as more trials have ended. @param {string} id @param {number} more  than these */
       const press = (id, more) =>
         page.evaluate(
           ([name, least]) =>

@@ -276,7 +276,7 @@ test("a vertex that was removed cannot be inspected, but before its removal it c
     run.free();
   }));
 
-test("settings with a name fill the fields; what is changed by hand is one's own", () =>
+test("settings with a name fill the fields; what is changed by hand is custom", () =>
   onPausedPage(async (page) => {
     assert.deepEqual(
       await offered(page, "planner"),

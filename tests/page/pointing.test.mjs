@@ -11,7 +11,7 @@ import { runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
 
 /**
- * Who waits, told the slow way: from the whole log up to the iteration.
+ * Who waits, computed the slow way: from the whole log up to the iteration.
  * @param {import("./runs.mjs").LocalRun} run
  * @param {number[]} roots
  */

@@ -1,5 +1,5 @@
 /**
- * Robots of one's own: planners of a problem whose functions are the caller's, what they throw, and what they may do
+ * Custom robots: planners of a problem whose functions are the caller's, what they throw, and what they may do
  * meanwhile.
  */
 import assert from "node:assert/strict";

@@ -1,6 +1,6 @@
 /**
  * The declarations of each entry, one signature a line without comments, are the committed ones of `tests/api/`.
- * `PLANARIUM_BLESS=1` writes them anew. `planarium/full` has those of `planarium` and what its file lists.
+ * `PLANARIUM_BLESS=1` writes them anew. `planarium/full` has the declarations of `planarium` and what its file lists.
  */
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";

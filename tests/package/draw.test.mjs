@@ -280,7 +280,7 @@ test("without a path nothing is drawn", () => {
   assert.deepEqual(linesOf(drawn), []);
 });
 
-test("a curve of an arm goes the short way round, unless it is told otherwise, in pieces of at most 0.14 rad", () => {
+test("a curve of an arm goes the short way round, unless the options say otherwise, in pieces of at most 0.14 rad", () => {
   const arm = Scenario.parse({
     ...WALL,
     world: { obstacles: [] },

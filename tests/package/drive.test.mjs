@@ -14,7 +14,7 @@ function press(one, ...keys) {
   return one;
 }
 
-test("a drive starts at rest at the start of the first query, or where it is told to", () => {
+test("a drive starts at rest at the start of the first query, or where the options say", () => {
   assert.deepEqual(drive().state, {
     pose: [0.5, 0.5, 0],
     v: 0,
@@ -40,7 +40,7 @@ test("its state names what it stops at, and its trace is read by a cursor", () =
   assert.equal(one.tick(1000).blocked, "bounds");
 });
 
-test("a record replays to the same bits, and as far as it is told to", () => {
+test("a record replays to the same bits, and as far as the caller asks", () => {
   const one = press(drive(), "faster", "left");
   one.tick(30);
   press(one, "faster", "right", "right").tick(77);

@@ -447,7 +447,7 @@ test("a method of another class, or without its object, is refused, and every ha
   for (const one of [...handles, own]) one.free();
 });
 
-test("a caller's slip is told as such, and the core lives on", () => {
+test("a caller's mistake is reported as such, and the core lives on", () => {
   const scenario = Scenario.parse(arm);
   const standing = scenario.planner();
   const kept = Scenario.parse(arm).planner({ algorithm: "prm", samples: 5 }).roadmap("binary");

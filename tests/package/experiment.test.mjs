@@ -1,4 +1,4 @@
-/** Experiments and statistics through the package: the rows are those of the native tests. */
+/** Experiments and statistics through the package: the rows equal the native tests'. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

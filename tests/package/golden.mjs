@@ -4,7 +4,7 @@
 const MOVES = 20;
 
 /**
- * Options by their names in JavaScript, from those of documents.
+ * Options by their names in JavaScript, from their names in documents.
  * @param {Record<string, unknown>} options
  * @returns {any}
  */

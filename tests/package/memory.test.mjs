@@ -81,7 +81,7 @@ test("nor do cars that are driven, by a planner, along curves or by hand", () =>
   });
 });
 
-test("nor do robots of one's own, whose functions throw", () => {
+test("nor do custom robots, whose functions throw", () => {
   keepsItsSize(2_000, (seed) => {
     let calls = 0;
     const problem = new Problem({

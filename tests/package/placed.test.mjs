@@ -37,7 +37,7 @@ const square = {
   ],
 };
 
-/** Rows of so many numbers. @param {ArrayLike<number>} flat @param {number} width */
+/** Rows of `width` numbers. @param {ArrayLike<number>} flat @param {number} width */
 function rows(flat, width) {
   assert.equal(flat.length % width, 0);
   return Array.from({ length: flat.length / width }, (_, i) =>
@@ -62,7 +62,7 @@ const same = (/** @type {Configuration} */ a, /** @type {Configuration} */ b, ab
 };
 
 for (const options of [{ algorithm: "rrt-control" }, { algorithm: "prm", steering: "reeds-shepp", samples: 200 }]) {
-  test(`${options.algorithm}: motions lead a car from waypoint to waypoint, and cursors give those of every edge once`, () => {
+  test(`${options.algorithm}: motions lead a car from waypoint to waypoint, and cursors give the motions of every edge once`, () => {
     const scenario = Scenario.parse(square);
     const planner = scenario.planner(asOptions({ ...options, seed: 1 }));
     /** @type {number[]} */ const motions = [];

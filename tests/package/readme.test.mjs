@@ -167,7 +167,7 @@ async function assertOpens(page, fragment, message) {
   assert.equal((await read(fragment)).fault || "", "", message);
 }
 
-test("every link leads to a file, and to a heading in it; those of pages open", async () => {
+test("every link leads to a file, and to a heading in it; links of pages open", async () => {
   let count = 0;
   for (const [name, text] of texts) {
     for (const [, link] of text.matchAll(/\]\((?!https?:)([^)\s]+)\)/g)) {

@@ -220,7 +220,7 @@ test("peers get polygons counter-clockwise, and none that they cannot read", () 
   );
 });
 
-test("pages that reload have one more script, and are told when they are made again; nothing is kept for use without a network", async () => {
+test("pages that reload have one more script, and hear when they are made again; nothing is kept for use without a network", async () => {
   const folder = emptyFolder();
   addFiles(folder, { "index.html": "<head></head>", "offline.js": "kept", "main.js": "1" });
   const { url, close, reload } = await serve({ root: folder, port: 0, reloads: true });

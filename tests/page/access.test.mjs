@@ -50,7 +50,7 @@ test("a generated scene, with a link to be copied by hand: axe finds nothing, an
     await assertFaultless(page, "a link to be copied");
   }));
 
-test("every control is at least 24 pixels high and wide, those of the transport 44 for a finger", () =>
+test("every control is at least 24 pixels high and wide, and in the transport 44 for a finger", () =>
   onPausedPage(async (page) => {
     for (const id of ["race", "view", "lessons", "export"]) await unfold(page, id);
     await reveal(page, "#more-parameters");

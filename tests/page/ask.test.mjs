@@ -130,7 +130,7 @@ test("a roadmap that stands is asked from and to the robot in hand; the run stay
     assert.deepEqual([await counters(page), await page.innerText("#story")], [own, story]);
   }));
 
-test("a start in collision is told, and nothing changes", () =>
+test("a start in collision is reported, and nothing changes", () =>
   onPausedPage(async (page) => {
     const own = await finish(page);
     await hold(page, [2.2, -1.3]);

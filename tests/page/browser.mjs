@@ -356,7 +356,7 @@ export async function choosePlanner(page, id, parameter) {
   await page.waitForSelector(`#parameter-${parameter}`, { state: "attached" });
 }
 
-/** Waits until a run has made more iterations than so many. @param {Page} page @param {number} iterations */
+/** Waits until a run has made more than a number of iterations. @param {Page} page @param {number} iterations */
 export const passes = (page, iterations) =>
   page.waitForFunction((least) => Number(document.getElementById("counters")?.dataset.iterations) > least, iterations);
 

@@ -102,7 +102,8 @@ export async function displayed(page, entry, name) {
 }
 
 /**
- * Edges across 0 of any joint. The page draws them and counts none: those of the same run, by its fingerprint.
+ * Edges across 0 of any joint. The page draws them and counts none: they are counted in the same run, which its
+ * fingerprint identifies.
  * @param {Page} page
  * @param {Entry} entry
  */

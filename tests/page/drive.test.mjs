@@ -207,7 +207,7 @@ describe("Euler's steps beside the arc", () => {
   /** @param {Driving} driving @returns {NonNullable<Driving["beside"]>} */
   const besideOf = ({ beside }) => beside ?? assert.fail("they are drawn");
 
-  test("they are those of the control shown, else of the control held since it was changed", () => {
+  test("they belong to the control shown, else to the control held since it was changed", () => {
     const driving = begun(true);
     driving.setEuler(0.25);
     assert.ok(!driving.beside, "nothing moves");

@@ -65,7 +65,7 @@ export async function enter(page, selector, value) {
 }
 
 /**
- * A drag with the mouse along points in pixels; in the editor, until there are so many edits.
+ * A drag with the mouse along points in pixels; in the editor, until there is that number of edits.
  * @param {Page} page
  * @param {[number, number][]} points
  * @param {number} [edits]

@@ -29,7 +29,7 @@ import { assertFaultless } from "./looks.mjs";
 
 useBrowser();
 
-/** A square world with one disc and one triangle, for a disc robot: pixels are easily told. @type {ScenarioDocument} */
+/** A square world with one disc and one triangle, for a disc robot: pixels differ clearly. @type {ScenarioDocument} */
 const PLAIN = {
   format: "planarium-scenario-1",
   name: "plain",

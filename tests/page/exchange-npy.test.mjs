@@ -344,7 +344,7 @@ test("5000 vertices are read, 5001 are not, however they are spread", () => {
   refuses(many(1667), /5000 vertices/);
 });
 
-test("written files are those of NumPy, byte by byte, and come back", () => {
+test("written files equal NumPy's, byte by byte, and come back", () => {
   assert.deepEqual(writeNpy(Float64Array.from(EIGHTHS), [2, 3, 4]), fixture("numpy1-c"));
   assert.deepEqual(writeNpy(Float64Array.of(2.5), []), fixture("numpy1-scalar"));
   assert.deepEqual(writeNpy(new Float64Array(), [0, 3]), fixture("numpy1-empty"));

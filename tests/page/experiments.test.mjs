@@ -1,5 +1,5 @@
 /**
- * The page of experiments: its rows are those of the core, however they are run; charts, files and links hold what it
+ * The page of experiments: its rows equal the core's, however they are run; charts, files and links hold what it
  * shows.
  */
 import assert from "node:assert/strict";
@@ -30,7 +30,8 @@ import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
 
 /** @import { ExperimentDocument, TrialRow } from "planarium/full" */
 /** @import { Page } from "./browser.mjs" */
-/** @import { LinkedDocument, View } from "../../www/experiments/link.js" */
+/** @import { LinkedDocument } from "../../www/domain/types.js" */
+/** @import { View } from "../../www/experiments/link.js" */
 
 useBrowser();
 
@@ -347,7 +348,7 @@ test("paused, gone on with and cancelled, it ends with the same rows", () =>
     async (page) => {
       await page.waitForSelector("body[data-phase=ready][data-settled=true]");
       const document = JSON.parse((await taken(page, "document")).text);
-      /** Presses a button as soon as some trials have ended. @param {string} id @param {number} more  than so many */
+      /** Presses a button as soon as more trials have ended. @param {string} id @param {number} more  than these */
       const press = (id, more) =>
         page.evaluate(
           ([name, least]) =>

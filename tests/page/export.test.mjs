@@ -76,7 +76,7 @@ async function difference(page, one, other) {
 }
 
 /**
- * How many pixels of a sheet are not those of the same place in a decoded picture of the stage, and how many are not
+ * How many pixels of a sheet differ from the same place in a decoded picture of the stage, and how many are not
  * ground.
  * @param {Page} page
  * @param {string} id
@@ -335,7 +335,7 @@ test("what is missing says why; files hold the numbers of the run; the exported 
     assert.equal((await finish(page)).fingerprint, run.fingerprint);
   }));
 
-test("of a race each planner is told of, in one table, and by choice in a file of its own", () =>
+test("a race is exported with each planner in one table, and by choice in a separate file", () =>
   onPausedPage(async (page) => {
     await page.locator("#race-fold > summary").click();
     await page.click("#add-rival");

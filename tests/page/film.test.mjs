@@ -247,7 +247,7 @@ test("trajectories are filmed as they appear, and their particles as they move",
       await page.waitForSelector("body[data-settled=true] #stage[data-status=solved]");
       await unfold(page, "export");
       await page.selectOption("#export-width", "480");
-      /** Pixels that are not those of the first frame. @param {Gif} gif @param {number} frame */
+      /** Pixels that differ from the first frame. @param {Gif} gif @param {number} frame */
       const changed = ({ frames }, frame) =>
         frames[frame].rgb.filter((value, i) => value !== frames[0].rgb[i]).length / frames[0].rgb.length;
       const growth = readGif((await film(page, "gif")).bytes);

@@ -107,7 +107,7 @@ async function seek(page, time) {
   await rest(page, `[data-time='${time.toFixed(3)}']`);
 }
 
-test("poses, waits and arrivals are those of the core, and straight trajectories meet where it says", () => {
+test("poses, waits and arrivals equal the core's, and straight trajectories meet where it says", () => {
   for (const id of ["crossroads", "bodies"]) {
     const fleet = fleetOf(id);
     const { planner, result } = planned(fleet);
@@ -463,7 +463,7 @@ test("a link holds the fleet, the planner, the order and the time", async () => 
   await onFleet(async (page) => assert.deepEqual(reached(await told(page)), reached(before)), CALM, fragment);
 });
 
-test("a fleet of one's own is opened, linked and exported with its plan; a bad one is refused by code and pointer", () =>
+test("a fleet from a file is opened, linked and exported with its plan; a bad one is refused by code and pointer", () =>
   onFleet(async (page, url) => {
     const own = Fleet.generate("crossroads", { count: 3, seed: 9 });
     const document = own.toJSON();

@@ -32,7 +32,7 @@ const count = (run) => new Set(pieces(run)).size;
 /** Whether start and goal are in one piece. @param {Played} run */
 const isConnected = (run) => new Set(pieces(run).slice(0, 2)).size === 1;
 
-test("eight lessons of up to five short steps, each of which plays; numbers of iterations in a text are those of its run", () => {
+test("eight lessons of up to five short steps, each of which plays; numbers of iterations in a text equal its run's", () => {
   assert.equal(LESSONS.length, 8);
   assert.equal(new Set(LESSONS.map(({ id }) => id)).size, 8);
   for (const lesson of LESSONS) {

@@ -52,7 +52,7 @@ export function planned(id, more) {
 }
 
 /**
- * A run to its end, or for so many iterations.
+ * A run to its end, or for a number of iterations.
  * @param {Scenario} scenario
  * @param {string} algorithm
  * @param {Settings} settings

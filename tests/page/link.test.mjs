@@ -123,7 +123,7 @@ test("an rrt at iteration 137, and at its end with its path", () =>
     await roundTrip(page, "at the end");
   }));
 
-test("a link holds a moved slider, a generated scene, and a scenario of one's own with its query", () =>
+test("a link holds a moved slider, a generated scene, and a scenario from a file with its query", () =>
   onPausedPage(async (page) => {
     await chooseScene(page, "passage");
     await page.fill("#option-width", "0.44");

@@ -3,13 +3,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { documentText } from "../../www/formats/document.js";
 import { History } from "../../www/planner/editor/history.js";
-import { PathPlayback, playbackOf } from "../../www/domain/path-playback.js";
+import { PathPlayback, playbackOf } from "../../www/planner/stage/path-playback.js";
 import { touchingSentence } from "../../www/domain/names.js";
 import { comparer, once } from "../../www/app/once.js";
 import { connect } from "../../www/app/worker-client.js";
 import { coalesced, isAbort, latest } from "../../www/app/work.js";
 import { Rows } from "../../www/planner/run-log/rows.js";
-import { EVENT, PAST, SIDE } from "../../www/planner/run-log/run-log.js";
+import { EVENT, PAST, SIDE } from "../../www/planner/run-log/columns.js";
 import { endsOf, load } from "./library.mjs";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { Glow } from "../../www/planner/stage/glow.js";
@@ -143,7 +143,7 @@ test("the goal of a lone tree hangs from the start once it is reached, and from 
   assert.deepEqual(new Set(reached.sides.slice(0, reached.sides.count)), new Set([SIDE.start]));
 });
 
-test("guards are told from links", () => {
+test("guards differ from links", () => {
   const { run } = runOf("stones", "visibility-prm", {});
   assert.ok(run.countOf(EVENT.guard) >= 2 && run.countOf(EVENT.guard) < run.vertices.count);
 });
@@ -212,7 +212,7 @@ test("a tree that gave up shows its nearest miss; others have none to show", () 
   }
 });
 
-test("the length that is told is the run's own, in its own metric", () => {
+test("the length in the sentence is the run's, in its metric", () => {
   const { scenario, run } = runOf("stones", "prm", { samples: 260, k: 9, metric: "euclidean" });
   const { length } = run.result;
   const playback = playbackOf(scenario, run);
@@ -220,7 +220,7 @@ test("the length that is told is the run's own, in its own metric", () => {
   assert.ok(ending(run, playback).includes(`${length.toFixed(2)} rad`));
 });
 
-test("each phase has its sentence; the scene's own is told of its own planner only", () => {
+test("each phase has its sentence; the scene's sentence appears for its planner only", () => {
   const scene = { algorithm: "prm", isProven: true, sentence: "The scene's own." };
   const sentences = new Set();
   for (const [algorithm, settings] of /** @type {[string, import("../../www/domain/types.js").Settings][]} */ ([
@@ -311,7 +311,7 @@ test("a playback runs from start to goal at constant speed, rests, and comes bac
   assert.deepEqual(ends, [1, 0]);
 });
 
-test("a collision is told as who touches what", () => {
+test("a collision says what touches what", () => {
   const scenario = load("stones");
   assert.equal(
     touchingSentence(scenario, {
@@ -344,7 +344,7 @@ test("what is fetched once is fetched once; those who wait go on in their order;
   assert.equal(calls, 2);
 });
 
-test("values are compared with those of the call before, by name", () => {
+test("values are compared with the previous call, by name", () => {
   const differs = comparer();
   const list = [NaN];
   assert.deepEqual(
@@ -387,7 +387,7 @@ test("newer work aborts older work, which a worker does not begin; of calls mean
     { id: 1, isAborted: true },
     { id: 2, room: "room", command: "double", args: [2] },
   ]);
-  // A reply that nobody awaits is dropped; but that the core was lost is told.
+  // A reply that nobody awaits is dropped; but the loss of the core is reported.
   reply({ data: { id: 1, value: 2 } });
   reply({ data: { id: 1, fault: { message: "lost", code: "internal", pointer: "" } } });
   reply({ data: { id: 2, value: 4 } });

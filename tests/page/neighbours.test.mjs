@@ -460,7 +460,7 @@ test("a link shows the same again", () =>
     { ...DESK, permissions: ["clipboard-read", "clipboard-write"] },
   ));
 
-test("a link holds a short list of one's own, and says that it leaves out a long one", () =>
+test("a link holds a short list from a file, and says that it leaves out a long one", () =>
   onNeighbours(
     async (page) => {
       const rows = Array.from({ length: 60 }, (_, i) => [Math.sin(i), Math.cos(3 * i)]);
@@ -582,7 +582,7 @@ test("a scenario without room is opened, and said to have no free configuration"
     { path: `neighbours.html#${FULL}` },
   ));
 
-test("five free bodies alone; weights of a preset and of one's own; a dropped scenario; all in the link", () =>
+test("five free bodies alone; weights of a preset and by hand; a dropped scenario; all in the link", () =>
   onNeighbours(
     async (page) => {
       await dropFile(page, "corner.json", textOf("corner"));

@@ -1,4 +1,4 @@
-/** The pages with robots of one's own: each plans in the browser and draws, in light and dark. */
+/** The pages with custom robots: each plans in the browser and draws, in light and dark. */
 import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

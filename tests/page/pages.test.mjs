@@ -1,5 +1,5 @@
 /**
- * One table over all pages, those of the list that the build reads: how each opens, what it refuses, and for whom it
+ * One table over all pages of the list that the build reads: how each opens, what it refuses, and for whom it
  * is. What is particular about a page stands in its row in pages.mjs.
  */
 import assert from "node:assert/strict";

@@ -7,12 +7,12 @@ import { test } from "node:test";
 import { planners } from "planarium";
 import { namesOfDocuments } from "../../www/domain/option-names.js";
 import { decodeLink } from "../../www/planner/link/codec.js";
-import { EVENT } from "../../www/planner/run-log/run-log.js";
+import { EVENT } from "../../www/planner/run-log/columns.js";
 import { Placed } from "../../www/planner/stage/placed.js";
 import { SvgContext } from "../../www/formats/svg.js";
 import { View } from "planarium/draw";
 import { allOf, readXml } from "./xml.mjs";
-import { playbackOf } from "../../www/domain/path-playback.js";
+import { playbackOf } from "../../www/planner/stage/path-playback.js";
 import { ending } from "../../www/planner/story.js";
 import {
   chooseScene,
@@ -276,7 +276,7 @@ test("a vertex that was removed cannot be inspected, but before its removal it c
     run.free();
   }));
 
-test("settings with a name fill the fields; what is changed by hand is one's own", () =>
+test("settings with a name fill the fields; what is changed by hand is custom", () =>
   onPausedPage(async (page) => {
     assert.deepEqual(
       await offered(page, "planner"),

@@ -6,12 +6,12 @@ import { test } from "node:test";
 import { NEAR, VertexIndex } from "../../www/planner/stage/vertex-index.js";
 import { Snapshots } from "../../www/draw/snapshots.js";
 import { drawInformed } from "../../www/planner/stage/informed.js";
-import { EVENT, PAST } from "../../www/planner/run-log/run-log.js";
+import { EVENT, PAST } from "../../www/planner/run-log/columns.js";
 import { runOf } from "./runs.mjs";
 import { seeded } from "./seeded.mjs";
 
 /**
- * Who waits, told the slow way: from the whole log up to the iteration.
+ * Who waits, computed the slow way: from the whole log up to the iteration.
  * @param {import("./runs.mjs").LocalRun} run
  * @param {number[]} roots
  */

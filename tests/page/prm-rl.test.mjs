@@ -82,7 +82,7 @@ function planned(task, options) {
 }
 
 /**
- * How so many drives of the package end.
+ * How a number of drives of the package end.
  * @param {Navigation} task
  * @param {number[][]} path
  * @param {boolean} isLearned
@@ -271,7 +271,7 @@ test("each way drives as the package does: the policy alone gets stuck, straight
     await rest(page, "[data-drives='5']");
   }));
 
-test("the drives are played and shown at any time; options of the roadmap are those of the package, and refused beside their field", () =>
+test("the drives are played and shown at any time; options of the roadmap equal the package's, and are refused beside their field", () =>
   onLearned(async (page) => {
     await page.fill("#time", "10");
     await rest(page, "[data-time='10.000']");
@@ -454,7 +454,7 @@ test("a link shows the same plan, drives and time, and the step of a lesson", as
   );
 });
 
-test("a floor of one's own is opened and exported; what is wrong is refused by code and pointer, and nothing changes", () =>
+test("a floor from a file is opened and exported; what is wrong is refused by code and pointer, and nothing changes", () =>
   onWaiting(async (page) => {
     const document = Navigation.generate("rooms", { columns: 2, rows: 1, seed: 3 }).toJSON();
     await dropFile(page, "own.json", JSON.stringify({ ...document, title: "My office" }));

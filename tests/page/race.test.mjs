@@ -29,7 +29,7 @@ import {
 } from "./browser.mjs";
 import { open, sceneOf } from "./library.mjs";
 import { assertFaultless, assertTargets } from "./looks.mjs";
-import { PAST } from "../../www/planner/run-log/run-log.js";
+import { PAST } from "../../www/planner/run-log/columns.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("../../www/domain/types.js").Plan} Plan */
@@ -184,7 +184,7 @@ test("where no further worker can be loaded the first one plans for all", async 
   );
 });
 
-test("a path's vertices, and of roadmaps what the search has visited and its time, are columns; roadmaps that tie are told apart by it", () =>
+test("a path's vertices, and of roadmaps what the search has visited and its time, are columns; the time tells apart roadmaps that tie", () =>
   onPausedPage(async (page) => {
     const runs = ["a-star", "dijkstra", "breadth-first"].map(
       (search) => alone("stones", { ...A, settings: { ...A.settings, search } }).planner,
@@ -357,7 +357,7 @@ test("two, three or four run as each would alone, bit for bit; then the robots f
     assert.equal(await page.isVisible("#along-row"), true);
   }));
 
-test("a rival of the same planner is a copy until it is told otherwise; captions say what differs", () =>
+test("a rival of the same planner is a copy until it is changed; captions say what differs", () =>
   onPausedPage(async (page) => {
     const run = alone("stones", { algorithm: "prm", settings: { samples: 260, k: 4, seed: 0 } });
     await race(page, "prm");

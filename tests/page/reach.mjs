@@ -1,4 +1,4 @@
-/** The pages of the rooms in the browser, for their tests; and what those of the arm share. */
+/** The pages of the rooms in the browser, for their tests; and what the tests of the arm share. */
 import assert from "node:assert/strict";
 import { Scenario } from "planarium/full";
 import { SCENES } from "../../www/reach/scenes.js";

@@ -121,8 +121,8 @@ test("links that were made before states had defaults still open", async () => {
 });
 
 /**
- * What each folder of the pages may import from others; a feature of the planner's page says which of its neighbours it
- * knows.
+ * What each folder of the pages may import from others, values and types alike; a feature of the planner's page says
+ * which of its neighbours it knows.
  */
 const KIT = "app domain draw formats widgets";
 const BELOW = {
@@ -146,36 +146,53 @@ const BELOW = {
   "planner/settings": KIT,
   "planner/scenes": KIT,
   "planner/run-log": `${KIT} planner/worker`,
-  "planner/stage": `${KIT} planner/run-log`,
+  "planner/stage": `${KIT} planner/run-log planner/worker`,
   "planner/pose": `${KIT} planner/run-log planner/stage`,
-  "planner/race": `${KIT} planner/settings`,
+  "planner/race": `${KIT} planner/run-log planner/settings`,
   "planner/link": KIT,
   "planner/lessons": `${KIT} planner/scenes`,
-  "planner/timeline": `${KIT} planner/run-log`,
-  "planner/certificate": `${KIT} planner/stage`,
+  "planner/timeline": `${KIT} planner/run-log planner/stage planner/worker`,
+  "planner/certificate": `${KIT} planner/stage planner/worker`,
   "planner/editor": `${KIT} planner/stage`,
   "planner/driving": `${KIT} planner/stage`,
   "planner/export": `${KIT} planner/link planner/race planner/run-log planner/stage planner/timeline`,
 };
 
 /** The lists of the core, which a page contains: the package itself is a file beside it. */
-const TABLES = "../dist/package/tables.js";
+const TABLES = join("..", "dist", "package", "tables.js");
 
-test("a folder imports only what is below it", () => {
+const sources = readdirSync(join(root, "www"), { recursive: true, encoding: "utf8" }).filter((path) =>
+  path.endsWith(".js"),
+);
+/** The files of the pages that a source names with a pattern, whose first group is the address. */
+const namedIn = (/** @type {string} */ path, /** @type {RegExp} */ pattern) =>
+  Array.from(readFileSync(join(root, "www", path), "utf8").matchAll(pattern), ([, other]) => join(path, "..", other));
+
+test("a folder imports only what is below it, types too", () => {
   const folderOf = (/** @type {string} */ path) => /^(planner\/[\w-]+(?=\/)|[\w-]+)/.exec(path)?.[0] ?? "";
-  const sources = readdirSync(join(root, "www"), { recursive: true, encoding: "utf8" }).filter((path) =>
-    path.endsWith(".js"),
-  );
   assert.deepEqual(new Set(sources.map(folderOf)), new Set(Object.keys(BELOW)));
   for (const path of sources) {
-    const text = readFileSync(join(root, "www", path), "utf8");
     const [own, allowed] = [folderOf(path), BELOW[/** @type {keyof typeof BELOW} */ (folderOf(path))].split(" ")];
-    for (const [, , other] of text.matchAll(/^(import |export ).*?"(\.[^"]+)"/gm)) {
-      if (other.endsWith(TABLES)) continue;
-      const folder = folderOf(join(path, "..", other));
+    for (const other of namedIn(path, /\b(?:from|import)\s*\(?\s*"(\.[^"]+)"/g)) {
+      if (other === TABLES) continue;
+      const folder = folderOf(other);
       assert.ok(folder === own || allowed.includes(folder), `${path} imports ${other}`);
     }
   }
+});
+
+test("no file imports itself through others", () => {
+  /** @type {Set<string>} */
+  const seen = new Set();
+  /** @param {string} path @param {string[]} way */
+  const follow = (path, way) => {
+    assert.ok(!way.includes(path), [...way, path].join(" > "));
+    if (seen.has(path)) return;
+    seen.add(path);
+    for (const other of namedIn(path, /^(?:import|export) (?:[\w*{][^"=;(]*?\bfrom )?"(\.[^"]+)"/gm))
+      if (other !== TABLES) follow(other, [...way, path]);
+  };
+  for (const path of sources) follow(path, []);
 });
 
 test("every page has the same policy as the planner's, and its own entry, style and links", () => {

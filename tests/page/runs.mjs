@@ -1,4 +1,4 @@
-/** Runs whose planners are stepped in the test's own thread, as the worker steps those of the page. */
+/** Runs whose planners are stepped in the test's own thread, as the worker steps the page's. */
 import { phases, planners } from "planarium";
 import { RunLog } from "../../www/planner/run-log/run-log.js";
 import { load } from "./library.mjs";

@@ -50,7 +50,7 @@ async function onEmpty(act, options = CALM) {
   }, options);
 }
 
-/** Tries so many trajectories more: so many then. @param {Page} page @param {number} count @param {number} sum */
+/** Tries `count` more trajectories; then there are `sum`. @param {Page} page @param {number} count @param {number} sum */
 async function step(page, count, sum) {
   await page.click(`#course-step-${count}`);
   await rest(page, `[data-tried='${sum}']`);

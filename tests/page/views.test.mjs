@@ -27,7 +27,7 @@ import {
   useBrowser,
 } from "./browser.mjs";
 import { load, planned } from "./library.mjs";
-import { EVENT } from "../../www/planner/run-log/run-log.js";
+import { EVENT } from "../../www/planner/run-log/columns.js";
 import { SIDE as CELLS, addVertex, emptyCells } from "../../www/planner/stage/regions.js";
 
 /** @import { Page } from "./browser.mjs" */
@@ -77,7 +77,7 @@ async function inked(page, pane, layer, least = 1) {
 /**
  * The line beneath the stage, once it speaks of what is wanted.
  * @param {Page} page
- * @param {string} wanted   what is to be told, as CSS says it
+ * @param {string} wanted   what the readout must say, as a CSS selector
  */
 async function readout(page, wanted) {
   const line = page.locator(`#readout${wanted}`);
@@ -409,7 +409,7 @@ test("a slice shows what collides with the other joints as the robot has them", 
     assert.ok((await pixelsOf(page, "cspace", "ground", "obstacle")) < 50);
   }));
 
-test("the numbers are those of the run, in one line that never changes its height", () =>
+test("the numbers equal the run's, in one line that never changes its height", () =>
   onPausedPage(async (page) => {
     const height = async () => (await page.locator(".numbers").boundingBox())?.height;
     const before = await height();
@@ -461,7 +461,7 @@ test("the numbers are those of the run, in one line that never changes its heigh
     assert.equal(await text("visited"), "\u2013");
   }));
 
-test("the way round that each joint took is told of a path, and of an arm in hand", () =>
+test("the page says which way round each joint took, of a path and of an arm in hand", () =>
   onPausedPage(async (page) => {
     const { scenario, planner } = planned("stones");
     const { path } = planner.result();

@@ -36,7 +36,7 @@ useBrowser();
 const lit = (page) => page.locator("#pseudocode li[aria-current=step]").allInnerTexts();
 
 /**
- * What lights lines, of the last of some iterations: told by the package alone.
+ * What lights lines, of the last of some iterations: by the package alone.
  * @param {import("planarium").Planner} planner
  * @param {number} iteration
  */

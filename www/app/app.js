@@ -26,6 +26,10 @@ const PAUSE = 1000;
  *   ends
  */
 
+/**
+ * @typedef {App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for lines and dots
+ */
+
 export class App {
   constructor() {
     this.notice = new Notice();

@@ -1,4 +1,4 @@
-/** @import { ErrorInfo } from "../domain/types.js" */
+/** @typedef {{ message: string, code: string, pointer: string }} ErrorInfo   stable code and JSON pointer, or empty */
 
 /** The message, code and pointer of anything thrown, as plain data. @param {unknown} error @returns {ErrorInfo} */
 export function errorInfo(error) {

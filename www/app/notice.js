@@ -43,10 +43,7 @@ export class Notice {
     });
   }
 
-  /**
-   * @param {string} title
-   * @param {unknown} error   with `code` and `pointer` where the package threw it
-   */
+  /** @param {string} title @param {unknown} error   with `code` and `pointer` where the package threw it */
   show(title, error) {
     this.hide();
     const { message, code, pointer } = errorInfo(error);

@@ -39,9 +39,6 @@
  *
  * @typedef {"workspace" | "cspace"} PaneKind
  *
- * @typedef {import("../app/app.js").App["look"]} Look   the colours, the pixel ratio, reduced motion, and a factor for
- *   lines and dots
- *
  * @typedef {object} Pointer
  * @property {string} pane
  * @property {"down" | "move" | "up" | "cancel" | "hover" | "leave"} type
@@ -58,11 +55,10 @@
  * @property {"rad" | "m"} unit
  * @property {boolean} isCircle
  *
- * @typedef {ReturnType<import("../planner/session.js").Session["facts"]>} SceneFacts   the open scenario, as data
- * @typedef {ReturnType<typeof import("../planner/state.js").report>} State   of the page, in a frame
- * @typedef {State["lanes"][number]} LaneState
- *
- * @typedef {{ message: string, code: string, pointer: string }} ErrorInfo   stable code and JSON pointer, or empty
+ * @typedef {import("planarium/full").ExperimentWorld | { scene: string, name?: string, queries?: string[] } |
+ *   { scenario: string, name?: string, queries?: string[] }} LinkedWorld   a scene by its name, or a file of this site
+ * @typedef {Omit<import("planarium/full").ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   of
+ *   an experiment, as a link has it
  *
  * @typedef {object} Slider   for an option of a scene's generator
  * @property {string} option

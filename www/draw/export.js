@@ -30,11 +30,7 @@ const MOST_PIXELS = 48e6;
 /** Milliseconds of a slice. */
 const SLICE = 12;
 
-/**
- * The figures that are shown, side by side.
- * @param {Figure<any>[]} figures
- * @returns {Layout}
- */
+/** The figures that are shown, side by side. @param {Figure<any>[]} figures @returns {Layout} */
 export function rowOf(figures) {
   const shown = figures.filter(({ element }) => !element.hidden);
   let right = SPACE;

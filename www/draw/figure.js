@@ -23,13 +23,13 @@ export class Figure {
   /**
    * @param {App} app
    * @param {HTMLElement} host   the figure is appended
-   * @param {{ id: string, kind: string, caption: string, note?: string }} names   `kind`: a class of the figure, such
-   *   as "workspace"
+   * @param {{ id: string, kind?: string, caption: string, note?: string }} names   `kind`: a class of the figure, by
+   *   default the id
    * @param {D} drawing
    * @param {(() => void) | null} [onSize]   after it has another size; where absent, the figure draws itself in each
    *   frame of the app
    */
-  constructor(app, host, { id, kind, caption, note = "" }, drawing, onSize = null) {
+  constructor(app, host, { id, kind = id, caption, note = "" }, drawing, onSize = null) {
     this.app = app;
     this.drawing = drawing;
     this.caption = make("span", {}, caption);

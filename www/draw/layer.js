@@ -5,9 +5,7 @@
 export class Layer {
   #context;
 
-  /**
-   * @param {Canvas} canvas  an element is drawn on through an offscreen canvas from then on
-   */
+  /** @param {Canvas} canvas  an element is drawn on through an offscreen canvas from then on */
   constructor(canvas) {
     // A browser that rasterizes in software copies every canvas element in each frame, but offscreen canvases only when
     // they changed.

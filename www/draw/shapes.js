@@ -102,19 +102,20 @@ export function drawEndsHere(context, x, y, palette) {
   drawLabel(context, "ends here", x, y + 19, palette.rejected, palette);
 }
 
+/** @param {Context} context @param {number} x @param {number} y @param {number} radius */
+export function addDiamond(context, x, y, radius) {
+  context.beginPath();
+  context.moveTo(x, y - radius);
+  context.lineTo(x + radius, y);
+  context.lineTo(x, y + radius);
+  context.lineTo(x - radius, y);
+  context.closePath();
+}
+
 /** The goal, a diamond. @param {Context} context @param {number} x @param {number} y @param {Palette} palette */
 export function drawGoal(context, x, y, palette) {
   drawEnd(context, palette.goal, palette, (isInner) => {
-    const radius = isInner ? 3 : 8.2;
-    context.beginPath();
-    for (const [dx, dy] of [
-      [0, -1],
-      [1, 0],
-      [0, 1],
-      [-1, 0],
-    ])
-      context.lineTo(x + radius * dx, y + radius * dy);
-    context.closePath();
+    addDiamond(context, x, y, isInner ? 3 : 8.2);
   });
 }
 

@@ -2,7 +2,8 @@
 import { View, drawObstacles } from "planarium/draw";
 import { drawGhost, drawTarget } from "./shapes.js";
 
-/** @import { Look, Scenario } from "../domain/types.js" */
+/** @import { Look } from "../app/app.js" */
+/** @import { Scenario } from "../domain/types.js" */
 
 const MARGIN = { left: 5, right: 5, top: 5, bottom: 5 };
 

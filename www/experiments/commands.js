@@ -62,12 +62,7 @@ export const commands = {
     return { first, rows, seconds: Float64Array.from(seconds), isDone: next >= end };
   },
 
-  /**
-   * Whether a query of a world has a path.
-   * @param {TrialWorld} world
-   * @param {string} query
-   * @returns {Verdict}
-   */
+  /** Whether a query of a world has a path. @param {TrialWorld} world @param {string} query @returns {Verdict} */
   certify(world, query) {
     const scenario =
       "scenario" in world

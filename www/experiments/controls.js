@@ -1,6 +1,6 @@
 /** The controls of the chart: its kind, what is measured, and what is across. */
 import { byId, make } from "../app/dom.js";
-import { press } from "../widgets/elements.js";
+import { press, toggle } from "../widgets/elements.js";
 import { CHARTS, completed } from "./charts.js";
 import { OF_PATHS, isShare, measureInfo, titled } from "./measures.js";
 
@@ -32,12 +32,7 @@ export function watchControls(session) {
     ["isLog", "view-log", "Logarithmic"],
     ["isCommon", "view-common", "Only what all settings solved"],
   ]).map(([name, id, title]) => {
-    const input = make("input", {
-      type: "checkbox",
-      role: "switch",
-      id,
-      onchange: () => session.show({ [name]: input.checked || undefined }),
-    });
+    const input = toggle(id, (isOn) => session.show({ [name]: isOn || undefined }));
     return { input, row: make("label", { htmlFor: id }, title, input) };
   });
   byId("view", HTMLElement).append(...Object.values(selects).map(({ row }) => row), log.row, common.row);

@@ -6,7 +6,7 @@ import { generators, planners } from "planarium/full";
 import { byId, make } from "../app/dom.js";
 import { robotName } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
-import { button } from "../widgets/elements.js";
+import { button, row, select, toggle } from "../widgets/elements.js";
 import { Options } from "../widgets/options.js";
 import { capital } from "../widgets/format.js";
 import { axisOf, axisText, seedsOf, seedsText } from "./axis-text.js";
@@ -15,9 +15,8 @@ import { isShare, measureInfo } from "./measures.js";
 import { titleOf } from "./worlds.js";
 
 /** @import { ExperimentSeeds, ExperimentWorld, Measure } from "planarium/full" */
-/** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+/** @import { LinkedDocument, LinkedWorld, ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { ExperimentSession } from "./session.js" */
-/** @import { ParameterInfo, Settings } from "../domain/types.js" */
 
 /** Rows for parameters that vary, at least. */
 const VARIED = 2;
@@ -142,11 +141,8 @@ export function watchForm(session) {
         `planner-${i}-remove`,
       );
     });
-    const choice = make(
-      "select",
-      { id: "new-planner", ariaLabel: "Planner to add" },
-      ...kinds.map(({ id, title }) => make("option", { value: id }, title)),
-    );
+    const titles = kinds.map(({ id, title }) => /** @type {[string, string]} */ ([id, title]));
+    const choice = select("new-planner", "Planner to add", titles);
     const add = () => {
       const { id, title } = kinds[choice.selectedIndex];
       const name = fresh(title, list.map(plannerTitle));
@@ -209,12 +205,7 @@ export function watchForm(session) {
       const given = read(input.value);
       if (given !== null) use(given);
     });
-    return make(
-      "div",
-      {},
-      make("label", { className: "row", htmlFor: id }, make("span", { className: "name" }, title), input),
-      reason,
-    );
+    return make("div", {}, row(title, input), reason);
   }
 
   /** What can vary, and what does. */
@@ -321,13 +312,7 @@ export function watchForm(session) {
     limit.addEventListener("change", () =>
       edit({ budget: limit.value ? /** @type {any} */ ({ [limit.value]: 10_000 }) : undefined }, true),
     );
-    const check = make("input", {
-      type: "checkbox",
-      role: "switch",
-      id: "verify",
-      checked: verify,
-      onchange: () => edit({ verify: check.checked || undefined }),
-    });
+    const check = toggle("verify", (isOn) => edit({ verify: isOn || undefined }), verify);
     const boxes = make("div", { className: "checks" });
     const fold = make("details", {}, make("summary", {}, "Measures"), boxes);
     // The core has listed them by then.
@@ -353,12 +338,7 @@ export function watchForm(session) {
     );
     return [
       seedsRow("seeds", "Seeds", seeds, (value) => edit({ seeds: value })),
-      make(
-        "label",
-        { className: "row", htmlFor: "budget" },
-        make("span", { className: "name" }, "Work at most"),
-        limit,
-      ),
+      row("Work at most", limit),
       ...(budget
         ? [
             textRow(
@@ -371,12 +351,7 @@ export function watchForm(session) {
             ),
           ]
         : []),
-      make(
-        "label",
-        { className: "row", htmlFor: "verify" },
-        make("span", { className: "name" }, "Verify every path"),
-        check,
-      ),
+      row("Verify every path", check),
       fold,
     ];
   }

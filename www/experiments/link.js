@@ -22,16 +22,8 @@ import {
 } from "../formats/rules.js";
 
 /** @import { Allowed, Rule } from "../formats/rules.js" */
-/** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
+/** @import { LinkedDocument } from "../domain/types.js" */
 
-/**
- * @typedef {ExperimentWorld | { scene: string, name?: string, queries?: string[] } | { scenario: string, name?: string,
- *   queries?: string[] }} LinkedWorld
- */
-/**
- * @typedef {Omit<ExperimentDocument, "worlds"> & { worlds: LinkedWorld[] }} LinkedDocument   a document whose worlds
- *   may be scenes by name
- */
 /** @typedef {Allowed<typeof viewRule>} View */
 
 /** What is shown of the rows; what is absent is chosen by the page. */

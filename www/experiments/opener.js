@@ -4,7 +4,8 @@ import { parsed } from "../formats/json.js";
 import { enoughSeeds } from "./form.js";
 import { READY, loadReady, readyOf } from "./ready.js";
 
-/** @import { ExperimentState, LinkedDocument } from "./link.js" */
+/** @import { LinkedDocument } from "../domain/types.js" */
+/** @import { ExperimentState } from "./link.js" */
 /** @import { ExperimentSession } from "./session.js" */
 
 /**

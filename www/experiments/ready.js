@@ -3,7 +3,8 @@
 import { plannerTitle } from "./factors.js";
 import { resolved } from "./worlds.js";
 
-/** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
+/** @import { LinkedDocument } from "../domain/types.js" */
+/** @import { ExperimentState, View } from "./link.js" */
 
 /**
  * The names of the files and the titles of their documents: the build writes them.

@@ -16,9 +16,10 @@ import { lengthUnit, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.
 
 /** @import { App } from "../app/app.js" */
 /** @import { ExperimentDocument } from "planarium/full" */
-/** @import { ErrorInfo } from "../domain/types.js" */
+/** @import { ErrorInfo } from "../app/error-info.js" */
 /** @import { Info } from "./commands.js" */
-/** @import { ExperimentState, LinkedDocument, View } from "./link.js" */
+/** @import { LinkedDocument } from "../domain/types.js" */
+/** @import { ExperimentState, View } from "./link.js" */
 /** @import { ExperimentWorker } from "./pool.js" */
 
 /** Worlds that are certified, at most. */
@@ -211,10 +212,7 @@ export class ExperimentSession extends Observable {
     }
   }
 
-  /**
-   * Asks for a certificate of each world in which no trial found a path.
-   * @param {AbortSignal} signal
-   */
+  /** Asks for a certificate of each world in which no trial found a path. @param {AbortSignal} signal */
   async certify(signal) {
     const { resolved: document, rows } = this;
     if (!document) return;

@@ -4,9 +4,8 @@ import { nameOf } from "./factors.js";
 import { variedOf, worldOfTrial } from "./worlds.js";
 
 /** @import { ExperimentDocument } from "planarium/full" */
-/** @import { LinkedDocument } from "./link.js" */
+/** @import { LinkedDocument, Settings } from "../domain/types.js" */
 /** @import { Rows } from "./rows.js" */
-/** @import { Settings } from "../domain/types.js" */
 
 /**
  * @param {LinkedDocument} document

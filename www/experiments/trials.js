@@ -1,7 +1,7 @@
 /** The table of trials: some of those that have ended, each with a link to its run on the planner's page. */
 import { byId, grouped, make } from "../app/dom.js";
 import { errorInfo } from "../app/error-info.js";
-import { button } from "../widgets/elements.js";
+import { button, tableHead } from "../widgets/elements.js";
 import { capital } from "../widgets/format.js";
 import { nameOfColumn } from "./factors.js";
 import { measureInfo, scaleOf } from "./measures.js";
@@ -65,11 +65,7 @@ export function watchTrials(session) {
           ? "No trials"
           : `Trials ${grouped(from)} to ${grouped(Math.min(rows.count, from + PAGE) - 1)} of ${grouped(rows.count)}`,
       ),
-      make(
-        "thead",
-        {},
-        make("tr", {}, ...["trial", ...heads].map((title) => make("th", { scope: "col" }, capital(title)))),
-      ),
+      tableHead(["trial", ...heads].map(capital)),
       make(
         "tbody",
         {},

@@ -7,9 +7,8 @@ import { loadScene } from "../app/resources.js";
 import { nameOf, valuesOf } from "./factors.js";
 
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
-/** @import { LinkedDocument, LinkedWorld } from "./link.js" */
+/** @import { LinkedDocument, LinkedWorld, Settings } from "../domain/types.js" */
 /** @import { Rows } from "./rows.js" */
-/** @import { Settings } from "../domain/types.js" */
 /** @typedef {Scenario["robot"]} Robot */
 /**
  * The world of a trial.

@@ -61,10 +61,7 @@ export const commands = {
     sent = { order: "", planned: 0, roadmaps: [] };
   },
 
-  /**
-   * Makes at most this number of iterations, fewer where they take long (`isLate`).
-   * @param {number} count
-   */
+  /** Makes at most this number of iterations, fewer where they take long (`isLate`). @param {number} count */
   advance(count) {
     if (!planner) throw new Error("No plan has begun.");
     const end = performance.now() + LONGEST;

@@ -7,7 +7,7 @@ import { View, drawObstacles, partPath } from "planarium/draw";
 import { NO_VIEW } from "../draw/figure.js";
 import { drawGround } from "../draw/ground.js";
 import { addLine, cross, disc, drawLine, ring, setStroke, strokeWithHalo } from "../draw/marks.js";
-import { drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
+import { addDiamond, drawGhost, drawLabel, drawTouchingParts } from "../draw/shapes.js";
 import { robotColours } from "./colours.js";
 import { partsAt, poseOf, roomOf } from "./trajectory.js";
 
@@ -160,10 +160,8 @@ export class Floor {
    * @param {Palette} palette
    */
   drawEnds(context, palette) {
-    const {
-      view,
-      session: { robots },
-    } = this;
+    const { view } = this;
+    const { robots } = this.session;
     const isMany = robots.length > MANY_ROBOTS;
     robots.forEach(({ robot, start, goal }, i) => {
       const colour = this.colours[i];
@@ -177,15 +175,7 @@ export class Floor {
         width: 1.2,
       });
       context.fillStyle = colour;
-      context.beginPath();
-      for (const [dx, dy] of [
-        [0, -1],
-        [1, 0],
-        [0, 1],
-        [-1, 0],
-      ])
-        context.lineTo(gx + 1.3 * size * dx, gy + 1.3 * size * dy);
-      context.closePath();
+      addDiamond(context, gx, gy, 1.3 * size);
       context.fill();
       context.fillStyle = palette.stage;
       setStroke(context, colour, 1.6);
@@ -278,10 +268,8 @@ export class Floor {
    * @param {boolean} isHit
    */
   drawSigns(context, i, palette, isHit) {
-    const {
-      session: { shown, time, end, robots },
-      view,
-    } = this;
+    const { view } = this;
+    const { shown, time, end, robots } = this.session;
     const room = this.roomOf(i);
     const [x, y] = view.place(this.session.poseAt(i));
     if (room >= READABLE) {
@@ -343,10 +331,8 @@ export class Floor {
 
   /** An outline around the chosen robot. @param {Context} context @param {number} i @param {Palette} palette */
   drawSelected(context, i, palette) {
-    const {
-      session: { robots },
-      view,
-    } = this;
+    const { view } = this;
+    const { robots } = this.session;
     const [x, y] = view.place(this.session.poseAt(i));
     const radius = reachOf(robots[i].robot) * view.scaleX + 4;
     context.lineJoin = "round";

@@ -235,15 +235,9 @@ await openRoom("fleet", (room, /** @type {Remote<Commands>} */ worker) => {
 
   /** Buttons that may help where an order fails. */
   function offers() {
-    const {
-      run: {
-        status,
-        blocked: [robot, ...others],
-        order,
-      },
-      canCompose,
-      isOrdered,
-    } = session;
+    const { canCompose, isOrdered } = session;
+    const { status, order } = session.run;
+    const [robot, ...others] = session.run.blocked;
     if (status !== "exhausted" || !isOrdered) return [];
     const offer = (
       /** @type {string} */ id,

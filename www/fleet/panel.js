@@ -8,7 +8,7 @@ import { comparer } from "../app/once.js";
 import { withOptions } from "../domain/option-names.js";
 import { withSeed } from "../widgets/field.js";
 import { SIDE, makeGallery } from "../widgets/gallery.js";
-import { Options } from "../widgets/options.js";
+import { formOf } from "../widgets/form.js";
 import { fleetThumbnail } from "./floor.js";
 import { SCENES } from "./scenes.js";
 
@@ -37,7 +37,7 @@ export function showPanel(session, actions) {
   const drawAll = () => {
     for (const entry of SCENES) gallery.draw(entry.id, thumbnailOf(entry));
   };
-  /** The form of the generator, and the kind that it is for. @type {{ kind: string, options: Options | null }} */
+  /** The form of the generator, and the kind that it is for. @type {{ kind: string, options: ReturnType<typeof formOf> | null }} */
   let shown = { kind: "", options: null };
   app.onTheme(drawAll);
   drawAll();
@@ -73,27 +73,18 @@ export function showPanel(session, actions) {
     byId("make", HTMLElement).hidden = !("kind" in source);
     if (!("kind" in source)) shown = { kind: "", options: null };
     else if (source.kind !== shown.kind || !shown.options || !sameOptions(shown.options.given, source.options))
-      shown = { kind: source.kind, options: formOf(source) };
+      shown = { kind: source.kind, options: optionsOf(source) };
   }
 
   /** @param {Generated} source */
-  function formOf(source) {
-    const host = byId("fleet-settings", HTMLElement);
+  function optionsOf(source) {
     kind.value = source.kind;
     const info = generators.find(({ id }) => id === source.kind) ?? generators[0];
     app.write({ "kind-summary": info.summary });
     const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "fleet"));
-    const form = new Options(
-      host,
-      table,
-      source.options,
-      () => {
-        if (form.settings)
-          actions.load({ kind: source.kind, options: form.given }, (pointer, reason) => form.refuse(pointer, reason));
-      },
-      { prefix: "fleet" },
+    return formOf("fleet", table, source.options, (options, onRefused) =>
+      actions.load({ kind: source.kind, options }, onRefused),
     );
-    return form;
   }
 
   /** Shows the planner and its options. */
@@ -102,17 +93,12 @@ export function showPanel(session, actions) {
     planner.value = algorithm;
     const info = planners.find(({ id }) => id === algorithm) ?? planners[0];
     app.write({ "planner-summary": info.summary });
-    const form = new Options(
-      byId("plan-settings", HTMLElement),
-      /** @type {ParameterInfo[]} */ (withSeed(info.parameters)),
-      given[algorithm],
-      () => {
-        if (!form.settings) return;
-        given[algorithm] = form.given;
-        actions.plan((pointer, reason) => form.refuse(pointer, reason));
-      },
-      { prefix: "plan", first: SHOWN },
-    );
+    const table = /** @type {ParameterInfo[]} */ (withSeed(info.parameters));
+    const use = (/** @type {Settings} */ settings, /** @type {Refusal} */ onRefused) => {
+      given[algorithm] = settings;
+      actions.plan(onRefused);
+    };
+    formOf("plan", table, given[algorithm], use, SHOWN);
   }
 
   function show() {

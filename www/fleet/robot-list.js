@@ -114,12 +114,8 @@ export class RobotList {
   drawLane(lane) {
     const { session } = this;
     const { robot, element, words, bar, when } = lane;
-    const {
-      run: { blocked, status },
-      isStraight,
-      shown,
-      end,
-    } = session;
+    const { isStraight, shown, end } = session;
+    const { blocked, status } = session.run;
     const isFailed = !isStraight && status === "exhausted";
     const state =
       isFailed && blocked[0] === robot
@@ -169,11 +165,8 @@ export class RobotList {
 
   /** Marks the chosen robot. */
   mark() {
-    const {
-      session: { selected },
-      lanes,
-      list,
-    } = this;
+    const { lanes, list } = this;
+    const { selected } = this.session;
     for (const { robot, element } of lanes) element.ariaSelected = String(robot === selected);
     if (selected === null) list.removeAttribute("aria-activedescendant");
     else {

@@ -233,10 +233,7 @@ export class FleetSession {
     return this.plan(false);
   }
 
-  /**
-   * Plans in an order; null: by the planner at first, which decides who gives way.
-   * @param {number[] | null} order
-   */
+  /** Plans in an order; null: by the planner at first, which decides who gives way. @param {number[] | null} order */
   reorder(order) {
     this.order = order;
     this.algorithm = order ? "prioritized" : DEFAULT;

@@ -33,9 +33,7 @@ function allOf(count) {
 /** @param {FleetSession} session @returns {string} */
 export function sentenceOf(session) {
   if (session.isStraight) return straightSentence(session);
-  const {
-    run: { status },
-  } = session;
+  const { status } = session.run;
   if (status === "solved") return solvedSentence(session);
   if (status === "exhausted") return failedSentence(session);
   return runningSentence(session);
@@ -66,11 +64,8 @@ function runningSentence({ run, robots, isOrdered, algorithm }) {
 /** @param {FleetSession} session */
 function solvedSentence({ run: { result }, robots, isOrdered, order, algorithm }) {
   if (!result) return "";
-  const {
-    waits,
-    stats: { restarts },
-    makespan,
-  } = result;
+  const { waits, makespan } = result;
+  const { restarts } = result.stats;
   const waiting = waits > 0.005 ? `Together they wait ${num(waits, 1)} s.` : "None has to wait.";
   const all =
     robots.length === 1 ? "The robot reaches its goal" : `${capital(allOf(robots.length))} robots reach their goals`;
@@ -88,14 +83,9 @@ function solvedSentence({ run: { result }, robots, isOrdered, order, algorithm }
 
 /** Why there is no plan, as far as is known. @param {FleetSession} session */
 function failedSentence(session) {
-  const {
-    run: {
-      blocked: [robot, ...others],
-      result,
-    },
-    isOrdered,
-    algorithm,
-  } = session;
+  const { isOrdered, algorithm } = session;
+  const { result } = session.run;
+  const [robot, ...others] = session.run.blocked;
   const reason = result?.reason;
   const { iterations = 0, restarts = 0, vertices = 0 } = result?.stats ?? {};
   if (reason === "too-late")
@@ -128,11 +118,8 @@ function straightSentence({ conflicts, touching, robots, time }) {
 
 /** What a robot does, for the list. @param {FleetSession} session @param {number} i */
 export function laneSentence(session, i) {
-  const {
-    shown,
-    run: { blocked, status },
-    isStraight,
-  } = session;
+  const { shown, isStraight } = session;
+  const { blocked, status } = session.run;
   const way = shown[i];
   const name = nameOf(session, i);
   if (!isStraight && status === "exhausted" && blocked[0] === i) return `${name}: no plan was found`;

@@ -41,18 +41,8 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
   const indexes = neighbourIndexes();
   const session = new NeighbourSession(app, worker, ROBOTS[0]);
   const figures = {
-    workspace: new Figure(
-      app,
-      stage,
-      { id: "workspace", kind: "workspace", caption: "Workspace" },
-      new Workspace(session),
-    ),
-    square: new Figure(
-      app,
-      stage,
-      { id: "cspace", kind: "cspace", caption: "Configuration space" },
-      new Square(session),
-    ),
+    workspace: new Figure(app, stage, { id: "workspace", caption: "Workspace" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", caption: "Configuration space" }, new Square(session)),
   };
   const all = Object.values(figures);
   const robotOf = (/** @type {string} */ id) => ROBOTS.find((entry) => entry.id === id);
@@ -180,10 +170,8 @@ await openRoom("neighbours", (room, /** @type {Remote<Commands>} */ worker) => {
   }
 
   function neighboursCsv() {
-    const {
-      found: { indices, distances },
-      coordinates,
-    } = session;
+    const { coordinates } = session;
+    const { indices, distances } = session.found;
     return csvFile(
       ["rank", "number", "distance", ...coordinates.map(({ name }) => name)],
       Array.from(indices, (i, rank) => [rank + 1, i, distances[rank], ...session.row(i)]),

@@ -50,10 +50,8 @@ export class Measurement {
    * @param {number} n  more than before @param {number} milliseconds  that may be spent
    */
   measure(n, milliseconds) {
-    const {
-      scenario: { dimension },
-      rows,
-    } = this;
+    const { rows } = this;
+    const { dimension } = this.scenario;
     const end = performance.now() + milliseconds;
     const measured = [];
     /** The true neighbours of each target. @type {Set<number>[]} */

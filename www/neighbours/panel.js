@@ -6,7 +6,7 @@ import { byId, make } from "../app/dom.js";
 import { comparer } from "../app/once.js";
 import { tuple } from "../widgets/format.js";
 import { Options } from "../widgets/options.js";
-import { Slider } from "../widgets/slider.js";
+import { Slider, slidersOf } from "../widgets/slider.js";
 
 /** @import { IndexId, IndexInfo } from "planarium" */
 /** @import { NeighbourSession, Weights } from "./session.js" */
@@ -95,24 +95,13 @@ export function showPanel(session, table) {
         make("option", { value: String(i) }, `${tuple(at)}, k = ${count}`),
       ),
     );
-    target = coordinates.map(
-      ({ name, low, high, unit }, i) =>
-        new Slider({ name: `q${i}`, title: name, unit, min: low, max: high }, session.q[i], (value) =>
-          session.setCoordinate(i, value),
-        ),
-    );
+    target = slidersOf("q", coordinates, session.q, (i, value) => session.setCoordinate(i, value));
     byId("target", HTMLElement).replaceChildren(...target.map(({ element }) => element));
   }
 
   function show() {
-    const {
-      entry: { presets },
-      coordinates,
-      sampling,
-      q,
-      k,
-      isAsking,
-    } = session;
+    const { coordinates, sampling, q, k, isAsking } = session;
+    const { presets } = session.entry;
     if (differs("robot", coordinates)) showRobot();
     if (differs("options", session.index, coordinates)) showOptions();
     counts.show(sampling.n);

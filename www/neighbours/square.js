@@ -41,9 +41,7 @@ export class Square extends AngleSquare {
 
   /** The list as one image. @param {Brush} brush */
   dots({ ratio, palette }) {
-    const {
-      list: { rows },
-    } = this.session;
+    const { rows } = this.session.list;
     const { x, y, width, height } = this.inner;
     const places = new Float64Array(rows.length);
     for (let i = 0; i < rows.length; i += 2) {
@@ -57,12 +55,8 @@ export class Square extends AngleSquare {
   drawTop({ context, palette }) {
     const { session, view, inner } = this;
     if (!session.isAsking) return;
-    const {
-      found: { indices },
-      missed,
-      cut,
-      q,
-    } = session;
+    const { missed, cut, q } = session;
+    const { indices } = session.found;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     this.repeat(context, () => {
       if (cut !== null) {
@@ -94,10 +88,8 @@ export class Square extends AngleSquare {
    * @param {number | null} cut
    */
   drawMotion(context, i, cut) {
-    const {
-      session: { q },
-      session,
-    } = this;
+    const { session } = this;
+    const { q } = session;
     const row = session.row(i);
     this.strokeMotion(
       context,

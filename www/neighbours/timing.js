@@ -65,11 +65,8 @@ export function watchTiming(session, table) {
   }
 
   function explain() {
-    const {
-      entry,
-      given: { metric },
-      k,
-    } = session;
+    const { entry, k } = session;
+    const { metric } = session.given;
     const what = `${entry.title.toLowerCase()}, k = ${k}${metric ? `, ${metric} metric` : ""}`;
     write(button, isPaused() ? "Measure the rest" : "Measure");
     const note = isPaused()

@@ -49,12 +49,8 @@ export class Workspace {
 
   /** @param {Brush} brush */
   drawGround(brush) {
-    const {
-      document,
-      scenario,
-      footprints,
-      list: { tips },
-    } = this.session;
+    const { document, scenario, footprints } = this.session;
+    const { tips } = this.session.list;
     const { context, palette, width, height, ratio } = brush;
     const view = (this.view = drawWorkspace(brush, scenario, document));
     if (footprints.length <= FEW) return this.drawFew(brush);
@@ -83,13 +79,9 @@ export class Workspace {
 
   /** Each robot with its outline and its reference point, of an arm the tip. @param {Brush} brush */
   drawFew({ context, palette }) {
-    const {
-      view,
-      session: {
-        footprints,
-        list: { tips },
-      },
-    } = this;
+    const { view } = this;
+    const { footprints } = this.session;
+    const { tips } = this.session.list;
     for (const parts of footprints)
       drawGhost(context, view, parts, { colour: palette.growth, fill: 0.16, stroke: 0.9, dash: [], width: 1.6 });
     for (let i = 0; i < tips.length; i += 2) drawReference(context, ...view.place(tips.subarray(i)), palette);
@@ -99,14 +91,10 @@ export class Workspace {
   drawTop({ context, palette }) {
     const { session, view } = this;
     if (!session.isAsking) return;
-    const {
-      scenario,
-      missed,
-      q,
-      list: { tips },
-      found: { indices },
-      document: { robot },
-    } = session;
+    const { scenario, missed, q } = session;
+    const { tips } = session.list;
+    const { indices } = session.found;
+    const { robot } = session.document;
     const isDot = robot.type === "disc" && robot.radius === 0;
     const colourOf = (/** @type {number} */ i) => (session.exact.has(i) ? palette.start : palette.rejected);
     const tipOf = (/** @type {number} */ i) => view.place(tips.subarray(2 * i));

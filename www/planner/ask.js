@@ -5,7 +5,8 @@
 import { byId, make, write } from "../app/dom.js";
 import { button } from "../widgets/elements.js";
 
-/** @import { Configuration, State } from "../domain/types.js" */
+/** @import { State } from "./state.js" */
+/** @import { Configuration } from "../domain/types.js" */
 /** @import { Page } from "./page.js" */
 
 /** @param {Page} page */

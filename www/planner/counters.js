@@ -3,7 +3,7 @@ import { byId, grouped, write } from "../app/dom.js";
 import { endText } from "../domain/names.js";
 import { duration, percent } from "../widgets/format.js";
 
-/** @import { LaneState } from "../domain/types.js" */
+/** @import { LaneState } from "./run-log/lane-state.js" */
 
 export class Counters {
   constructor() {

@@ -10,7 +10,7 @@ import { Chart } from "../widgets/chart.js";
 import { numberText as words } from "../widgets/format.js";
 import { byId, make } from "../app/dom.js";
 import { pacer } from "../app/paced.js";
-import { labelled } from "../widgets/elements.js";
+import { labelled, tableHead } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */
 /** @import { Line } from "../widgets/chart.js" */
@@ -50,10 +50,8 @@ export function watchCurves(page) {
 
   /** Draws the curves if they have changed, at rest or after a pause. */
   function update() {
-    const {
-      state,
-      session: { plannings, clock, lanes },
-    } = page;
+    const { state } = page;
+    const { plannings, clock, lanes } = page.session;
     if (!fold.open || !state) return;
     for (const chart of charts) chart.show(state.clock.now);
     const key = `${plannings} ${clock.head} ${lanes.map(({ run, optimum }) => [run?.ended, optimum?.length])}`;
@@ -155,7 +153,7 @@ export function watchCurves(page) {
     const heads = names.flatMap((name) => curves.map(([title]) => `${name}: ${title}`));
     table.replaceChildren(
       make("caption", {}, "Vertices and path length"),
-      make("thead", {}, make("tr", {}, ...[time, ...heads].map((title) => make("th", { scope: "col" }, title)))),
+      tableHead([time, ...heads]),
       make(
         "tbody",
         {},

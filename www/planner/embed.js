@@ -8,7 +8,8 @@ import { paced } from "../app/paced.js";
 import { entryOf, laneOf } from "./experiment.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { SceneEntry, Settings, State } from "../domain/types.js" */
+/** @import { State } from "./state.js" */
+/** @import { SceneEntry, Settings } from "../domain/types.js" */
 
 /** Milliseconds between two states that are posted. */
 const PAUSE = 100;

@@ -5,7 +5,9 @@ import { measure } from "../draw/figure.js";
 import { robotName } from "../domain/names.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { PaneKind, Pointer, SceneFacts, State } from "../domain/types.js" */
+/** @import { SceneFacts } from "./session.js" */
+/** @import { State } from "./state.js" */
+/** @import { PaneKind, Pointer } from "../domain/types.js" */
 /**
  * @typedef {{ id: string, kind: PaneKind, lane: number, caption: string, note?: string }} Named   the note describes
  *   the drawing
@@ -91,19 +93,12 @@ export class Figures {
   }
 
   /** Notes the coordinates of the configuration space. @param {State} state @param {SceneFacts | null} facts */
-  showAxes(
-    {
-      view: {
-        axes: [across, up],
-        slice,
-      },
-    },
-    facts,
-  ) {
+  showAxes({ view }, facts) {
+    const [across, up] = view.axes;
     const { dimension = 0, coordinates = [] } = facts ?? {};
     this.axes =
       dimension > 2 && across < dimension && up < dimension
-        ? `${coordinates[across].name} across, ${coordinates[up].name} up${slice ? "; slice at the robot\u2019s configuration" : ""}`
+        ? `${coordinates[across].name} across, ${coordinates[up].name} up${view.slice ? "; slice at the robot\u2019s configuration" : ""}`
         : "";
     this.writeNotes();
   }

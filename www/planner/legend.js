@@ -2,7 +2,8 @@
 import { byId, write } from "../app/dom.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { LaneState, State } from "../domain/types.js" */
+/** @import { LaneState } from "./run-log/lane-state.js" */
+/** @import { State } from "./state.js" */
 
 /** @param {Page} page @param {State} state */
 export function showLegend({ calm }, { lanes, view, growing, playing, clock, hover, touching, isBad, certificate }) {

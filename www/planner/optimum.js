@@ -6,14 +6,8 @@ import { errorInfo } from "../app/error-info.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { ScenarioDocument } from "../domain/types.js" */
-/** @import { Lane } from "./lane.js" */
+/** @import { Lane, Metric, Optimum } from "./stage/lane.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-
-/** @typedef {NonNullable<import("planarium").OptimumOptions["metric"]>} Metric */
-/**
- * @typedef {{ length: number, rows: Float64Array, isExact: boolean }} Optimum   `rows` of configurations; not exact: a
- *   reference, which a run may surpass
- */
 
 /**
  * Whether the shortest path of such a robot is known, or a reference.

@@ -5,9 +5,8 @@ import { generationOf } from "./experiment.js";
 import { changed } from "../domain/option-names.js";
 
 /** @import { ExperimentDocument } from "planarium/full" */
-/** @import { LinkedDocument, LinkedWorld } from "../experiments/link.js" */
+/** @import { LinkedDocument, LinkedWorld, PlannerInfo } from "../domain/types.js" */
 /** @import { Page } from "./page.js" */
-/** @import { PlannerInfo } from "../domain/types.js" */
 
 const SEEDS = 100;
 /** Those of a link of the experiments page. */
@@ -55,10 +54,8 @@ function worldOf({ scene, document, options = {}, query }, title) {
   if (document) return { scenario: /** @type {any} */ (document), ...queries };
   const generation = generationOf({ scene, options });
   if (!generation || (title && Object.keys(options).length === 0)) return { scene: String(scene), ...queries };
-  const {
-    kind,
-    options: { seed = 0, ...set },
-  } = generation;
+  const { kind } = generation;
+  const { seed = 0, ...set } = generation.options;
   return /** @type {LinkedWorld} */ ({
     ...(title ? { name: title } : {}),
     generate: kind,

@@ -27,7 +27,9 @@ import { requirePart } from "./link/codec.js";
 /** @import { Race } from "./race/race.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Placed } from "./stage/placed.js" */
-/** @import { Plan, Scenario, ScenarioDocument, SceneEntry, SceneFacts, State } from "../domain/types.js" */
+/** @import { SceneFacts } from "./session.js" */
+/** @import { State } from "./state.js" */
+/** @import { Plan, Scenario, ScenarioDocument, SceneEntry } from "../domain/types.js" */
 /** @typedef {Facts & { scenario: Scenario, document: ScenarioDocument, placed: Placed | null }} Opened   what was read */
 /**
  * @typedef {object} How   a patch is applied

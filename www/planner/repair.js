@@ -3,7 +3,7 @@
  * are now. There is one repair at a time; the newest scenario waits for it.
  */
 import { errorInfo } from "../app/error-info.js";
-import { Lane } from "./lane.js";
+import { Lane } from "./stage/lane.js";
 
 /** @import { ScenarioDocument } from "../domain/types.js" */
 /** @import { Session } from "./session.js" */
@@ -73,11 +73,8 @@ export class Repair {
    */
   show(growth) {
     const { session } = this;
-    const {
-      shown,
-      lanes: [former],
-      clock,
-    } = session;
+    const { shown, clock } = session;
+    const [former] = session.lanes;
     if (!shown) return;
     const lane = new Lane(shown, former.plan);
     lane.start(session.catalogue);

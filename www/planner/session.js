@@ -10,7 +10,7 @@ import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
 import { coordinatesOf } from "../domain/coordinates.js";
-import { Lane } from "./lane.js";
+import { Lane } from "./stage/lane.js";
 import { Optima } from "./optimum.js";
 import { report } from "./state.js";
 import { PoseByHand } from "./pose/pose-by-hand.js";
@@ -19,16 +19,17 @@ import { Team } from "./worker/team.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { PlannerWorker } from "./worker/worker.js" */
-/**
- * @import { Configuration, Library, Plan, Pointer, Scenario, ScenarioDocument, Source, State,
- *   ViewOptions } from "../domain/types.js"
- */
+/** @import { State } from "./state.js" */
+/** @import { Configuration, Library, Plan, Pointer, Scenario } from "../domain/types.js" */
+/** @import { ScenarioDocument, Source, ViewOptions } from "../domain/types.js" */
 /** @import { Driving } from "./driving/driving.js" */
 /** @import { Certifying } from "./certificate/certifying.js" */
 /** @import { Editor } from "./editor/editor.js" */
 /** @import { Placed } from "./stage/placed.js" */
-/** @import { Shown } from "./lane.js" */
+/** @import { Shown } from "./stage/lane.js" */
 /** @import { Story } from "./story.js" */
+
+/** @typedef {ReturnType<Session["facts"]>} SceneFacts   the open scenario, as data */
 
 /** Milliseconds into a frame at which drawing of growth stops: while a run plays, and otherwise. */
 const DRAWING = { playing: 6, paused: 24 };
@@ -41,11 +42,7 @@ const MEASURES = 20000;
 export const placed = once(() => import("./stage/placed.js"));
 
 export class Session {
-  /**
-   * @param {App} app
-   * @param {Library} library
-   * @param {PlannerWorker} planners   the worker
-   */
+  /** @param {App} app @param {Library} library @param {PlannerWorker} planners   the worker */
   constructor(app, library, planners) {
     this.app = app;
     this.library = library;
@@ -314,10 +311,8 @@ export class Session {
    * @throws {Error} with `code` and `pointer`: `start-in-collision`, `goal-in-collision`
    */
   async ask(start, goal, query) {
-    const {
-      plannings,
-      lanes: [lane],
-    } = this;
+    const { plannings } = this;
+    const [lane] = this.lanes;
     const answer = await this.team.ask([...start], [...goal]);
     const { shown } = this;
     if (plannings !== this.plannings || !shown || !this.canAsk) return;
@@ -333,10 +328,8 @@ export class Session {
 
   /** Shows the run's own query again. */
   forget() {
-    const {
-      shown,
-      lanes: [lane],
-    } = this;
+    const { shown } = this;
+    const [lane] = this.lanes;
     if (!shown || !lane?.asked) return;
     lane.asked = null;
     this.setEnds(shown);

@@ -1,14 +1,17 @@
 /** The state of the page in a frame: numbers, texts and flags, with no handle of the core. */
 import { errorInfo } from "../app/error-info.js";
 import { unitOf } from "../domain/names.js";
-import { EVENT, PAST } from "./run-log/run-log.js";
+import { EVENT, PAST } from "./run-log/columns.js";
+import { NO_RUN } from "./run-log/lane-state.js";
 import { gapOf } from "./optimum.js";
 import { isInformed } from "./stage/informed.js";
 import { poseSentence, sentenceOf, summary, turnsSentence } from "./story.js";
 
 /** @import { Session } from "./session.js" */
-/** @import { Lane } from "./lane.js" */
-/** @import { Status } from "../domain/types.js" */
+/** @import { LaneState } from "./run-log/lane-state.js" */
+/** @import { Lane } from "./stage/lane.js" */
+
+/** @typedef {ReturnType<typeof report>} State */
 
 /** @param {Session} session */
 export function report(session) {
@@ -55,74 +58,11 @@ export function report(session) {
   };
 }
 
-const NO_RUN = {
-  status: /** @type {Status | "none"} */ ("none"),
-  phase: "",
-  iteration: 0,
-  /** Why it ended without a path. @type {string | null} */
-  reason: null,
-  made: 0,
-  vertices: 0,
-  edges: 0,
-  checks: 0,
-  motions: 0,
-  evaluations: 0,
-  /** Of the best path so far, Infinity without a path. */
-  cost: Infinity,
-  /** Once solved and at rest. @type {number | null} */
-  length: null,
-  /**
-   * By how much the best path so far is longer than the shortest one, in percent, if that is shown and known.
-   * @type {number | null}
-   */
-  gap: null,
-  /**
-   * Whether the shortest path is shown and known: no free path is shorter, or a reference.
-   * @type {"shortest" | "reference" | null}
-   */
-  optimum: null,
-  unit: "",
-  /** At rest at the newest iteration. */
-  fingerprint: "",
-  kind: /** @type {"roadmap" | "tree" | "trees"} */ ("roadmap"),
-  isProven: true,
-  isMiss: false,
-  hasGuards: false,
-  isSearched: false,
-  isApart: false,
-  isInformed: false,
-  hasRejected: false,
-  hasRefused: false,
-  /** Vertices that the search has reached and not expanded. */
-  waiting: 0,
-  /** The length before shortcutting, where it was longer. @type {number | null} */
-  raw: null,
-  /** Vertices of the path, with its ends. @type {number | null} */
-  waypoints: null,
-  /** Vertices that the search of a roadmap has visited; null of a tree. @type {number | null} */
-  visited: null,
-  /** Samples drawn that were in collision. */
-  rejected: 0,
-  /**
-   * Known of the newest iteration only.
-   * @type {{ nearest: number, build: number, search: number, rate: number } | null}
-   */
-  stats: null,
-  /** The iteration's marks on the pseudocode. @type {string[]} */
-  marks: [],
-};
-
 /** @param {Lane} lane */
 function laneState(lane) {
-  const {
-    plan: { algorithm },
-    run,
-    playback,
-    scenario,
-    standing,
-    asked,
-    optimum: truth,
-  } = lane;
+  const { run, playback, scenario, standing, asked, optimum: truth } = lane;
+  const { algorithm } = lane.plan;
+  /** @type {LaneState["optimum"]} */
   const optimum = truth && (truth.isExact ? "shortest" : "reference");
   if (!run) return { ...NO_RUN, algorithm, standing, optimum };
   const { past, status, kind, isProven } = run;

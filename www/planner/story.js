@@ -2,7 +2,7 @@
 import { counted, grouped } from "../app/dom.js";
 import { leaders, letter, letters } from "./race/standings.js";
 import { costText, endText, isPlaced, lengthText, robotName, touchingSentence, weightedText } from "../domain/names.js";
-import { EVENT, PAST } from "./run-log/run-log.js";
+import { EVENT, PAST } from "./run-log/columns.js";
 import { coordinatesOf, turnsAlong } from "../domain/coordinates.js";
 import { capital, duration, num } from "../widgets/format.js";
 
@@ -10,8 +10,8 @@ import { capital, duration, num } from "../widgets/format.js";
  * @typedef {{ algorithm: string, isProven: boolean, sentence: string }} Story   a scene's sentence about its own
  *   planner, and whether that proves its edges
  */
-/** @import { PathPlayback } from "../domain/path-playback.js" */
-/** @import { Asked, Lane } from "./lane.js" */
+/** @import { PathPlayback } from "./stage/path-playback.js" */
+/** @import { Asked, Lane } from "./stage/lane.js" */
 /** @import { RunLog } from "./run-log/run-log.js" */
 /** @import { Session } from "./session.js" */
 /** @import { Check, Scenario } from "../domain/types.js" */

@@ -4,9 +4,11 @@
  */
 import { byId, make, write } from "../app/dom.js";
 import { hasOptimum } from "./optimum.js";
+import { row, toggle } from "../widgets/elements.js";
 
 /** @import { Page } from "./page.js" */
-/** @import { SceneFacts, State } from "../domain/types.js" */
+/** @import { SceneFacts } from "./session.js" */
+/** @import { State } from "./state.js" */
 
 /** Limits of the number of configurations along the path. */
 const POSES = { least: 3, most: 24 };
@@ -40,28 +42,28 @@ export function watchView(page) {
   });
   const lengths = make("p", { className: "hint", id: "view-lengths" });
   const switches = {
-    refused: toggle("refused"),
-    strobe: toggle("strobe"),
-    raw: toggle("raw"),
-    slice: toggle("slice"),
-    optimum: toggle("optimum"),
-    regions: toggle("regions"),
+    refused: option("refused"),
+    strobe: option("strobe"),
+    raw: option("raw"),
+    slice: option("slice"),
+    optimum: option("optimum"),
+    regions: option("regions"),
   };
   const plane = make(
     "div",
     { id: "view-plane" },
-    row("Horizontal axis", selects[0]),
-    row("Vertical axis", selects[1]),
-    row(
+    field("Horizontal axis", selects[0]),
+    field("Vertical axis", selects[1]),
+    field(
       "Obstacle slice",
       switches.slice,
       "Configurations of this plane that collide, with the other coordinates as they are now.",
     ),
   );
-  const raw = row("Path before shortcutting", switches.raw);
+  const raw = field("Path before shortcutting", switches.raw);
   raw.append(lengths);
-  const shortest = row("Shortest path", switches.optimum);
-  const regions = row(
+  const shortest = field("Shortest path", switches.optimum);
+  const regions = field(
     "Voronoi regions",
     switches.regions,
     "Of a tree: each place has the colour of the vertex that is nearest to it. A sample there extends that vertex.",
@@ -70,18 +72,18 @@ export function watchView(page) {
   shortest.append(about);
   const number = inspector();
   byId("view", HTMLElement).append(
-    row(
+    field(
       "Show rejected",
       switches.refused,
       "Colliding samples as crosses, blocked motions as dashed lines up to the collision.",
     ),
-    row("Configurations along the path", switches.strobe),
-    row("Number of configurations", poses),
+    field("Configurations along the path", switches.strobe),
+    field("Number of configurations", poses),
     raw,
     shortest,
     regions,
     plane,
-    row("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
+    field("Vertex", number, "Type a vertex number or point at a vertex; both panes highlight it."),
   );
 
   page.onOpen(build);
@@ -108,8 +110,8 @@ export function watchView(page) {
   /** @param {State} state */
   function reflect({ view, lanes: [{ raw: found, length, unit, vertices }] }) {
     number.max = String(Math.max(0, vertices - 1));
-    for (const option of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]))
-      switches[option].checked = view[option];
+    for (const name of /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]))
+      switches[name].checked = view[name];
     if (document.activeElement !== poses) poses.value = String(view.poses);
     if (!plane.hidden)
       selects.forEach((select, i) => {
@@ -149,16 +151,9 @@ export function watchView(page) {
     });
   }
 
-  /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum" | "regions"} option */
-  function toggle(option) {
-    /** @type {HTMLInputElement} */
-    const input = make("input", {
-      type: "checkbox",
-      role: "switch",
-      id: `view-${option}`,
-      onchange: () => page.setView({ [option]: input.checked }),
-    });
-    return input;
+  /** @param {"refused" | "strobe" | "raw" | "slice" | "optimum" | "regions"} name */
+  function option(name) {
+    return toggle(`view-${name}`, (isOn) => page.setView({ [name]: isOn }));
   }
 }
 
@@ -168,12 +163,8 @@ export function watchView(page) {
  * @param {HTMLElement} control
  * @param {string} [meaning]
  */
-function row(name, control, meaning) {
-  const field = make(
-    "div",
-    { className: "field" },
-    make("label", { className: "row" }, make("span", { className: "name" }, name), control),
-  );
-  if (meaning) field.append(make("p", { className: "hint" }, meaning));
-  return field;
+function field(name, control, meaning) {
+  const element = make("div", { className: "field" }, row(name, control));
+  if (meaning) element.append(make("p", { className: "hint" }, meaning));
+  return element;
 }

@@ -21,10 +21,8 @@ export function makeCharts(session) {
   /** @type {unknown[]} */
   let drawn = [];
   return () => {
-    const {
-      training: { history, status },
-      part,
-    } = session;
+    const { part } = session;
+    const { history, status } = session.training;
     const isDrawn = drawn[0] === history && drawn[1] === history.length;
     if (part !== "train" || isDrawn || !isDue(status !== "running")) return;
     drawn = [history, history.length];
@@ -74,11 +72,8 @@ export function makeSwingChart(session) {
   /** @type {unknown} */
   let drawn = null;
   return () => {
-    const {
-      run: { drives },
-      selected,
-      document,
-    } = session;
+    const { selected, document } = session;
+    const { drives } = session.run;
     const drive = drives[selected];
     host.hidden = !drive || document?.robot.type !== "cargo";
     if (!drive || document?.robot.type !== "cargo" || drive === drawn) return;

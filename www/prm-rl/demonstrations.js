@@ -47,17 +47,8 @@ export class Demonstrations {
 
   /** The piece at a place, or null. @param {number} x @param {number} y */
   pieceAt(x, y) {
-    const {
-      side,
-      columns,
-      left,
-      topEdge,
-      session: {
-        training: {
-          demonstrations: { length },
-        },
-      },
-    } = this;
+    const { side, columns, left, topEdge } = this;
+    const { length } = this.session.training.demonstrations;
     const [column, row] = [Math.floor((x - left) / (side + GAP)), Math.floor((y - topEdge) / (side + GAP))];
     const i = row * columns + column;
     return column >= 0 && column < columns && row >= 0 && i < length ? i : null;
@@ -122,15 +113,8 @@ export class Demonstrations {
    * @param {(view: View) => void} draw
    */
   within({ context, palette }, { trace, goal }, i, draw) {
-    const {
-      side,
-      columns,
-      left,
-      topEdge,
-      session: {
-        training: { selected },
-      },
-    } = this;
+    const { side, columns, left, topEdge } = this;
+    const { selected } = this.session.training;
     const [x, y] = [left + (i % columns) * (side + GAP), topEdge + Math.floor(i / columns) * (side + GAP)];
     const middle = [(trace[0] + goal[0]) / 2, (trace[1] + goal[1]) / 2];
     const half = Math.max(Math.abs(trace[0] - goal[0]), Math.abs(trace[1] - goal[1])) / 2 + AROUND;

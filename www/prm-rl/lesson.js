@@ -126,10 +126,8 @@ export class Lesson {
   /** Turns the robot once on the spot. */
   async turn() {
     const { session, app, step } = this;
-    const {
-      document,
-      start: [x, y, theta],
-    } = session;
+    const { document } = session;
+    const [x, y, theta] = session.start;
     const begin = performance.now();
     for (let part = 0; !app.reducedMotion && part < 1;) {
       await new Promise(requestAnimationFrame);

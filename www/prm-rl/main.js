@@ -188,12 +188,8 @@ await openRoom("prm-rl", (room, /** @type {Remote<Commands>} */ worker) => {
 
   let began = 0;
   app.onFrame((now) => {
-    const {
-      part,
-      training: {
-        demonstrations: { length },
-      },
-    } = session;
+    const { part } = session;
+    const { length } = session.training.demonstrations;
     if (part !== "train" || length === 0 || app.reducedMotion || training.status !== "running") {
       if (demonstrations.time !== Infinity) {
         demonstrations.time = Infinity;

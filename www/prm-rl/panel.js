@@ -7,12 +7,12 @@ import { byId, make } from "../app/dom.js";
 import { comparer } from "../app/once.js";
 import { button, press } from "../widgets/elements.js";
 import { Field, withSeed } from "../widgets/field.js";
-import { Options } from "../widgets/options.js";
+import { formOf } from "../widgets/form.js";
 import { Slider } from "../widgets/slider.js";
 import { optionsOf } from "./options.js";
 
 /** @import { NavigationGeneratorId } from "planarium/full" */
-/** @import { ParameterInfo } from "../domain/types.js" */
+/** @import { ParameterInfo, Settings } from "../domain/types.js" */
 /** @import { Refusal } from "../app/room.js" */
 /** @import { NavigationSession, Source } from "./session.js" */
 
@@ -104,7 +104,7 @@ export function showPanel(session, actions) {
   byId("ends", HTMLElement).append(...coordinates.map(({ slider }) => slider.element));
   /** The floor and the way whose forms are shown. */
   let shown = { floor: "", way: "", train: "", compare: "" };
-  /** @type {Options | null} */
+  /** @type {ReturnType<typeof formOf> | null} */
   let compareForm = null;
   const differs = comparer();
   app.onShow(show);
@@ -137,7 +137,6 @@ export function showPanel(session, actions) {
 
   function buildFloor() {
     const { source } = session;
-    const host = byId("floor-settings", HTMLElement);
     const info = generators.find(({ id }) => "kind" in source && id === source.kind);
     kind.value = info?.id ?? "";
     robot.disabled = !info;
@@ -150,69 +149,45 @@ export function showPanel(session, actions) {
     const table = /** @type {ParameterInfo[]} */ (withSeed(info.options, "floor")).filter(
       ({ name }) => name !== "shape",
     );
-    const form = new Options(
-      host,
-      table,
-      others,
-      () => {
-        if (!form.settings) return;
-        const options = { ...form.given, ...(shape !== undefined && { shape }) };
-        shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
-        actions.open({ kind: source.kind, options }, (pointer, reason) => form.refuse(pointer, reason));
-      },
-      { prefix: "floor" },
-    );
+    formOf("floor", table, others, (given, onRefused) => {
+      const options = { ...given, ...(shape !== undefined && { shape }) };
+      shown.floor = JSON.stringify([source.kind, Object.entries(options).sort()]);
+      actions.open({ kind: source.kind, options }, onRefused);
+    });
   }
 
   function buildPlan() {
     const { way } = session;
-    const host = byId("plan-settings", HTMLElement);
     if (way === "policy") {
-      host.replaceChildren(make("p", { className: "hint" }, "Without a plan there is nothing to set."));
+      const nothing = make("p", { className: "hint" }, "Without a plan there is nothing to set.");
+      byId("plan-settings", HTMLElement).replaceChildren(nothing);
       return;
     }
-    const form = new Options(
-      host,
-      optionsOf(way),
-      session.given[way],
-      () => {
-        if (!form.settings) return;
-        session.given[way] = form.given;
-        shown.way = JSON.stringify([way, form.given]);
-        actions.plan((pointer, reason) => form.refuse(pointer, reason));
-      },
-      { prefix: "plan", first: FIRST[way] },
-    );
+    const use = (/** @type {Settings} */ given, /** @type {Refusal} */ onRefused) => {
+      session.given[way] = given;
+      shown.way = JSON.stringify([way, given]);
+      actions.plan(onRefused);
+    };
+    formOf("plan", optionsOf(way), session.given[way], use, FIRST[way]);
   }
 
   function buildTraining() {
-    const form = new Options(
-      byId("train-settings", HTMLElement),
-      /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training")),
-      training.given,
-      () => {
-        if (!form.settings) return;
-        training.given = form.given;
-        shown.train = JSON.stringify(form.given);
-        actions.train((pointer, reason) => form.refuse(pointer, reason));
-      },
-      { prefix: "train", first: FIRST.train },
-    );
+    const table = /** @type {ParameterInfo[]} */ (withSeed(trainingOptions(), "training"));
+    const use = (/** @type {Settings} */ given, /** @type {Refusal} */ onRefused) => {
+      training.given = given;
+      shown.train = JSON.stringify(given);
+      actions.train(onRefused);
+    };
+    formOf("train", table, training.given, use, FIRST.train);
   }
 
   function buildComparison() {
-    const form = new Options(
-      byId("compare-settings", HTMLElement),
-      /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison")),
-      comparison.given,
-      () => {
-        if (!form.settings) return;
-        comparison.given = form.given;
-        shown.compare = JSON.stringify(form.given);
-        actions.compare();
-      },
-      { prefix: "compare", first: FIRST.compare },
-    );
-    compareForm = form;
+    const table = /** @type {ParameterInfo[]} */ (withSeed(comparisonOptions(), "comparison"));
+    const use = (/** @type {Settings} */ given) => {
+      comparison.given = given;
+      shown.compare = JSON.stringify(given);
+      actions.compare();
+    };
+    compareForm = formOf("compare", table, comparison.given, use, FIRST.compare);
   }
 }

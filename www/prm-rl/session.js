@@ -137,10 +137,8 @@ export class NavigationSession {
 
   /** The floor with the query from start to goal. @returns {NavigationDocument} */
   get asked() {
-    const {
-      start: [x, y, theta],
-      goal: [gx, gy],
-    } = this;
+    const [x, y, theta] = this.start;
+    const [gx, gy] = this.goal;
     return { ...this.floor, queries: [{ name: "query", start: [x, y, theta], goal: [gx, gy] }] };
   }
 

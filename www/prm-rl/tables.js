@@ -58,9 +58,7 @@ export function showDriven({ runs, way, hasLoad }) {
 
 /** The edges of the path: each can be marked on the stage. @param {NavigationSession} session */
 export function showEdges(session) {
-  const {
-    run: { path, rollouts },
-  } = session;
+  const { path, rollouts } = session.run;
   byId("path", HTMLElement).hidden = !rollouts || session.part !== "plan";
   const mark = (/** @type {number | null} */ edge) => () => session.select({ edge });
   byId("edges", HTMLElement).replaceChildren(

@@ -5,7 +5,7 @@
 import { byId, make } from "../app/dom.js";
 import { comparer } from "../app/once.js";
 import { withJoints } from "../domain/coordinates.js";
-import { Slider } from "../widgets/slider.js";
+import { Slider, slidersOf } from "../widgets/slider.js";
 
 /** @import { ArmRobot, LinkJoint } from "../domain/coordinates.js" */
 /** @import { Robot } from "./robot.js" */
@@ -53,11 +53,8 @@ export function showArmPanel(session, onOrientation) {
   const hint = byId("keep-hint", HTMLElement);
   hint.before(direction.element);
   const count = new Slider({ name: "links", title: "Links", min: 1, max: MOST_LINKS, kind: "integer" }, 2, (length) => {
-    const {
-      arm: { links },
-      joints,
-      hasLimits,
-    } = session.robot;
+    const { joints, hasLimits } = session.robot;
+    const { links } = session.robot.arm;
     const grown = Array.from({ length }, (_, i) => links[i] ?? links[links.length - 1]);
     change(
       { links: grown },
@@ -128,12 +125,7 @@ export function showArmPanel(session, onOrientation) {
     fielded = fieldsOf(session);
     const { links = [] } = isArm ? session.robot.arm : {};
     const joints = isArm ? session.robot.joints : [];
-    angles = coordinates.map(
-      ({ name, low, high, unit }, i) =>
-        new Slider({ name: `joint-${i}`, title: name, unit, min: low, max: high }, q[i], (angle) =>
-          session.setCoordinate(i, angle),
-        ),
-    );
+    angles = slidersOf("joint-", coordinates, q, (i, angle) => session.setCoordinate(i, angle));
     lengths = links.map(
       (length, i) =>
         new Slider(
@@ -198,54 +190,25 @@ export function showArmPanel(session, onOrientation) {
         make("span", { className: "name" }, coordinates[i].name),
         kinds[i],
       );
-      if (joint.type === "prismatic") {
-        const [from, to] = ends(i, "coordinate, metres");
-        const angle = field(
+      const slides = joint.type === "prismatic";
+      if (!slides && !joint.limits) return row;
+      const [from, to] = ends(i, slides ? "coordinate, metres" : "angle, radians");
+      const angle = () =>
+        field(
           i,
           "angle",
           "fixed angle to the link before, radians",
           (one) => (one.type === "prismatic" ? one.angle : 0),
           (one, value) => (one.type === "prismatic" && Number.isFinite(value) ? { ...one, angle: value } : null),
         );
-        return [
-          make(
-            "div",
-            {},
-            row,
-            make(
-              "div",
-              { className: "interval more" },
-              from,
-              make("span", {}, "to"),
-              to,
-              make("span", { className: "unit" }, "m at"),
-              angle,
-              make("span", { className: "unit" }, "rad"),
-            ),
-          ),
-        ];
-      }
-      if (!joint.limits) return [row];
-      const [from, to] = ends(i, "angle, radians");
-      return [
-        make(
-          "div",
-          {},
-          row,
-          make(
-            "div",
-            { className: "interval more" },
-            from,
-            make("span", {}, "to"),
-            to,
-            make("span", { className: "unit" }, "rad"),
-          ),
-        ),
-      ];
+      const fixed = slides ? [make("span", { className: "unit" }, "m at"), angle()] : [];
+      const unit = make("span", { className: "unit" }, "rad");
+      const interval = make("div", { className: "interval more" }, from, make("span", {}, "to"), to, ...fixed, unit);
+      return make("div", {}, row, interval);
     });
     byId("joints", HTMLElement).replaceChildren(...angles.map(({ element }) => element));
     lengthRows.replaceChildren(...lengths.map(({ element }) => element));
-    byId("intervals", HTMLElement).replaceChildren(...rows.flat());
+    byId("intervals", HTMLElement).replaceChildren(...rows);
   }
 
   /** Makes a joint turn or slide. @param {number} i @param {boolean} slides */
@@ -263,16 +226,12 @@ export function showArmPanel(session, onOrientation) {
     const { coordinates, joints } = session.robot;
     const joint = write(joints[i], input.value.trim() === "" ? NaN : Number(input.value));
     if (joint) return change({}, joints.with(i, joint), input);
-    if (joints[i].type === "prismatic")
-      refuse(
-        `The range of ${coordinates[i].name} must be two numbers, the lower first, and its angle a number.`,
-        input,
-      );
-    else
-      refuse(
-        `The limits of ${coordinates[i].name} must be two numbers from \u22126.28 to 6.28, the lower first.`,
-        input,
-      );
+    const { name } = coordinates[i];
+    const reason =
+      joints[i].type === "prismatic"
+        ? `The range of ${name} must be two numbers, the lower first, and its angle a number.`
+        : `The limits of ${name} must be two numbers from \u22126.28 to 6.28, the lower first.`;
+    refuse(reason, input);
   }
 
   /**

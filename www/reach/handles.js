@@ -105,11 +105,8 @@ export function watchHandles(session, stage, { workspace, square, axes }, setTar
    * @returns {Grip | null}
    */
   function grabBody([px, py], isTouch, isNear, pointOf) {
-    const {
-      parts,
-      q,
-      q: [x, y],
-    } = session.robot;
+    const { parts, q } = session.robot;
+    const [x, y] = q;
     const [middle, front] = placedHandles(workspace.drawing.view, parts, q);
     if (isNear(front)) {
       return (place) => {

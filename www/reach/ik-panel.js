@@ -91,10 +91,8 @@ export class IkPanel {
 
   /** The options of the method as a form. */
   form() {
-    const {
-      method: { summary, parameters },
-      session: { app },
-    } = this;
+    const { summary, parameters } = this.method;
+    const { app } = this.session;
     app.write({ "method-summary": summary });
     const table = /** @type {ParameterInfo[]} */ (
       withSeed(parameters).map((row) => ({ ...row, default: DEFAULTS[row.name] ?? row.default }))
@@ -118,17 +116,10 @@ export class IkPanel {
 
   /** Starts a run. */
   begin() {
-    const {
-      session,
-      session: {
-        robot,
-        target,
-        orientation,
-        app: { notice },
-      },
-      options: { settings },
-      start,
-    } = this;
+    const { session, start } = this;
+    const { robot, target, orientation } = session;
+    const { notice } = session.app;
+    const { settings } = this.options;
     this.drop();
     if (!settings) return;
     try {
@@ -167,12 +158,8 @@ export class IkPanel {
   show() {
     this.follow();
     if (!this.isOn) return;
-    const {
-      host,
-      session,
-      session: { run },
-      course,
-    } = this;
+    const { host, session, course } = this;
+    const { run } = session;
     const isRunning = run?.isRunning ?? false;
     const [count, free, iterations, restarts] = run
       ? [run.solutions.length, run.freeCount, run.run.iterations, run.run.restarts]
@@ -223,10 +210,8 @@ export class IkPanel {
   }
 
   drawChart() {
-    const {
-      chart,
-      session: { run },
-    } = this;
+    const { chart } = this;
+    const { run } = this.session;
     const all = run?.curves() ?? [];
     const shown = all.length > CURVES ? [...all.slice(0, CURVES / 2), ...all.slice(-CURVES / 2)] : all;
     const lines = shown.map((points) => ({
@@ -250,11 +235,8 @@ export class IkPanel {
    * none.
    */
   async link() {
-    const {
-      session,
-      session: { run },
-      start,
-    } = this;
+    const { session, start } = this;
+    const { run } = session;
     const algorithm = planners().find(({ grows }) => grows === "trees")?.id ?? "";
     const document = /** @type {Record<string, unknown>} */ ({
       ...session.robot.document,

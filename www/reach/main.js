@@ -55,19 +55,9 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
   const session = new ReachSession(app);
   const ik = new IkPanel(session);
   const figures = {
-    workspace: new Figure(
-      app,
-      stage,
-      { id: "workspace", kind: "workspace", caption: "Workspace" },
-      new Workspace(session),
-    ),
-    square: new Figure(
-      app,
-      stage,
-      { id: "cspace", kind: "cspace", caption: "Configuration space", note: "" },
-      new Square(session),
-    ),
-    axes: new Figure(app, stage, { id: "axes", kind: "axes", caption: "Configuration" }, new ParallelAxes(session)),
+    workspace: new Figure(app, stage, { id: "workspace", caption: "Workspace" }, new Workspace(session)),
+    square: new Figure(app, stage, { id: "cspace", caption: "Configuration space" }, new Square(session)),
+    axes: new Figure(app, stage, { id: "axes", caption: "Configuration" }, new ParallelAxes(session)),
   };
   const all = Object.values(figures);
   showArmPanel(session, () => {
@@ -169,9 +159,7 @@ await openRoom("reach", (room, /** @type {Remote<Commands>} */ worker) => {
 
   function show() {
     const { robot, mode, entry, tipGoal } = session;
-    const {
-      ellipse: { major, minor, manipulability },
-    } = robot;
+    const { major, minor, manipulability } = robot.ellipse;
     const isSquare = robot.dimension === 2;
     Object.assign(document.body.dataset, {
       scene: entry?.id ?? "file",

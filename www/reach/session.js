@@ -196,12 +196,8 @@ export class ReachSession {
 
 /** The configurations of the first query; without it others are chosen. @param {Robot} robot */
 function configurationsOf(robot) {
-  const {
-    isArm,
-    coordinates,
-    scenario,
-    document: { queries },
-  } = robot;
+  const { isArm, coordinates, scenario } = robot;
+  const { queries } = robot.document;
   const middle = coordinates.map(({ low, high }) => (low + high) / 2);
   const [{ start: q = middle, goal, target: wanted }] = /** @type {[Partial<Query>]} */ ([...queries, {}]);
   /** @type {Point} */

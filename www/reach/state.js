@@ -68,23 +68,9 @@ export const stateRule = withDefaults(
 
 /** @param {ReachSession} session @param {IkPanel} ik @returns {State} */
 export function stateOf(session, ik) {
-  const {
-    robot: {
-      isArm,
-      q,
-      document: { world, robot },
-    },
-    entry,
-    mode,
-    a,
-    b,
-    directions,
-    progress,
-    orientation,
-    target,
-    run,
-    takesBack,
-  } = session;
+  const { entry, mode, a, b, directions, progress, orientation, target, run, takesBack } = session;
+  const { isArm, q } = session.robot;
+  const { world, robot } = session.robot.document;
   const scene = /** @type {Record<string, unknown>} */ (entry ? { radius: 0, ...entry.document.robot } : {});
   const those = (/** @type {Direction} */ wanted) =>
     directions.flatMap((direction, i) => (direction === wanted ? [i] : []));

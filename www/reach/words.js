@@ -27,15 +27,9 @@ export function collisionText({ robot: { scenario, check } }) {
 
 /** The robot for screen readers. @param {ReachSession} session */
 export function descriptionOf(session) {
-  const {
-    robot,
-    robot: {
-      q,
-      isArm,
-      tip,
-      document: { world },
-    },
-  } = session;
+  const { robot } = session;
+  const { q, isArm, tip } = robot;
+  const { world } = robot.document;
   const where = isArm
     ? `${jointsText(robot)}; the tip is at ${tuple(tip)} metres.`
     : `Its reference point is at ${tuple(tip)} metres, theta is ${num(q[2])} radians.`;
@@ -55,14 +49,8 @@ export function robotText({ isArm, dimension }) {
 
 /** @param {ReachSession} session @returns {Sentence} */
 export function sentenceOf(session) {
-  const {
-    mode,
-    run,
-    tipGoal,
-    refusal,
-    robot: { isArm, slides, dimension, ellipse },
-    orientation,
-  } = session;
+  const { mode, run, tipGoal, refusal, orientation } = session;
+  const { isArm, slides, dimension, ellipse } = session.robot;
   if (refusal) return refusalSentence(session, refusal);
   if (mode === "between") return motionSentence(session);
   if (run) return ikSentence(session, run);
@@ -149,9 +137,7 @@ function wayText({ motion, motion: { turns }, robot: { isArm, slides, coordinate
 /** Where a motion ends by the faulty way. @param {Robot} robot @param {Motion} motion @param {ArrayLike<number>} b */
 function missText(robot, motion, b) {
   const end = robot.fitted(motion.at(1));
-  const {
-    missed: { length },
-  } = motion;
+  const { length } = motion.missed;
   const ends = motion.missed.map(
     (i) => `${robot.coordinates[i].name} ends at ${num(end[i])} rad instead of ${num(b[i])} rad`,
   );
@@ -160,16 +146,11 @@ function missText(robot, motion, b) {
 
 /** @param {ReachSession} session @param {IkRun} run @returns {Sentence} */
 function ikSentence({ target, orientation, robot: { scenario, slides } }, run) {
-  const {
-    method,
-    verdict,
-    solutions: { length: count },
-  } = run;
+  const { method, verdict } = run;
+  const { length: count } = run.solutions;
   if (run.isRunning) {
-    const {
-      run: { iterations, restarts },
-      last: { error },
-    } = run;
+    const { iterations, restarts } = run.run;
+    const { error } = run.last;
     const text =
       iterations === 0
         ? `Drag the target, then press Play: ${inSentence(method.title)} moves the tip there step by step.`

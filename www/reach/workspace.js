@@ -46,10 +46,8 @@ export class Workspace {
   /** @param {Brush} brush */
   drawTop(brush) {
     const { context, palette, hatch } = brush;
-    const {
-      session: { robot, mode, tipGoal, run },
-      view,
-    } = this;
+    const { view } = this;
+    const { robot, mode, tipGoal, run } = this.session;
     if (mode === "between") this.drawMotion(brush);
     if (run) this.drawRun(brush, run);
     if (robot.slides) this.drawSlides(brush);
@@ -79,10 +77,8 @@ export class Workspace {
 
   /** @param {Brush} brush */
   drawEllipse({ context, palette }) {
-    const {
-      ellipse: { major, minor, angle },
-      tip: [x, y],
-    } = this.session.robot;
+    const { major, minor, angle } = this.session.robot.ellipse;
+    const [x, y] = this.session.robot.tip;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     context.save();
     setStroke(context, palette.newest, 1.6, [5, 3]);
@@ -160,10 +156,8 @@ export class Workspace {
   /** A and B, the curve of the tip between them, and where it collides. @param {Brush} brush */
   drawMotion(brush) {
     const { context, palette } = brush;
-    const {
-      view,
-      session: { robot, a, b, motion, progress },
-    } = this;
+    const { view } = this;
+    const { robot, a, b, motion, progress } = this.session;
     const { curve, collides, hit, missed } = motion;
     const isMiss = missed.length > 0;
     const done = Math.floor(progress * (collides.length - 1) + 1e-9);
@@ -230,14 +224,10 @@ export class Workspace {
    * @param {IkRun} run
    */
   drawRun({ context, palette }, run) {
-    const {
-      view,
-      session: { chosen },
-    } = this;
-    const {
-      nearest,
-      robot: { scenario, base },
-    } = run;
+    const { view } = this;
+    const { chosen } = this.session;
+    const { nearest } = run;
+    const { scenario, base } = run.robot;
     if (nearest)
       drawGhost(context, view, scenario.footprint(nearest.configuration), {
         colour: palette.quiet,

@@ -193,12 +193,8 @@ await openRoom("trajectories", (room, /** @type {Remote<Commands>} */ worker) =>
 
   /** Shows the numbers. */
   function show() {
-    const {
-      result,
-      accepted,
-      isLastRejected,
-      options: { count = 1000, model, seed = 0 },
-    } = experiment;
+    const { result, accepted, isLastRejected } = experiment;
+    const { count = 1000, model, seed = 0 } = experiment.options;
     if (isRefused || result) stage.dataset.status = isRefused ? "refused" : result?.status;
     if (!result) return;
     const last = result.iterations === 0 ? "none" : isLastRejected ? "refused" : "accepted";

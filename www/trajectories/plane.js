@@ -32,10 +32,8 @@ export class Plane {
   }
 
   get layers() {
-    const {
-      epoch,
-      accepted: { length },
-    } = this.experiment;
+    const { epoch } = this.experiment;
+    const { length } = this.experiment.accepted;
     return {
       ground: { key: epoch, draw: (/** @type {Brush} */ brush) => this.drawGround(brush) },
       growth: {

@@ -133,10 +133,8 @@ export class Course {
 
   /** Shows the time on the axis. */
   show() {
-    const {
-      slider,
-      playback: { axis },
-    } = this;
+    const { slider } = this;
+    const { axis } = this.playback;
     if (!axis || !slider) return;
     const { text = secondsText, isReady = () => true } = axis;
     const [time, end] = [axis.time(), axis.end()];
@@ -159,10 +157,8 @@ export class Course {
   }
 
   showSpeed() {
-    const {
-      pace,
-      playback: { unit, paceText },
-    } = this;
+    const { pace } = this;
+    const { unit, paceText } = this.playback;
     const number = pace < 10 ? pace.toFixed(1) : grouped(Math.round(pace));
     this.speedText.textContent = paceText?.(pace) ?? `${number}/s`;
     this.speed.setAttribute("aria-valuetext", paceText?.(pace) ?? `${number} ${unit} a second`);

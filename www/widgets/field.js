@@ -66,20 +66,13 @@ export class Field {
 
   /** Shows why the value is refused. @param {string} reason  or empty */
   refuse(reason) {
-    this.reason.textContent = reason;
-    this.reason.hidden = reason === "";
-    this.control.ariaInvalid = reason ? "true" : null;
+    showReason(this.reason, this.control, reason);
   }
 
   /** Whether the value is valid; an invalid one shows the reason. */
   validate() {
-    const {
-      info,
-      value,
-      control: {
-        validity: { badInput },
-      },
-    } = this;
+    const { info, value } = this;
+    const { badInput } = this.control.validity;
     this.automatic.hidden = value !== undefined;
     let reason = "";
     if (badInput || value !== undefined) reason = reasonAgainst(info, badInput ? NaN : value);
@@ -88,6 +81,16 @@ export class Field {
     this.refuse(reason);
     return reason === "";
   }
+}
+
+/**
+ * Shows why the value of a control is refused, or that it is valid.
+ * @param {HTMLElement} element @param {HTMLElement} control @param {string} reason  or empty
+ */
+export function showReason(element, control, reason) {
+  element.textContent = reason;
+  element.hidden = reason === "";
+  control.ariaInvalid = reason ? "true" : null;
 }
 
 /**

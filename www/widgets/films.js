@@ -2,7 +2,7 @@
 import { make, write } from "../app/dom.js";
 import { even, makeFilm, whyNoWebm } from "../draw/film.js";
 import { downloadRow, failureOf } from "./download-row.js";
-import { button } from "./elements.js";
+import { button, select } from "./elements.js";
 
 /** @import { App } from "../app/app.js" */
 /** @import { Film, FilmFormat } from "../draw/film.js" */
@@ -25,7 +25,7 @@ import { button } from "./elements.js";
  * @param {{ subjects: Subject[], name: () => string }} films   `name`: begins that of the file
  */
 export function filmRow(app, progress, { subjects, name }) {
-  const subject = select("export-film", "What is filmed", [], "");
+  const subject = select("export-film", "What is filmed", []);
   const frames = select(
     "export-frames",
     "Frames",
@@ -99,15 +99,4 @@ export function filmRow(app, progress, { subjects, name }) {
       makeFilm(format, one.open(even(Number(width.value)), Number(frames.value)), onProgress);
     void app.track(progress.save(`${name()}-${one.id}.${format}`, make), failureOf("Film"));
   }
-}
-
-/** @param {string} id @param {string} label @param {[string, string][]} options @param {string} value */
-export function select(id, label, options, value) {
-  const element = make(
-    "select",
-    { id, ariaLabel: label },
-    ...options.map(([key, text]) => make("option", { value: key }, text)),
-  );
-  element.value = value;
-  return element;
 }

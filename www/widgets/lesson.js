@@ -10,10 +10,7 @@ import { button } from "./elements.js";
 /** @typedef {"question" | "run" | "answer"} Shown */
 
 export class LessonBand {
-  /**
-   * @param {string} label
-   * @param {{ run: () => void, move: (by: 1 | -1) => void, leave: () => void }} actions
-   */
+  /** @param {string} label @param {{ run: () => void, move: (by: 1 | -1) => void, leave: () => void }} actions */
   constructor(label, { run, move, leave }) {
     /** @type {Question} */
     this.step = { question: "", choices: [], answer: 0 };

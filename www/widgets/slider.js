@@ -1,6 +1,8 @@
 /** A number as a slider and a field, with the reason beside an invalid value. */
 import { grouped, make } from "../app/dom.js";
-import { reasonAgainst } from "./field.js";
+import { reasonAgainst, showReason } from "./field.js";
+
+/** @import { Coordinate } from "../domain/types.js" */
 
 /**
  * @typedef {object} SliderInfo
@@ -57,10 +59,8 @@ export class Slider {
 
   /** The value at the slider; of a logarithmic one rounded to two digits. */
   get rangeValue() {
-    const {
-      info: { min, max, isLog },
-      range,
-    } = this;
+    const { range } = this;
+    const { min, max, isLog } = this.info;
     if (!isLog) return Number(range.value);
     const value = min * (max / min) ** (Number(range.value) / LOG_STEPS);
     return Math.min(max, Math.max(min, Number(value.toPrecision(2))));
@@ -77,9 +77,7 @@ export class Slider {
 
   /** @param {string} reason */
   refuse(reason) {
-    this.reason.textContent = reason;
-    this.reason.hidden = reason === "";
-    this.number.ariaInvalid = reason ? "true" : null;
+    showReason(this.reason, this.number, reason);
   }
 
   /** Writes a value into the field, unless it has the focus. @param {number} value */
@@ -91,10 +89,8 @@ export class Slider {
 
   /** Shows a value. @param {number} value */
   show(value) {
-    const {
-      info: { min, max, isLog },
-      range,
-    } = this;
+    const { range } = this;
+    const { min, max, isLog } = this.info;
     this.current = value;
     if (!range.matches(":active"))
       range.value = String(isLog ? Math.round((LOG_STEPS * Math.log(value / min)) / Math.log(max / min)) : value);
@@ -116,4 +112,18 @@ export class Slider {
     Object.assign(number, { min: String(min), max: String(max), step: info.kind === "integer" ? "1" : "any" });
     this.show(this.current);
   }
+}
+
+/**
+ * A slider for each coordinate of a configuration.
+ * @param {string} prefix   begins the names, which end in the number of the coordinate
+ * @param {Coordinate[]} coordinates
+ * @param {ArrayLike<number>} values
+ * @param {(i: number, value: number) => void} onInput
+ */
+export function slidersOf(prefix, coordinates, values, onInput) {
+  return coordinates.map(({ name: title, low: min, high: max, unit }, i) => {
+    const info = { name: `${prefix}${i}`, title, unit, min, max };
+    return new Slider(info, values[i], (value) => onInput(i, value));
+  });
 }

@@ -31,13 +31,8 @@ export async function openNeighbours({ state: given, world }, documents) {
   );
   const square = new Square(session);
   await openState(session, state);
-  const {
-    scenario,
-    document,
-    footprints,
-    isPlanar,
-    list: { tips },
-  } = session;
+  const { scenario, document, footprints, isPlanar } = session;
+  const { tips } = session.list;
   const rows = thinned(
     Array.from({ length: session.count }, (_, i) => i),
     MOST.dots,

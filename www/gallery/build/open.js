@@ -9,8 +9,7 @@ import { openTrajectories } from "./trajectories.js";
 
 /** @import { RobotKind } from "../../prm-rl/session.js" */
 /** @import { PolicyDocument } from "planarium/full" */
-/** @import { ScenarioDocument } from "../../domain/types.js" */
-/** @import { LinkedDocument } from "../../experiments/link.js" */
+/** @import { LinkedDocument, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Entry } from "../format.js" */
 /** @import { Pane } from "./sheet.js" */
 

@@ -4,7 +4,7 @@ import { Scenario } from "planarium";
 import { rowsOf } from "../../domain/coordinates.js";
 import { keysOf } from "../../domain/key-text.js";
 import { withOptions } from "../../domain/option-names.js";
-import { playbackOfResult } from "../../domain/path-playback.js";
+import { playbackOfResult } from "../../planner/stage/path-playback.js";
 import { contoursOf, fillContours } from "../../draw/contours.js";
 import { setStroke } from "../../draw/marks.js";
 import { tracePen } from "../../draw/pen.js";
@@ -20,8 +20,8 @@ import { Workspace } from "../../planner/stage/workspace-pane.js";
 import { CELLS, drawDots, thinned } from "./sheet.js";
 
 /** @import { GeneratorId, Planner } from "planarium" */
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { Lane, Shown } from "../../planner/lane.js" */
+/** @import { PathPlayback } from "../../planner/stage/path-playback.js" */
+/** @import { Lane, Shown } from "../../planner/stage/lane.js" */
 /** @import { Pane } from "../../planner/stage/pane.js" */
 /** @import { Plan, Query, ResultDocument, ScenarioDocument, Settings } from "../../domain/types.js" */
 /** @import { Brush } from "../../draw/figure.js" */

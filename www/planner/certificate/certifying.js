@@ -9,12 +9,20 @@ import { CellPicture, WIDTH } from "./cells.js";
 
 /** @import { Certificate } from "planarium" */
 /** @import { PlannerWorker } from "../worker/worker.js" */
-/** @import { Lane } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
 /** @import { Pane } from "../stage/pane.js" */
 
 /** The part of the cells that a block divides: at first they are seen one by one, and later many are soon there. */
 const PART = 0.012;
+
+/**
+ * @typedef {object} Session   what a subdivision takes of the page's session
+ * @property {{ reducedMotion: boolean }} app
+ * @property {{ halt: () => void }} clock
+ * @property {Shown | null} shown
+ * @property {Certifying | null} certifying
+ * @property {() => void} markDirty
+ */
 
 /**
  * @typedef {object} Found
@@ -89,10 +97,8 @@ export class Certifying {
 
   /** The sentence above the stage. */
   get sentence() {
-    const {
-      clearance,
-      found: { blocks, certificate },
-    } = this;
+    const { clearance } = this;
+    const { blocks, certificate } = this.found;
     const path = clearance > 0 ? `path with clearance above ${numberText(clearance)} m` : "path";
     const blocked = clearance > 0 ? `comes within ${numberText(clearance)} m of an obstacle` : "is in collision";
     if (!certificate)
@@ -114,10 +120,8 @@ export class Certifying {
    */
   draw(pane, context, { scenario }) {
     if (scenario.robot !== "disc" && !(pane instanceof CSpace)) return;
-    const {
-      found: { pictures, blocks, marked },
-      verdict,
-    } = this;
+    const { verdict } = this;
+    const { pictures, blocks, marked } = this.found;
     const picture = pictures.get(pane) ?? new CellPicture(pane);
     pictures.set(pane, picture);
     picture.draw(context, blocks, marked, verdict !== "connected");

@@ -3,9 +3,23 @@ import { byId, make } from "../../app/dom.js";
 import { button } from "../../widgets/elements.js";
 import { Certifying } from "./certifying.js";
 
-/** @import { Page } from "../page.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Session } from "./certifying.js" */
 /** @import { PlannerWorker } from "../worker/worker.js" */
-/** @import { State } from "../../domain/types.js" */
+/**
+ * @typedef {object} State
+ * @property {boolean} canCertify
+ * @property {{ verdict: string | null } | null} certificate
+ * @property {{ status: string }[]} lanes
+ */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {Session} session
+ * @property {(action: () => void) => void} act
+ * @property {(listener: () => void) => void} onOpen
+ * @property {(listener: (state: State) => void) => void} onState
+ */
 
 /** @param {Page} page @param {PlannerWorker} worker */
 export function offerCertificate(page, worker) {

@@ -8,12 +8,23 @@ import { EULER_STEPS } from "../../domain/euler-steps.js";
 import { keysOf } from "../../domain/key-text.js";
 import { Driving, FORMAT } from "./driving.js";
 import { byId, make, write } from "../../app/dom.js";
-import { button } from "../../widgets/elements.js";
+import { button, row, toggle } from "../../widgets/elements.js";
 import { num } from "../../widgets/format.js";
 
 /** @import { DriveKey } from "planarium" */
-/** @import { Experiment } from "../link/codec.js" */
-/** @import { Page } from "../page.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Session } from "./driving.js" */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {App["notice"]} notice
+ * @property {Session} session
+ * @property {boolean} calm   with reduced motion
+ * @property {{ name: string } | null} facts
+ * @property {(action: () => void) => void} run
+ * @property {(action: () => void) => void} act
+ * @property {(listener: () => void) => void} onState
+ */
 
 /** @type {Record<string, DriveKey>} */
 const KEYS = {
@@ -80,14 +91,13 @@ export class DriveControls {
     this.gap = make("div", { hidden: true }, make("dt", {}, "gap to Euler"), this.apart);
     const cells = NUMBERS.map(([name, title]) => make("div", {}, make("dt", {}, title), this.cells[name]));
     const numbers = make("dl", { className: "counters" }, ...cells, this.gap);
-    this.byKeys = make("input", { type: "checkbox", role: "switch", id: "drive-by-keys" });
-    this.byKeys.onchange = () => this.act((driving) => driving.setByKeys(this.byKeys.checked, moment()));
-    this.euler = make("input", { type: "checkbox", role: "switch", id: "drive-euler" });
+    this.byKeys = toggle("drive-by-keys", (isOn) => this.act((driving) => driving.setByKeys(isOn, moment())));
+    const setEuler = () => this.act((driving) => driving.setEuler(this.euler.checked ? Number(this.dt.value) : 0));
+    this.euler = toggle("drive-euler", setEuler);
     const steps = EULER_STEPS.map((dt) => make("option", { value: String(dt) }, `${dt} s`));
     this.dt = make("select", { id: "drive-dt" }, ...steps);
     this.dt.value = "0.1";
-    const setEuler = () => this.act((driving) => driving.setEuler(this.euler.checked ? Number(this.dt.value) : 0));
-    this.euler.onchange = this.dt.onchange = setEuler;
+    this.dt.onchange = setEuler;
     this.rolled = make("p", { className: "hint", role: "status" });
     /** The fields of one control: v, phi and the duration. @type {HTMLInputElement[]} */
     this.fields = [];
@@ -95,19 +105,9 @@ export class DriveControls {
       "details",
       { className: "more" },
       make("summary", {}, "More"),
-      make(
-        "label",
-        { className: "row" },
-        make("span", { className: "name" }, "Advance time only when a key is pressed"),
-        this.byKeys,
-      ),
-      make(
-        "label",
-        { className: "row" },
-        make("span", { className: "name" }, "Euler steps beside the arc"),
-        this.euler,
-      ),
-      make("label", { className: "row" }, make("span", { className: "name" }, "Euler\u2019s step"), this.dt),
+      row("Advance time only when a key is pressed", this.byKeys),
+      row("Euler steps beside the arc", this.euler),
+      row("Euler\u2019s step", this.dt),
       this.makeRollout(),
       this.makeRecord(),
     );
@@ -246,8 +246,10 @@ export class DriveControls {
   /**
    * Drives as a link says: a recording is replayed; with a control, the motion of that control from the recording's
    * end is shown.
-   * @param {NonNullable<Experiment["drive"]>} drive @param {Experiment["roll"]} roll
-   * @param {Experiment["euler"]} euler @throws {Error} with `code` and `pointer`
+   * @param {{ start?: number[], keys?: string, steps?: number }} drive
+   * @param {[number, number, number]} [roll]   v, phi and seconds
+   * @param {number} [euler]   seconds in a step
+   * @throws {Error} with `code` and `pointer`
    */
   restore({ start, keys = "", steps = 0 }, roll, euler) {
     const { driving } = this;
@@ -314,15 +316,8 @@ export class DriveControls {
       this.message = "";
     }
     if (!state) return;
-    const {
-      pose: [x, y, theta],
-      v,
-      phi,
-      seconds,
-      steps,
-      blocked,
-      keyCount,
-    } = state;
+    const { v, phi, seconds, steps, blocked, keyCount } = state;
+    const [x, y, theta] = state.pose;
     const replaying = tape !== null;
     Object.assign(this.bar.dataset, {
       v,

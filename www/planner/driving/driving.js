@@ -6,8 +6,15 @@ import { counted } from "../../app/dom.js";
 import { drawDrive, drawTrace } from "../stage/driven.js";
 
 /** @import { Drive, DriveKey, DriveState, KeyPress, Obstructed, Rollout } from "planarium" */
-/** @import { Beside, Driven } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Beside, Driven, Shown } from "../stage/lane.js" */
+/**
+ * @typedef {object} Session   what a drive takes of the page's session
+ * @property {Shown | null} shown
+ * @property {Driving | null} driving
+ * @property {{ pause: () => void }} timeline
+ * @property {{ release: () => void, game: { touches: number, arrived: boolean } }} byHand
+ * @property {() => void} wake
+ */
 
 /** The format of recordings. */
 export const FORMAT = "planarium-drive-1";
@@ -206,11 +213,8 @@ export class Driving {
 
   /** The recording, as a document. */
   record() {
-    const {
-      drive,
-      trace,
-      session: { shown },
-    } = this;
+    const { drive, trace } = this;
+    const { shown } = this.session;
     if (!drive || !shown) return null;
     const { steps, pose } = drive.state;
     return {
@@ -266,10 +270,8 @@ export class Driving {
    * @throws {Error} with `code` and `pointer`
    */
   roll(v, phi, duration) {
-    const {
-      state,
-      session: { shown },
-    } = this;
+    const { state } = this;
+    const { shown } = this.session;
     if (!state || !shown) return;
     this.rollout = null;
     this.show();
@@ -301,13 +303,8 @@ export class Driving {
    * @returns {Beside | null}  null if it is not to be drawn, or nothing moves
    */
   compare(trace) {
-    const {
-      drive,
-      dt,
-      rollout,
-      rolled,
-      session: { shown },
-    } = this;
+    const { drive, dt, rollout, rolled } = this;
+    const { shown } = this.session;
     if (dt === 0 || !drive || !shown) return null;
     const { steps, v, phi } = drive.state;
     const held = v === 0 ? 0 : steps - (drive.record().findLast(({ key }) => key !== "keep")?.step ?? 0);
@@ -333,10 +330,8 @@ export class Driving {
 
   /** Whether the car is at the goal, at rest. */
   get arrived() {
-    const {
-      state,
-      session: { shown },
-    } = this;
+    const { state } = this;
+    const { shown } = this.session;
     return Boolean(state && state.v === 0 && shown?.goal && shown.placed?.isNear(state.pose, shown.goal, shown));
   }
 

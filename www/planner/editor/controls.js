@@ -8,9 +8,23 @@ import { json, save } from "../../app/files.js";
 import { button, press } from "../../widgets/elements.js";
 import { Field } from "../../widgets/field.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Patch } from "../experiment.js" */
-/** @import { EditTool } from "../../domain/types.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Session } from "./editor.js" */
+/** @import { EditTool, ScenarioDocument, Settings } from "../../domain/types.js" */
+/** @typedef {{ scene?: string, options?: Settings, document?: object, pace?: number }} Scene   a part of the page's state */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {Session} session
+ * @property {boolean} calm   with reduced motion
+ * @property {Scene} record
+ * @property {{ name: string, document: ScenarioDocument } | null} facts
+ * @property {{ pace?: number } | null} entry   the built-in scene
+ * @property {(patch: Scene) => void} change
+ * @property {(action: () => void) => void} act
+ * @property {(listener: () => void) => void} onOpen
+ * @property {(listener: (state: { isEditing: boolean }) => void) => void} onState
+ */
 /** @typedef {(editor: Editor, event?: KeyboardEvent) => unknown} Command */
 
 /** @type {[EditTool, string][]} */
@@ -69,7 +83,7 @@ export class EditorControls {
     this.host = byId("editor", HTMLElement);
     this.stage = byId("stage", HTMLElement);
     this.narrow = matchMedia("(max-width: 63.99rem)");
-    /** The scene as it was opened, as a part of the page's state. @type {Patch} */
+    /** The scene as it was opened. @type {Scene} */
     this.original = {};
     /** Its iterations a second. @type {number | undefined} */
     this.pace = undefined;
@@ -201,20 +215,9 @@ export class EditorControls {
 
   /** @param {Editor} editor */
   show(editor) {
-    const {
-      tool,
-      kind,
-      title,
-      parts,
-      announcement,
-      reason,
-      touching,
-      goal,
-      changes,
-      refusal,
-      history: { undoable, redoable },
-      hand: { isBusy },
-    } = editor;
+    const { tool, kind, title, parts, announcement, reason, touching, goal, changes, refusal } = editor;
+    const { undoable, redoable } = editor.history;
+    const { isBusy } = editor.hand;
     Object.assign(this.host.dataset, {
       tool,
       kind,

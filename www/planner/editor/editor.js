@@ -31,13 +31,27 @@ import {
   withVertex,
 } from "./objects.js";
 
-/**
- * @import { Coordinate, EditTool, ErrorInfo, Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js"
- */
+/** @import { ErrorInfo } from "../../app/error-info.js" */
+/** @import { Coordinate, EditTool, Library, Obstacle, Point } from "../../domain/types.js" */
+/** @import { Scenario, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Pane } from "../stage/pane.js" */
-/** @import { Lane, Shown } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
+/** @import { Stage } from "../stage/stage.js" */
 /** @import { EditorObject } from "./objects.js" */
+/**
+ * @typedef {object} Session   what the editor takes of the page's session
+ * @property {Library} library
+ * @property {Shown | null} shown
+ * @property {Editor | null} editor
+ * @property {{ end: () => void } | null} certifying
+ * @property {{ error: unknown } | null} refusal
+ * @property {{ now: number, playing: boolean }} clock
+ * @property {{ pause: () => void }} timeline
+ * @property {Stage} stage
+ * @property {{ pointing: { at: unknown } | null, release: () => void, showTouching: () => void }} byHand
+ * @property {() => void} forget
+ * @property {(scenario: Scenario, document: ScenarioDocument, live: boolean) => void} replace
+ */
 
 /** How to use each tool. @type {Record<EditTool, string>} */
 const HINTS = {
@@ -236,12 +250,8 @@ export class Editor {
 
   /** Turns a goal into a target, or a target into a goal: the first configuration that reaches it. */
   retarget() {
-    const {
-      selected,
-      document,
-      target,
-      shown: { scenario, goal, goals },
-    } = this;
+    const { selected, document, target } = this;
+    const { scenario, goal, goals } = this.shown;
     if (!selected || this.goal === "") return;
     const point = goal && scenario.endEffector(goal).map((value) => rounded(value, 1e-6));
     const next = point
@@ -419,12 +429,8 @@ export class Editor {
 
   /** The position of the end effector, where that is selected. */
   get tip() {
-    const {
-      document,
-      selected,
-      part,
-      shown: { scenario },
-    } = this;
+    const { document, selected, part } = this;
+    const { scenario } = this.shown;
     const pose = poseOf(document, selected);
     return pose && isTip(scenario, part) ? scenario.endEffector(pose) : null;
   }
@@ -485,10 +491,8 @@ export class Editor {
 
   /** The sentence above the stage; empty during a run. */
   get sentence() {
-    const {
-      session: { clock },
-      touching,
-    } = this;
+    const { touching } = this;
+    const { clock } = this.session;
     if (!this.on) return "";
     if (this.reason) return this.reason;
     if (clock.now > 0 || clock.playing) return "";

@@ -20,7 +20,7 @@ import {
 /** @import { Snap } from "../stage/grip.js" */
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Obstacle, Point, Scenario, ScenarioDocument } from "../../domain/types.js" */
-/** @import { Shown } from "../lane.js" */
+/** @import { Shown } from "../stage/lane.js" */
 /** @import { Hit } from "./handles.js" */
 /**
  * @typedef {(x: number, y: number, shift: boolean) => ScenarioDocument} Gesture   the pointer in coordinates of the

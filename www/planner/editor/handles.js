@@ -5,7 +5,7 @@ import { middle, objectsOf, obstacleOf, poseOf, same, targetOf } from "./objects
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { View } from "planarium/draw" */
 /** @import { Obstacle, Point } from "../../domain/types.js" */
-/** @import { Shown } from "../lane.js" */
+/** @import { Shown } from "../stage/lane.js" */
 /** @import { EditorObject } from "./objects.js" */
 /**
  * @typedef {{ kind: "vertex" | "middle" | "radius", part: number, at: Point }} Handle   `part`: the vertex, or the one

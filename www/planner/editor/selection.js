@@ -10,7 +10,7 @@ import { ring } from "../../draw/marks.js";
 import { drawGhost, drawHit, drawLabel, drawTouchingParts } from "../../draw/shapes.js";
 import { Workspace } from "../stage/workspace-pane.js";
 
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "../stage/lane.js" */
 /** @import { Pane } from "../stage/pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { View } from "planarium/draw" */

@@ -7,8 +7,18 @@ import { button } from "../../widgets/elements.js";
 import { NpyError } from "../../formats/dtype.js";
 import { readNpy, readNpyPolygons } from "../../formats/npy.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Obstacle } from "../../domain/types.js" */
+/** @import { Obstacle, ScenarioDocument } from "../../domain/types.js" */
+/** @typedef {{ mark: (rows: Float64Array | null) => number }} Marker   marks configurations on the stage */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {{ ask: (text: string, choices: [string, string][]) => Promise<string> }} notice
+ * @property {{ dimension: number, document: ScenarioDocument } | null} facts
+ * @property {string | undefined} query
+ * @property {(patch: { document: ScenarioDocument, query?: string }) => Promise<unknown>} open
+ * @property {(action: (session: Marker) => number) => number} run
+ * @property {(action: (session: Marker) => void) => void} act
+ * @property {(listener: () => void) => void} onOpen
+ */
 
 /** Configurations shown at most. */
 const MOST = 20_000;

@@ -4,7 +4,7 @@ import { button } from "../../widgets/elements.js";
 import { encodeLink } from "../link/codec.js";
 import { experimentOf } from "../link/experiment.js";
 
-/** @import { Page } from "../page.js" */
+/** @import { Page } from "./export.js" */
 
 /** @type {[string, string, (address: string) => string][]} */
 const KINDS = [

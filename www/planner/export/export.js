@@ -7,17 +7,39 @@ import { byId, make, write } from "../../app/dom.js";
 import { imageOf } from "../../draw/export.js";
 import { writeNpy } from "../../formats/npy.js";
 import { downloadRow, failureOf } from "../../widgets/download-row.js";
-import { filmRow, select } from "../../widgets/films.js";
+import { row, select } from "../../widgets/elements.js";
+import { filmRow } from "../../widgets/films.js";
 import { Progress } from "../../widgets/progress.js";
-import { PAST } from "../run-log/run-log.js";
+import { PAST } from "../run-log/columns.js";
 import { NONE } from "../timeline/playback.js";
 import { showSnippets } from "./embed.js";
 import { countersCsv, nameOf } from "./files.js";
 import { filmsOf } from "./films.js";
 import { layoutOfStage, sameRun } from "./picture.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { State } from "../../domain/types.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { ScenarioDocument } from "../../domain/types.js" */
+/** @import { Open } from "../link/experiment.js" */
+/** @import { Timeline } from "../timeline/playback.js" */
+/** @import { Drives } from "./films.js" */
+/** @import { Session } from "./picture.js" */
+/**
+ * @typedef {object} State
+ * @property {{ now: number }} clock
+ * @property {string[]} summary
+ * @property {{ status: string, made: number, iteration: number }[]} lanes
+ */
+/**
+ * @typedef {object} Host   what is taken of the page
+ * @property {App} app
+ * @property {Session & Drives & { timeline: Timeline }} session
+ * @property {State | null} state
+ * @property {{ name: string, robot: string, document: ScenarioDocument } | null} facts
+ * @property {string[]} names
+ * @property {(listener: () => void) => void} onOpen
+ * @property {(listener: (state: State) => void) => void} onState
+ */
+/** @typedef {Open & Host} Page */
 /** @import { ImageKind } from "../../draw/export.js" */
 /**
  * @typedef {{ button: HTMLButtonElement, hint: HTMLElement, meaning: string, lack: (state: State) => string }}
@@ -47,13 +69,9 @@ export function showExport(page) {
     ],
     "2",
   );
-  const lane = select("export-lane", "Planner", [], "");
-  const laneRow = make(
-    "label",
-    { className: "row", hidden: true },
-    make("span", { className: "name" }, "Planner"),
-    lane,
-  );
+  const lane = select("export-lane", "Planner", []);
+  const laneRow = row("Planner", lane);
+  laneRow.hidden = true;
   const films = filmRow(page.app, progress, { subjects: filmsOf(page), name });
 
   host.append(
@@ -101,13 +119,13 @@ export function showExport(page) {
    * @param {() => Promise<void>} saveFile @param {...HTMLElement} choices
    */
   function offer(id, title, format, meaning, lack, saveFile, ...choices) {
-    const row = downloadRow(
+    const { element, ...one } = downloadRow(
       { id, title, format, meaning },
       () => void page.app.track(saveFile(), failureOf(title)),
       ...choices,
     );
-    offers.push({ ...row, meaning, lack });
-    return row.element;
+    offers.push({ ...one, meaning, lack });
+    return element;
   }
 
   /** @param {State} state */

@@ -6,9 +6,28 @@ import { filmOf } from "../../draw/export.js";
 import { followPaths, layoutOfStage, sameRun, showTime } from "./picture.js";
 
 /** @import { Subject } from "../../widgets/films.js" */
-/** @import { Driven } from "../lane.js" */
-/** @import { Page } from "../page.js" */
+/** @import { Driven } from "../stage/lane.js" */
+/** @import { Page } from "./export.js" */
 /** @import { Pane } from "../stage/pane.js" */
+/** @import { PathPlayback } from "../stage/path-playback.js" */
+/** @import { Rollout } from "planarium" */
+
+/**
+ * @typedef {object} Drive   of a car, by keys
+ * @property {{ steps: number } | null} state
+ * @property {Rollout | null} rollout
+ * @property {[number, number, number]} rolled
+ * @property {() => Again | null} again
+ */
+/** @typedef {{ pose: Float64Array, driven: Driven }} Moment */
+/** @typedef {{ seconds: number, at: (part: number) => Moment, free: () => void }} Again   a drive once more */
+/**
+ * @typedef {object} Drives   what films take of the page's session
+ * @property {{ now: number, column: number }} clock
+ * @property {boolean} travelling
+ * @property {PathPlayback[]} playbacks
+ * @property {Drive | null} driving
+ */
 
 /** Seconds of a film of a growth, and of a drive at most and at least. */
 const GROWTH = 6;
@@ -40,9 +59,7 @@ export function filmsOf(page) {
             ? "Nothing has happened yet."
             : "",
       open: (width, frames) => {
-        const {
-          clock: { now, column },
-        } = session;
+        const { now, column } = session.clock;
         const place = (/** @type {Pane[]} */ panes, /** @type {number} */ part) =>
           showTime(panes, column, Math.round(now * part));
         return { ...film(width, GROWTH, true, place), frames };
@@ -99,7 +116,7 @@ function lasting(seconds) {
   return Math.min(DRIVE.most, Math.max(DRIVE.least, seconds));
 }
 
-/** @param {Pane[]} panes @param {{ pose: Float64Array, driven: Driven }} moment */
+/** @param {Pane[]} panes @param {Moment} moment */
 function drive(panes, { pose, driven }) {
   for (const { lane } of panes)
     Object.assign(lane?.shown ?? {}, { hand: pose, driven, check: { free: true, touching: [] } });

@@ -5,11 +5,15 @@
 import { Frontier } from "../run-log/frontier.js";
 
 /** @import { Caption, Layout } from "../../draw/export.js" */
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
-/** @import { Lane, Shown } from "../lane.js" */
+/** @import { PathPlayback } from "../stage/path-playback.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
-/** @import { Session } from "../session.js" */
 /** @import { Pane } from "../stage/pane.js" */
+/** @import { Stage } from "../stage/stage.js" */
+/**
+ * @typedef {{ stage: Stage, shown: Shown | null, lanes: Lane[], plannings: number }} Session   what a picture takes of
+ *   the page's session
+ */
 /** A lane that does not follow the stage. @typedef {Lane & { run: (RunLog & { shown: number }) | null }} Still */
 
 /**
@@ -77,7 +81,7 @@ function captionOf(element, host, caption, note) {
   };
 }
 
-/** Shows the iterations at a time. @param {Pane[]} panes @param {Session["clock"]["column"]} column @param {number} time */
+/** Shows the iterations at a time. @param {Pane[]} panes @param {number} column @param {number} time */
 export function showTime(panes, column, time) {
   for (const { lane } of panes) {
     const { run } = /** @type {Still} */ (lane);

@@ -10,9 +10,24 @@ import { button } from "../../widgets/elements.js";
 import { LessonBand } from "../../widgets/lesson.js";
 
 /** @import { Shown } from "../../widgets/lesson.js" */
-/** @import { Page } from "../page.js" */
+/** @import { App } from "../../app/app.js" */
 /** @import { Lesson } from "./script.js" */
-/** @import { State } from "../../domain/types.js" */
+/** @import { Plan } from "../../domain/types.js" */
+/** @typedef {{ clock: { now: number }, lanes: { status: string }[] }} State */
+/** @typedef {{ play: () => void, seek: (time: number) => void }} Timeline */
+/** @typedef {{ scene: string, lanes?: Plan[] }} Scene   a part of the page's state */
+/**
+ * @typedef {object} Page   what lessons take of the page
+ * @property {App} app
+ * @property {App["notice"]} notice
+ * @property {boolean} calm   with reduced motion
+ * @property {object | null} facts
+ * @property {(patch: Scene, how?: { play: boolean }) => Promise<unknown>} open
+ * @property {(patch: Scene) => boolean} has
+ * @property {(patch: { iteration: number }) => void} change
+ * @property {(action: (session: { timeline: Timeline }) => void) => void} act
+ * @property {(listener: (state: State) => void) => void} onState
+ */
 
 const ADDRESS = /^#?lesson=([\w-]+)(?:\.(\d{1,4}))?$/;
 

@@ -8,11 +8,38 @@ import { MADE } from "../../domain/names.js";
 import { changed } from "../../domain/option-names.js";
 import { isProjected } from "../../app/projector.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Session } from "../session.js" */
+/** @import { KeyPress, Rollout } from "planarium" */
 /** @import { Experiment } from "./codec.js" */
-/** @import { GeneratorInfo, ParameterInfo, Plan, SceneEntry, Settings } from "../../domain/types.js" */
+/** @import { Configuration, Generation, GeneratorInfo, ParameterInfo } from "../../domain/types.js" */
+/** @import { Plan, SceneEntry, Settings } from "../../domain/types.js" */
 /** @typedef {{ find: (algorithm: string) => unknown, parametersOf: (algorithm: string) => ParameterInfo[] }} Planners */
+/** @typedef {{ record: KeyPress[], steps: number }} Recording */
+/**
+ * @typedef {object} Drive   of a car, by keys
+ * @property {boolean} on
+ * @property {() => (Recording & { start: number[] }) | null} record
+ * @property {Recording | null} tape   what is still to be replayed
+ * @property {Rollout | null} rollout
+ * @property {[number, number, number]} rolled
+ * @property {number} dt
+ */
+/**
+ * @typedef {object} Moment   what a link takes of the page's session
+ * @property {{ now: number, isRace: boolean }} clock
+ * @property {{ start: Configuration | null, hand: Float64Array | null } | null} shown
+ * @property {Drive | null} driving
+ */
+/**
+ * @typedef {object} Open   what a link takes of the page
+ * @property {Experiment} record
+ * @property {{ clock: { now: number } } | null} state
+ * @property {Plan[]} plans
+ * @property {{ shortened: (plan: Plan) => Plan }} planners
+ * @property {{ picture: "workspace" | "cspace" } | null} race
+ * @property {Moment} session
+ * @property {SceneEntry | null} entry
+ * @property {Generation | null} generation
+ */
 
 /** Configurations drawn along a path, by default. */
 export const POSES = 8;
@@ -20,7 +47,7 @@ export const POSES = 8;
 /**
  * The state with the moment that is shown. Settings equal to the planner's defaults are left out, and options equal to
  * the scene's.
- * @param {Page} page   with an open scenario
+ * @param {Open} page   with an open scenario
  * @returns {Experiment}
  */
 export function experimentOf({ record, state, plans, planners, race, session, entry, generation }) {
@@ -47,7 +74,7 @@ export function experimentOf({ record, state, plans, planners, race, session, en
 
 /**
  * The configuration in hand, or the drive by keys with the control that is shown.
- * @param {Session} session
+ * @param {Moment} session
  * @returns {Pick<Experiment, "pose" | "drive" | "roll" | "euler">}
  */
 function inHand({ shown, driving }) {

@@ -5,11 +5,37 @@ import { byId, grouped, reveal } from "../../app/dom.js";
 import { decodeLink, encodeLink } from "./codec.js";
 import { experimentOf, known } from "./experiment.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Session } from "../session.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Moment, Open, Planners } from "./experiment.js" */
 /** @import { Projector } from "../../app/projector.js" */
 /** @import { Experiment } from "./codec.js" */
 /** @import { GeneratorInfo, SceneEntry } from "../../domain/types.js" */
+/**
+ * @typedef {object} State
+ * @property {{ now: number, isRace: boolean }} clock
+ * @property {boolean} playing
+ * @property {boolean} growing
+ * @property {boolean} settled
+ * @property {object | null} refusal
+ */
+/** @typedef {Pick<Experiment, "drive" | "roll" | "euler">} Drive */
+/** @typedef {(drive: NonNullable<Drive["drive"]>, roll: Drive["roll"], euler: Drive["euler"]) => void} Restore */
+/**
+ * @typedef {object} Host   what a link changes in the page
+ * @property {App} app
+ * @property {App["notice"]} notice
+ * @property {Planners} planners
+ * @property {Moment & { plannings: number }} session
+ * @property {object | null} facts
+ * @property {string} robot
+ * @property {number} request
+ * @property {(patch: Partial<Experiment>, how?: { play: boolean }) => Promise<string[] | null>} open
+ * @property {() => Promise<unknown>} arrived
+ * @property {() => Promise<{ restore: Restore }>} loadDrive
+ * @property {(listener: () => void) => void} onOpen
+ * @property {(listener: (state: State) => void) => void} onState
+ */
+/** @typedef {Open & Host} Page */
 
 /** What a link can show besides the run; the switches are under "View". */
 const SHOWN = /** @type {const} */ (["refused", "strobe", "raw", "slice", "optimum", "regions"]);
@@ -89,7 +115,7 @@ export class Link {
 
   /**
    * Restores a drive by keys.
-   * @param {Pick<Experiment, "drive" | "roll" | "euler">} experiment
+   * @param {Drive} experiment
    * @param {string[]} faults   a sentence is added to it where the drive cannot be restored
    */
   async drive({ drive, roll, euler }, faults) {
@@ -115,7 +141,7 @@ export class Link {
   }
 }
 
-/** What a link stores, in words. @param {Session} session */
+/** What a link stores, in words. @param {Moment} session */
 function contentsOf({ clock, shown, driving }) {
   const hand = driving?.on
     ? driving.rollout

@@ -1,8 +1,16 @@
 /** The robot's coordinates as sliders and numbers, to pose it without a pointer and exactly. */
 import { byId, write } from "../../app/dom.js";
-import { Slider } from "../../widgets/slider.js";
+import { slidersOf } from "../../widgets/slider.js";
 
-/** @import { SceneFacts, State } from "../../domain/types.js" */
+/** @import { Coordinate } from "../../domain/types.js" */
+/** @import { Slider } from "../../widgets/slider.js" */
+/**
+ * @typedef {object} State   of the page
+ * @property {number[] | null} pose
+ * @property {string} turns
+ * @property {{ text: string, free: boolean }} touching
+ * @property {boolean} inHand
+ */
 
 export class Pose {
   /** @param {(pose: number[]) => void} onPose */
@@ -17,16 +25,13 @@ export class Pose {
     this.sliders = [];
   }
 
-  /** Makes the sliders for a robot. @param {SceneFacts} facts */
+  /** Makes the sliders for a robot. @param {{ coordinates: Coordinate[], start: number[] | null }} facts */
   build({ coordinates, start }) {
-    this.sliders = coordinates.map(({ name, low, high, unit }, i) => {
-      const value = start?.[i] ?? (low + high) / 2;
-      const slider = new Slider({ name: `pose-${i}`, title: name, unit, min: low, max: high }, value, () =>
-        this.onPose(this.sliders.map(({ current }) => current)),
-      );
-      slider.number.step = "0.01";
-      return slider;
-    });
+    const values = start ?? coordinates.map(({ low, high }) => (low + high) / 2);
+    this.sliders = slidersOf("pose-", coordinates, values, () =>
+      this.onPose(this.sliders.map(({ current }) => current)),
+    );
+    for (const { number } of this.sliders) number.step = "0.01";
     this.element.replaceChildren(...this.sliders.map(({ element }) => element));
   }
 

@@ -8,12 +8,12 @@ import { gripOf, partAt } from "../stage/grip.js";
 import { coordinatesOf } from "../../domain/coordinates.js";
 import { lengthText, obstacleName, touchingSentence } from "../../domain/names.js";
 import { num } from "../../widgets/format.js";
-import { PAST } from "../run-log/run-log.js";
+import { PAST } from "../run-log/columns.js";
 
 /** @import { CSpace } from "../stage/cspace-pane.js" */
 /** @import { Place } from "../stage/stage.js" */
 /** @import { View } from "planarium/draw" */
-/** @import { Hover, Lane } from "../lane.js" */
+/** @import { Hover, Lane } from "../stage/lane.js" */
 /** @import { Grip } from "../stage/grip.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Scenario } from "../../domain/types.js" */

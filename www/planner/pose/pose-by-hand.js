@@ -7,8 +7,21 @@ import { contained, coordinatesOf, sizeOf } from "../../domain/coordinates.js";
 
 /** @import { Pointer } from "../../domain/types.js" */
 /** @import { Pointing } from "./pointing.js" */
-/** @import { Shown } from "../lane.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
+/** @import { PathPlayback } from "../stage/path-playback.js" */
+/** @import { Stage } from "../stage/stage.js" */
+/**
+ * @typedef {object} Session   what posing takes of the page's session
+ * @property {Shown | null} shown
+ * @property {Lane[]} lanes
+ * @property {PathPlayback[]} playbacks
+ * @property {Stage} stage
+ * @property {{ halt: () => void }} clock
+ * @property {{ play: () => void }} timeline
+ * @property {{ on: boolean } | null} editor
+ * @property {{ on: boolean, stop: () => void } | null} driving
+ * @property {() => void} wake
+ */
 
 export class PoseByHand {
   /** @param {Session} session */
@@ -64,10 +77,8 @@ export class PoseByHand {
 
   /** Ends posing and driving. */
   release() {
-    const {
-      session: { shown },
-      pointing,
-    } = this;
+    const { pointing } = this;
+    const { shown } = this.session;
     if (pointing) pointing.grip = null;
     if (!shown) return;
     this.session.driving?.stop();

@@ -8,9 +8,29 @@ import { button } from "../../widgets/elements.js";
 import { Rival } from "./rival.js";
 import { Table } from "./table.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Figures } from "../figures.js" */
-/** @import { PaneKind, PlannerInfo, State } from "../../domain/types.js" */
+/** @import { Planners } from "../settings/planners.js" */
+/** @import { Racer } from "./table.js" */
+/** @import { PaneKind, Plan, PlannerInfo, Scenario } from "../../domain/types.js" */
+/**
+ * @typedef {object} Figures   the figures on the stage
+ * @property {HTMLElement} element
+ * @property {(wanted: { id: string, kind: PaneKind, lane: number, caption: string }[]) => void} show
+ * @property {(lane: number, text: string) => void} setStanding
+ */
+/**
+ * @typedef {object} Page   what a race takes of the page
+ * @property {{ on: { seeds: (() => void) | null } }} panel
+ * @property {Planners} planners
+ * @property {Scenario["robot"]} robot
+ * @property {{ lanes: Plan[], view: { lens?: PaneKind } }} record
+ * @property {{ robot: string, dimension: number } | null} facts
+ * @property {Plan[]} plans
+ * @property {string[]} names
+ * @property {Race | null} race
+ * @property {(patch: { lanes: Plan[] }) => void} change
+ * @property {(view: { lens: PaneKind }) => void} setView
+ * @property {(listener: (state: { lanes: Racer[] }) => void) => void} onState
+ */
 
 /** Rivals at most. */
 const MOST = 3;
@@ -44,7 +64,7 @@ export class Race {
     figures.element.before(this.lens);
     page.race = this;
     this.agree();
-    page.onState((state) => this.show(state));
+    page.onState(({ lanes }) => this.show(lanes));
   }
 
   /** A choice of the kind of figure for all planners. */
@@ -68,10 +88,8 @@ export class Race {
 
   /** Shows the rivals of the page's state, and the planners for its robot. */
   agree() {
-    const {
-      page: { planners, robot, record },
-      rivals,
-    } = this;
+    const { rivals } = this;
+    const { planners, robot, record } = this.page;
     const [, ...lanes] = record.lanes;
     const served = planners.for(robot);
     if (served !== this.served) this.offer(served);
@@ -90,10 +108,8 @@ export class Race {
 
   /** Offers planners for a rival. @param {PlannerInfo[]} served */
   offer(served) {
-    const {
-      choice,
-      choice: { value },
-    } = this;
+    const { choice } = this;
+    const { value } = choice;
     this.served = served;
     choice.replaceChildren(...served.map(({ id, title }) => make("option", { value: id }, title)));
     // By default a planner with two trees.
@@ -117,12 +133,8 @@ export class Race {
 
   /** Adds a rival with the settings of planner A. */
   add() {
-    const {
-      page,
-      page: {
-        record: { lanes },
-      },
-    } = this;
+    const { page } = this;
+    const { lanes } = page.record;
     const { seed: _, ...settings } = lanes[0].settings;
     byId("curves-fold", HTMLDetailsElement).open = true;
     page.change({ lanes: [...lanes, { algorithm: this.choice.value, settings }] });
@@ -162,9 +174,10 @@ export class Race {
     return true;
   }
 
-  /** @param {State} state */
-  show(state) {
+  /** @param {Racer[]} lanes */
+  show(lanes) {
     const { plans } = this.page;
-    if (plans.length > 1 && state.lanes.length === plans.length) this.table.show(state, this.figures);
+    if (plans.length > 1 && lanes.length === plans.length)
+      this.table.show(lanes, (lane, text) => this.figures.setStanding(lane, text));
   }
 }

@@ -17,9 +17,7 @@ export class Rival {
     this.form = new SettingsForm(this.planner, first, rest, on.change);
     this.form.family = `rival-${name}`;
     this.form.seed = { default: null, default_meaning: "the seed of A", robots: [] };
-    const { preset, presetRow } = this.form;
-    Object.assign(preset, { id: `rival-${name}-preset`, ariaLabel: `Settings of ${name}` });
-    presetRow.htmlFor = preset.id;
+    Object.assign(this.form.preset, { id: `rival-${name}-preset`, ariaLabel: `Settings of ${name}` });
     const remove = make("button", { type: "button", ariaLabel: `Remove ${name}`, onclick: on.remove }, "Remove");
     const more = make("details", {}, make("summary", {}, "More parameters"), rest);
     this.element = make(

@@ -2,11 +2,13 @@
 import { leaders } from "./standings.js";
 import { grouped, make, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
-import { button, labelled } from "../../widgets/elements.js";
+import { button, labelled, tableHead } from "../../widgets/elements.js";
 import { duration, percent } from "../../widgets/format.js";
 
-/** @import { Figures } from "../figures.js" */
-/** @import { LaneState, State } from "../../domain/types.js" */
+/** @import { LaneState } from "../run-log/lane-state.js" */
+/** @import { Standing } from "./standings.js" */
+/** @typedef {(lane: number, text: string) => void} SetStanding   shows the standing of a planner at its figure */
+/** @typedef {LaneState & { standing: Standing }} Racer   a planner at the time shown */
 
 const COLUMNS = [
   "Planner",
@@ -29,11 +31,7 @@ export class Table {
     /** @type {HTMLTableRowElement[]} */
     this.rows = [];
     this.remark = make("p", { className: "hint" });
-    this.caution = make(
-      "p",
-      { className: "hint" },
-      "This is one seed: over many seeds the winner may differ.",
-    );
+    this.caution = make("p", { className: "hint" }, "This is one seed: over many seeds the winner may differ.");
     if (onSeeds) this.caution.append(" ", button("race-over-seeds", "Over 100 seeds", onSeeds));
   }
 
@@ -53,11 +51,7 @@ export class Table {
       "table",
       { className: "standings" },
       make("caption", {}, "Standings (one seed)"),
-      make(
-        "thead",
-        {},
-        make("tr", {}, ...[...COLUMNS, ...OF_SEARCHES].map((title) => make("th", { scope: "col" }, title))),
-      ),
+      tableHead([...COLUMNS, ...OF_SEARCHES]),
       make("tbody", {}, ...this.rows),
     );
     this.host.append(
@@ -67,8 +61,8 @@ export class Table {
     );
   }
 
-  /** @param {State} state @param {Figures} figures */
-  show({ lanes }, figures) {
+  /** @param {Racer[]} lanes @param {SetStanding} setStanding */
+  show(lanes, setStanding) {
     lanes.forEach(({ status, fingerprint }, i) => Object.assign(this.rows[i].dataset, { status, fingerprint }));
     const isSearched = lanes.some(({ visited }) => visited !== null);
     for (const { cells } of this.host.querySelectorAll("tr"))
@@ -93,7 +87,7 @@ export class Table {
         lane.visited === null ? "\u2013" : grouped(lane.visited),
         lane.visited === null || !lane.stats ? "\u2013" : searchTime(lane.stats.search),
       ];
-      figures.setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
+      setStanding(i, found === null ? `${nothing(lane)}, ${texts[0]} vertices` : texts[6]);
       texts.forEach((text, k) => write(this.rows[i].cells[k + 1], text));
     });
     write(this.remark, isAlike ? "" : "The planners use different metrics, so their path lengths cannot be compared.");

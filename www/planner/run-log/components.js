@@ -1,4 +1,4 @@
-import { PAST } from "./run-log.js";
+import { PAST } from "./columns.js";
 
 /** @import { RunLog } from "./run-log.js" */
 

@@ -1,5 +1,5 @@
 /** The history of runs, in a limited number of points. */
-import { PAST } from "./run-log.js";
+import { PAST } from "./columns.js";
 
 /** @import { RunLog } from "./run-log.js" */
 

@@ -2,7 +2,7 @@
  * The frontier of a search on a roadmap at the iteration shown: the vertices reached and not yet expanded. It follows
  * from the log: an expanded vertex has reached its neighbours.
  */
-import { EVENT, PAST } from "./run-log.js";
+import { EVENT, PAST } from "./columns.js";
 
 /** @import { Adjacency } from "./adjacency.js" */
 /** @import { RunLog } from "./run-log.js" */

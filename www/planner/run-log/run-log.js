@@ -3,13 +3,13 @@
  * a row of counts to the history. The graph at an earlier iteration is therefore the beginning of the log: going back
  * needs no planning.
  */
-import { eventKinds, historyColumns } from "../../../dist/package/tables.js";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 import { firstIndex } from "../../domain/search.js";
 import { Frontier } from "./frontier.js";
 import { Adjacency } from "./adjacency.js";
 import { componentsOf } from "./components.js";
+import { EVENT, PAST, SIDE } from "./columns.js";
 import { Rows } from "./rows.js";
 import { grownSince } from "../worker/stepper.js";
 
@@ -17,15 +17,6 @@ import { grownSince } from "../worker/stepper.js";
 /** @import { PlannerInfo, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
 
 /** @typedef {{ phases: readonly string[], planners: PlannerInfo[] }} Catalogue   of the package */
-
-/** The numbers of the kinds of event. */
-export const EVENT = numbersOf(eventKinds);
-
-/** The columns of a row of history. */
-export const PAST = numbersOf(historyColumns);
-
-/** The root of a vertex: none in a roadmap, or that of the start or the goal. */
-export const SIDE = { none: 0, start: 1, goal: 2 };
 
 export class RunLog {
   /**
@@ -397,14 +388,4 @@ function rowsOf(edge, { data, width, count }, firsts) {
   let end = first;
   while (end < count && data[end * width] === edge) end++;
   return data.slice(first * width, end * width).filter((_, i) => i % width > 0);
-}
-
-/**
- * The number of each word of a list.
- * @template {string} W
- * @param {readonly W[]} words
- * @returns {Record<W, number>}
- */
-function numbersOf(words) {
-  return /** @type {Record<W, number>} */ (Object.fromEntries(words.map((word, i) => [word, i])));
 }

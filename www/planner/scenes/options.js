@@ -4,10 +4,20 @@ import { MADE } from "../../domain/names.js";
 import { withSeed } from "../../widgets/field.js";
 import { Options } from "../../widgets/options.js";
 import { optionsAt } from "./scenes.js";
+import { row } from "../../widgets/elements.js";
 
-/** @import { Experiment } from "../link/codec.js" */
-/** @import { Page } from "../page.js" */
-/** @import { GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
+/** @import { App } from "../../app/app.js" */
+/** @import { Generation, GeneratorInfo, SceneEntry, Settings, Slider } from "../../domain/types.js" */
+/** @typedef {{ scene?: string, options?: Settings }} Scene   a part of the page's state */
+/**
+ * @typedef {object} Page   what is taken of the page
+ * @property {App} app
+ * @property {{ markDirty: () => void }} session
+ * @property {Generation | null} generation
+ * @property {boolean} autoplay
+ * @property {(patch: Scene, how: { play: boolean }) => Promise<unknown>} open
+ * @property {(listener: (facts: object, entry: SceneEntry | null) => void) => void} onOpen
+ */
 
 /** @param {Page} page @param {GeneratorInfo[]} generators */
 export function showSceneOptions(page, generators) {
@@ -21,7 +31,7 @@ export function showSceneOptions(page, generators) {
   let rows = [];
   /** @type {Settings} */
   let options = {};
-  /** The latest request that has not begun. @type {Pick<Experiment, "scene" | "options"> | null} */
+  /** The latest request that has not begun. @type {Scene | null} */
   let next = null;
 
   page.onOpen((_, entry) => adopt(entry));
@@ -57,17 +67,11 @@ export function showSceneOptions(page, generators) {
     };
     return {
       show,
-      element: make(
-        "label",
-        { className: "row", htmlFor: id },
-        make("span", { className: "name" }, title),
-        input,
-        output,
-      ),
+      element: row(title, input, output),
     };
   }
 
-  /** @param {Pick<Experiment, "scene" | "options">} patch   of the page's state */
+  /** @param {Scene} patch */
   function request(patch) {
     if (!next) requestAnimationFrame(openNext);
     next = patch;
@@ -106,16 +110,10 @@ function makeForm(generators, onMake) {
   };
   kind.addEventListener("change", build);
   build();
-  const kindRow = make(
-    "label",
-    { className: "row", htmlFor: "make-kind" },
-    make("span", { className: "name" }, "Kind"),
-    kind,
-  );
   const form = make(
     "form",
     { id: "make", noValidate: true },
-    kindRow,
+    row("Kind", kind),
     summary,
     rows,
     make("button", { type: "submit" }, "Generate"),

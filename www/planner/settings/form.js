@@ -7,6 +7,7 @@ import { namesOfDocuments } from "../../domain/option-names.js";
 import { Field, withSeed } from "../../widgets/field.js";
 import { Fields } from "../../widgets/options.js";
 import { fits } from "./planners.js";
+import { row } from "../../widgets/elements.js";
 
 /** @import { ParameterInfo, Plan, PlannerInfo, Settings } from "../../domain/types.js" */
 
@@ -73,12 +74,7 @@ export class SettingsForm extends Fields {
     /** @type {PlannerInfo["presets"]} */
     this.presets = [];
     this.preset = make("select", { id: "preset", onchange: () => this.apply() });
-    this.presetRow = make(
-      "label",
-      { className: "row", htmlFor: "preset" },
-      make("span", { className: "name" }, "Settings"),
-      this.preset,
-    );
+    this.presetRow = row("Settings", this.preset);
     planner.addEventListener("change", () => onChange({ ...this.lane, algorithm: planner.value }));
   }
 
@@ -172,10 +168,8 @@ export class SettingsForm extends Fields {
 
   /** Whether the settings are those of a preset, but for the seed. @param {Settings} settings */
   equals(settings) {
-    const {
-      lane: { settings: given },
-      info,
-    } = this;
+    const { info } = this;
+    const { settings: given } = this.lane;
     const defaults = new Map(info.parameters.map(({ name, default: value }) => [name, value ?? undefined]));
     return Object.keys({ ...given, ...settings }).every(
       (name) => name === "seed" || (given[name] ?? defaults.get(name)) === (settings[name] ?? defaults.get(name)),

@@ -11,7 +11,7 @@ import { drawMarked } from "./marked.js";
 import { Pane } from "./pane.js";
 import { folded, unrolled } from "../../draw/trace.js";
 
-/** @import { Lane, Shown } from "../lane.js" */
+/** @import { Lane, Shown } from "./lane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Painting } from "../worker/obstacles.js" */
 /** @import { Coordinate, Scenario } from "../../domain/types.js" */
@@ -102,10 +102,8 @@ export class CSpace extends Pane {
   refine() {
     const { view, painter, lane } = this;
     if (!view || !painter || !lane) return;
-    const {
-      scenario: { dimension },
-      shown,
-    } = lane;
+    const { shown } = lane;
+    const { dimension } = lane.scenario;
     const pose = dimension > 2 && shown.view.slice ? (lane.pose ?? shown.start) : null;
     this.wanted = dimension > 2 && !pose ? null : this.picture(shown, pose);
     if (!this.wanted) {

@@ -4,7 +4,7 @@ import { tracePen } from "../../draw/pen.js";
 import { drawGhost, drawHit, drawLabel, obstacleMiddle } from "../../draw/shapes.js";
 import { Workspace } from "./workspace-pane.js";
 
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { View } from "planarium/draw" */

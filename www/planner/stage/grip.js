@@ -12,7 +12,7 @@ import { contained, coordinatesOf, directionsOf } from "../../domain/coordinates
 /** @import { Pane } from "./pane.js" */
 /** @import { Coordinate, Obstacle, Part, Scenario } from "../../domain/types.js" */
 /** @import { ArmRobot } from "../../domain/coordinates.js" */
-/** @import { Shown } from "../lane.js" */
+/** @import { Shown } from "./lane.js" */
 /**
  * @typedef {(x: number, y: number, shift: boolean) => Float64Array} Grip   the configuration for a position of the
  *   pointer in the plane

@@ -5,7 +5,7 @@
  */
 import { errorInfo } from "../../app/error-info.js";
 import { difference } from "planarium/draw";
-import { EVENT, PAST } from "../run-log/run-log.js";
+import { EVENT, PAST } from "../run-log/columns.js";
 import { cross, disc, ring, setStroke } from "../../draw/marks.js";
 import { strokeLine } from "../../draw/pen.js";
 
@@ -143,11 +143,8 @@ export class Growth {
 
   /** @param {RunLog} run @param {Brush} brush @param {number} first @param {number} end */
   drawVertices(run, { context }, first, end) {
-    const {
-      pane,
-      gone,
-      target: { vertices, events },
-    } = this;
+    const { pane, gone } = this;
+    const { vertices, events } = this.target;
     const points = pane.pixels(run.vertices.slice(first, end));
     const radius = (run.isTree ? 1.8 : 1.5) * pane.fineness;
     // The roots have the marks of start and goal, unless a roadmap was asked for another path.

@@ -3,10 +3,10 @@
  * that is the inside of an ellipse with the foci start and goal, whose axis is as long as the path.
  */
 import { setStroke } from "../../draw/marks.js";
-import { PAST } from "../run-log/run-log.js";
+import { PAST } from "../run-log/columns.js";
 
 /** @import { View } from "planarium/draw" */
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 
 /** The planners that draw their samples there. */
 const INFORMED = new Set(["informed-rrt-star", "bit-star", "aorrtc"]);
@@ -24,10 +24,8 @@ export function isInformed({ run, scenario }) {
  * @param {string} colour
  */
 export function drawInformed(context, view, lane, colour) {
-  const {
-    run,
-    shown: { start, goal },
-  } = lane;
+  const { run } = lane;
+  const { start, goal } = lane.shown;
   if (!run || !start || !goal || !isInformed(lane)) return;
   const [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
   const cost = run.past[PAST.length];

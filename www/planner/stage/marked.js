@@ -1,7 +1,7 @@
 /** Configurations from a file, on the ground: discs where they are free, crosses in collision. */
 import { cross, disc } from "../../draw/marks.js";
 
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Pane } from "./pane.js" */
 /** @import { Palette } from "../../app/palette.js" */
 

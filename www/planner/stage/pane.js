@@ -2,7 +2,7 @@
  * A pane draws a lane on its layers. Workspace and configuration space differ in their ground and in how configurations
  * and motions become pixels.
  */
-import { SIDE } from "../run-log/run-log.js";
+import { SIDE } from "../run-log/columns.js";
 import { Glow } from "./glow.js";
 import { Growth, countsOf, motionsAlong } from "./growth.js";
 import { disc, ring } from "../../draw/marks.js";
@@ -12,12 +12,13 @@ import { VertexIndex } from "./vertex-index.js";
 import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
 import { Strobe } from "./strobe.js";
 
-/** @import { Hover, Lane } from "../lane.js" */
+/** @import { Hover, Lane } from "./lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { PathPlayback } from "./path-playback.js" */
 /** @import { Brush } from "../../draw/sheet.js" */
 /** @import { Palette } from "../../app/palette.js" */
-/** @import { Look, Scenario } from "../../domain/types.js" */
+/** @import { Look } from "../../app/app.js" */
+/** @import { Scenario } from "../../domain/types.js" */
 /** @import { View } from "planarium/draw" */
 /**
  * @typedef {{ points: Float64Array, firsts: Uint32Array }} Lines  line i: pixels x, y in turn, points firsts[i] up to
@@ -119,11 +120,7 @@ export class Pane {
     };
   }
 
-  /**
-   * Lays the pane out for its lane.
-   * @param {{ width: number, height: number }} size
-   * @param {Look} look
-   */
+  /** Lays the pane out for its lane. @param {{ width: number, height: number }} size @param {Look} look */
   layout({ width, height }, { palette, ratio, bold }) {
     const { lane } = this;
     Object.assign(this, { width, height, palette, ratio, bold });
@@ -345,10 +342,8 @@ export class Pane {
 
   /** @param {CanvasRenderingContext2D} context @param {PathPlayback} playback @param {Palette} palette */
   drawPath(context, playback, palette) {
-    const {
-      samples: { rows, parts },
-      scenario,
-    } = playback;
+    const { scenario } = playback;
+    const { rows, parts } = playback.samples;
     if (this.pathLines?.playback !== playback)
       this.pathLines = { playback, lines: this.lines(motionsAlong(rows, scenario.dimension)) };
     if (playback.raw && /** @type {Lane} */ (this.lane).shown.view.raw)

@@ -15,12 +15,8 @@ export class Passages extends VertexIndex {
 
   /** @override */
   follow() {
-    const {
-      run: { traces, dimension },
-      rows,
-      places,
-      pane,
-    } = this;
+    const { rows, places, pane } = this;
+    const { traces, dimension } = this.run;
     if (rows === traces.count) return;
     const { data, width, count } = traces;
     const fresh = pane.pixels(traces.slice(rows, count).filter((_, i) => i % width >= width - dimension));
@@ -48,10 +44,8 @@ export class Passages extends VertexIndex {
    * @param {(edge: number) => boolean} counts
    */
   find(x, y, edges, counts) {
-    const {
-      run: { traces, scenario },
-      places,
-    } = this;
+    const { places } = this;
+    const { traces, scenario } = this.run;
     const { data, width } = traces;
     const edgeOf = (/** @type {number} */ point) => data[places[point].row * width];
     const point = this.nearest(x, y, Infinity, (one) => edgeOf(one) < edges && counts(edgeOf(one)));

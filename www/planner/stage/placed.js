@@ -5,7 +5,7 @@
 import { obstaclePath, wrap } from "planarium/draw";
 import { handleAhead } from "../../draw/placed-handles.js";
 
-/** @import { Hover, Shown } from "../lane.js" */
+/** @import { Hover, Shown } from "./lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @import { Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
 /** @import { Palette } from "../../app/palette.js" */

@@ -5,7 +5,7 @@
  */
 import { wrap } from "planarium/draw";
 
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { RunLog } from "../run-log/run-log.js" */
 /** @typedef {{ min: ArrayLike<number>, max: ArrayLike<number> }} Box */
 /**

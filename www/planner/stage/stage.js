@@ -6,9 +6,10 @@ import { Figure } from "../../draw/figure.js";
 import { CSpace } from "./cspace-pane.js";
 import { Workspace } from "./workspace-pane.js";
 
-/** @import { Lane } from "../lane.js" */
+/** @import { Lane } from "./lane.js" */
 /** @import { Painter } from "./cspace-pane.js" */
-/** @import { Look, PaneKind } from "../../domain/types.js" */
+/** @import { Look } from "../../app/app.js" */
+/** @import { PaneKind } from "../../domain/types.js" */
 /** @import { App } from "../../app/app.js" */
 /** @import { Pane } from "./pane.js" */
 /**

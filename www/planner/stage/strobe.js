@@ -4,7 +4,7 @@
  */
 import { disc } from "../../draw/marks.js";
 
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { PathPlayback } from "./path-playback.js" */
 /** @import { Part } from "../../domain/types.js" */
 /** @import { Pane } from "./pane.js" */
 /**

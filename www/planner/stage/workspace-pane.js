@@ -7,8 +7,8 @@ import { Pane } from "./pane.js";
 import { drawGhost, drawTarget } from "../../draw/shapes.js";
 import { drawTouched, drawTouching } from "../../draw/touching.js";
 
-/** @import { Hover, Lane } from "../lane.js" */
-/** @import { PathPlayback } from "../../domain/path-playback.js" */
+/** @import { Hover, Lane } from "./lane.js" */
+/** @import { PathPlayback } from "./path-playback.js" */
 /** @import { Palette } from "../../app/palette.js" */
 /** @import { Brush } from "../../draw/touching.js" */
 /** @import { Check, Configuration, Part, ScenarioDocument } from "../../domain/types.js" */
@@ -134,20 +134,10 @@ export class Workspace extends Pane {
    * @param {Check["touching"]} touching
    * @param {() => void} draw  the robot
    */
-  drawTouching(
-    context,
-    {
-      shown: {
-        scenario,
-        document: { world },
-      },
-    },
-    parts,
-    touching,
-    draw,
-  ) {
+  drawTouching(context, { shown }, parts, touching, draw) {
+    const { scenario, document } = shown;
     const brush = this.brush(context);
-    if (brush) drawTouching(brush, { scenario, world, parts, touching }, draw);
+    if (brush) drawTouching(brush, { scenario, world: document.world, parts, touching }, draw);
   }
 
   /**

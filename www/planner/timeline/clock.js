@@ -2,7 +2,7 @@
  * The clock of the session. Time is the number of iterations, or in a race of clearance evaluations: a measure of work
  * that is the same on every machine.
  */
-import { PAST } from "../run-log/run-log.js";
+import { PAST } from "../run-log/columns.js";
 
 /** Clearance evaluations in a step of a race: about as many as an iteration takes. */
 const PER_STEP = 10;

@@ -3,8 +3,31 @@
  * worker plans the next block while one is drawn.
  */
 
+/** @import { App } from "../../app/app.js" */
+/** @import { Lane, Shown } from "../stage/lane.js" */
+/** @import { PathPlayback } from "../stage/path-playback.js" */
 /** @import { Growth } from "../worker/stepper.js" */
-/** @import { Session } from "../session.js" */
+/** @import { Team } from "../worker/team.js" */
+/** @import { Clock } from "./clock.js" */
+/**
+ * @typedef {object} Session   what is taken of the page's session
+ * @property {App} app
+ * @property {Team} team
+ * @property {Clock} clock
+ * @property {Shown | null} shown
+ * @property {Lane[]} lanes
+ * @property {PathPlayback[]} playbacks
+ * @property {number} plannings
+ * @property {boolean} growing
+ * @property {boolean} travelling
+ * @property {{ caughtUp: boolean }} stage
+ * @property {{ release: () => void }} byHand
+ * @property {() => void} takeOver
+ * @property {() => void} forget
+ * @property {() => void} markDirty
+ * @property {() => void} wake
+ * @property {(error: unknown) => void} fail
+ */
 
 /** A time before all others: nothing more is planned. */
 export const NONE = -1;
@@ -134,10 +157,8 @@ export class Timeline {
    * @param {number} wanted  the time to reach @param {boolean} isResult  with the results once it is reached
    */
   async request(wanted, isResult) {
-    const {
-      session,
-      clock: { column },
-    } = this;
+    const { session } = this;
+    const { column } = this.clock;
     const { plannings, lanes, shown } = session;
     if (!shown) return;
     const fresh = this.sent === plannings ? null : { document: shown.document, plans: lanes.map((lane) => lane.task) };
@@ -155,10 +176,8 @@ export class Timeline {
 
   /** Adds a block to the logs. @param {Growth[]} growths */
   take(growths) {
-    const {
-      session: { lanes },
-      clock,
-    } = this;
+    const { clock } = this;
+    const { lanes } = this.session;
     const isShown = lanes.every(({ run }) => run?.isNewest);
     const isLatest = clock.now === clock.head;
     growths.forEach((growth, i) => lanes[i].run?.take(growth));

@@ -6,9 +6,27 @@ import { byId, grouped, write } from "../../app/dom.js";
 import { endText } from "../../domain/names.js";
 import { capital } from "../../widgets/format.js";
 
-/** @import { Page } from "../page.js" */
-/** @import { Session } from "../session.js" */
-/** @import { State } from "../../domain/types.js" */
+/** @import { LaneState } from "../run-log/lane-state.js" */
+/** @import { Clock } from "./clock.js" */
+/** @import { Timeline } from "./playback.js" */
+/** @typedef {{ timeline: Timeline, clock: Clock, reset: () => void }} Session */
+/**
+ * @typedef {object} State
+ * @property {{ now: number, head: number, unit: number, isRace: boolean }} clock
+ * @property {boolean} playing
+ * @property {boolean} growing
+ * @property {boolean} travelling
+ * @property {number} along
+ * @property {LaneState[]} lanes
+ */
+/**
+ * @typedef {object} Page   what the transport takes of the page
+ * @property {Session} session
+ * @property {number} [pace]
+ * @property {(action: (session: Session) => unknown) => void} act
+ * @property {(listener: () => void) => void} onOpen
+ * @property {(listener: (state: State) => void) => void} onState
+ */
 
 /** Iterations per second at the last position of the slider before "max"; at the first it is 1. */
 const FASTEST = 10000;

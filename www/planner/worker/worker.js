@@ -10,7 +10,8 @@ import { paintObstacles } from "./obstacles.js";
 import { Stepper } from "./stepper.js";
 import { drawThumbnail } from "../../draw/thumbnail.js";
 
-/** @import { Look, Plan, Scenario, ScenarioDocument, Source } from "../../domain/types.js" */
+/** @import { Look } from "../../app/app.js" */
+/** @import { Plan, Scenario, ScenarioDocument, Source } from "../../domain/types.js" */
 /** @import { CertifyOptions, OptimumOptions } from "planarium" */
 /** @import { Painting } from "./obstacles.js" */
 /** @import { Growth } from "./stepper.js" */

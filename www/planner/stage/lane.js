@@ -1,18 +1,16 @@
 /** A lane of the session: a planner with its plan, its run and the playback of its path. A race has several. */
-import { playbackOf, playbackOfResult } from "../domain/path-playback.js";
-import { PAST, RunLog } from "./run-log/run-log.js";
+import { playbackOf, playbackOfResult } from "./path-playback.js";
+import { PAST } from "../run-log/columns.js";
+import { RunLog } from "../run-log/run-log.js";
 
-/** @import { Catalogue } from "./run-log/run-log.js" */
-/** @import { Standing } from "./race/standings.js" */
-/** @import { Marked } from "./stage/marked.js" */
-/** @import { Certifying } from "./certificate/certifying.js" */
-/** @import { Editor } from "./editor/editor.js" */
-/** @import { Metric, Optimum } from "./optimum.js" */
-/** @import { Pane } from "./stage/pane.js" */
-/** @import { Placed } from "./stage/placed.js" */
-/** @import { PathPlayback } from "../domain/path-playback.js" */
-/** @import { Answer } from "./worker/stepper.js" */
-/** @import { Check, Configuration, Plan, Scenario, ScenarioDocument, Target, ViewOptions } from "../domain/types.js" */
+/** @import { Catalogue } from "../run-log/run-log.js" */
+/** @import { Marked } from "./marked.js" */
+/** @import { Pane } from "./pane.js" */
+/** @import { Placed } from "./placed.js" */
+/** @import { PathPlayback } from "./path-playback.js" */
+/** @import { Answer } from "../worker/stepper.js" */
+/** @import { Check, Configuration, Plan, Scenario } from "../../domain/types.js" */
+/** @import { ScenarioDocument, Target, ViewOptions } from "../../domain/types.js" */
 
 /**
  * @typedef {object} Shown   the state that all lanes share: panes read it, and only the session changes it
@@ -29,11 +27,14 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {ViewOptions} view
  * @property {Marked | null} marked         configurations from a file
  * @property {boolean} rough                during a gesture: images may be coarse
- * @property {Editor | null} overlay        drawn on the panes
- * @property {Certifying | null} certifying   while it is decided whether a path exists
+ * @property {Drawn | null} overlay         the editor, drawn on the panes
+ * @property {Drawn | null} certifying      while it is decided whether a path exists
  * @property {Placed | null} placed         for a body or a car
  * @property {Driven | null} driven         while the car is driven
  */
+
+/** @typedef {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} Draw */
+/** @typedef {{ draw: Draw }} Drawn   something that draws on the panes */
 
 /**
  * @typedef {object} Driven   a car driven by keys
@@ -42,8 +43,8 @@ import { PAST, RunLog } from "./run-log/run-log.js";
  * @property {import("planarium").Obstructed | null} blocked   the obstruction that stopped it
  * @property {import("planarium").Rollout | null} rollout      the preview of a control
  * @property {Beside | null} beside         Euler's steps of that control, or of the one held
- * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawUnder
- * @property {(pane: Pane, context: CanvasRenderingContext2D, lane: Lane) => void} drawOver
+ * @property {Draw} drawUnder
+ * @property {Draw} drawOver
  */
 
 /**
@@ -67,6 +68,12 @@ import { PAST, RunLog } from "./run-log/run-log.js";
 /**
  * @typedef {Answer & { query: string, isProven: boolean, playback: PathPlayback | null }} Asked   `query`: its name,
  *   empty if it is none of the scenario's
+ */
+
+/** @typedef {NonNullable<import("planarium").OptimumOptions["metric"]>} Metric */
+/**
+ * @typedef {{ length: number, rows: Float64Array, isExact: boolean }} Optimum   `rows` of configurations; not exact: a
+ *   reference, which a run may surpass
  */
 
 export class Lane {
@@ -112,10 +119,8 @@ export class Lane {
 
   /** The plan with the query. @returns {Plan} */
   get task() {
-    const {
-      plan: { algorithm, settings },
-      shown: { query },
-    } = this;
+    const { algorithm, settings } = this.plan;
+    const { query } = this.shown;
     return { algorithm, settings: query === undefined ? settings : { ...settings, query } };
   }
 
@@ -133,7 +138,7 @@ export class Lane {
       : "euclidean";
   }
 
-  /** Its standing in a race. @returns {Standing} */
+  /** Its standing in a race. */
   get standing() {
     const { run } = this;
     const at = run ? run.foundBy() : -1;

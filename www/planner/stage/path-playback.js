@@ -3,12 +3,12 @@
  * constant speed in the metric of the path. Corners that have blends are rounded.
  */
 import { blendedPath } from "planarium/draw";
-import { rowsOf, sizeOf, turnsAlong } from "./coordinates.js";
-import { firstIndex } from "./search.js";
+import { rowsOf, sizeOf, turnsAlong } from "../../domain/coordinates.js";
+import { firstIndex } from "../../domain/search.js";
 
-/** @import { Placed } from "../planner/stage/placed.js" */
-/** @import { RunLog } from "../planner/run-log/run-log.js" */
-/** @import { Check, ResultDocument, Scenario } from "./types.js" */
+/** @import { Placed } from "./placed.js" */
+/** @import { RunLog } from "../run-log/run-log.js" */
+/** @import { Check, ResultDocument, Scenario } from "../../domain/types.js" */
 /** @typedef {{ placed: Placed, motions: number[][] }} Course   speed, steering angle and seconds between waypoints */
 /**
  * @typedef {{ at: number, pose: Float64Array, check: Check }} Flaw   the first collision: 0 to 1 along the path, the

@@ -79,15 +79,19 @@ export const commands = {
     return trained().returnsOf(first, end);
   },
 
-  /** Ends generations with their returns. @param {Float64Array[]} ended */
-  advance(ended) {
+  /**
+   * Ends generations with their returns.
+   * @param {Float64Array[]} ended
+   * @param {number} known  generations whose rows of history the caller has
+   */
+  advance(ended, known) {
     const run = trained();
     for (const returns of ended) run.advance(returns);
     const { generation, fingerprint } = run;
     return {
       generation,
       fingerprint,
-      history: run.historySince(generation - ended.length),
+      history: run.historySince(known),
       demonstrations: run.demonstrations(DEMONSTRATIONS),
       policy: run.policy(),
     };

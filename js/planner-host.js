@@ -1,58 +1,21 @@
 /**
- * A planner in a worker, and what has been sent of it. It holds no core: the planners of both have the same methods.
+ * A planner in a worker, and what has been sent of it. It holds no core: planners of both have the same methods. The
+ * worker of a page has it, too.
  */
-import { Pause } from "./growth.js";
 
 /** @import { Planner } from "./core.js" */
 /** @import { WorkerGrowth } from "./worker.js" */
 
-/** Milliseconds after which other messages of the worker have their turn. */
-const TURN = 16;
 /** Most iterations between two looks at the clock. */
 const LONGEST = 64;
 
 export class PlannerHost {
   /** Rows that were sent. */
   sent = { vertices: 0, edges: 0, events: 0, history: 0 };
-  isFreed = false;
-  #hasBegun = false;
-  #pause = new Pause();
 
   /** @param {Planner} planner  which is freed with the host */
   constructor(planner) {
     this.planner = planner;
-  }
-
-  /** What a caller must know to read its rows. */
-  widths() {
-    const { dimension, eventWidth, historyWidth } = this.planner;
-    return { dimension, eventWidth, historyWidth };
-  }
-
-  /** The next slice of `planner.growth`. @param {number} budget  milliseconds */
-  slice(budget) {
-    if (this.#hasBegun) this.planner.stepFor(budget);
-    this.#hasBegun = true;
-    return this.grown();
-  }
-
-  /**
-   * Makes at most some iterations, for about some time; one at least.
-   * @param {number} iterations  refused as by `planner.step`
-   * @param {number} budget  milliseconds
-   * @returns {Promise<WorkerGrowth | undefined>}  none if it was freed meanwhile
-   */
-  async step(iterations, budget) {
-    const { planner } = this;
-    const until = performance.now() + budget;
-    const end = planner.iterations + iterations;
-    planner.step(Number.isSafeInteger(iterations) && iterations > 1 ? 1 : iterations);
-    const left = () => end - planner.iterations;
-    while (!this.advance(left, Math.min(until, performance.now() + TURN)) && performance.now() < until) {
-      await this.#pause.next();
-      if (this.isFreed) return undefined;
-    }
-    return this.grown();
   }
 
   /**
@@ -61,7 +24,7 @@ export class PlannerHost {
    * @param {number} until  on the clock of `performance.now()`
    * @returns {boolean}  whether it has come before that time to the end, of the run or of what is wanted
    */
-  advance(left, until) {
+  stepUntil(left, until) {
     const { planner } = this;
     let longest = 1;
     for (let wanted = left(); wanted > 0 && planner.status === "running"; wanted = left()) {
@@ -90,8 +53,6 @@ export class PlannerHost {
   }
 
   free() {
-    this.isFreed = true;
-    this.#pause.end();
     this.planner.free();
   }
 }

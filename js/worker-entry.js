@@ -7,10 +7,11 @@
  */
 import init, { Problem, Scenario } from "./planarium.js";
 import { PlanariumError, isOwn, reasonOf } from "./error.js";
+import { Pause } from "./growth.js";
 import { PlannerHost } from "./planner-host.js";
 
 /** @import { PlannerOptions, ProblemDescription } from "./core.js" */
-/** @import { ProblemModule } from "./worker.js" */
+/** @import { ProblemModule, WorkerGrowth } from "./worker.js" */
 /**
  * A planner that the pool wants.
  * @typedef {object} Given
@@ -25,9 +26,58 @@ const port = /** @type {MessagePort} */ (
   /** @type {unknown} */ (node === null ? globalThis : node("node:worker_threads").parentPort)
 );
 
+/** Milliseconds after which other messages have their turn. */
+const TURN = 16;
+
+/** A planner of the pool: the methods that are more than those of `Planner`. */
+class Host extends PlannerHost {
+  #isFreed = false;
+  #hasBegun = false;
+  #pause = new Pause();
+
+  /** What a caller must know to read its rows. */
+  widths() {
+    const { dimension, eventWidth, historyWidth } = this.planner;
+    return { dimension, eventWidth, historyWidth };
+  }
+
+  /** The next slice of `planner.growth`. @param {number} budget  milliseconds */
+  slice(budget) {
+    if (this.#hasBegun) this.planner.stepFor(budget);
+    this.#hasBegun = true;
+    return this.grown();
+  }
+
+  /**
+   * Makes at most some iterations, for about some time; one at least.
+   * @param {number} iterations  refused as by `planner.step`
+   * @param {number} budget  milliseconds
+   * @returns {Promise<WorkerGrowth | undefined>}  none if it was freed meanwhile
+   */
+  async step(iterations, budget) {
+    const { planner } = this;
+    const until = performance.now() + budget;
+    const end = planner.iterations + iterations;
+    planner.step(Number.isSafeInteger(iterations) && iterations > 1 ? 1 : iterations);
+    const left = () => end - planner.iterations;
+    while (!this.stepUntil(left, Math.min(until, performance.now() + TURN)) && performance.now() < until) {
+      await this.#pause.next();
+      if (this.#isFreed) return undefined;
+    }
+    return this.grown();
+  }
+
+  /** @override */
+  free() {
+    this.#isFreed = true;
+    this.#pause.end();
+    super.free();
+  }
+}
+
 /**
  * The planners by the numbers of their runs, and the end of the last call.
- * @type {Map<number, { host: Promise<PlannerHost>, last: Promise<void> }>}
+ * @type {Map<number, { host: Promise<Host>, last: Promise<void> }>}
  */
 const runs = new Map();
 /** The core. @type {Promise<void>} */
@@ -38,7 +88,7 @@ async function begin({ document, problem, options }) {
   await started;
   const planned = problem === undefined ? Scenario.parse(document) : await problemOf(problem);
   try {
-    return new PlannerHost(planned.planner(options));
+    return new Host(planned.planner(options));
   } finally {
     planned.free();
   }
@@ -71,7 +121,7 @@ async function problemOf({ module, export: name, arguments: given }) {
 
 /**
  * Calls a method, of the host or else of its planner, and sends what it returns.
- * @param {Promise<PlannerHost>} host
+ * @param {Promise<Host>} host
  * @param {{ run: number, call: number, method: string, args: unknown[] }} asked
  */
 async function answer(host, { run, call, method, args }) {

@@ -47,19 +47,14 @@ export class Jobs {
   }
 }
 
-/**
- * @template W   a worker
- * @template [H=undefined]   what it holds between jobs
- */
-export class Pool {
+/** Workers of a page. @template W   a worker */
+export class Crew {
   /** @param {W} first @param {() => W} hire  starts a further worker */
   constructor(first, hire) {
     this.workers = [first];
     this.hire = hire;
     /** Workers at most; when the site is built, Node may have no navigator. */
     this.most = Math.max(1, (globalThis.navigator?.hardwareConcurrency || 1) - 1);
-    /** What a worker holds; after an error that is unknown. @type {Map<W, H>} */
-    this.held = new Map();
   }
 
   /** Hires workers, as many as there is work for. @param {number} count */
@@ -72,6 +67,17 @@ export class Pool {
     this.workers = this.workers.filter((other) => other !== worker);
     this.most = this.workers.length;
   }
+}
+
+/**
+ * Workers that share jobs.
+ * @template W
+ * @template [H=undefined]   what a worker holds between jobs
+ * @extends {Crew<W>}
+ */
+export class Pool extends Crew {
+  /** What a worker holds; after an error that is unknown. @type {Map<W, H>} */
+  held = new Map();
 
   /**
    * Gives each job to a worker that is free, until none is left or the signal is aborted; then jobs stay. The job of a

@@ -48,7 +48,7 @@ async function* slices(planner, budget) {
  * Lets other tasks and frames run, without the delays of timers: by a message, in Node (where messages go first) by an
  * immediate.
  */
-class Pause {
+export class Pause {
   #channel = typeof setImmediate === "function" ? null : new MessageChannel();
 
   /** @returns {Promise<unknown>} */

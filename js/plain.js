@@ -73,6 +73,21 @@ export function budgetOf(budget) {
   );
 }
 
+/** A copy that can be sent to a worker. @param {unknown} value @param {string} name @throws {PlanariumError} `wrong-type` */
+export function copyOf(value, name) {
+  const copy = typeof value === "object" && value !== null ? plain(value) : value;
+  if (copy instanceof Error)
+    throw new PlanariumError(
+      "wrong-type",
+      `the ${name} cannot be read: ${copy.message}`,
+      String(Reflect.get(copy, "pointer") ?? ""),
+      { cause: copy.cause },
+    );
+  if (typeof copy === "function" || typeof copy === "symbol")
+    throw new PlanariumError("wrong-type", `the ${name} is a ${typeof copy}`);
+  return copy;
+}
+
 /**
  * Why a value is refused, where it stands, and its kind if it has no JSON form.
  * @typedef {Error & { pointer: string, kind?: string }} Refusal

@@ -4,14 +4,20 @@
  */
 import { PlanariumError, reasonOf } from "./error.js";
 import { classOf } from "./handle.js";
-import { budgetOf, fieldsOf, plain } from "./plain.js";
+import { budgetOf, copyOf, fieldsOf } from "./plain.js";
+import { PlanningWorker } from "./planning-worker.js";
+import { RemotePlanner } from "./remote-planner.js";
+
+export { RemotePlanner } from "./remote-planner.js";
 
 /** @import { Growth, InitSyncInput, PlannerOptions, ResultDocument, Scenario, ScenarioDocument } from "./core.js" */
-/** @import { Worker as NodeWorker } from "node:worker_threads" */
 
 /**
- * The end of a run.
+ * What a slice of a run in a worker has added besides.
  * @typedef {object} Ended
+ * @property {Float64Array} traces  the shapes of the new edges: see `planner.tracesSince`
+ * @property {Float64Array} motions  of a car along the new edges: see `planner.motionsSince`
+ * @property {Float64Array} history  the new rows of history, if it is recorded: see `planner.historySince`
  * @property {ResultDocument | null} result  of a run that has ended; null before
  */
 
@@ -152,6 +158,27 @@ export class PlannerPool {
   }
 
   /**
+   * Makes a planner that is stepped by hand.
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
+   * @param {PlannerOptions} [options]  those of `scenario.planner`, or of `problem.planner`
+   * @param {Pick<RunOptions, "signal">} [settings]  when the signal is aborted, all calls reject with its reason, and
+   *   the planner is freed
+   * @returns {Promise<RemotePlanner>}
+   * @throws {PlanariumError} rejects as `growth` does
+   */
+  async planner(scenario, options, settings) {
+    PlannerPool.#require(this, "planner");
+    const { signal } = /** @type {RunOptions} */ (fieldsOf(settings, "settings", "signal"));
+    const run = this.#begin(scenario, options, signal);
+    try {
+      return await RemotePlanner.of(run);
+    } catch (error) {
+      run.end(error);
+      throw error;
+    }
+  }
+
+  /**
    * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
    * @param {PlannerOptions | undefined} options
    * @param {RunOptions} settings
@@ -159,28 +186,40 @@ export class PlannerPool {
    * @returns {AsyncGenerator<WorkerGrowth, void, undefined>}
    */
   async *#slices(scenario, options, { signal, budget = 16 }, onProgress) {
-    if (signal !== undefined && typeof signal?.addEventListener !== "function")
-      throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
-    const given = { ...planned(scenario), options: copyOf(options, "options"), budget: budgetOf(budget) };
-    if (signal?.aborted) throw signal.reason;
-    const worker = this.#leastBusy();
-    const run = worker.begin(given);
-    const abort = () => run.fail(signal?.reason);
-    signal?.addEventListener("abort", abort);
+    budgetOf(budget);
+    const run = this.#begin(scenario, options, signal);
+    const next = () => {
+      /** @type {Promise<WorkerGrowth>} */
+      const slice = run.call("slice", budget);
+      slice.catch((error) => run.end(error));
+      return slice;
+    };
     try {
-      for (let ahead = worker.next(run); ;) {
+      for (let ahead = next(); ;) {
         const growth = await ahead;
         if (signal?.aborted) throw signal.reason;
-        if (growth.result === null) ahead = worker.next(run);
+        if (growth.result === null) ahead = next();
         // A listener that never ends must not outlast the run.
         if (onProgress !== undefined) await Promise.race([onProgress(growth), run.failure]);
         yield growth;
         if (growth.result !== null) return;
       }
     } finally {
-      signal?.removeEventListener("abort", abort);
-      worker.end(run);
+      run.end(undefined);
     }
+  }
+
+  /**
+   * @param {Scenario | ScenarioDocument | string | ProblemModule} scenario
+   * @param {PlannerOptions | undefined} options
+   * @param {Signal | undefined} signal
+   */
+  #begin(scenario, options, signal) {
+    if (signal !== undefined && typeof signal?.addEventListener !== "function")
+      throw new PlanariumError("wrong-type", "signal must be an AbortSignal", "/signal");
+    const given = { ...planned(scenario), options: copyOf(options, "options") };
+    if (signal?.aborted) throw signal.reason;
+    return this.#leastBusy().begin(given, signal);
   }
 
   /**
@@ -219,155 +258,6 @@ export class PlannerPool {
     return worker;
   }
 }
-
-/** A run: who waits for its slice, and why it has failed. */
-class Run {
-  /** Takes the slice that is waited for. @type {(growth: WorkerGrowth) => void} */
-  answer = () => {};
-  /** Ends the run with a reason. @type {(reason: unknown) => void} */
-  fail = () => {};
-  /** Rejected once the run has failed. @type {Promise<never>} */
-  failure = new Promise((_, reject) => {
-    this.fail = reject;
-  });
-
-  /** @param {number} number */
-  constructor(number) {
-    this.number = number;
-    // It may be rejected before anybody awaits it.
-    this.failure.catch(() => {});
-  }
-}
-
-/** A worker with its runs. Each has a number, and asks for one slice at a time. */
-class PlanningWorker {
-  /** Why the worker is gone. @type {PlanariumError | undefined} */
-  fault;
-  #begun = 0;
-  #hasAnswered = false;
-  /** The runs by their numbers. @type {Map<number, Run>} */
-  #runs = new Map();
-  #worker;
-
-  /** @param {Pick<Required<PoolOptions>, "worker"> & PoolOptions} options */
-  constructor({ worker, core }) {
-    /** @type {Worker | NodeWorker | undefined} */
-    let made;
-    try {
-      this.#worker = made = /** @type {Worker | NodeWorker} */ (worker());
-      this.#listen();
-      made.postMessage({ core });
-    } catch (error) {
-      if (typeof made?.terminate === "function") void made.terminate();
-      throw new PlanariumError("init-failed", `A worker could not be started: ${reasonOf(error)}`, "", {
-        cause: error,
-      });
-    }
-    this.#keepAlive(false);
-  }
-
-  /** How many runs it has. */
-  get runs() {
-    return this.#runs.size;
-  }
-
-  /** @param {object} given */
-  begin(given) {
-    const run = new Run(this.#begun++);
-    this.#runs.set(run.number, run);
-    if (this.runs === 1) this.#keepAlive(true);
-    this.#worker.postMessage({ run: run.number, given });
-    return run;
-  }
-
-  /** The next slice. @param {Run} run @returns {Promise<WorkerGrowth>} */
-  next(run) {
-    /** @type {Promise<WorkerGrowth>} */
-    const slice = new Promise((resolve) => {
-      run.answer = resolve;
-    });
-    if (this.fault !== undefined) run.fail(this.fault);
-    else this.#worker.postMessage({ run: run.number });
-    const next = Promise.race([slice, run.failure]);
-    next.catch(() => {});
-    return next;
-  }
-
-  /** Ends a run: the worker drops it after the slice in hand. @param {Run} run */
-  end({ number }) {
-    this.#runs.delete(number);
-    if (this.fault !== undefined) return;
-    this.#worker.postMessage({ run: number, isOver: true });
-    if (this.runs === 0) this.#keepAlive(false);
-  }
-
-  /** Ends the worker and all its runs. @param {PlanariumError} fault */
-  lose(fault) {
-    this.fault ??= fault;
-    this.#worker.terminate();
-    for (const run of this.#runs.values()) run.fail(fault);
-  }
-
-  #listen() {
-    const worker = this.#worker;
-    if ("on" in worker) {
-      worker.on("message", (answer) => this.#hear(answer));
-      worker.on("error", (error) => this.#break(reasonOf(error)));
-      worker.on("messageerror", () => this.#break(UNREADABLE));
-      worker.on("exit", (code) => this.#break(`exit code ${code}`));
-    } else {
-      worker.onmessage = ({ data }) => this.#hear(data);
-      worker.onmessageerror = () => this.#break(UNREADABLE);
-      worker.onerror = (event) => {
-        event.preventDefault();
-        this.#break(event.message || "no reason is given");
-      };
-    }
-  }
-
-  /** Whether Node waits for the worker before it exits. @param {boolean} isNeeded */
-  #keepAlive(isNeeded) {
-    if ("ref" in this.#worker) this.#worker[isNeeded ? "ref" : "unref"]();
-  }
-
-  /**
-   * Takes an answer of `worker-entry.js`. Other messages are not for the pool: a worker may run further code.
-   * @param {unknown} message
-   */
-  #hear(message) {
-    const {
-      run: number,
-      growth,
-      fault,
-      thrown,
-    } = /** @type {{ run?: number, growth?: WorkerGrowth, fault?: PlanariumError, thrown?: [unknown] }} */ (
-      Object(message)
-    );
-    const isFault = typeof fault?.code === "string" && typeof fault.message === "string";
-    const isGrowth = typeof growth?.status === "string" && ArrayBuffer.isView(growth.vertices);
-    if (typeof number !== "number" || !(isFault || isGrowth || Array.isArray(thrown))) return;
-    this.#hasAnswered = true;
-    const run = this.#runs.get(number);
-    if (isGrowth) return run?.answer(growth);
-    if (!isFault) return run?.fail(thrown?.[0]);
-    const error = new PlanariumError(fault.code, fault.message, fault.pointer, { nearest: fault.nearest });
-    // The core is lost with all runs in it, or was never there.
-    if (fault.code === "internal" || fault.code === "init-failed") this.lose(error);
-    else run?.fail(error);
-  }
-
-  /** The worker has stopped, or was never there. @param {string} reason */
-  #break(reason) {
-    this.lose(
-      this.#hasAnswered
-        ? new PlanariumError("internal", `A worker has stopped: ${reason}`)
-        : new PlanariumError("init-failed", `The script of a worker could not be loaded: ${reason}`),
-    );
-  }
-}
-
-/** Why a worker whose message cannot be read is given up: it may have been a slice. */
-const UNREADABLE = "a message of it cannot be read";
 
 /**
  * What a worker plans, as it is sent.
@@ -429,21 +319,6 @@ function moduleOf(given) {
       { cause: error },
     );
   }
-}
-
-/** A copy that can be sent. @param {unknown} value @param {string} name */
-function copyOf(value, name) {
-  const copy = typeof value === "object" && value !== null ? plain(value) : value;
-  if (copy instanceof Error)
-    throw new PlanariumError(
-      "wrong-type",
-      `the ${name} cannot be read: ${copy.message}`,
-      String(Reflect.get(copy, "pointer") ?? ""),
-      { cause: copy.cause },
-    );
-  if (typeof copy === "function" || typeof copy === "symbol")
-    throw new PlanariumError("wrong-type", `the ${name} is a ${typeof copy}`);
-  return copy;
 }
 
 function terminated() {

@@ -375,7 +375,8 @@ const SHARED_ENTRIES = ["draw", "worker", "worker-entry"];
 function declarationsOf(entries) {
   const reached = new Set(entries.map((entry) => `${entry}.d.ts`));
   for (const name of reached) {
-    const text = readFileSync(join(types, name), "utf8");
+    // Comments name modules that only scripts import.
+    const text = readFileSync(join(types, name), "utf8").replace(/\/\*[^]*?\*\//g, "");
     for (const match of text.matchAll(/(?:from |import\()"\.\/([\w-]+)\.js"/g)) reached.add(`${match[1]}.d.ts`);
   }
   return reached;

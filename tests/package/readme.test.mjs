@@ -41,7 +41,7 @@ const PRINTED = {
   "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
-    /^solved \d+\nsolved true\n$/,
+    /^solved \d+\nsolved true\n(?:running|solved) true\n$/,
     /^solved solved solved\n$/,
     /^solved \d+\n$/,
     /^(?:solved [1-9]\d* motions\n){2}0\.\d+\n$/,

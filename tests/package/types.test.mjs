@@ -16,7 +16,7 @@ import init, {
 } from "planarium";
 import { Problem, type ByClearance, type BySamples, type CoordinateDescription, type ProblemDescription, type SpaceDescription } from "planarium";
 import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium/full";
-import { PlannerPool, type PoolOptions, type ProgressOptions, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
+import { PlannerPool, type PoolOptions, type ProgressOptions, type RemotePlanner, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
 /** Members that are any, take any or give any back. */
@@ -30,7 +30,7 @@ export type Proof = None<Loose<[
   Problem, ProblemDescription, ByClearance, BySamples, CoordinateDescription, SpaceDescription, Drive, DriveState, Rollout, Planner, Scenario, PlanariumError, Stats, ResultDocument, Motion, PresetInfo, Approximate, Weights, Shape,
   Extract<Robot, { type: "car" }>, Extract<Robot, { type: "rigid_body" }>, PlannerInfo, ParameterInfo, ScenarioDocument, World,
   Query, QueryCheck, Growth, Neighbours, NeighboursFound, NeighboursOptions, SampleOptions, IndexInfo, GeneratorInfo, OptionInfo,
-  PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], PlannerPool, PoolOptions, ProgressOptions, RunOptions, Signal, WorkerGrowth, {
+  PlannerOptions, GenerateOptions, Trajectories, TrajectoriesResult, TrajectoryOptions, ParticleMotion, PresetInfo["settings"], PlannerPool, PoolOptions, ProgressOptions, RemotePlanner, RunOptions, Signal, WorkerGrowth, {
     init: typeof init, initSync: typeof initSync, planners: typeof planners, input: InitInput | InitSyncInput,
     q: Configuration, phase: (typeof phases)[number], control: Motion["control"][0], vertices: Shape["vertices"],
   },
@@ -48,8 +48,15 @@ export async function inWorkers(signal: Signal, bytes: ArrayBuffer, scenario: Sc
   for await (const { edges } of scenario.planner()) if (edges.length > 100) break;
   // @ts-expect-error: an option of another planner
   void pool.plan(scenario, { algorithm: "rrt", samples: 10 });
+  using planner: RemotePlanner = await pool.planner(scenario, { algorithm: "prm", k: 5 }, { signal });
+  await planner.record();
+  const { history, motions, status }: WorkerGrowth = await planner.step(100, { budget: 4 });
+  const rows: Float64Array = await planner.historySince(history.length / planner.historyWidth);
+  const asked: ResultDocument = await planner.query([0, 0], rows);
+  // @ts-expect-error: a pool makes it
+  new RemotePlanner();
   pool.terminate();
-  return JSON.stringify([path, last]);
+  return JSON.stringify([path, last, motions, status, asked, (await planner.stats()).vertices]);
 }
 
 export function manyTrajectories(): string {

@@ -15,9 +15,9 @@ import { root } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { ensureBrowser } from "../../scripts/setup.mjs";
 import { addFiles, emptyFolder } from "./packed.mjs";
-import { arm, disc, finish } from "./scenes.mjs";
+import { arm, car, disc, finish } from "./scenes.mjs";
 
-/** @import { ResultDocument } from "planarium" */
+/** @import { PlannerOptions, ResultDocument, ScenarioDocument } from "planarium" */
 
 const long = /** @type {const} */ ({ algorithm: "prm", samples: 1_000_000 });
 const place = pathToFileURL(join(root, "dist", "package")).href;
@@ -52,7 +52,7 @@ const workerOf =
 /** Ends a worker that keeps an array that it has sent. */
 const transferred = `const { postMessage } = parentPort;
 parentPort.postMessage = (message, ...transfer) => {
-  const arrays = [message.growth.vertices, message.growth.edges, message.growth.events];
+  const arrays = Object.values(message.value ?? {}).filter((value) => ArrayBuffer.isView(value));
   postMessage.call(parentPort, message, ...transfer);
   if (arrays.some(({ byteLength }) => byteLength > 0)) process.exit(9);
 };`;
@@ -230,7 +230,7 @@ test("a listener may be asynchronous: the next slice waits for it, its rejection
   ));
 
 test("messages that are not the pool's are ignored, on both sides", async () => {
-  const foreign = `for (const message of [null, 7, "text", {}, [], { run: 0 }, { run: 0, fault: null }, { run: 0, growth: {} }, { run: 99, fault: { code: "internal" } }, { run: 99, thrown: [1] }]) parentPort.postMessage(message);`;
+  const foreign = `for (const message of [null, 7, "text", {}, [], { run: 0 }, { run: 0, fault: null }, { run: 0, value: {} }, { run: 0, call: 0 }, { run: 0, call: 0, fault: {} }, { run: 99, fault: { code: "internal" } }, { run: 99, thrown: [1] }]) parentPort.postMessage(message);`;
   /** @type {any} */
   let worker;
   await within(
@@ -434,6 +434,152 @@ test("terminate ends what runs, in the middle of a slice too, and there is no fu
   pool[Symbol.dispose]();
   for (const run of [...runs, pool.plan(arm)]) await assert.rejects(run, { name: "PlanariumError", code: "freed" });
 });
+
+test("a remote planner has the bits of a local one, however it is stepped, also where two share a worker", () =>
+  within(
+    async (pool) => {
+      const cases = /** @type {[ScenarioDocument, PlannerOptions, (number | [number, number])[]][]} */ ([
+        [arm, { algorithm: "prm", seed: 6, k: 5 }, [1, 7, 100, 0]],
+        [arm, { algorithm: "rrt-star", seed: 2, improveIterations: 200 }, [[1e6, 1]]],
+        [disc, { algorithm: "rrt-connect", seed: 3 }, [3, [64, 0]]],
+        [car, { algorithm: "rrt-control", seed: 1, maxIterations: 300 }, [[100, 1], 40]],
+      ]);
+      await Promise.all(
+        cases.map(async ([document, options, steps]) => {
+          const local = Scenario.parse(document).planner(options);
+          local.record();
+          finish(local);
+          const planner = await pool.planner(document, options);
+          for (const width of /** @type {const} */ (["dimension", "eventWidth", "historyWidth"]))
+            assert.equal(planner[width], local[width]);
+          await planner.record();
+          /** @type {Record<string, number[]>} */
+          const grown = { vertices: [], edges: [], events: [], traces: [], motions: [], history: [] };
+          let made = 0;
+          for (let turn = 0, status = "running"; status === "running"; turn++) {
+            const [iterations, budget] = [steps[turn % steps.length]].flat();
+            const growth = await planner.step(iterations, { budget });
+            for (const [name, rows] of Object.entries(grown)) rows.push(...Reflect.get(growth, name));
+            assert.ok(growth.iterations - made <= iterations);
+            if (budget !== undefined && growth.status === "running")
+              assert.ok(growth.iterations > made, "one at least");
+            else if (growth.status === "running") assert.equal(growth.iterations - made, iterations);
+            assert.equal(growth.result === null, growth.status === "running");
+            ({ status, iterations: made } = growth);
+          }
+          for (const [name, rows] of Object.entries(grown)) {
+            const key = /** @type {"verticesSince"} */ (`${name}Since`);
+            assert.deepEqual(rows, [...local[key](0)], name);
+          }
+          assert.equal(await planner.fingerprint(), local.fingerprint());
+          assert.deepEqual(await planner.path(), local.path());
+          assert.deepEqual(await planner.historySince(made - 1), local.historySince(made - 1));
+          assert.deepEqual(untimed(await planner.result()), untimed(local.result()));
+          assert.equal((await planner.stats()).configuration_checks, local.stats().configuration_checks);
+          assert.equal((await planner.step(5)).iterations, made, "none once the run has ended");
+          planner.free();
+        }),
+      );
+    },
+    { workers: 1, worker: workerOf(transferred) },
+  ));
+
+test("a remote planner asks its roadmap, and rejects with the errors of a local one", () =>
+  within(
+    async (pool) => {
+      const options = /** @type {const} */ ({ algorithm: "prm", seed: 6, k: 5 });
+      const local = finish(Scenario.parse(arm).planner(options));
+      const planner = await pool.planner(arm, options);
+      await planner.step(Number.MAX_SAFE_INTEGER);
+      const [start, goal] = [
+        [0, 0],
+        [2, 0.5],
+      ];
+      assert.deepEqual(untimed(await planner.query(goal, start)), untimed(local.query(goal, start)));
+      const rrt = await pool.planner(arm, { algorithm: "rrt" });
+      const other = Scenario.parse(arm).planner({ algorithm: "rrt" });
+      await rrt.step(1);
+      other.step(1);
+      for (const [remote, own] of /** @type {[() => Promise<unknown>, () => unknown][]} */ ([
+        [() => planner.query([0], goal), () => local.query([0], goal)],
+        [() => planner.query([NaN, 0], goal), () => local.query([NaN, 0], goal)],
+        [() => rrt.query(start, goal), () => other.query(start, goal)],
+        [() => rrt.record(), () => other.record()],
+        [() => rrt.historySince(2), () => other.historySince(2)],
+        ...[-1, 2.5, NaN, Infinity, /** @type {any} */ ("2")].map((n) => [() => rrt.step(n), () => other.step(n)]),
+        [
+          () => pool.planner(arm, { algorithm: "prm", k: -1 }),
+          () => Scenario.parse(arm).planner({ algorithm: "prm", k: -1 }),
+        ],
+      ])) {
+        /** @type {unknown} */
+        let expected;
+        assert.throws(own, (error) => Boolean((expected = error)));
+        const { name, code, pointer, message } = /** @type {PlanariumError} */ (expected);
+        await assert.rejects(remote(), { name, code, pointer, message });
+      }
+      for (const [wrong, expected] of /** @type {[() => Promise<unknown>, object][]} */ ([
+        [() => rrt.step(1, { budget: -1 }), { code: "out-of-range", pointer: "/budget" }],
+        [() => rrt.step(1, /** @type {any} */ ({ bugdet: 1 })), { code: "unknown-field", pointer: "/bugdet" }],
+        [() => rrt.query(/** @type {any} */ (() => start), goal), { code: "wrong-type" }],
+        [() => rrt.path.call(/** @type {any} */ ({})), { code: "illegal-invocation" }],
+        [() => pool.planner(arm, {}, /** @type {any} */ ({ budget: 1 })), { code: "unknown-field" }],
+        [() => pool.planner(arm, {}, /** @type {any} */ ({ signal: 1 })), { code: "wrong-type", pointer: "/signal" }],
+      ]))
+        await assert.rejects(wrong(), { name: "PlanariumError", ...expected });
+      assert.equal((await rrt.step(1)).iterations, 2, "an error ends no run");
+    },
+    { workers: 1 },
+  ));
+
+test("a signal or free ends a remote planner in the middle of a step, and the worker goes on with others", async () => {
+  /** @type {any[]} */
+  const sent = [];
+  await within(
+    async (pool) => {
+      const other = await pool.planner(arm, { algorithm: "prm" });
+      const controller = new AbortController();
+      const aborted = await pool.planner(arm, long, { signal: controller.signal });
+      const enough = new RangeError("enough");
+      const [step, query] = [aborted.step(Number.MAX_SAFE_INTEGER), aborted.path()];
+      assert.equal((await other.step(10)).iterations, 10, "it has its turn meanwhile");
+      controller.abort(enough);
+      for (const call of [step, query, aborted.result()]) await assert.rejects(call, enough);
+      await assert.rejects(pool.planner(arm, long, { signal: controller.signal }), enough);
+      const freed = await pool.planner(arm, long);
+      const waiting = freed.step(Number.MAX_SAFE_INTEGER);
+      freed[Symbol.dispose]();
+      freed.free();
+      for (const call of [waiting, freed.step(1)])
+        await assert.rejects(call, { name: "PlanariumError", code: "freed" });
+      assert.equal((await other.step(5)).iterations, 15);
+      assert.equal(sent.filter(({ isOver }) => isOver).length, 2);
+      pool.terminate();
+      await assert.rejects(other.step(1), { code: "freed" });
+    },
+    { workers: 1, worker: workerOf("", sent) },
+  );
+});
+
+test("a lost worker fails its remote planners as internal, and the next one has a new worker", () =>
+  within(
+    async (pool) => {
+      const planner = await pool.planner(arm, long);
+      const step = planner.step(Number.MAX_SAFE_INTEGER);
+      const killer = pool.planner(arm, { seed: 13 });
+      for (const call of [step, killer, step.catch(() => planner.path())])
+        await assert.rejects(call, { name: "PlanariumError", code: "internal", message: /exit code 7/ });
+      planner.free();
+      const again = await pool.planner(arm, { seed: 1 });
+      assert.equal((await again.step(1)).iterations, 1);
+    },
+    {
+      workers: 1,
+      worker: workerOf(
+        `parentPort.on("message", (message) => { if (message.given?.options?.seed === 13) process.exit(7); });`,
+      ),
+    },
+  ));
 
 test("for await over a planner is its growth", async () => {
   const planner = Scenario.parse(arm).planner({ seed: 2 });

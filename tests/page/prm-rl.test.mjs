@@ -111,13 +111,13 @@ async function prepareTraining(page) {
   }
 }
 
-test("several workers train the same policy as one, also if one of them is lost or joins late", async () => {
+test("several workers train the same policy as one, also if two of them are lost or join late", async () => {
   Object.defineProperty(globalThis, "navigator", { value: { hardwareConcurrency: 4 }, configurable: true });
   // Each worker has the module, and with it a training, of its own.
   const workers = await Promise.all(
     ["a", "b", "c"].map(async (name) => ({ ...(await import(`../../www/prm-rl/commands.js?${name}`)).commands })),
   );
-  const remote = (/** @type {any} */ commands, /** @type {number} */ fails = Infinity) =>
+  const remote = (/** @type {any} */ commands, fails = { command: "", after: 0 }) =>
     /** @type {any} */ (
       new Proxy(
         {},
@@ -125,22 +125,24 @@ test("several workers train the same policy as one, also if one of them is lost 
           get:
             (_, command) =>
             async (/** @type {any[]} */ ...args) => {
-              if (command === "returnsOf" && fails-- <= 0) throw new Error("lost");
+              if (command === fails.command && fails.after-- <= 0) throw new Error("lost");
               return commands[command](...args);
             },
         },
       )
     );
-  const hired = [remote(workers[1], 3), remote(workers[2])];
-  const pool = new TrainingPool(remote(workers[0]), () => hired.shift() ?? assert.fail());
+  const hired = [remote(workers[1], { command: "returnsOf", after: 3 }), remote(workers[2])];
+  const page = remote(workers[0], { command: "advance", after: 2 });
+  const pool = new TrainingPool(page, () => hired.shift() ?? assert.fail());
   const { candidates } = await pool.begin(first.toJSON(), SHORT, new AbortController().signal);
   assert.equal(candidates, 6);
   const fingerprints = /** @type {string[]} */ ([]);
-  await pool.run(({ generation, fingerprint }) => {
+  await pool.train(({ generation, fingerprint, history }) => {
     fingerprints.push(fingerprint);
+    assert.equal(history.length, 3, "a row for each generation");
     return generation < SHORT.generations;
   });
-  assert.equal(pool.workers.length, 2, "the lost one has gone");
+  assert.equal(pool.workers.length, 1, "the lost ones have gone");
   assert.deepEqual(
     fingerprints,
     [1, 2, 3].map((generations) => trained(first, SHORT, generations).fingerprint),

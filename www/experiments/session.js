@@ -4,13 +4,14 @@
  */
 import { grouped } from "../app/dom.js";
 import { Observable } from "../app/observable.js";
+import { Jobs, isLost } from "../app/pool.js";
 import { errorInfo } from "../app/error-info.js";
 import { planners, generators } from "planarium/full";
 import { ceilingOf, tasksOf } from "./ceiling.js";
 import { factorsOf, nameOfColumn } from "./factors.js";
 import { USUAL, allMeasures } from "./measures.js";
 import { MOST, Rows } from "./rows.js";
-import { Pool, Queue } from "./pool.js";
+import { Queue, TrialPool } from "./pool.js";
 import { retitled } from "./ready.js";
 import { lengthUnit, resolved, robotsOf, titleOf, worldOfTrial } from "./worlds.js";
 
@@ -33,7 +34,7 @@ export class ExperimentSession extends Observable {
   /** @param {App} app @param {ExperimentWorker} worker */
   constructor(app, worker) {
     super(app);
-    this.pool = new Pool(worker, () => /** @type {ExperimentWorker} */ (app.hire()));
+    this.pool = new TrialPool(worker, () => /** @type {ExperimentWorker} */ (app.hire()));
     /** @type {LinkedDocument} */
     this.document = { format: "planarium-experiment-1", worlds: [], planners: [], seeds: [0] };
     /** @type {View} */
@@ -43,7 +44,7 @@ export class ExperimentSession extends Observable {
     /** @type {Info | null} */
     this.info = null;
     /** The trials that have ended, and the others. */
-    this.queue = new Queue(null, new Rows([], 0));
+    this.queue = new Queue(null, new Rows([], 0), 1);
     /** @type {import("./factors.js").Factor[]} */
     this.factors = [];
     this.unit = "";
@@ -137,7 +138,7 @@ export class ExperimentSession extends Observable {
   async check() {
     const signal = this.begin();
     this.refusal = this.info = this.resolved = this.ceiling = null;
-    this.queue = new Queue(null, new Rows([], 0));
+    this.queue = new Queue(null, new Rows([], 0), 1);
     this.factors = [];
     this.setPhase("checking");
     try {
@@ -176,7 +177,7 @@ export class ExperimentSession extends Observable {
   /** Begins without rows. */
   clear() {
     const { columns = [], trialCount = 0, fingerprint } = this.info ?? {};
-    this.queue = new Queue(this.resolved, new Rows(columns, trialCount, fingerprint));
+    this.queue = new Queue(this.resolved, new Rows(columns, trialCount, fingerprint), this.pool.most);
     this.elapsed = this.uncertified = 0;
     this.refusal = this.ceiling = null;
     this.setPhase("ready");
@@ -196,7 +197,7 @@ export class ExperimentSession extends Observable {
     this.since = performance.now();
     this.pausing = new AbortController();
     this.setPhase("running");
-    this.running = this.pool.run(this.queue, this.pausing.signal, () => {
+    this.running = this.pool.runTrials(this.queue, this.pausing.signal, () => {
       if (!signal.aborted) this.update("rows");
     });
     try {
@@ -221,12 +222,11 @@ export class ExperimentSession extends Observable {
     const verdicts = new Map();
     const open = tasks.filter(({ hasPath }) => !hasPath).slice(0, MOST_CERTIFIED);
     this.uncertified = open.length;
-    await this.pool.share(open, signal, async (worker, { key, trials: [trial] }) => {
+    await this.pool.run(new Jobs(open), signal, async (worker, { key, trials: [trial] }) => {
       const query = String(rows.cell(trial, "query"));
-      // A worker that was lost leaves it unknown.
-      const verdict = await worker.certify(worldOfTrial(document, rows, trial), query).catch(() => undefined);
+      const verdict = await worker.certify(worldOfTrial(document, rows, trial), query).catch(unknown);
       if (signal.aborted) return;
-      verdicts.set(key, verdict ?? "unknown");
+      verdicts.set(key, verdict);
       this.uncertified--;
       this.update("phase");
     });
@@ -271,4 +271,10 @@ export class ExperimentSession extends Observable {
   get runtime() {
     return this.elapsed + (this.isBusy ? performance.now() - this.since : 0);
   }
+}
+
+/** The verdict where the core fails. @param {unknown} error @returns {"unknown"} */
+function unknown(error) {
+  if (isLost(error)) throw error;
+  return "unknown";
 }

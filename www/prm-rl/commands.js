@@ -3,11 +3,12 @@
  * and a comparison. Only the newest of each counts.
  */
 import { Navigation, eventKinds } from "planarium/full";
+import { PlannerHost } from "../../dist/package/planner-host.js";
 import { withOptions } from "../domain/option-names.js";
 
 /**
  * @import { EdgeRollouts, Execution, ExecutionOptions, NavigationComparison, NavigationComparisonOptions,
- *   NavigationDocument, NavigationMethod, Planner, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions }
+ *   NavigationDocument, NavigationMethod, PolicyDocument, PolicyPlannerOptions, Training, TrainingOptions }
  *   from "planarium/full"
  */
 /** @import { Settings } from "../domain/types.js" */
@@ -24,8 +25,7 @@ const SLICE = 24;
 /** @type {Training | null} */
 let training = null;
 /**
- * @type {{ task: Navigation, planner: Planner, rollouts: ((path: number[][]) => EdgeRollouts[]) | null,
- *   vertices: number, edges: number, events: number } | null}
+ * @type {{ task: Navigation, host: PlannerHost, rollouts: ((path: number[][]) => EdgeRollouts[]) | null } | null}
  */
 let plan = null;
 /** @type {{ comparison: NavigationComparison, rows: number } | null} */
@@ -79,15 +79,19 @@ export const commands = {
     return trained().returnsOf(first, end);
   },
 
-  /** Ends generations with their returns. @param {Float64Array[]} ended */
-  advance(ended) {
+  /**
+   * Ends generations with their returns.
+   * @param {Float64Array[]} ended
+   * @param {number} known  generations whose rows of history the caller has
+   */
+  advance(ended, known) {
     const run = trained();
     for (const returns of ended) run.advance(returns);
     const { generation, fingerprint } = run;
     return {
       generation,
       fingerprint,
-      history: run.historySince(generation - ended.length),
+      history: run.historySince(known),
       demonstrations: run.demonstrations(DEMONSTRATIONS),
       policy: run.policy(),
     };
@@ -121,9 +125,9 @@ export const commands = {
               withOptions(settings, (/** @type {PolicyPlannerOptions} */ options) =>
                 task.edgeRollouts(policy, path.flat(), options),
               );
-      plan?.planner.free();
+      plan?.host.free();
       plan?.task.free();
-      plan = { task, planner, rollouts, vertices: 0, edges: 0, events: 0 };
+      plan = { task, host: new PlannerHost(planner), rollouts };
     } catch (error) {
       task.free();
       throw error;
@@ -133,17 +137,11 @@ export const commands = {
   /** Lets the roadmap grow for a moment, or to its end. @param {boolean} isWhole */
   advancePlan(isWhole) {
     if (!plan) throw new Error("No plan has begun.");
-    const { planner, vertices, edges, events } = plan;
-    const status = isWhole ? planner.step(Number.MAX_SAFE_INTEGER) : planner.stepFor(SLICE);
-    Object.assign(plan, { vertices: planner.vertexCount, edges: planner.edgeCount, events: planner.eventCount });
-    return {
-      status,
-      iterations: planner.iterations,
-      vertices: planner.verticesSince(vertices),
-      edges: planner.edgesSince(edges),
-      refused: refusedOf(planner.eventsSince(events), planner.eventWidth),
-      result: status === "running" ? null : planner.result(),
-    };
+    const { planner } = plan.host;
+    if (isWhole) planner.step(Number.MAX_SAFE_INTEGER);
+    else planner.stepFor(SLICE);
+    const { status, iterations, vertices, edges, events, result } = plan.host.grown();
+    return { status, iterations, vertices, edges, refused: refusedOf(events, planner.eventWidth), result };
   },
 
   /** All rollouts along a path of the roadmap. @param {number[][]} path */

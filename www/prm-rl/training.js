@@ -77,7 +77,7 @@ export class TrainingRun {
     this.status = "running";
     session.app.changed();
     try {
-      await pool.run(({ generation, fingerprint, history, demonstrations, policy }) => {
+      await pool.train(({ generation, fingerprint, history, demonstrations, policy }) => {
         for (let at = 0; at < history.length; at += 3)
           this.history.push({ mean: history[at], best: history[at + 1], reached: history[at + 2] });
         Object.assign(this, { generation, fingerprint, demonstrations, policy });
@@ -93,12 +93,12 @@ export class TrainingRun {
   /** Forgets the training: the next one begins from scratch. */
   clear() {
     this.begin.cancel();
-    this.pool.isRunning = false;
+    this.pool.pause();
     Object.assign(this, { status: "none", generation: 0, fingerprint: "", history: [] });
     this.session.app.changed();
   }
 
   pause() {
-    this.pool.isRunning = false;
+    this.pool.pause();
   }
 }

@@ -3,6 +3,7 @@
  * a row of counts to the history. The graph at an earlier iteration is therefore the beginning of the log: going back
  * needs no planning.
  */
+import { grownSince } from "../../../dist/package/planner-host.js";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 import { firstIndex } from "../../domain/search.js";
@@ -11,7 +12,6 @@ import { Adjacency } from "./adjacency.js";
 import { componentsOf } from "./components.js";
 import { EVENT, PAST, SIDE } from "./columns.js";
 import { Rows } from "./rows.js";
-import { grownSince } from "../worker/stepper.js";
 
 /** @import { Growth } from "../worker/stepper.js" */
 /** @import { PlannerInfo, ResultDocument, Scenario, Settings, Stats, Status } from "../../domain/types.js" */
@@ -87,6 +87,8 @@ export class RunLog {
     this.components = null;
     const { planner } = this;
     this.take({
+      iterations: 0,
+      ...grownSince(planner, { vertices: 0, edges: 0, events: 0, history: 0 }),
       history: Float64Array.of(
         planner.vertexCount,
         planner.edgeCount,
@@ -97,7 +99,6 @@ export class RunLog {
         0,
         Infinity,
       ),
-      ...grownSince(planner, { vertices: 0, edges: 0, events: 0 }),
       status: planner.status,
       phase: planner.phase,
       stats: planner.stats(),

@@ -1,37 +1,31 @@
 /**
- * A planner in the worker: it is stepped in slices, and what has grown is sent as typed arrays that are transferred,
- * not copied.
+ * A planner in the worker, as the package has it (`planarium/worker`), with what the page needs besides: several clocks,
+ * blocks that a frame can draw, and repairs.
  */
+import { PlannerHost, countsOf } from "../../../dist/package/planner-host.js";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 
+/** @import { WorkerGrowth } from "../../../dist/package/worker.js" */
+/** @import { Scenario, ScenarioDocument, Settings, Stats } from "../../domain/types.js" */
+
 /**
- * @import { Planner, ResultDocument, Scenario, ScenarioDocument, Settings, Stats, Status } from "../../domain/types.js"
+ * @typedef {object} Present   the state of a run after a block
+ * @property {string} phase
+ * @property {Stats} stats
+ * @property {Float64Array | null} path       once the run has ended
+ * @property {Float64Array | null} rawPath
  */
 
 /**
- * @typedef {object} Growth   what a run has grown since the last block; rows as in the package
- * @property {Float64Array} history    a row for each iteration
- * @property {Float64Array} vertices
- * @property {Uint32Array} edges
- * @property {Float64Array} traces
- * @property {Float64Array} motions
- * @property {Float64Array} events
- * @property {Status} status
- * @property {string} phase
- * @property {Stats} stats
- * @property {ResultDocument | null} result   on request, and once the run has ended
- * @property {Float64Array | null} path       once the run has ended
- * @property {Float64Array | null} rawPath
+ * What a run has grown since the last block; the result on request too, and a row of history for each iteration.
+ * @typedef {WorkerGrowth & Present} Growth
  */
 
 /**
  * @typedef {ReturnType<Stepper["ask"]>} Answer   of a roadmap: the result, the seconds that it took, the number of
  *   vertices that the search visited
  */
-
-/** Iterations in one slice at most. */
-const LONGEST = 64;
 
 /** Most vertices and edges of one block: as many as a frame can draw. */
 const BURST = { vertices: 400, edges: 240 };
@@ -40,18 +34,17 @@ const BURST = { vertices: 400, edges: 240 };
  * Steps one planner. `column` selects the clock: a column of the history, such as clearance evaluations, or -1 for
  * iterations.
  */
-export class Stepper {
+export class Stepper extends PlannerHost {
   /**
    * @param {Scenario} scenario
    * @param {string} algorithm
    * @param {Settings} settings  the query's name, the seed and the planner's parameters
    */
   constructor(scenario, algorithm, settings) {
-    this.planner = withOptions({ ...planned(algorithm, settings), algorithm }, (options) => scenario.planner(options));
+    super(withOptions({ ...planned(algorithm, settings), algorithm }, (options) => scenario.planner(options)));
     this.planner.record();
-    this.ended = false;
-    /** Rows that were sent. The page makes those before the first iteration itself. */
-    this.sent = this.counts;
+    // The page makes the rows before the first iteration itself.
+    this.sent = countsOf(this.planner);
   }
 
   /** Iterations made. */
@@ -59,13 +52,8 @@ export class Stepper {
     return this.planner.iterations;
   }
 
-  get counts() {
-    return {
-      iterations: this.made,
-      vertices: this.planner.vertexCount,
-      edges: this.planner.edgeCount,
-      events: this.planner.eventCount,
-    };
+  get ended() {
+    return this.planner.status !== "running";
   }
 
   /** The time of the last iteration; 0 before the first. @param {number} column */
@@ -108,14 +96,9 @@ export class Stepper {
     planner.free();
     this.planner.record();
     this.planner.step(Number.MAX_SAFE_INTEGER);
-    this.ended = true;
     // The page makes start and goals itself.
-    this.sent = {
-      iterations: 0,
-      vertices: 1 + this.planner.goals().length / this.planner.dimension,
-      edges: 0,
-      events: 0,
-    };
+    const vertices = 1 + this.planner.goals().length / this.planner.dimension;
+    this.sent = { vertices, edges: 0, events: 0, history: 0 };
     return this.growth(true);
   }
 
@@ -125,8 +108,7 @@ export class Stepper {
   }
 
   /**
-   * Plans until it has passed the time `wanted`, the run ends, the clock passes `until`, or the block is full. Slices
-   * are short at first and grow while they are cheap, so that no slice is long.
+   * Plans until it has passed the time `wanted`, the run ends, the clock passes `until`, or the block is full.
    * @param {number} column  of the history, -1 for iterations
    * @param {number} wanted  may be Infinity
    * @param {number} until   on the clock of performance.now(), milliseconds
@@ -135,54 +117,27 @@ export class Stepper {
    */
   advance(column, wanted, until, most = this.burst()) {
     const { planner } = this;
-    let slice = 1;
-    while (!this.hasPassed(column, wanted)) {
-      if (planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges) return false;
-      const began = performance.now();
-      if (began >= until) return false;
-      const left = column < 0 ? wanted - this.made : slice;
-      const { made } = this;
-      const status = planner.step(Math.min(slice, Math.ceil(left)));
-      this.ended = status !== "running";
-      const ended = performance.now();
-      const room = (until - ended) / (2 * Math.max((ended - began) / Math.max(1, this.made - made), 1e-4));
-      slice = Math.max(1, Math.min(2 * slice, LONGEST, Math.floor(room)));
-    }
-    return true;
+    let isFull = false;
+    const left = () => {
+      if (this.hasPassed(column, wanted)) return 0;
+      isFull = planner.vertexCount >= most.vertices || planner.edgeCount >= most.edges;
+      if (isFull) return 0;
+      return column < 0 ? wanted - this.made : Infinity;
+    };
+    return this.stepUntil(left, until) && !isFull;
   }
 
   /** What has grown since the last block. @param {boolean} isResult   with the current result @returns {Growth} */
   growth(isResult) {
-    const { planner, sent, ended } = this;
-    this.sent = this.counts;
+    const { planner, ended } = this;
+    const grown = this.grown();
     return {
-      history: planner.historySince(sent.iterations),
-      ...grownSince(planner, sent),
-      status: planner.status,
+      ...grown,
       phase: planner.phase,
       stats: planner.stats(),
-      result: isResult || ended ? planner.result() : null,
+      result: grown.result ?? (isResult ? planner.result() : null),
       path: ended ? planner.path() : null,
       rawPath: ended ? planner.rawPath() : null,
     };
   }
-
-  free() {
-    this.planner.free();
-  }
-}
-
-/**
- * The rows of a planner since these counts.
- * @param {Planner} planner
- * @param {{ vertices: number, edges: number, events: number }} counts
- */
-export function grownSince(planner, { vertices, edges, events }) {
-  return {
-    vertices: planner.verticesSince(vertices),
-    edges: planner.edgesSince(edges),
-    events: planner.eventsSince(events),
-    traces: planner.tracesSince(edges),
-    motions: planner.motionsSince(edges),
-  };
 }

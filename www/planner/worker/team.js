@@ -3,36 +3,29 @@
  * neither on its worker nor on the other planners; a planner that is faster than another gets ahead, and what is ahead
  * is not shown.
  */
-import { errorInfo } from "../../app/error-info.js";
+import { Crew, isLost } from "../../app/pool.js";
 
 /** @import { Advance, PlannerWorker } from "./worker.js" */
 /** @import { Growth } from "./stepper.js" */
 /** @import { ScenarioDocument } from "../../domain/types.js" */
 
-export class Team {
-  /** @param {PlannerWorker} first @param {() => PlannerWorker} hire   starts a further worker */
-  constructor(first, hire) {
-    this.workers = [first];
-    this.hire = hire;
-    /** Workers at most: a processor is left to the page. */
-    this.most = Math.max(1, (navigator.hardwareConcurrency || 1) - 1);
-    /** How many of them have planners; planner i belongs to worker i modulo this number. */
-    this.busy = 1;
-    /** The latest request for new planners. @type {Advance | null} */
-    this.latest = null;
-  }
+/** @extends {Crew<PlannerWorker>} */
+export class Team extends Crew {
+  /** How many workers have planners; planner i belongs to worker i modulo this number. */
+  busy = 1;
+  /** The latest request for new planners. @type {Advance | null} */
+  latest = null;
 
   /** Plans one block of each planner. @param {Advance} advance @returns {Promise<Growth[]>} */
   async advance(advance) {
-    const { workers } = this;
     const { fresh } = advance;
     if (fresh) {
       this.latest = advance;
-      this.busy = Math.max(1, Math.min(fresh.plans.length, this.most));
-      while (workers.length < this.busy) workers.push(this.hire());
+      this.grow(fresh.plans.length);
+      this.busy = Math.min(fresh.plans.length || 1, this.most);
     }
     // A worker that gets no new planners frees those that it had.
-    const asked = fresh ? workers : workers.slice(0, this.busy);
+    const asked = fresh ? this.workers : this.workers.slice(0, this.busy);
     const parts = asked.map((worker, i) =>
       worker.advance({
         ...advance,
@@ -42,9 +35,14 @@ export class Team {
     try {
       return interleaved(await Promise.all(parts), this.busy);
     } catch (error) {
-      if (advance !== this.latest || workers.length === 1 || errorInfo(error).code !== "") throw error;
-      // A further worker could not be loaded: the first one plans alone.
-      this.most = workers.length = 1;
+      if (advance !== this.latest || this.workers.length === 1 || !isLost(error)) throw error;
+      const ended = await Promise.allSettled(parts);
+      const lost = asked.filter((_, i) => {
+        const end = ended[i];
+        return end.status === "rejected" && isLost(end.reason);
+      });
+      if (lost.length === this.workers.length) throw error;
+      for (const worker of lost) this.drop(worker);
       return this.advance(advance);
     }
   }

@@ -6,7 +6,7 @@ import { PlannerHost, countsOf } from "../../../dist/package/planner-host.js";
 import { planned } from "../../domain/page-defaults.js";
 import { withOptions } from "../../domain/option-names.js";
 
-/** @import { WorkerGrowth } from "../../../dist/package/worker.js" */
+/** @import { WorkerGrowth } from "planarium/worker" */
 /** @import { Scenario, ScenarioDocument, Settings, Stats } from "../../domain/types.js" */
 
 /**

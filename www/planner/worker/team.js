@@ -36,13 +36,8 @@ export class Team extends Crew {
       return interleaved(await Promise.all(parts), this.busy);
     } catch (error) {
       if (advance !== this.latest || this.workers.length === 1 || !isLost(error)) throw error;
-      const ended = await Promise.allSettled(parts);
-      const lost = asked.filter((_, i) => {
-        const end = ended[i];
-        return end.status === "rejected" && isLost(end.reason);
-      });
-      if (lost.length === this.workers.length) throw error;
-      for (const worker of lost) this.drop(worker);
+      // A further worker could not be loaded: the first one plans alone.
+      for (const worker of this.workers.slice(1)) this.drop(worker);
       return this.advance(advance);
     }
   }

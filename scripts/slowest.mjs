@@ -1,4 +1,4 @@
-/** A reporter of Node's test runner: where the time went, by files and by tests. */
+/** A reporter of Node's test runner: where the time went, by files and by tests that have no subtests. */
 
 const FILES = 12;
 const TESTS = 20;
@@ -9,11 +9,16 @@ export default async function* slowest(events) {
   const files = new Map();
   /** @type {{ name: string, seconds: number }[]} */
   const tests = [];
+  /** The nesting of the last test of each file: a test that has subtests ends after the last of them. */
+  const nesting = new Map();
   for await (const { type, data } of events) {
-    if ((type !== "test:pass" && type !== "test:fail") || data.nesting > 0) continue;
+    if (type !== "test:pass" && type !== "test:fail") continue;
     const seconds = data.details.duration_ms / 1000;
     const file = data.file?.split(/[\\/]/).at(-1) ?? "?";
-    tests.push({ name: `${file}: ${data.name}`, seconds });
+    const hasParts = (nesting.get(file) ?? 0) > data.nesting;
+    nesting.set(file, data.nesting);
+    if (!hasParts) tests.push({ name: `${file}: ${data.name}`, seconds });
+    if (data.nesting > 0) continue;
     const { seconds: sum, tests: count } = files.get(file) ?? { seconds: 0, tests: 0 };
     files.set(file, { seconds: sum + seconds, tests: count + 1 });
   }

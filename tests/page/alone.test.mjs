@@ -55,18 +55,18 @@ test("the page in one file has at most 1260 KB and asks for nothing", () => {
   assert.doesNotMatch(html, /<(script|link|img)[^>]*(src|href)="(?!data:)/);
 });
 
-for (const where of ["from the disk", "in a sandboxed frame"]) {
-  test(`the page in one file runs ${where}, and plans the same bits as the package`, async () => {
-    const { algorithm, settings } = sceneOf("stones");
-    const { fingerprint } = ran(open(sceneOf("stones")), algorithm, settings).result;
-    await onPage(
-      { reducedMotion: "reduce" },
-      async (page) => {
+test("the page in one file runs from the disk and in a sandboxed frame, and plans the same bits as the package", () => {
+  const { algorithm, settings } = sceneOf("stones");
+  const { fingerprint } = ran(open(sceneOf("stones")), algorithm, settings).result;
+  return onPage(
+    { reducedMotion: "reduce" },
+    async (page) => {
+      for (const where of ["disk", "frame"]) {
         /** @type {string[]} */
         const requests = [];
         page.on("request", (request) => requests.push(request.url()));
         let frame = page.mainFrame();
-        if (where === "from the disk") {
+        if (where === "disk") {
           await page.goto(pathToFileURL(oneFile).href);
         } else {
           const outer = join(root, "dist", "one-file", "outer.html");
@@ -87,11 +87,11 @@ for (const where of ["from the disk", "in a sandboxed frame"]) {
           requests.every((url) => /^(file|data|blob):/.test(url)),
           requests.join(" "),
         );
-      },
-      { path: "icon.svg", expectErrors: true },
-    );
-  });
-}
+      }
+    },
+    { path: "icon.svg", expectErrors: true },
+  );
+});
 
 /** A parent page that stores all messages from the frame. @param {string} url */
 const parent = (url) => `<!doctype html><title>Parent</title><button id="before">before</button>

@@ -175,19 +175,25 @@ export async function onPage(options, test, { before, expectErrors = false, path
     isKept = key !== "";
   } finally {
     if (isKept) {
-      for (const other of context.pages()) if (other !== page) await other.close();
-      if (page.url().startsWith(url))
-        await page.evaluate(() => {
-          localStorage.clear();
-          sessionStorage.clear();
-        });
-      await context.clearPermissions();
-      await page.unrouteAll();
-      await page.mouse.move(0, 0);
+      await tidy(page);
       await page.goto("about:blank");
       idle.set(key, one);
     } else await context.close();
   }
+}
+
+/** Takes away what a test left around its document. @param {Page} page */
+export async function tidy(page) {
+  const context = page.context();
+  for (const other of context.pages()) if (other !== page) await other.close();
+  if (page.url().startsWith("http"))
+    await page.evaluate(() => {
+      localStorage.clear();
+      sessionStorage.clear();
+    });
+  await context.clearPermissions();
+  await page.unrouteAll();
+  await page.mouse.move(0, 0);
 }
 
 /**
@@ -399,6 +405,9 @@ export async function download(page, selector) {
   return { name: file.suggestedFilename(), bytes, text: bytes.toString() };
 }
 
+/** Takes away what a page exports. @param {Page} page @param {string} id */
+export const take = (page, id) => download(page, `#export-${id}`);
+
 /**
  * The times of the next five changes of an element, milliseconds of the page's clock. The clock is stopped and then
  * moved by this function alone, so that the times are those the page itself reads, however slow the machine is. It must
@@ -478,12 +487,31 @@ export const coloursOf = (page, expressions) =>
   );
 
 /**
- * The pixels of a layer, RGBA row by row, and its size.
+ * How many pixels of a layer have (nearly) the colour of a custom property.
+ * @param {Page} page @param {string} pane @param {LayerName} layer @param {string} property  without its dashes
+ */
+export async function pixelsOf(page, pane, layer, property) {
+  await frames(page);
+  const [wanted] = await coloursOf(page, [`var(--${property})`]);
+  return page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element, colour) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+    const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
+    const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, width, height));
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] > 200 && colour.every((value, k) => Math.abs(value - data[i + k]) < 12)) count++;
+    return count;
+  }, wanted);
+}
+
+/**
+ * How dense the pixels of a layer are, row by row, 0 to 255, and its size.
  * @param {Page} page
  * @param {string} pane
  * @param {LayerName} layer
  */
-async function imageOf(page, pane, layer) {
+export async function alphaOf(page, pane, layer) {
   await frames(page);
   const { width, height, text } = await page.locator(`#${pane} canvas[data-layer=${layer}]`).evaluate((element) => {
     const { width, height } = /** @type {HTMLCanvasElement} */ (element);
@@ -491,35 +519,11 @@ async function imageOf(page, pane, layer) {
     context?.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
     const { data } = /** @type {ImageData} */ (context?.getImageData(0, 0, width, height));
     const rows = Array.from({ length: height }, (_, y) =>
-      String.fromCharCode(...data.subarray(4 * y * width, 4 * (y + 1) * width)),
+      String.fromCharCode(...Array.from({ length: width }, (_, x) => data[4 * (y * width + x) + 3])),
     );
     return { width, height, text: btoa(rows.join("")) };
   });
-  return { width, height, data: Buffer.from(text, "base64") };
-}
-
-/**
- * How many pixels of a layer have (nearly) the colour of a custom property.
- * @param {Page} page @param {string} pane @param {LayerName} layer @param {string} property  without its dashes
- */
-export async function pixelsOf(page, pane, layer, property) {
-  const { data } = await imageOf(page, pane, layer);
-  const [wanted] = await coloursOf(page, [`var(--${property})`]);
-  let count = 0;
-  for (let i = 0; i < data.length; i += 4)
-    if (data[i + 3] > 200 && wanted.every((value, k) => Math.abs(data[i + k] - value) < 12)) count++;
-  return count;
-}
-
-/**
- * How dense the pixels of a layer are, 0 to 255, and its size.
- * @param {Page} page
- * @param {string} pane
- * @param {LayerName} layer
- */
-export async function alphaOf(page, pane, layer) {
-  const { width, height, data } = await imageOf(page, pane, layer);
-  return { width, height, alpha: data.filter((_, i) => i % 4 === 3) };
+  return { width, height, alpha: Buffer.from(text, "base64") };
 }
 
 /**

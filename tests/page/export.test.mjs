@@ -1,32 +1,26 @@
-/** What is taken away is what the stage shows, and what is brought comes in or is refused in words: in Chromium. */
+/** What is taken away is what the stage shows. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readNpy, writeNpy } from "../../www/formats/npy.js";
 import {
   PHONE,
   addressOf,
-  atRest,
-  chooseScene,
   click,
   counters,
-  download,
   fill,
   finish,
   growthHash,
   onPausedPage,
   pickFile,
-  pixelsOf,
   unfold,
   useBrowser,
+  take,
 } from "./browser.mjs";
-import { fixture, pickled } from "./npy.mjs";
+import { inTurn, restage } from "./turns.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
 useBrowser();
-
-/** Takes one thing away. @param {Page} page @param {string} id */
-const take = (page, id) => download(page, `#export-${id}`);
 
 /**
  * Makes pictures as a browser decodes them: `names` of variables in the page.
@@ -40,6 +34,7 @@ async function decode(page, files) {
         const image = new Image();
         image.src = `data:${type};base64,${base64}`;
         await image.decode();
+        document.getElementById(`decoded-${name}`)?.remove();
         image.id = `decoded-${name}`;
         image.hidden = true;
         document.body.append(image);
@@ -146,102 +141,6 @@ for (const ratio of [1, 2]) {
     ));
 }
 
-test("an SVG is well formed, looks like the picture, and asks for nothing from elsewhere", () =>
-  onPausedPage(async (page) => {
-    await finish(page);
-    await unfold(page, "export");
-    await page.selectOption("#export-scale", "1");
-    const png = await take(page, "png");
-    const { bytes: svg, text } = await take(page, "svg");
-    assert.ok(text.split("<path").length > 500, "its lines are paths");
-    assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
-    assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
-    // An image that is not well formed cannot be decoded.
-    await decode(page, { png: { bytes: png.bytes, type: "image/png" }, svg: { bytes: svg, type: "image/svg+xml" } });
-    const mean = await difference(page, "svg", "png");
-    assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
-    const blank = Buffer.from(text.replace(/<path[^>]*>/g, ""));
-    await decode(page, { blank: { bytes: blank, type: "image/svg+xml" } });
-    assert.ok((await difference(page, "blank", "png")) > 2 * mean, "without its lines it would not look like it");
-  }));
-
-test("a moving picture has its frames and ends with what the stage shows, which stands still", () =>
-  onPausedPage(async (page) => {
-    await click(page, "#step-100");
-    await unfold(page, "export");
-    await page.selectOption("#export-scale", "1");
-    const png = await take(page, "png");
-    await page.selectOption("#export-frames", "24");
-    await page.selectOption("#export-width", "480");
-    const before = [
-      await growthHash(page, "workspace"),
-      await growthHash(page, "cspace"),
-      JSON.stringify(await counters(page)),
-      await page.inputValue("#time"),
-    ];
-    await page.evaluate(() => {
-      /** @type {Set<string>} */
-      const seen = new Set();
-      const look = () => {
-        seen.add(
-          `${document.getElementById("counters")?.dataset.iterations} ${document.getElementById("counters")?.dataset.settled}`,
-        );
-        if (document.body.dataset.looking !== "no") requestAnimationFrame(look);
-        else document.body.dataset.seen = [...seen].join("|");
-      };
-      look();
-    });
-    const gif = await take(page, "gif");
-    await page.evaluate(() => {
-      document.body.dataset.looking = "no";
-    });
-    await page.waitForSelector("body[data-seen]");
-    assert.equal(await page.getAttribute("body", "data-seen"), "100 true", "no other iteration was told of meanwhile");
-    assert.deepEqual(
-      [
-        await growthHash(page, "workspace"),
-        await growthHash(page, "cspace"),
-        JSON.stringify(await counters(page)),
-        await page.inputValue("#time"),
-      ],
-      before,
-    );
-    assert.equal(gif.name, "stones-prm-seed0-100-growth.gif");
-    assert.equal(gif.bytes.subarray(0, 6).toString("latin1"), "GIF89a");
-    assert.equal(gif.bytes.readUInt16LE(6), 480);
-    await decode(page, { png: { bytes: png.bytes, type: "image/png" } });
-    const durations = await page.evaluate(async (base64) => {
-      const decoder = new ImageDecoder({
-        data: Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
-        type: "image/gif",
-      });
-      await decoder.tracks.ready;
-      await decoder.completed;
-      return Promise.all(
-        Array.from({ length: decoder.tracks.selectedTrack?.frameCount ?? 0 }, async (_, frameIndex) => {
-          const { image } = await decoder.decode({ frameIndex });
-          const canvas = document.createElement("canvas");
-          Object.assign(canvas, {
-            id: `decoded-${frameIndex}`,
-            width: image.displayWidth,
-            height: image.displayHeight,
-            hidden: true,
-          });
-          canvas.getContext("2d")?.drawImage(image, 0, 0);
-          document.body.append(canvas);
-          return image.duration ?? 0;
-        }),
-      );
-    }, gif.bytes.toString("base64"));
-    assert.equal(durations.length, 24);
-    assert.ok(durations[23] >= 2e6, `the last frame rests for ${durations[23]} us`);
-    const [first, middle, last] = await Promise.all(["0", "12", "23"].map((frame) => difference(page, "png", frame)));
-    assert.ok(
-      last < 3 && last < middle && middle < first,
-      `the mean differences to the picture are ${first}, ${middle}, ${last}`,
-    );
-  }));
-
 /**
  * Begins a moving picture and clicks a button as soon as it is being made: a click from outside may come after its end.
  * @param {import("playwright-core").Page} page @param {string} id
@@ -262,242 +161,245 @@ const clickWhileMade = (page, id) =>
     id,
   );
 
-test("a moving picture can be cancelled, and is not gone on with when another run begins", () =>
-  onPausedPage(async (page) => {
-    await finish(page);
-    await unfold(page, "export");
-    await page.selectOption("#export-frames", "96");
-    await clickWhileMade(page, "export-cancel");
-    await page.waitForFunction(() => document.getElementById("export-told")?.textContent === "Cancelled.");
-    assert.equal(await page.isVisible("#export-progress"), false);
-    await clickWhileMade(page, "reset");
-    await page.waitForSelector("#notice[data-code=run-replaced]");
-    assert.equal((await click(page, "#step-10")).iterations, 10);
-    assert.match((await take(page, "gif")).name, /-10-growth\.gif$/);
-  }));
+test("what is taken away is what the stage shows", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "what is missing says why; files hold the numbers of the run; the exported scene plans the same": async (
+          page,
+        ) => {
+          await unfold(page, "export");
+          const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#export-${id}`)));
+          assert.deepEqual(await off(), [true, true, false]);
+          assert.match(await page.innerText("#export-gif-hint"), /Nothing has happened/);
+          assert.match(await page.innerText("#export-path-hint"), /No path/);
+          const run = await finish(page);
+          assert.deepEqual(await off(), [false, false, false]);
+          const csv = (await take(page, "counters")).text
+            .trimEnd()
+            .split("\r\n")
+            .map((row) => row.split(","));
+          assert.deepEqual(csv[0], [
+            "iteration",
+            "vertices",
+            "edges",
+            "events",
+            "phase",
+            "configuration_checks",
+            "motion_checks",
+            "clearance_evaluations",
+            "cost",
+          ]);
+          assert.equal(csv.length - 1, run.iterations + 1);
+          assert.deepEqual(csv[1].slice(0, 5), ["0", "2", "0", "0", "sampling"]);
+          const last = csv[csv.length - 1];
+          assert.deepEqual(last.slice(0, 3), [run.iterations, run.vertices, run.edges].map(String));
+          assert.equal(last[5], (await page.innerText("#count-checks")).replace(",", ""));
 
-test("what is missing says why; files hold the numbers of the run; the exported scene plans the same", () =>
-  onPausedPage(async (page) => {
-    await unfold(page, "export");
-    const off = () => Promise.all(["gif", "path", "png"].map((id) => page.isDisabled(`#export-${id}`)));
-    assert.deepEqual(await off(), [true, true, false]);
-    assert.match(await page.innerText("#export-gif-hint"), /Nothing has happened/);
-    assert.match(await page.innerText("#export-path-hint"), /No path/);
-    const run = await finish(page);
-    assert.deepEqual(await off(), [false, false, false]);
-    const csv = (await take(page, "counters")).text
-      .trimEnd()
-      .split("\r\n")
-      .map((row) => row.split(","));
-    assert.deepEqual(csv[0], [
-      "iteration",
-      "vertices",
-      "edges",
-      "events",
-      "phase",
-      "configuration_checks",
-      "motion_checks",
-      "clearance_evaluations",
-      "cost",
-    ]);
-    assert.equal(csv.length - 1, run.iterations + 1);
-    assert.deepEqual(csv[1].slice(0, 5), ["0", "2", "0", "0", "sampling"]);
-    const last = csv[csv.length - 1];
-    assert.deepEqual(last.slice(0, 3), [run.iterations, run.vertices, run.edges].map(String));
-    assert.equal(last[5], (await page.innerText("#count-checks")).replace(",", ""));
+          const result = await take(page, "result");
+          const { path, fingerprint, length, stats } = JSON.parse(result.text);
+          assert.deepEqual([fingerprint, length, stats.vertices], [run.fingerprint, run.length, run.vertices]);
 
-    const result = await take(page, "result");
-    const { path, fingerprint, length, stats } = JSON.parse(result.text);
-    assert.deepEqual([fingerprint, length, stats.vertices], [run.fingerprint, run.length, run.vertices]);
+          const taken = await take(page, "path");
+          assert.equal(taken.name, `stones-prm-seed0-${run.iterations}-path.npy`);
+          assert.deepEqual(readNpy(taken.bytes), { shape: [path.length, 2], data: Float64Array.from(path.flat()) });
+          const vertices = readNpy((await take(page, "vertices")).bytes);
+          assert.deepEqual(vertices.shape, [run.vertices, 2]);
+          assert.deepEqual(
+            vertices.data.slice(0, 4),
+            Float64Array.from([...path[0], ...path[path.length - 1]]),
+            "start and goal come first",
+          );
+          await fill(page, "#time", "50");
+          await page.waitForSelector("#counters[data-iterations='50'][data-settled=true]", { state: "attached" });
+          assert.equal(
+            readNpy((await take(page, "vertices")).bytes).shape[0],
+            (await counters(page)).vertices,
+            "those that are shown",
+          );
 
-    const taken = await take(page, "path");
-    assert.equal(taken.name, `stones-prm-seed0-${run.iterations}-path.npy`);
-    assert.deepEqual(readNpy(taken.bytes), { shape: [path.length, 2], data: Float64Array.from(path.flat()) });
-    const vertices = readNpy((await take(page, "vertices")).bytes);
-    assert.deepEqual(vertices.shape, [run.vertices, 2]);
-    assert.deepEqual(
-      vertices.data.slice(0, 4),
-      Float64Array.from([...path[0], ...path[path.length - 1]]),
-      "start and goal come first",
-    );
-    await fill(page, "#time", "50");
-    await page.waitForSelector("#counters[data-iterations='50'][data-settled=true]", { state: "attached" });
-    assert.equal(
-      readNpy((await take(page, "vertices")).bytes).shape[0],
-      (await counters(page)).vertices,
-      "those that are shown",
-    );
+          const scene = await take(page, "scenario");
+          assert.equal(scene.name, "stones.json");
+          await pickFile(page, scene.name, scene.text);
+          await page.waitForSelector("body[data-scene=file]");
+          assert.equal((await finish(page)).fingerprint, run.fingerprint);
+        },
 
-    const scene = await take(page, "scenario");
-    assert.equal(scene.name, "stones.json");
-    await pickFile(page, scene.name, scene.text);
-    await page.waitForSelector("body[data-scene=file]");
-    assert.equal((await finish(page)).fingerprint, run.fingerprint);
-  }));
+        "an SVG is well formed, looks like the picture, and asks for nothing from elsewhere": async (page) => {
+          await finish(page);
+          await unfold(page, "export");
+          await page.selectOption("#export-scale", "1");
+          const png = await take(page, "png");
+          const { bytes: svg, text } = await take(page, "svg");
+          assert.ok(text.split("<path").length > 500, "its lines are paths");
+          assert.match(text, /<title>[^<]*roadmap[^<]*<\/title>/);
+          assert.doesNotMatch(text, /color-mix|image:\d|href="(?!data:image\/png)/);
+          // An image that is not well formed cannot be decoded.
+          await decode(page, {
+            png: { bytes: png.bytes, type: "image/png" },
+            svg: { bytes: svg, type: "image/svg+xml" },
+          });
+          const mean = await difference(page, "svg", "png");
+          assert.ok(mean > 0 && mean < 3, `the mean difference is ${mean}`);
+          const blank = Buffer.from(text.replace(/<path[^>]*>/g, ""));
+          await decode(page, { blank: { bytes: blank, type: "image/svg+xml" } });
+          assert.ok((await difference(page, "blank", "png")) > 2 * mean, "without its lines it would not look like it");
+        },
 
-test("a race is exported with each planner in one table, and by choice in a separate file", () =>
-  onPausedPage(async (page) => {
-    await page.locator("#race-fold > summary").click();
-    await page.click("#add-rival");
-    await page.waitForSelector("#lane-B");
-    await page.click("#finish");
-    await page.waitForFunction(
-      () =>
-        [...document.querySelectorAll("#standings tbody tr")].length === 2 &&
-        document.getElementById("counters")?.dataset.settled === "true",
-    );
-    await unfold(page, "export");
-    const rows = (await take(page, "counters")).text
-      .trimEnd()
-      .split("\r\n")
-      .map((row) => row.split(","));
-    assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
-    assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
-    await page.selectOption("#export-lane", "1");
-    const { planner } = JSON.parse((await take(page, "result")).text);
-    assert.ok(
-      rows.some(([name]) => name === `"B ${planner}"`),
-      planner,
-    );
-    const { name, bytes } = await take(page, "png");
-    assert.match(name, /^stones-race-/);
-    assert.ok(sizeOfPng(bytes)[0] > 100);
-  }));
+        "a moving picture has its frames and ends with what the stage shows, which stands still": async (page) => {
+          await click(page, "#step-100");
+          await unfold(page, "export");
+          await page.selectOption("#export-scale", "1");
+          const png = await take(page, "png");
+          await page.selectOption("#export-frames", "24");
+          await page.selectOption("#export-width", "480");
+          const before = [
+            await growthHash(page, "workspace"),
+            await growthHash(page, "cspace"),
+            JSON.stringify(await counters(page)),
+            await page.inputValue("#time"),
+          ];
+          await page.evaluate(() => {
+            /** @type {Set<string>} */
+            const seen = new Set();
+            const look = () => {
+              seen.add(
+                `${document.getElementById("counters")?.dataset.iterations} ${document.getElementById("counters")?.dataset.settled}`,
+              );
+              if (document.body.dataset.looking !== "no") requestAnimationFrame(look);
+              else document.body.dataset.seen = [...seen].join("|");
+            };
+            look();
+          });
+          const gif = await take(page, "gif");
+          await page.evaluate(() => {
+            document.body.dataset.looking = "no";
+          });
+          await page.waitForSelector("body[data-seen]");
+          assert.equal(
+            await page.getAttribute("body", "data-seen"),
+            "100 true",
+            "no other iteration was told of meanwhile",
+          );
+          assert.deepEqual(
+            [
+              await growthHash(page, "workspace"),
+              await growthHash(page, "cspace"),
+              JSON.stringify(await counters(page)),
+              await page.inputValue("#time"),
+            ],
+            before,
+          );
+          assert.equal(gif.name, "stones-prm-seed0-100-growth.gif");
+          assert.equal(gif.bytes.subarray(0, 6).toString("latin1"), "GIF89a");
+          assert.equal(gif.bytes.readUInt16LE(6), 480);
+          await decode(page, { png: { bytes: png.bytes, type: "image/png" } });
+          const durations = await page.evaluate(async (base64) => {
+            const decoder = new ImageDecoder({
+              data: Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
+              type: "image/gif",
+            });
+            await decoder.tracks.ready;
+            await decoder.completed;
+            return Promise.all(
+              Array.from({ length: decoder.tracks.selectedTrack?.frameCount ?? 0 }, async (_, frameIndex) => {
+                const { image } = await decoder.decode({ frameIndex });
+                const canvas = document.createElement("canvas");
+                Object.assign(canvas, {
+                  id: `decoded-${frameIndex}`,
+                  width: image.displayWidth,
+                  height: image.displayHeight,
+                  hidden: true,
+                });
+                canvas.getContext("2d")?.drawImage(image, 0, 0);
+                document.body.append(canvas);
+                return image.duration ?? 0;
+              }),
+            );
+          }, gif.bytes.toString("base64"));
+          assert.equal(durations.length, 24);
+          assert.ok(durations[23] >= 2e6, `the last frame rests for ${durations[23]} us`);
+          const [first, middle, last] = await Promise.all(
+            ["0", "12", "23"].map((frame) => difference(page, "png", frame)),
+          );
+          assert.ok(
+            last < 3 && last < middle && middle < first,
+            `the mean differences to the picture are ${first}, ${middle}, ${last}`,
+          );
+        },
 
-const SQUARES = [0.1, 0.1, 0.2, 0.1, 0.2, 0.2, 0.1, 0.2, /**/ 1.7, 1.7, 1.9, 1.7, 1.9, 1.9, 1.7, 1.9];
+        "a moving picture can be cancelled, and is not gone on with when another run begins": async (page) => {
+          await finish(page);
+          await unfold(page, "export");
+          await page.selectOption("#export-frames", "96");
+          await clickWhileMade(page, "export-cancel");
+          await page.waitForFunction(() => document.getElementById("export-told")?.textContent === "Cancelled.");
+          assert.equal(await page.isVisible("#export-progress"), false);
+          await clickWhileMade(page, "reset");
+          await page.waitForSelector("#notice[data-code=run-replaced]");
+          assert.equal((await click(page, "#step-10")).iterations, 10);
+          assert.match((await take(page, "gif")).name, /-10-growth\.gif$/);
+        },
 
-test("NumPy polygons are added to the scene, replace its obstacles or are left out; the planner stays", () =>
-  onPausedPage(async (page) => {
-    await page.selectOption("#planner", "rrt-connect");
-    const before = await obstacles(page);
-    for (const name of ["numpy1-ragged", "numpy2-ragged"]) {
-      await pickFile(page, "ragged.npy", fixture(name));
-      await page.waitForSelector("#notice.question");
-      assert.match(await page.innerText("#notice"), /3 polygons with 10 vertices/);
-      await page.keyboard.press("Escape");
-      assert.equal(await page.isVisible("#notice"), false);
-    }
-    assert.equal(await page.getAttribute("body", "data-scene"), "stones");
-    assert.equal(await obstacles(page), before);
-    await pickFile(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
-    await page.waitForSelector("#notice.question");
-    assert.match(await page.innerText("#notice"), /squares\.npy holds 2 polygons with 8 vertices/);
-    assert.equal(
-      await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).dataset.choice),
-      "add",
-      "the keyboard is at the choices",
-    );
-    await page.keyboard.press("Enter");
-    await page.waitForSelector("body[data-scene=file]");
-    assert.equal(await obstacles(page), before + 2);
-    assert.equal(await page.inputValue("#planner"), "rrt-connect");
-    assert.equal(await page.isVisible("#notice"), false);
-    await pickFile(page, "squares.npy", writeNpy(Float64Array.from(SQUARES), [2, 4, 2]));
-    await page.click("#notice [data-choice=replace]");
-    await page.waitForFunction(() => document.getElementById("notice")?.hidden);
-    assert.equal(await obstacles(page), 2);
-    assert.equal((await finish(page)).status, "solved");
-  }));
+        "a race is exported with each planner in one table, and by choice in a separate file": async (page) => {
+          await page.locator("#race-fold > summary").click();
+          await page.click("#add-rival");
+          await page.waitForSelector("#lane-B");
+          await page.click("#finish");
+          await page.waitForFunction(
+            () =>
+              [...document.querySelectorAll("#standings tbody tr")].length === 2 &&
+              document.getElementById("counters")?.dataset.settled === "true",
+          );
+          await unfold(page, "export");
+          const rows = (await take(page, "counters")).text
+            .trimEnd()
+            .split("\r\n")
+            .map((row) => row.split(","));
+          assert.deepEqual(rows[0].slice(0, 2), ["planner", "iteration"]);
+          assert.equal(new Set(rows.slice(1).map(([planner]) => planner)).size, 2);
+          await page.selectOption("#export-lane", "1");
+          const { planner } = JSON.parse((await take(page, "result")).text);
+          assert.ok(
+            rows.some(([name]) => name === `"B ${planner}"`),
+            planner,
+          );
+          const { name, bytes } = await take(page, "png");
+          assert.match(name, /^stones-race-/);
+          assert.ok(sizeOfPng(bytes)[0] > 100);
+        },
 
-test("NumPy configurations are marked by shape on both sheets, counted and cleared", () =>
-  onPausedPage(async (page) => {
-    const blank = await pixelsOf(page, "workspace", "ground", "collision");
-    // Straight poses all around: some touch a stone, some do not.
-    const rows = Float64Array.from({ length: 400 }, (_, i) =>
-      i % 2 ? (Math.floor(i / 20) / 20) * 5 - 2.5 : ((i % 20) / 20) * 6 - 3,
-    );
-    await pickFile(page, "poses.npy", writeNpy(rows, [200, 2]));
-    await page.click("#notice [data-choice=mark]");
-    await page.waitForSelector("#marked[data-count='200']");
-    await atRest(page);
-    const free = Number(await page.getAttribute("#marked", "data-free"));
-    assert.ok(free > 0 && free < 200, `${free} are free`);
-    assert.match(
-      await page.innerText("#marked"),
-      new RegExp(`200 configurations of poses.npy: *${free} free, *${200 - free} in collision`),
-    );
-    assert.equal(blank, 0);
-    for (const pane of ["workspace", "cspace"]) {
-      assert.ok((await pixelsOf(page, pane, "ground", "collision")) > 50, `${pane}: crosses`);
-      assert.ok((await pixelsOf(page, pane, "ground", "ink")) > 50, `${pane}: discs`);
-    }
-    // More than a polygon may have can only be configurations.
-    await pickFile(page, "cloud.npy", writeNpy(new Float64Array(12_000), [6000, 2]));
-    await page.waitForSelector("#marked[data-count='6000']");
-    await click(page, "#marked button");
-    assert.equal(await pixelsOf(page, "cspace", "ground", "collision"), 0);
-    assert.equal(await page.isVisible("#marked"), false);
-    await pickFile(page, "poses.npy", writeNpy(rows.slice(0, 4), [2, 2]));
-    await page.waitForSelector("#marked[data-count='2']:not([hidden])");
-    await chooseScene(page, "pillar");
-    assert.equal(await page.isVisible("#marked"), false);
-    assert.equal(await pixelsOf(page, "workspace", "ground", "collision"), 0);
-  }));
-
-test("whatever is wrong is refused in a sentence with a code, and the stage stays as it was", () =>
-  onPausedPage(async (page) => {
-    /** @type {[string, Uint8Array, RegExp][]} */
-    const files = [
-      ["hostile.npy", pickled("\x80\x02cos\nsystem\n(X\x02\x00\x00\x00lstR."), /asks for os\.system, which is refused/],
-      ["cut.npy", fixture("numpy2-ragged").subarray(0, 170), /./],
-      ["empty.npy", new Uint8Array(), /not a NumPy array/],
-      ["wide.npy", writeNpy(new Float64Array(35), [5, 7]), /Its shape is \(5, 7\)/],
-      [
-        "nan.npy",
-        writeNpy(Float64Array.of(0, 0, 1, NaN, 2, 2), [1, 3, 2]),
-        /Vertex 1 of polygon 0 must be two finite numbers/,
-      ],
-      ["pair.npy", writeNpy(Float64Array.of(0, 0, 1, NaN), [2, 2]), /Number 1 of configuration 1 is not finite/],
-      ["many.npy", writeNpy(new Float64Array(5001 * 2 * 3), [5001, 3, 2]), /5000 vertices|list of polygons/],
-      ["huge.npy", new Uint8Array(11 * 2 ** 20).fill(0x93), /11\.0 MB; the limit is 10 MB/],
-    ];
-    for (const [name, bytes, sentence] of files) {
-      await pickFile(page, name, bytes);
-      await page.waitForFunction(
-        (file) => document.querySelector("#notice strong")?.textContent?.startsWith(file),
-        name,
-      );
-      assert.match(await page.innerText("#notice"), sentence, name);
-      assert.equal(
-        await page.getAttribute("#notice", "data-code"),
-        name === "huge.npy" ? "too-large" : "invalid-npy",
-        name,
-      );
-    }
-    // The core has the last word: a polygon that crosses itself.
-    await pickFile(page, "bow.npy", writeNpy(Float64Array.of(0.1, 0.1, 0.3, 0.3, 0.3, 0.1, 0.1, 0.3), [1, 4, 2]));
-    await page.click("#notice [data-choice=add]");
-    await page.waitForSelector("#notice[data-code]:not(.question)");
-    assert.match((await page.getAttribute("#notice", "data-pointer")) ?? "", /^\/world\/obstacles\/\d+/);
-    assert.equal(await page.getAttribute("body", "data-scene"), "stones");
-    assert.equal((await finish(page)).status, "solved");
-  }));
-
-test("what is copied to embed the stage opens it there", () =>
-  onPausedPage(async (page, url) => {
-    await page.selectOption("#planner", "rrt");
-    await click(page, "#step-100");
-    await unfold(page, "export");
-    await page.locator("#embed-fold > summary").click();
-    for (const [kind, sign] of [
-      ["page", /^<iframe src="([^"]+)"/],
-      ["slides", /data-src="([^"]+)"/],
-      ["notebook", /IFrame\("([^"]+)"/],
-    ]) {
-      await page.selectOption("#embed-kind", String(kind));
-      await page.waitForFunction(
-        ([source]) =>
-          new RegExp(source).test(/** @type {HTMLTextAreaElement} */ (document.getElementById("embed-text")).value),
-        [/** @type {RegExp} */ (sign).source],
-      );
-      const [, address] = /** @type {RegExp} */ (sign).exec(await page.inputValue("#embed-text")) ?? [];
-      assert.ok(address.startsWith(`${addressOf(url, "?embed=1")}#`), address);
-      if (kind !== "notebook") continue;
-      await page.goto(address);
-      await page.waitForSelector("#counters[data-settled=true][data-iterations='100']", { state: "attached" });
-      assert.equal(await page.inputValue("#planner"), "rrt");
-    }
-  }));
+        "what is copied to embed the stage opens it there": async (page, url) => {
+          await page.selectOption("#planner", "rrt");
+          await click(page, "#step-100");
+          await unfold(page, "export");
+          await page.locator("#embed-fold > summary").click();
+          for (const [kind, sign] of [
+            ["page", /^<iframe src="([^"]+)"/],
+            ["slides", /data-src="([^"]+)"/],
+            ["notebook", /IFrame\("([^"]+)"/],
+          ]) {
+            await page.selectOption("#embed-kind", String(kind));
+            await page.waitForFunction(
+              ([source]) =>
+                new RegExp(source).test(
+                  /** @type {HTMLTextAreaElement} */ (document.getElementById("embed-text")).value,
+                ),
+              [/** @type {RegExp} */ (sign).source],
+            );
+            const [, address] = /** @type {RegExp} */ (sign).exec(await page.inputValue("#embed-text")) ?? [];
+            assert.ok(address.startsWith(`${addressOf(url, "?embed=1")}#`), address);
+            if (kind !== "notebook") continue;
+            await page.goto(address);
+            await page.waitForSelector("#counters[data-settled=true][data-iterations='100']", { state: "attached" });
+            assert.equal(await page.inputValue("#planner"), "rrt");
+          }
+        },
+      },
+      restage,
+    ),
+  ));
 
 test("on a phone all of it is at hand, and the picture is as tall as the stage", () =>
   onPausedPage(
@@ -518,9 +420,3 @@ test("on a phone all of it is at hand, and the picture is as tall as the stage",
     },
     { ...PHONE, colorScheme: "dark" },
   ));
-
-/** How many obstacles the scene on the stage has: read from what would be taken away. @param {Page} page */
-async function obstacles(page) {
-  if ((await page.locator("#export-scenario").count()) === 0) await unfold(page, "export");
-  return JSON.parse((await take(page, "scenario")).text).world.obstacles.length;
-}

@@ -20,8 +20,9 @@ import {
   useBrowser,
 } from "./browser.mjs";
 import { readGif } from "./gif.mjs";
-import { click as clickRoom, onReach, poseOf, rest } from "./reach.mjs";
+import { click as clickRoom, onReach, poseOf, putBack, rest } from "./reach.mjs";
 import { readWebm } from "./webm.mjs";
+import { inTurn, restage } from "./turns.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 /** @typedef {ReturnType<typeof readGif>} Gif */
@@ -89,8 +90,8 @@ async function assertEnds(page, gif, first, last) {
 /** Plays a video to its end, faster than it would be. @param {Page} page @param {Buffer} bytes */
 async function played(page, bytes) {
   // The page's policy allows no video of its own.
-  await page.goto("about:blank");
-  return page.evaluate(async (base64) => {
+  const other = await page.context().newPage();
+  return other.evaluate(async (base64) => {
     const video = document.createElement("video");
     Object.assign(video, {
       muted: true,
@@ -105,136 +106,162 @@ async function played(page, bytes) {
   }, bytes.toString("base64"));
 }
 
-test("a robot is filmed from the start of its path to the goal, as a GIF and as a WebM that plays; the stage stays as it is", () =>
-  onPausedPage(async (page) => {
-    await finish(page);
-    await unfold(page, "export");
-    await page.selectOption("#export-scale", "1");
-    const pictures = [];
-    for (const along of ["0", "1", "0.3"]) {
-      await page.fill("#along", along);
-      pictures.push((await download(page, "#export-png")).bytes);
-    }
-    await page.selectOption("#export-film", "path");
-    await page.selectOption("#export-width", "480");
-    const gif = await film(page, "gif");
-    assert.match(gif.name, /^stones-prm-seed0-\d+-path\.gif$/);
-    const read = readGif(gif.bytes);
-    assert.equal(read.width, 480);
-    assert.equal(read.loops, 0);
-    assert.ok(
-      read.frames.length > 30 && gif.bytes.length < 1e6,
-      `${read.frames.length} frames, ${gif.bytes.length} bytes`,
-    );
-    await assertEnds(page, read, pictures[0], pictures[1]);
-    assert.equal(await page.inputValue("#along"), "0.3");
-    assert.deepEqual((await download(page, "#export-png")).bytes, pictures[2]);
-    const webm = await film(page, "webm");
-    const { kind, codec, tracks, ...video } = readWebm(webm.bytes);
-    assert.deepEqual([kind, codec, tracks, video.width, video.height], ["webm", "V_VP9", 1, read.width, read.height]);
-    const seconds = read.frames.reduce((sum, { delay }) => sum + delay, 0) / 100;
-    assert.ok(Math.abs(video.duration - seconds) < 0.1, `${video.duration} s and ${seconds} s`);
-    // 30 frames a second and 20, and a rest of two seconds.
-    assert.ok(
-      Math.abs(video.frames - 1.5 * read.frames.length) <= 1,
-      `${video.frames} and ${read.frames.length} frames`,
-    );
-    const shown = await played(page, webm.bytes);
-    assert.deepEqual([shown.width, shown.height], [read.width, read.height]);
-    assert.ok(Math.abs(shown.duration - video.duration) < 0.01 && shown.at === shown.duration, JSON.stringify(shown));
-  }, SMALL));
+test("a robot is filmed on its path, and a drive", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "from the start to the goal, as a GIF and as a WebM that plays; the stage stays as it is": async (page) => {
+          await finish(page);
+          await unfold(page, "export");
+          await page.selectOption("#export-scale", "1");
+          const pictures = [];
+          for (const along of ["0", "1", "0.3"]) {
+            await page.fill("#along", along);
+            pictures.push((await download(page, "#export-png")).bytes);
+          }
+          await page.selectOption("#export-film", "path");
+          await page.selectOption("#export-width", "480");
+          const gif = await film(page, "gif");
+          assert.match(gif.name, /^stones-prm-seed0-\d+-path\.gif$/);
+          const read = readGif(gif.bytes);
+          assert.equal(read.width, 480);
+          assert.equal(read.loops, 0);
+          assert.ok(
+            read.frames.length > 30 && gif.bytes.length < 1e6,
+            `${read.frames.length} frames, ${gif.bytes.length} bytes`,
+          );
+          await assertEnds(page, read, pictures[0], pictures[1]);
+          assert.equal(await page.inputValue("#along"), "0.3");
+          assert.deepEqual((await download(page, "#export-png")).bytes, pictures[2]);
+          const webm = await film(page, "webm");
+          const { kind, codec, tracks, ...video } = readWebm(webm.bytes);
+          assert.deepEqual(
+            [kind, codec, tracks, video.width, video.height],
+            ["webm", "V_VP9", 1, read.width, read.height],
+          );
+          const seconds = read.frames.reduce((sum, { delay }) => sum + delay, 0) / 100;
+          assert.ok(Math.abs(video.duration - seconds) < 0.1, `${video.duration} s and ${seconds} s`);
+          // 30 frames a second and 20, and a rest of two seconds.
+          assert.ok(
+            Math.abs(video.frames - 1.5 * read.frames.length) <= 1,
+            `${video.frames} and ${read.frames.length} frames`,
+          );
+          const shown = await played(page, webm.bytes);
+          assert.deepEqual([shown.width, shown.height], [read.width, read.height]);
+          assert.ok(
+            Math.abs(shown.duration - video.duration) < 0.01 && shown.at === shown.duration,
+            JSON.stringify(shown),
+          );
+        },
 
-test("a drive is filmed from the start to where the car is, and one control from there", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "parking");
-    await unfold(page, "export");
-    await page.selectOption("#export-scale", "1");
-    await page.selectOption("#export-width", "480");
-    await page.selectOption("#export-film", "drive");
-    assert.deepEqual(
-      [await page.isDisabled("#export-gif"), await page.innerText("#export-gif-hint")],
-      [true, "Nothing has been driven."],
-    );
-    await page.click("#your-turn");
-    await page.waitForSelector("#drive:not([hidden])");
-    const first = (await download(page, "#export-png")).bytes;
-    await page.focus("#stage");
-    for (const key of ["w", "w", "w", "a", "c", "c", "c", "c"]) await page.keyboard.press(key);
-    await page.waitForSelector("#drive[data-keys='8']");
-    const last = (await download(page, "#export-png")).bytes;
-    const read = readGif((await film(page, "gif")).bytes);
-    await assertEnds(page, read, first, last);
-    assert.equal(read.frames.length, 40, "two seconds of driving");
-    await page.selectOption("#export-film", "control");
-    assert.equal(await page.isDisabled("#export-webm"), true);
-    await page.click("#drive .more summary");
-    await page.fill("#roll-v", "0.5");
-    await page.click("#drive .roll button");
-    await page.waitForSelector("#export-webm:enabled");
-    const { bytes } = await film(page, "webm");
-    assert.ok(readWebm(bytes).frames >= 30);
-    await page.evaluate(() => {
-      VideoEncoder.isConfigSupported = async () => ({ supported: false });
-    });
-    await page.click("#export-webm");
-    await page.waitForSelector("#notice[data-code=no-encoder]");
-    assert.equal(await page.isVisible("#export-progress"), false);
-  }, SMALL));
+        "from the start to where the car is, and one control from there": async (page) => {
+          await chooseScene(page, "parking");
+          await unfold(page, "export");
+          await page.selectOption("#export-scale", "1");
+          await page.selectOption("#export-width", "480");
+          await page.selectOption("#export-film", "drive");
+          assert.deepEqual(
+            [await page.isDisabled("#export-gif"), await page.innerText("#export-gif-hint")],
+            [true, "Nothing has been driven."],
+          );
+          await page.click("#your-turn");
+          await page.waitForSelector("#drive:not([hidden])");
+          const first = (await download(page, "#export-png")).bytes;
+          await page.focus("#stage");
+          for (const key of ["w", "w", "w", "a", "c", "c", "c", "c"]) await page.keyboard.press(key);
+          await page.waitForSelector("#drive[data-keys='8']");
+          const last = (await download(page, "#export-png")).bytes;
+          const read = readGif((await film(page, "gif")).bytes);
+          await assertEnds(page, read, first, last);
+          assert.equal(read.frames.length, 40, "two seconds of driving");
+          await page.selectOption("#export-film", "control");
+          assert.equal(await page.isDisabled("#export-webm"), true);
+          await page.click("#drive .more summary");
+          await page.fill("#roll-v", "0.5");
+          await page.click("#drive .roll button");
+          await page.waitForSelector("#export-webm:enabled");
+          const { bytes } = await film(page, "webm");
+          assert.ok(readWebm(bytes).frames >= 30);
+          await page.evaluate(() => {
+            VideoEncoder.isConfigSupported = async () => ({ supported: false });
+          });
+          await page.click("#export-webm");
+          await page.waitForSelector("#notice[data-code=no-encoder]");
+          assert.equal(await page.isVisible("#export-progress"), false);
+        },
+      },
+      restage,
+    ),
+    SMALL,
+  ));
 
-test("the motion from A to B and a run of inverse kinematics are filmed, and the arm stays where it is", () =>
-  onReach(async (page) => {
-    await unfold(page, "export");
-    await page.selectOption("#export-width", "480");
-    assert.equal(await page.inputValue("#export-film"), "between");
-    await page.click("#mode-between");
-    await rest(page);
-    const ends = [];
-    for (const along of ["0", "1", "0.5"]) {
-      await page.fill("#along", along);
-      await rest(page);
-      ends.push((await download(page, "#export-png")).bytes);
-    }
-    const before = await poseOf(page);
-    const motion = await film(page, "gif");
-    assert.match(motion.name, /-between\.gif$/);
-    await assertEnds(page, readGif(motion.bytes), ends[0], ends[1]);
-    assert.deepEqual(await poseOf(page), before);
-    await page.click("#mode-solve");
-    await rest(page);
-    assert.match(await page.innerText("#export-gif-hint"), /let it run first/);
-    const start = (await download(page, "#export-png")).bytes;
-    for (const _ of [1, 2]) await clickRoom(page, "#solve-step-10");
-    const told = await page.locator("#solve").evaluate((host) => ({ .../** @type {HTMLElement} */ (host).dataset }));
-    const end = (await download(page, "#export-png")).bytes;
-    await assertEnds(page, readGif((await film(page, "gif")).bytes), start, end);
-    assert.deepEqual(
-      await page.locator("#solve").evaluate((host) => ({ .../** @type {HTMLElement} */ (host).dataset })),
-      told,
-    );
-  }, SMALL));
+test("an arm is filmed", (t) =>
+  onReach(
+    inTurn(
+      t,
+      {
+        "the motion from A to B and a run of inverse kinematics are filmed, and the arm stays where it is": async (
+          page,
+        ) => {
+          await unfold(page, "export");
+          await page.selectOption("#export-width", "480");
+          assert.equal(await page.inputValue("#export-film"), "between");
+          await page.click("#mode-between");
+          await rest(page);
+          const ends = [];
+          for (const along of ["0", "1", "0.5"]) {
+            await page.fill("#along", along);
+            await rest(page);
+            ends.push((await download(page, "#export-png")).bytes);
+          }
+          const before = await poseOf(page);
+          const motion = await film(page, "gif");
+          assert.match(motion.name, /-between\.gif$/);
+          await assertEnds(page, readGif(motion.bytes), ends[0], ends[1]);
+          assert.deepEqual(await poseOf(page), before);
+          await page.click("#mode-solve");
+          await rest(page);
+          assert.match(await page.innerText("#export-gif-hint"), /let it run first/);
+          const start = (await download(page, "#export-png")).bytes;
+          for (const _ of [1, 2]) await clickRoom(page, "#solve-step-10");
+          const told = await page
+            .locator("#solve")
+            .evaluate((host) => ({ .../** @type {HTMLElement} */ (host).dataset }));
+          const end = (await download(page, "#export-png")).bytes;
+          await assertEnds(page, readGif((await film(page, "gif")).bytes), start, end);
+          assert.deepEqual(
+            await page.locator("#solve").evaluate((host) => ({ .../** @type {HTMLElement} */ (host).dataset })),
+            told,
+          );
+        },
 
-test("another arm ends the film of the one before, in words", () =>
-  onReach(async (page) => {
-    await unfold(page, "export");
-    await page.click("#mode-between");
-    await rest(page);
-    await page.evaluate(
-      () =>
-        new Promise((resolve) => {
-          const progress = /** @type {HTMLElement} */ (document.getElementById("export-progress"));
-          new MutationObserver((_, observer) => {
-            if (progress.hidden) return;
-            observer.disconnect();
-            /** @type {HTMLElement} */ (document.querySelector("input[name=scene]:not(:checked)")).click();
-            resolve(undefined);
-          }).observe(progress, { attributeFilter: ["hidden"] });
-          document.getElementById("export-gif")?.click();
-        }),
-    );
-    await page.waitForSelector("#notice[data-code=run-replaced]");
-    assert.match(await page.innerText("#notice"), /The robot changed/);
-    assert.match((await film(page, "gif")).name, /-between\.gif$/);
-  }, SMALL));
+        "another arm ends the film of the one before, in words": async (page) => {
+          await unfold(page, "export");
+          await page.click("#mode-between");
+          await rest(page);
+          await page.evaluate(
+            () =>
+              new Promise((resolve) => {
+                const progress = /** @type {HTMLElement} */ (document.getElementById("export-progress"));
+                new MutationObserver((_, observer) => {
+                  if (progress.hidden) return;
+                  observer.disconnect();
+                  /** @type {HTMLElement} */ (document.querySelector("input[name=scene]:not(:checked)")).click();
+                  resolve(undefined);
+                }).observe(progress, { attributeFilter: ["hidden"] });
+                document.getElementById("export-gif")?.click();
+              }),
+          );
+          await page.waitForSelector("#notice[data-code=run-replaced]");
+          assert.match(await page.innerText("#notice"), /The robot changed/);
+          assert.match((await film(page, "gif")).name, /-between\.gif$/);
+        },
+      },
+      putBack,
+    ),
+    SMALL,
+  ));
 
 test("trajectories are filmed as they appear, and their particles as they move", () =>
   onPage(

@@ -1,75 +1,32 @@
-/** A link is an experiment: what it holds is put on the stage exactly, and what is broken is said and does no harm. */
+/** A link is an experiment: what it holds is put on the stage exactly. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { decodeLink, encodeLink } from "../../www/planner/link/codec.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 import { endsOf, load } from "./library.mjs";
 import {
-  PHONE,
   atRest,
   choose,
   chooseScene,
   click,
-  counters,
   finish,
   isDeep,
   linkOf,
   onPage,
   onPausedPage,
   openScenario,
-  pictureOf,
   seek,
   setParameter,
   unfold,
   useBrowser,
 } from "./browser.mjs";
+import { inTurn, restage } from "./turns.mjs";
+import { shown, afresh } from "./links.mjs";
 
 /** @import { Page } from "playwright-core" */
 /** @import { Experiment } from "../../www/planner/link/codec.js" */
 
 useBrowser();
-
-/** Everything that a link is to bring back. @param {Page} page */
-async function shown(page) {
-  // A stage whose size has changed knows of it by the second frame.
-  await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        requestAnimationFrame(() => requestAnimationFrame(resolve));
-      }),
-  );
-  const numbers = await atRest(page);
-  // The sliders of a scene are loaded when it is first opened.
-  const scene = await page.getAttribute("body", "data-scene");
-  const sliders = SCENES.find(({ id }) => id === scene)?.sliders?.length ?? 0;
-  await page.waitForFunction((count) => document.querySelectorAll(".sliders input").length === count, sliders);
-  const words = await page.evaluate(() => ({
-    scene: document.body.dataset.scene,
-    sentence: document.getElementById("story")?.textContent,
-    head: /** @type {HTMLInputElement} */ (document.getElementById("time")).value,
-    playing: document.getElementById("play")?.dataset.playing,
-    fields: [
-      ...document.querySelectorAll(
-        "#planner, #query, #parameters input, #parameters select, #more-parameters input, #more-parameters select, .sliders input",
-      ),
-    ].map((element) => {
-      const control = /** @type {HTMLInputElement} */ (element);
-      return [control.id, control.type === "checkbox" ? control.checked : control.value];
-    }),
-  }));
-  return { numbers, words, pictures: await pictureOf(page, "#stage canvas") };
-}
-
-/** Opens a fragment in a window of its own. @param {string} fragment @param {(fresh: Page) => Promise<void>} then */
-const afresh = (fragment, then) =>
-  onPage(
-    { reducedMotion: "reduce" },
-    async (fresh) => {
-      await fresh.waitForSelector("#counters[data-settled=true]", { state: "attached" });
-      await then(fresh);
-    },
-    { path: fragment },
-  );
 
 /**
  * A page's link, opened elsewhere, shows the same.
@@ -89,78 +46,154 @@ async function roundTrip(page, what) {
   return experiment ?? assert.fail(what);
 }
 
-test("a scene of every kind, in 2 kB, at an iteration on the way", () =>
-  onPausedPage(async (page) => {
-    const kinds = ["stones", "rings", "corner", "blossom"];
-    for (const [i, { id }] of SCENES.entries()) {
-      if (!isDeep && !kinds.includes(id)) continue;
-      if (i > 0) await chooseScene(page, id);
-      await seek(page, 11 + 3 * i);
-      const experiment = await roundTrip(page, id);
-      assert.equal(experiment.scene, id);
-      assert.equal(experiment.document, undefined);
-      const link = page.url();
-      assert.ok(link.length <= 2048, `${id}: ${link.length} characters`);
-      assert.ok(
-        Object.keys(experiment.lanes[0].settings).length <= Object.keys(SCENES[i].settings).length,
-        "what is the planner's default is left out",
-      );
-    }
-  }));
+test("a link brings back what the page shows", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "a scene of every kind, in 2 kB, at an iteration on the way": async (page) => {
+          const kinds = ["stones", "rings", "corner", "blossom"];
+          for (const [i, { id }] of SCENES.entries()) {
+            if (!isDeep && !kinds.includes(id)) continue;
+            if (i > 0) await chooseScene(page, id);
+            await seek(page, 11 + 3 * i);
+            const experiment = await roundTrip(page, id);
+            assert.equal(experiment.scene, id);
+            assert.equal(experiment.document, undefined);
+            const link = page.url();
+            assert.ok(link.length <= 2048, `${id}: ${link.length} characters`);
+            assert.ok(
+              Object.keys(experiment.lanes[0].settings).length <= Object.keys(SCENES[i].settings).length,
+              "what is the planner's default is left out",
+            );
+          }
+        },
 
-test("an rrt at iteration 137, and at its end with its path", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "pillar");
-    await setParameter(page, "seed", "9007199254740991");
-    await setParameter(page, "goal_bias", "0.125");
-    await seek(page, 137);
-    const experiment = await roundTrip(page, "on the way");
-    assert.equal(experiment.iteration, 137);
-    assert.deepEqual(experiment.lanes, [
-      { algorithm: "rrt", settings: { step: 0.3, goal_bias: 0.125, seed: 9007199254740991 } },
-    ]);
-    await finish(page);
-    await roundTrip(page, "at the end");
-  }));
+        "an rrt at iteration 137, and at its end with its path": async (page) => {
+          await chooseScene(page, "pillar");
+          await setParameter(page, "seed", "9007199254740991");
+          await setParameter(page, "goal_bias", "0.125");
+          await seek(page, 137);
+          const experiment = await roundTrip(page, "on the way");
+          assert.equal(experiment.iteration, 137);
+          assert.deepEqual(experiment.lanes, [
+            { algorithm: "rrt", settings: { step: 0.3, goal_bias: 0.125, seed: 9007199254740991 } },
+          ]);
+          await finish(page);
+          await roundTrip(page, "at the end");
+        },
 
-test("a link holds a moved slider, a generated scene, and a scenario from a file with its query", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "passage");
-    await page.fill("#option-width", "0.44");
-    await atRest(page);
-    await seek(page, 30);
-    const moved = await roundTrip(page, "slider");
-    assert.deepEqual(moved.options, { width: 0.44 });
+        "a link holds a moved slider, a generated scene, and a scenario from a file with its query": async (page) => {
+          await chooseScene(page, "passage");
+          await page.fill("#option-width", "0.44");
+          await atRest(page);
+          await seek(page, 30);
+          const moved = await roundTrip(page, "slider");
+          assert.deepEqual(moved.options, { width: 0.44 });
 
-    await page.click("#make-fold > summary");
-    await page.selectOption("#make-kind", "maze");
-    await page.fill("#make-seed", "12");
-    await page.click("#make button");
-    await page.waitForSelector("body[data-scene=file]");
-    await atRest(page);
-    await seek(page, 25);
-    const made = await roundTrip(page, "made");
-    assert.equal(made.scene, "make-maze");
-    assert.equal(made.document, undefined);
+          await page.click("#make-fold > summary");
+          await page.selectOption("#make-kind", "maze");
+          await page.fill("#make-seed", "12");
+          await page.click("#make button");
+          await page.waitForSelector("body[data-scene=file]");
+          await atRest(page);
+          await seek(page, 25);
+          const made = await roundTrip(page, "made");
+          assert.equal(made.scene, "make-maze");
+          assert.equal(made.document, undefined);
 
-    const document = {
-      format: "planarium-scenario-1",
-      name: "own",
-      world: { bounds: { min: [0, 0], max: [4, 3] }, obstacles: [{ type: "disc", center: [2, 1.5], radius: 0.5 }] },
-      robot: { type: "disc", radius: 0.1 },
-      queries: [
-        { name: "across", start: [0.5, 1.5], goal: [3.5, 1.5] },
-        { name: "up \u2191", start: [0.5, 0.5], goal: [0.5, 2.5] },
-      ],
-    };
-    await openScenario(page, document);
-    await page.waitForSelector("#query-row:not([hidden])");
-    await page.selectOption("#query", "up \u2191");
-    await atRest(page);
-    await seek(page, 9);
-    const own = await roundTrip(page, "own");
-    assert.deepEqual([own.scene, own.query, own.document?.name], [undefined, "up \u2191", "own"]);
-  }));
+          const document = {
+            format: "planarium-scenario-1",
+            name: "own",
+            world: {
+              bounds: { min: [0, 0], max: [4, 3] },
+              obstacles: [{ type: "disc", center: [2, 1.5], radius: 0.5 }],
+            },
+            robot: { type: "disc", radius: 0.1 },
+            queries: [
+              { name: "across", start: [0.5, 1.5], goal: [3.5, 1.5] },
+              { name: "up \u2191", start: [0.5, 0.5], goal: [0.5, 2.5] },
+            ],
+          };
+          await openScenario(page, document);
+          await page.waitForSelector("#query-row:not([hidden])");
+          await page.selectOption("#query", "up \u2191");
+          await atRest(page);
+          await seek(page, 9);
+          const own = await roundTrip(page, "own");
+          assert.deepEqual([own.scene, own.query, own.document?.name], [undefined, "up \u2191", "own"]);
+        },
+
+        "the configuration in hand comes back, free or in collision": async (page) => {
+          await seek(page, 40);
+          await page.click("#your-turn");
+          const stones = load("stones");
+          const [, second] = endsOf(stones.document().queries[0])[0];
+          const angles = Array.from({ length: 60 }, (_, i) => Number((i / 10 - 3).toFixed(1)));
+          for (const free of [false, true]) {
+            const value = String(angles.find((angle) => stones.check([angle, second]).free === free));
+            await page.fill("#pose-0-number", value);
+            await page.press("#pose-0-number", "Enter");
+            await page.waitForSelector(`#touching[data-free=${free}]:not(:empty)`);
+            const { pose, iteration } = await roundTrip(page, `in hand, ${free}`);
+            assert.deepEqual([pose?.[0], pose?.length, iteration], [Number(value), 2, 40]);
+            assert.match(await page.innerText("#link-told"), /iteration 40 and the configuration in hand/);
+          }
+          assert.equal(await page.innerText("#your-turn"), "Watch again");
+        },
+
+        "a drive comes back: it is replayed at once to the same place": async (page) => {
+          await chooseScene(page, "parking");
+          await page.click("#your-turn");
+          await page.waitForSelector("#drive:not([hidden])");
+          for (const key of ["w", "w", "a", "c", "d", "d"]) await page.keyboard.press(key);
+          await page.waitForSelector("#drive[data-keys='6']");
+          const { drive, roll } = await roundTrip(page, "a drive");
+          assert.deepEqual([drive, roll], [{ keys: "0w25w25a25c25d25d", steps: 150 }, undefined]);
+          const there = await dash(page);
+          await onPage(
+            {},
+            async (fresh) => {
+              await fresh.waitForSelector("#drive[data-replaying=true]", { state: "attached" });
+              await fresh.waitForSelector("#drive[data-replaying=false][data-paused=true]", { state: "attached" });
+              assert.deepEqual(await dash(fresh), there);
+            },
+            { path: await drivenOn({ drive }) },
+          );
+        },
+
+        "a race comes back with its rivals and its picture, and rests at its own time": async (page) => {
+          await unfold(page, "race");
+          for (const [algorithm, lens] of [
+            ["rrt", "cspace"],
+            ["prm-star", "workspace"],
+          ]) {
+            await page.selectOption("#rival", algorithm);
+            await page.click("#add-rival");
+            await choose(page, "lens", lens);
+            await click(page, "#step-100");
+            const race = await roundTrip(page, `against ${algorithm}`);
+            assert.equal(race.lanes[race.lanes.length - 1].algorithm, algorithm);
+            assert.equal(race.view.lens, lens === "workspace" ? undefined : lens);
+          }
+          /** @type {Experiment["lanes"]} */
+          const lanes = [
+            { algorithm: "prm", settings: { samples: 80 } },
+            { algorithm: "rrt", settings: { seed: 3 } },
+          ];
+          const fragment = `#${await encodeLink({ version: 1, scene: "stones", lanes, iteration: 900, view: { strobe: true } })}`;
+          await afresh(fragment, async (fresh) => {
+            assert.equal(await fresh.inputValue("#time"), "900");
+            assert.equal(await fresh.inputValue("#parameter-samples"), "80");
+            const { experiment } = await decodeLink(await linkOf(fresh));
+            assert.deepEqual(experiment?.lanes, lanes);
+            assert.equal(experiment?.iteration, 900);
+          });
+        },
+      },
+      restage,
+    ),
+  ));
 
 test("what is to be seen comes back: axes, crosses, poses, the path as it was found", async () => {
   /** @type {Experiment} */
@@ -188,25 +221,6 @@ test("what is to be seen comes back: axes, crosses, poses, the path as it was fo
   });
 });
 
-test("the configuration in hand comes back, free or in collision", () =>
-  onPausedPage(async (page) => {
-    await seek(page, 40);
-    await page.click("#your-turn");
-    const stones = load("stones");
-    const [, second] = endsOf(stones.document().queries[0])[0];
-    const angles = Array.from({ length: 60 }, (_, i) => Number((i / 10 - 3).toFixed(1)));
-    for (const free of [false, true]) {
-      const value = String(angles.find((angle) => stones.check([angle, second]).free === free));
-      await page.fill("#pose-0-number", value);
-      await page.press("#pose-0-number", "Enter");
-      await page.waitForSelector(`#touching[data-free=${free}]:not(:empty)`);
-      const { pose, iteration } = await roundTrip(page, `in hand, ${free}`);
-      assert.deepEqual([pose?.[0], pose?.length, iteration], [Number(value), 2, 40]);
-      assert.match(await page.innerText("#link-told"), /iteration 40 and the configuration in hand/);
-    }
-    assert.equal(await page.innerText("#your-turn"), "Watch again");
-  }));
-
 /** @param {Partial<Experiment>} hand @returns {Promise<string>} */
 const drivenOn = async (hand) =>
   `#${await encodeLink({ version: 1, scene: "parking", lanes: [{ algorithm: "rrt", settings: {} }], iteration: 0, view: {}, ...hand })}`;
@@ -216,27 +230,6 @@ const dash = (page) =>
   page
     .locator("#drive")
     .evaluate((bar) => ({ .../** @type {HTMLElement} */ (bar).dataset, replaying: "", paused: "" }));
-
-test("a drive comes back: it is replayed at once to the same place", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "parking");
-    await page.click("#your-turn");
-    await page.waitForSelector("#drive:not([hidden])");
-    for (const key of ["w", "w", "a", "c", "d", "d"]) await page.keyboard.press(key);
-    await page.waitForSelector("#drive[data-keys='6']");
-    const { drive, roll } = await roundTrip(page, "a drive");
-    assert.deepEqual([drive, roll], [{ keys: "0w25w25a25c25d25d", steps: 150 }, undefined]);
-    const there = await dash(page);
-    await onPage(
-      {},
-      async (fresh) => {
-        await fresh.waitForSelector("#drive[data-replaying=true]", { state: "attached" });
-        await fresh.waitForSelector("#drive[data-replaying=false][data-paused=true]", { state: "attached" });
-        assert.deepEqual(await dash(fresh), there);
-      },
-      { path: await drivenOn({ drive }) },
-    );
-  }));
 
 test("the motion of one control comes back, from the start and from the end of a drive", async () => {
   for (const hand of /** @type {Partial<Experiment>[]} */ ([
@@ -257,204 +250,6 @@ test("the motion of one control comes back, from the start and from the end of a
       assert.equal(await fresh.isChecked("#drive-euler"), hand.euler !== undefined);
       if (hand.euler) assert.equal(await fresh.inputValue("#drive-dt"), String(hand.euler));
       assert.match(await fresh.innerText("#link-told"), /the drive with its control/);
-    });
-  }
-});
-
-test("a race comes back with its rivals and its picture, and rests at its own time", () =>
-  onPausedPage(async (page) => {
-    await unfold(page, "race");
-    for (const [algorithm, lens] of [
-      ["rrt", "cspace"],
-      ["prm-star", "workspace"],
-    ]) {
-      await page.selectOption("#rival", algorithm);
-      await page.click("#add-rival");
-      await choose(page, "lens", lens);
-      await click(page, "#step-100");
-      const race = await roundTrip(page, `against ${algorithm}`);
-      assert.equal(race.lanes[race.lanes.length - 1].algorithm, algorithm);
-      assert.equal(race.view.lens, lens === "workspace" ? undefined : lens);
-    }
-    /** @type {Experiment["lanes"]} */
-    const lanes = [
-      { algorithm: "prm", settings: { samples: 80 } },
-      { algorithm: "rrt", settings: { seed: 3 } },
-    ];
-    const fragment = `#${await encodeLink({ version: 1, scene: "stones", lanes, iteration: 900, view: { strobe: true } })}`;
-    await afresh(fragment, async (fresh) => {
-      assert.equal(await fresh.inputValue("#time"), "900");
-      assert.equal(await fresh.inputValue("#parameter-samples"), "80");
-      const { experiment } = await decodeLink(await linkOf(fresh));
-      assert.deepEqual(experiment?.lanes, lanes);
-      assert.equal(experiment?.iteration, 900);
-    });
-  }));
-
-test("the button copies the link, says what it did, and leaves the link in the address bar", () =>
-  onPausedPage(async (page) => {
-    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
-    await seek(page, 137);
-    await page.click("#link");
-    await page
-      .getByText("Link copied. It stores the scene, the settings and iteration 137.", { exact: true })
-      .waitFor();
-    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
-    assert.match(page.url(), /#1[\w-]+$/);
-  }));
-
-test("where the clipboard is closed, the link is selected in a field", () =>
-  onPage(
-    { reducedMotion: "reduce", viewport: PHONE.viewport },
-    async (page) => {
-      await page.waitForSelector("#counters[data-settled=true][data-status=running]", { state: "attached" });
-      await click(page, "#step-10");
-      await page.click("#link");
-      const field = page.locator("#link-told input");
-      await field.waitFor();
-      const link = await field.inputValue();
-      assert.equal(await page.evaluate(() => getSelection()?.toString()), link);
-      assert.match(
-        await page.innerText("#link-told"),
-        /^Copy this link\. It stores the scene, the settings and iteration 10\./,
-      );
-      const { experiment } = await decodeLink(new URL(link).hash);
-      assert.deepEqual([experiment?.scene, experiment?.iteration], ["stones", 10]);
-      const box = await page.locator("#link-told").boundingBox();
-      assert.ok(box && box.x >= 0 && box.x + box.width <= 390, "it is within the page");
-      await page.keyboard.press("Escape");
-      assert.equal(await field.isVisible(), false);
-      assert.equal(await page.evaluate(() => document.activeElement?.id), "link");
-    },
-    {
-      before: async (page) => {
-        await page.addInitScript(() => {
-          const closed = () => {
-            throw new DOMException("closed", "SecurityError");
-          };
-          Object.defineProperty(window, "localStorage", { get: closed });
-          Object.defineProperty(navigator, "clipboard", { get: closed });
-          history.replaceState = closed;
-        });
-      },
-    },
-  ));
-
-test("a broken link is refused and changes nothing; a good address is obeyed", () =>
-  onPausedPage(async (page) => {
-    const good = await encodeLink({
-      version: 1,
-      scene: "shelf",
-      lanes: [{ algorithm: "rrt", settings: { seed: 4 } }],
-      iteration: 40,
-      view: {},
-    });
-    // The decoder alone is tried with hundreds of others in exchange-link.test.mjs.
-    const broken = [
-      "1",
-      "0",
-      "nonsense",
-      "stage",
-      "%",
-      "%F0%9F",
-      "1====",
-      `2${good.slice(1)}`,
-      good.slice(1),
-      `${good}.`,
-      "1AAAA",
-      "javascript:alert(1)",
-      `1${"A".repeat(70000)}`,
-      good.slice(0, 20),
-      good.slice(0, -8),
-      `${good.slice(0, 9)}xxxx${good.slice(13)}`,
-    ];
-    const usual = await shown(page);
-    // That a fresh page opens as ever is shown for every page in pages.test.mjs.
-    for (const fragment of broken) {
-      if (isDeep) {
-        await afresh(`#${fragment}`, async (fresh) => {
-          await fresh.waitForSelector("#notice:not([hidden])");
-          assert.match(await fresh.innerText("#notice strong"), /^This link does not work: .+\.$/, fragment);
-          assert.deepEqual((await shown(fresh)).numbers, usual.numbers, fragment);
-          assert.equal(await fresh.getAttribute("body", "data-scene"), "stones");
-        });
-      } else {
-        await page.evaluate((hash) => {
-          const notice = /** @type {HTMLElement} */ (document.getElementById("notice"));
-          notice.hidden = true;
-          location.hash = hash;
-        }, fragment);
-        await page.waitForSelector("#notice:not([hidden])");
-        assert.match(await page.innerText("#notice strong"), /^This link does not work: .+\.$/, fragment);
-      }
-    }
-    await click(page, "#notice button");
-    assert.deepEqual(await shown(page), usual, "the stage is as it was");
-    const fragment = await encodeLink({
-      version: 1,
-      scene: "rings",
-      lanes: [{ algorithm: "prm", settings: { seed: 2 } }],
-      iteration: 12,
-      view: {},
-    });
-    await page.evaluate((hash) => {
-      location.hash = hash;
-    }, fragment);
-    await page.waitForSelector("body[data-scene=rings]");
-    assert.equal((await atRest(page)).iterations, 12);
-    assert.equal(await page.inputValue("#parameter-seed"), "2");
-  }));
-
-test("what the page cannot restore is said in a notice, beside what is restored", async () => {
-  const unreadable = {
-    format: "planarium-scenario-1",
-    name: "x",
-    world: { obstacles: [{ type: "disc", center: [0, 0], radius: -1 }] },
-    robot: { type: "disc", radius: 1 },
-    queries: [],
-  };
-  /** @type {[Partial<Experiment>, RegExp, Record<string, string>][]} */
-  const cases = [
-    [
-      { scene: "atlantis", lanes: [{ algorithm: "rrt", settings: { seed: 5 } }] },
-      /There is no scene "atlantis"; the first scene is shown instead/,
-      { scene: "stones", planner: "rrt", "parameter-seed": "5" },
-    ],
-    [
-      { lanes: [{ algorithm: "prm", settings: { samples: 20 } }], iteration: 987654 },
-      /The run ends at iteration \d+, before 987,654/,
-      { planner: "prm", "parameter-samples": "20" },
-    ],
-    [
-      { scene: undefined, document: unreadable, iteration: 0 },
-      /^The link cannot be opened\.[^]*radius/,
-      { scene: "stones" },
-    ],
-    [{ scene: "parking", drive: { start: [0, 0, 0] } }, /start/, { scene: "parking" }],
-    [{ scene: "parking", roll: [9, 0, 1] }, /v must lie within/, { scene: "parking" }],
-    [
-      { scene: "passage", options: { width: 99, thickness: 0.2 } },
-      /99 is above/,
-      { scene: "passage", "option-width": "0.2" },
-    ],
-  ];
-  for (const [given, sentence, restored] of cases) {
-    const experiment = {
-      version: /** @type {const} */ (1),
-      scene: "firs",
-      lanes: [{ algorithm: "prm", settings: {} }],
-      iteration: 3,
-      view: {},
-      ...given,
-    };
-    await afresh(`#${await encodeLink(experiment)}`, async (fresh) => {
-      await fresh.waitForSelector("#notice:not([hidden])");
-      assert.match(await fresh.innerText("#notice"), sentence);
-      if ((given.iteration ?? 3) === 3) assert.equal((await counters(fresh)).iterations, 3, String(sentence));
-      for (const [id, value] of Object.entries(restored)) {
-        if (id === "scene") assert.equal(await fresh.getAttribute("body", "data-scene"), value);
-        else assert.equal(await fresh.inputValue(`#${id}`), value, `${sentence}: ${id}`);
-      }
     });
   }
 });

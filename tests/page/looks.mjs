@@ -123,3 +123,30 @@ export async function assertKeys(page, most = 60) {
 /** How many pixels hang over. @param {Page} page */
 export const overhang = (page) =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+/**
+ * The figures take 60 % of the height and of the width at least, and all of them are in view.
+ * @param {Page} page
+ * @param {string} name
+ */
+export async function assertFills(page, name) {
+  await settled(page);
+  const { width, height, bottom } = await page.evaluate(() => {
+    const boxes = [...document.querySelectorAll("#stage .sheet")].map((sheet) => sheet.getBoundingClientRect());
+    const side = (/** @type {number[]} */ from, /** @type {number[]} */ to) => Math.max(...to) - Math.min(...from);
+    return {
+      width:
+        side(
+          boxes.map(({ left }) => left),
+          boxes.map(({ right }) => right),
+        ) / innerWidth,
+      height:
+        side(
+          boxes.map(({ top }) => top),
+          boxes.map((box) => box.bottom),
+        ) / innerHeight,
+      bottom: Math.max(...boxes.map((box) => box.bottom)) / innerHeight,
+    };
+  });
+  assert.ok(width >= 0.6 && height >= 0.6 && bottom <= 1, `${name}: ${JSON.stringify({ width, height, bottom })}`);
+}

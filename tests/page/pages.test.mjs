@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PAGES } from "../../scripts/page.mjs";
 import { DESK, addressOf, coloursOf, dropFile, finish, onPage, unfold, useBrowser, violations } from "./browser.mjs";
-import { assertFaultless, assertForced, assertKeys, assertTargets, overhang } from "./looks.mjs";
+import { assertFaultless, assertFills, assertForced, assertKeys, assertTargets, overhang } from "./looks.mjs";
 import { ROWS, rest } from "./pages.mjs";
 
 /** @import { Page } from "./browser.mjs" */
@@ -52,6 +52,18 @@ const refusal = async (page) => {
   return page.innerText("#notice");
 };
 
+/** The buttons that pages say to press. @type {Set<string>} */
+const named = new Set();
+
+/** A page that says which button to press has it. @param {Page} page @param {string} where */
+async function assertNamedButtons(page, where) {
+  for (const [, name] of (await page.innerText("#story")).matchAll(/\b[Pp]ress ([A-Z]\w+)(?=[.:,])/g)) {
+    named.add(name);
+    const buttons = page.getByRole("button", { name, exact: true }).filter({ visible: true });
+    assert.ok((await buttons.count()) > 0, `${where}: there is no button ${name}`);
+  }
+}
+
 test("every row is that of a page", () => {
   const names = PAGES.map(({ name }) => name);
   for (const name of Object.keys(ROWS)) assert.ok(names.includes(name), name);
@@ -70,14 +82,18 @@ for (const { name, link: title } of PAGES) {
   } = ROWS[name] ?? {};
   const path = addressAt(name);
 
-  test(`${title}: open, it is for everyone, and refuses in words`, (t) => {
-    /** @type {string[]} */
-    const requests = [];
-    return onPage(
+  test(`${title}: opens, is for everyone, refuses in words, and fits a frame`, (t) =>
+    onPage(
       CALM,
-      async (page) => {
+      async (page, url) => {
+        /** @type {string[]} */
+        const requests = [];
+        const note = (/** @type {import("playwright-core").Request} */ request) => void requests.push(request.url());
+        page.on("request", note);
+        await page.goto(addressOf(url, path));
         await t.test("opens in silence, computes nothing needless, and says which page it is", async () => {
           await open(page, ready);
+          page.off("request", note);
           const modules = requests.filter((url) => url.endsWith(".wasm")).map((url) => new URL(url).pathname);
           assert.deepEqual([...new Set(modules)], core ? [`/planarium/${core}_bg.wasm`] : []);
           assert.ok(page.workers().length <= (core ? 1 : 0), `${page.workers().length} workers`);
@@ -108,9 +124,23 @@ for (const { name, link: title } of PAGES) {
             delete document.documentElement.dataset.theme;
           });
         });
+        if (side > 0)
+          await t.test("its figures fill small screens and projectors", async () => {
+            await page.setViewportSize({ width: 1024, height: 768 });
+            await assertFills(page, "desk");
+            await page.click("#projector");
+            await assertFills(page, "projector");
+            await page.setViewportSize({ width: 1280, height: 720 });
+            await assertFills(page, "wide projector");
+            await page.keyboard.press("Escape");
+            await page.waitForSelector("#projector[aria-pressed=false]");
+            await page.setViewportSize(DESK.viewport);
+            await rest(page);
+          });
         for (const [state, enter] of Object.entries({ "as it opens": rest, ...states })) {
           await t.test(`${state}: axe finds nothing, all fits any width, and fingers hit the controls`, async () => {
             await enter(page);
+            await assertNamedButtons(page, `${title}, ${state}`);
             await assertFaultless(page, `${title}, ${state}`, side);
             await assertTargets(page);
           });
@@ -147,61 +177,62 @@ for (const { name, link: title } of PAGES) {
             );
           await page.pdf();
         });
-      },
-      {
-        path,
-        before: async (page) => void page.on("request", (request) => requests.push(request.url())),
-      },
-    );
-  });
-
-  test(`${title}: a link that does not work is refused in a sentence, and the page opens as ever`, () =>
-    onPage(
-      CALM,
-      async (page, url) => {
-        await open(page, ready);
-        const usual = await stateOf(page);
-        const refused = ["1broken", "nothing", ...(broken ?? [])];
-        for (const fragment of refused) {
+        await t.test("a link that does not work is refused in a sentence, and it opens as ever", async () => {
+          await page.emulateMedia({ media: null });
+          await page.setViewportSize(DESK.viewport);
           await page.goto("about:blank");
-          await page.goto(addressOf(url, `${path}#${fragment}`));
-          if (core) assert.match(await refusal(page), /(This|The) link (does not work|cannot be opened)/, fragment);
+          await page.goto(addressOf(url, path));
           await open(page, ready);
-          assert.deepEqual(await stateOf(page), usual, fragment);
-        }
-        if (!core) return;
-        const there = await stateOf(page);
-        for (const fragment of refused) {
-          await page.click("#notice button");
-          await page.evaluate((hash) => {
-            location.hash = hash;
-          }, fragment);
-          await refusal(page);
-          assert.deepEqual(await stateOf(page), there, `an open page stays as it is: ${fragment}`);
-        }
+          const usual = await stateOf(page);
+          const refused = ["1broken", "nothing", ...(broken ?? [])];
+          for (const fragment of refused) {
+            await page.goto("about:blank");
+            await page.goto(addressOf(url, `${path}#${fragment}`));
+            if (core) assert.match(await refusal(page), /(This|The) link (does not work|cannot be opened)/, fragment);
+            await open(page, ready);
+            assert.deepEqual(await stateOf(page), usual, fragment);
+          }
+          if (!core) return;
+          const there = await stateOf(page);
+          for (const fragment of refused) {
+            await page.click("#notice button");
+            await page.evaluate((hash) => {
+              location.hash = hash;
+            }, fragment);
+            await refusal(page);
+            assert.deepEqual(await stateOf(page), there, `an open page stays as it is: ${fragment}`);
+          }
+        });
+        if (isEmbedded)
+          await t.test("in a frame it is its figure alone, and fits", async () => {
+            await page.setViewportSize({ width: 640, height: 420 });
+            await page.goto(addressOf(url, `${path}?embed=1`));
+            await open(page, ready);
+            for (const hidden of [".masthead", ".panel"]) assert.equal(await page.isVisible(hidden), false, hidden);
+            assert.equal(await page.isVisible("#stage"), true);
+            assert.equal(await overhang(page), 0);
+            for (const [width, height] of [
+              [960, 540],
+              [640, 480],
+            ]) {
+              await page.setViewportSize({ width, height });
+              if (side > 0) await assertFills(page, `frame of ${width}`);
+              assert.equal(await overhang(page), 0);
+            }
+            // The heading is the parent's to give.
+            const found = await violations(page);
+            assert.deepEqual(
+              found.filter((one) => !one.startsWith("page-has-heading-one")),
+              [],
+            );
+          });
       },
-      { path },
+      { path: "icon.svg" },
     ));
-
-  if (isEmbedded)
-    test(`${title}: in a frame it is its figure alone, and fits`, () =>
-      onPage(
-        { ...CALM, viewport: { width: 640, height: 420 } },
-        async (page) => {
-          await open(page, ready);
-          for (const hidden of [".masthead", ".panel"]) assert.equal(await page.isVisible(hidden), false, hidden);
-          assert.equal(await page.isVisible("#stage"), true);
-          assert.equal(await overhang(page), 0);
-          // The heading is the parent's to give.
-          const found = await violations(page);
-          assert.deepEqual(
-            found.filter((one) => !one.startsWith("page-has-heading-one")),
-            [],
-          );
-        },
-        { path: `${path}?embed=1` },
-      ));
 }
+
+test("pages say to press buttons", () =>
+  assert.deepEqual([...named].filter((name) => /^(Run|Train)$/.test(name)).sort(), ["Run", "Train"]));
 
 test("without their WebAssembly the pages say so, and stay pages", () =>
   onPage(

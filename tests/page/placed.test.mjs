@@ -32,6 +32,7 @@ import { drag, near, openEditor, plane, press, until } from "./editing.mjs";
 import { assertFaultless } from "./looks.mjs";
 import { sceneOf } from "./library.mjs";
 import { runOf } from "./runs.mjs";
+import { inTurn, restage } from "./turns.mjs";
 
 /** @import { ScenarioDocument } from "planarium" */
 
@@ -186,184 +187,186 @@ test("a body's edges and way are straight", () => {
   run.free();
 });
 
-test("the square shows x and theta, or any two; a link keeps them", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "corner");
-    assert.equal(await page.innerText("#cspace figcaption small"), "x across, theta up");
-    assert.equal((await decodeLink(await linkOf(page))).experiment?.view.axes, undefined, "as usual");
-    await page.click("#view-fold > summary");
-    await page.waitForSelector("#view-up");
-    assert.deepEqual(await page.locator("#view-up option").allInnerTexts(), ["x", "y", "theta"]);
-    await page.selectOption("#view-up", "1");
-    await textMatches(page, "#cspace figcaption small", /^x across, y up$/);
-    assert.deepEqual((await decodeLink(await linkOf(page))).experiment?.view.axes, [0, 1]);
-    await chooseScene(page, "stones");
-    assert.equal(await page.isVisible("#view-plane"), false, "two angles need no choice");
-  }));
+test("bodies and cars on the page", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "the square shows x and theta, or any two; a link keeps them": async (page) => {
+          await chooseScene(page, "corner");
+          assert.equal(await page.innerText("#cspace figcaption small"), "x across, theta up");
+          assert.equal((await decodeLink(await linkOf(page))).experiment?.view.axes, undefined, "as usual");
+          await page.click("#view-fold > summary");
+          await page.waitForSelector("#view-up");
+          assert.deepEqual(await page.locator("#view-up option").allInnerTexts(), ["x", "y", "theta"]);
+          await page.selectOption("#view-up", "1");
+          await textMatches(page, "#cspace figcaption small", /^x across, y up$/);
+          assert.deepEqual((await decodeLink(await linkOf(page))).experiment?.view.axes, [0, 1]);
+          await chooseScene(page, "stones");
+          assert.equal(await page.isVisible("#view-plane"), false, "two angles need no choice");
+        },
 
-test("words speak of the body and of the car; axe finds nothing with a car at its goal", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "corner");
-    assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*body/);
-    assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the body\u2019s origin");
-    assert.deepEqual(await page.locator("#pose .name").allInnerTexts(), ["x", "y", "theta"]);
-    await page.fill("#pose-0-number", "1.2");
-    await page.press("#pose-0-number", "Tab");
-    await page.waitForSelector("#touching[data-free=false]");
-    assert.match(await page.innerText("#touching"), /^The body touches obstacle \d/);
-    await chooseScene(page, "parking");
-    assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*car/);
-    assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the car\u2019s rear axle");
-    assert.equal(await page.innerText("#your-turn"), "Drive");
-    assert.ok((await finish(page)).length > 0);
-    await assertFaultless(page, "a car at its goal");
-  }));
+        "words speak of the body and of the car; axe finds nothing with a car at its goal": async (page) => {
+          await chooseScene(page, "corner");
+          assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*body/);
+          assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the body\u2019s origin");
+          assert.deepEqual(await page.locator("#pose .name").allInnerTexts(), ["x", "y", "theta"]);
+          await page.fill("#pose-0-number", "1.2");
+          await page.press("#pose-0-number", "Tab");
+          await page.waitForSelector("#touching[data-free=false]");
+          assert.match(await page.innerText("#touching"), /^The body touches obstacle \d/);
+          await chooseScene(page, "parking");
+          assert.match(await page.innerText("#story"), /^Looking for a path from start to goal\. .*car/);
+          assert.equal(await page.innerText("#workspace figcaption small"), "dots mark the car\u2019s rear axle");
+          assert.equal(await page.innerText("#your-turn"), "Drive");
+          assert.ok((await finish(page)).length > 0);
+          await assertFaultless(page, "a car at its goal");
+        },
 
-test("what is pointed at on an edge tells its control, and shows all that the car passes over", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "blossom");
-    await finish(page);
-    const { run, scenario } = ended("blossom");
-    // A place on the middle of an edge, far from every vertex and from every other edge.
-    const vertices = run.vertices.slice(0, run.vertices.count);
-    /** @type {number[][]} */
-    const middles = Array.from({ length: run.edges.count }, (_, e) => {
-      const rows = run.along(e);
-      const at = 3 * Math.floor((rows.length / 3 - 1) / 2);
-      return [e, ...scenario.interpolate(rows.slice(at, at + 3), rows.slice(at + 3, at + 6), 0.5)];
-    });
-    const found = middles.find(([e, x, y]) => {
-      for (let v = 0; v < vertices.length; v += 3)
-        if (Math.hypot(vertices[v] - x, vertices[v + 1] - y) < 0.07) return false;
-      return middles.every(([other, ox, oy]) => other === e || Math.hypot(ox - x, oy - y) > 0.07);
-    });
-    assert.ok(found);
-    const at = await plane(page, { min: [0, 0], max: [2, 2] });
-    const before = await pixelsOf(page, "workspace", "top", "newest");
-    await page.mouse.move(...at(found[1], found[2]));
-    await textMatches(page, "#readout", /^Edge \d+, from vertex \d+ to \d+\. Controls?: v /);
-    assert.ok((await pixelsOf(page, "workspace", "top", "newest")) > before + 80, "an outline");
-    const vertex = run.edges.row(found[0])[1];
-    await page.click("#view-fold > summary");
-    await page.fill("#inspect", String(vertex));
-    await page.mouse.move(5, 5);
-    await textMatches(
-      page,
-      "#readout",
-      new RegExp(`^Vertex ${vertex} at .* \\(m, m, rad\\)\\. Parent \\d+, .* Controls?: v `),
-    );
-    run.free();
-  }));
+        "what is pointed at on an edge tells its control, and shows all that the car passes over": async (page) => {
+          await chooseScene(page, "blossom");
+          await finish(page);
+          const { run, scenario } = ended("blossom");
+          // A place on the middle of an edge, far from every vertex and from every other edge.
+          const vertices = run.vertices.slice(0, run.vertices.count);
+          /** @type {number[][]} */
+          const middles = Array.from({ length: run.edges.count }, (_, e) => {
+            const rows = run.along(e);
+            const at = 3 * Math.floor((rows.length / 3 - 1) / 2);
+            return [e, ...scenario.interpolate(rows.slice(at, at + 3), rows.slice(at + 3, at + 6), 0.5)];
+          });
+          const found = middles.find(([e, x, y]) => {
+            for (let v = 0; v < vertices.length; v += 3)
+              if (Math.hypot(vertices[v] - x, vertices[v + 1] - y) < 0.07) return false;
+            return middles.every(([other, ox, oy]) => other === e || Math.hypot(ox - x, oy - y) > 0.07);
+          });
+          assert.ok(found);
+          const at = await plane(page, { min: [0, 0], max: [2, 2] });
+          const before = await pixelsOf(page, "workspace", "top", "newest");
+          await page.mouse.move(...at(found[1], found[2]));
+          await textMatches(page, "#readout", /^Edge \d+, from vertex \d+ to \d+\. Controls?: v /);
+          assert.ok((await pixelsOf(page, "workspace", "top", "newest")) > before + 80, "an outline");
+          const vertex = run.edges.row(found[0])[1];
+          await page.click("#view-fold > summary");
+          await page.fill("#inspect", String(vertex));
+          await page.mouse.move(5, 5);
+          await textMatches(
+            page,
+            "#readout",
+            new RegExp(`^Vertex ${vertex} at .* \\(m, m, rad\\)\\. Parent \\d+, .* Controls?: v `),
+          );
+          run.free();
+        },
 
-test("a vertex that was removed cannot be inspected, but before its removal it can", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "witness");
-    const { run } = ended("witness");
-    // As many iterations as timeline.test.mjs compares to the pixel.
-    run.shown = 710;
-    assert.ok(run.countOf(EVENT.removed) > 10, "some are removed by then");
-    const [gone, event] = [...run.gone].find(([, removal]) => removal < run.past[2]) ?? assert.fail();
-    const [, removedAt] = run.events.row(event);
-    await page.click("#view-fold > summary");
-    await page.fill("#inspect", String(gone));
-    for (const [iteration, told] of /** @type {[number, string | null][]} */ ([
-      [removedAt - 1, String(gone)],
-      [710, null],
-    ])) {
-      await seek(page, iteration);
-      assert.equal(await page.getAttribute("#readout", "data-vertex"), told, `iteration ${iteration}`);
-    }
-    run.free();
-  }));
+        "a vertex that was removed cannot be inspected, but before its removal it can": async (page) => {
+          await chooseScene(page, "witness");
+          const { run } = ended("witness");
+          // As many iterations as timeline.test.mjs compares to the pixel.
+          run.shown = 710;
+          assert.ok(run.countOf(EVENT.removed) > 10, "some are removed by then");
+          const [gone, event] = [...run.gone].find(([, removal]) => removal < run.past[2]) ?? assert.fail();
+          const [, removedAt] = run.events.row(event);
+          await page.click("#view-fold > summary");
+          await page.fill("#inspect", String(gone));
+          for (const [iteration, told] of /** @type {[number, string | null][]} */ ([
+            [removedAt - 1, String(gone)],
+            [710, null],
+          ])) {
+            await seek(page, iteration);
+            assert.equal(await page.getAttribute("#readout", "data-vertex"), told, `iteration ${iteration}`);
+          }
+          run.free();
+        },
 
-test("settings with a name fill the fields; what is changed by hand is custom", () =>
-  onPausedPage(async (page) => {
-    assert.deepEqual(
-      await offered(page, "planner"),
-      [
-        "prm",
-        "prm-star",
-        "lazy-prm",
-        "lazy-prm-star",
-        "visibility-prm",
-        "rrt",
-        "rrt-connect",
-        "rrt-star",
-        "informed-rrt-star",
-        "fmt-star",
-        "bit-star",
-        "aorrtc",
-      ],
-      "an arm has no controls",
-    );
-    await chooseScene(page, "blossom");
-    assert.equal(await page.inputValue("#preset"), "blossom-3");
-    await page.selectOption("#preset", "blossom-5");
-    await valueWithin(page, "parameter-blossom", 4, 6);
-    assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");
-    const preset = planners()
-      .find(({ id }) => id === "rrt-control")
-      ?.presets.find(({ id }) => id === "six-controls");
-    assert.ok(preset);
-    await page.selectOption("#preset", "six-controls");
-    for (const [name, value] of Object.entries(namesOfDocuments(preset.settings))) {
-      const field = page.locator(`#parameter-${name}`);
-      assert.equal(
-        await field.evaluate((control) =>
-          control instanceof HTMLInputElement && control.type === "checkbox"
-            ? control.checked
-            : /** @type {HTMLInputElement} */ (control).value,
-        ),
-        typeof value === "boolean" ? value : String(value),
-        name,
-      );
-    }
-    await fill(page, "#parameter-goal_bias", "0.3");
-    assert.equal(await page.inputValue("#preset"), "own");
-    await page.selectOption("#preset", "");
-    assert.equal(await page.inputValue("#parameter-goal_bias"), "0.05");
-    assert.equal(await page.locator("#parameter-metric").count(), 0, "a car has no choice of metrics");
-  }));
+        "settings with a name fill the fields; what is changed by hand is custom": async (page) => {
+          assert.deepEqual(
+            await offered(page, "planner"),
+            [
+              "prm",
+              "prm-star",
+              "lazy-prm",
+              "lazy-prm-star",
+              "visibility-prm",
+              "rrt",
+              "rrt-connect",
+              "rrt-star",
+              "informed-rrt-star",
+              "fmt-star",
+              "bit-star",
+              "aorrtc",
+            ],
+            "an arm has no controls",
+          );
+          await chooseScene(page, "blossom");
+          assert.equal(await page.inputValue("#preset"), "blossom-3");
+          await page.selectOption("#preset", "blossom-5");
+          await valueWithin(page, "parameter-blossom", 4, 6);
+          assert.equal(await page.inputValue("#parameter-seed"), "1", "the seed stays");
+          const preset = planners()
+            .find(({ id }) => id === "rrt-control")
+            ?.presets.find(({ id }) => id === "six-controls");
+          assert.ok(preset);
+          await page.selectOption("#preset", "six-controls");
+          for (const [name, value] of Object.entries(namesOfDocuments(preset.settings))) {
+            const field = page.locator(`#parameter-${name}`);
+            assert.equal(
+              await field.evaluate((control) =>
+                control instanceof HTMLInputElement && control.type === "checkbox"
+                  ? control.checked
+                  : /** @type {HTMLInputElement} */ (control).value,
+              ),
+              typeof value === "boolean" ? value : String(value),
+              name,
+            );
+          }
+          await fill(page, "#parameter-goal_bias", "0.3");
+          assert.equal(await page.inputValue("#preset"), "own");
+          await page.selectOption("#preset", "");
+          assert.equal(await page.inputValue("#parameter-goal_bias"), "0.05");
+          assert.equal(await page.locator("#parameter-metric").count(), 0, "a car has no choice of metrics");
+        },
 
-test("by hand a body is moved from anywhere, and turned by the place before it", () =>
-  onPausedPage(async (page) => {
-    await openScenario(page, L);
-    await page.click("#your-turn");
-    const at = await plane(page, 1);
-    await drag(page, [at(-0.6, -0.6), at(-0.4, -0.5), at(-0.2, -0.6)]);
-    await valueWithin(page, "pose-0-number", -0.22, -0.18);
-    assert.ok(Math.abs(Number(await page.inputValue("#pose-2-number"))) < 0.01, "it did not turn");
-    const [hx, hy] = at(-0.2 + 0.3, -0.6);
-    await drag(page, [[hx + 14, hy], [hx - 20, hy - 60], at(-0.2, -0.1)]);
-    await valueWithin(page, "pose-2-number", Math.PI / 2 - 0.05, Math.PI / 2 + 0.05);
-    await drag(page, [at(-0.2, -0.6), at(0, 0.3)]);
-    await page.waitForSelector("#touching[data-free=false]");
-    assert.equal(await page.innerText("#touching"), "The body touches obstacle 0.");
-    await drag(page, [at(0, 0.3), at(0.5, -0.4)]);
-    await textMatches(page, "#story", /You reached the goal, with one collision on the way/);
-  }));
+        "by hand a body is moved from anywhere, and turned by the place before it": async (page) => {
+          await openScenario(page, L);
+          await page.click("#your-turn");
+          const at = await plane(page, 1);
+          await drag(page, [at(-0.6, -0.6), at(-0.4, -0.5), at(-0.2, -0.6)]);
+          await valueWithin(page, "pose-0-number", -0.22, -0.18);
+          assert.ok(Math.abs(Number(await page.inputValue("#pose-2-number"))) < 0.01, "it did not turn");
+          const [hx, hy] = at(-0.2 + 0.3, -0.6);
+          await drag(page, [[hx + 14, hy], [hx - 20, hy - 60], at(-0.2, -0.1)]);
+          await valueWithin(page, "pose-2-number", Math.PI / 2 - 0.05, Math.PI / 2 + 0.05);
+          await drag(page, [at(-0.2, -0.6), at(0, 0.3)]);
+          await page.waitForSelector("#touching[data-free=false]");
+          assert.equal(await page.innerText("#touching"), "The body touches obstacle 0.");
+          await drag(page, [at(0, 0.3), at(0.5, -0.4)]);
+          await textMatches(page, "#story", /You reached the goal, with one collision on the way/);
+        },
 
-test("in the editor a start is moved and turned by its handle and by keys; axe finds nothing", () =>
-  onPausedPage(async (page) => {
-    await openEditor(page, L);
-    const at = await plane(page, 1);
-    const value = async (/** @type {string} */ name) => Number(await page.inputValue(`#edit-${name}`));
-    await drag(page, [at(-0.6, -0.6), at(-0.4, -0.4)]);
-    await until(page, "changes", 1);
-    near(await value("x"), -0.4, 0.02);
-    near(await value("y"), -0.4, 0.02);
-    assert.equal(await value("theta"), 0);
-    const [hx, hy] = at(-0.4 + 0.3, -0.4);
-    await drag(page, [[hx + 14, hy], [hx, hy - 70], at(-0.4, 0.1)]);
-    await until(page, "changes", 2);
-    near(await value("theta"), Math.PI / 2, 0.05);
-    assert.match((await page.getAttribute("#editor", "data-title")) ?? "", /^Start, its heading$/);
-    const turned = await value("theta");
-    await page.focus("#stage");
-    await press(page, ["ArrowRight"], "changes", 3);
-    near(await value("theta"), turned + Math.PI / 180, 2e-4);
-    await press(page, ["Escape", "ArrowRight"], "changes", 4);
-    near(await value("theta"), turned + Math.PI / 180, 2e-4);
-    await press(page, ["Control+z", "Control+z", "Control+z"], "redo", 3);
-    await assertFaultless(page, "a body in the editor");
-  }));
+        "in the editor a start is moved and turned by its handle and by keys; axe finds nothing": async (page) => {
+          await openEditor(page, L);
+          const at = await plane(page, 1);
+          const value = async (/** @type {string} */ name) => Number(await page.inputValue(`#edit-${name}`));
+          await drag(page, [at(-0.6, -0.6), at(-0.4, -0.4)]);
+          await until(page, "changes", 1);
+          near(await value("x"), -0.4, 0.02);
+          near(await value("y"), -0.4, 0.02);
+          assert.equal(await value("theta"), 0);
+          const [hx, hy] = at(-0.4 + 0.3, -0.4);
+          await drag(page, [[hx + 14, hy], [hx, hy - 70], at(-0.4, 0.1)]);
+          await until(page, "changes", 2);
+          near(await value("theta"), Math.PI / 2, 0.05);
+          assert.match((await page.getAttribute("#editor", "data-title")) ?? "", /^Start, its heading$/);
+          const turned = await value("theta");
+          await page.focus("#stage");
+          await press(page, ["ArrowRight"], "changes", 3);
+          near(await value("theta"), turned + Math.PI / 180, 2e-4);
+          await press(page, ["Escape", "ArrowRight"], "changes", 4);
+          near(await value("theta"), turned + Math.PI / 180, 2e-4);
+          await press(page, ["Control+z", "Control+z", "Control+z"], "redo", 3);
+          await assertFaultless(page, "a body in the editor");
+        },
+      },
+      restage,
+    ),
+  ));

@@ -4,6 +4,7 @@ import { Scenario } from "planarium/full";
 import { SCENES } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, fill, keys, onPage, reveal } from "./browser.mjs";
 import { plane } from "./editing.mjs";
+import { EMPTY, openState } from "./turns.mjs";
 
 /** @import { More, Options, Page } from "./browser.mjs" */
 
@@ -24,8 +25,9 @@ export const scenarioOf = (id) => Scenario.parse(entryOf(id).document);
  * @param {string} name  of its page
  * @param {string} ready  its body at rest
  * @param {string} chosen  the attribute that says which scene is chosen
+ * @param {string} [first]  the fragment of its state as it opens
  */
-export function roomOf(name, ready, chosen) {
+export function roomOf(name, ready, chosen, first = EMPTY) {
   /** Waits until all is computed and drawn. @param {Page} page */
   const rest = async (page) => {
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
@@ -66,6 +68,11 @@ export function roomOf(name, ready, chosen) {
       await page.waitForSelector(`body[data-${chosen}=${id}]`);
       await rest(page);
     },
+    /** The page as it opens. @param {Page} page */
+    putBack: async (page) => {
+      await openState(page, first);
+      await rest(page);
+    },
     /** Puts a number into a field. @param {Page} page @param {string} id @param {string | number} value */
     put: async (page, id, value) => {
       await fill(page, `#${id}`, String(value));
@@ -81,6 +88,7 @@ export const {
   press,
   choose,
   put,
+  putBack,
 } = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene");
 
 /** Solves to the end. @param {Page} page */

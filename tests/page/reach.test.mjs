@@ -1,12 +1,9 @@
-/** The page of the arm: dragged, turned, stopped, made, on a desk and on a phone. */
+/** The page of the arm on a desk and on a phone: turned, led, moved and solved. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Robot } from "../../www/reach/robot.js";
-import { slidesOf } from "../../www/domain/coordinates.js";
-import { ellipseOf } from "../../www/reach/jacobian.js";
-import { SCENES } from "../../www/reach/scenes.js";
-import { Motion, turnOf } from "../../www/reach/motion.js";
-import { DESK, PHONE, alphaOf, isDeep, keys, pickFile, pixelsOf, useBrowser, valueWithin } from "./browser.mjs";
+import { Motion } from "../../www/reach/motion.js";
+import { PHONE, isDeep, keys, pixelsOf, useBrowser, valueWithin } from "./browser.mjs";
 import {
   choose,
   click,
@@ -16,422 +13,189 @@ import {
   poseOf,
   press,
   put,
+  putBack,
   rest,
   scenarioOf,
   solved,
   windowOf,
 } from "./reach.mjs";
-import { textOf } from "./library.mjs";
-import { drag, swipe } from "./editing.mjs";
+import { swipe } from "./editing.mjs";
+import { inTurn } from "./turns.mjs";
 
-/** @import { Options } from "./browser.mjs" */
+/** @import { Page } from "./browser.mjs" */
 
 useBrowser();
 
-/** Does a phone add nothing but its size? Then it is tried where all cases are. @param {Options} options */
-const isAlike = (options) => options === PHONE && !isDeep;
+const TURNED = "a joint is turned by its number and by its slider, and a number out of range is refused";
 
-for (const [name, options] of /** @type {[string, Options][]} */ ([
-  ["on a desktop", DESK],
-  ["on a phone", PHONE],
-])) {
-  test(`${name}, a joint is turned by its number and by its slider, and a number out of range is refused`, () =>
-    onReach(async (page) => {
-      const scenario = scenarioOf("islands");
-      await put(page, "joint-1-number", "0.75");
-      const q = await poseOf(page);
-      assert.equal(q[1], 0.75);
-      const [x, y] = scenario.endEffector(q);
-      assert.equal(await page.innerText("#fact-tip"), `(${x.toFixed(2)}, ${y.toFixed(2)}) m`.replaceAll("-", "\u2212"));
-      await press(page, "#joint-1", "ArrowRight");
-      assert.ok((await poseOf(page))[1] > 0.75);
-      const kept = await poseOf(page);
-      await put(page, "joint-0-number", "9");
-      assert.match(await page.innerText("#joint-0-reason"), /9 is above/);
-      assert.deepEqual(await poseOf(page), kept);
-    }, options));
+const BETWEEN = "from A to B, the short way and the long way, it touches where the core says";
 
-  test(`${name}, arrow keys lead the tip exactly where the core follows`, { skip: isAlike(options) }, () =>
-    onReach(async (page) => {
-      await choose(page, "tentacle");
-      const scenario = scenarioOf("tentacle");
-      let q = Float64Array.from(await poseOf(page));
-      const step = linksOf("tentacle").reduce((a, b) => a + b, 0) * 0.01;
-      for (const [key, dx, dy] of /** @type {[string, number, number][]} */ ([
-        ["ArrowUp", 0, step],
-        ["ArrowLeft", -step, 0],
-        ["Shift+ArrowDown", 0, -10 * step],
-      ])) {
-        const [x, y] = scenario.endEffector(q);
-        const followed = scenario.follow(q, [x + dx, y + dy]);
-        assert.ok(followed.reached);
-        await press(page, "#stage", key);
-        assert.deepEqual(await poseOf(page), [...followed.configuration]);
-        q = Float64Array.from(followed.configuration);
-      }
-    }, options),
-  );
-
-  test(
-    `${name}, the nearest point, what touches and a singular arm are shown and said`,
-    { skip: isAlike(options) },
-    () =>
-      onReach(async (page) => {
-        const scenario = scenarioOf("islands");
-        await put(page, "joint-0-number", "0");
-        await put(page, "joint-1-number", "0.02");
-        const [x, y] = scenario.endEffector([0, 0.02]);
-        await press(page, "#stage", "Shift+ArrowRight");
-        assert.equal(await page.getAttribute("#stage", "data-reached"), "false");
-        const nearest = scenario.nearestReachable([x + 0.1 * 1.12, y]);
-        assert.ok(nearest.distance > 0.05);
-        assert.ok(
-          (await page.innerText("#story")).includes(`${nearest.distance.toFixed(2)} m away`),
-          await page.innerText("#story"),
-        );
-        await keys(page, "Shift+ArrowLeft", "Shift+ArrowLeft");
-        await page.waitForSelector("#stage[data-reached=true]");
-        const before = await pixelsOf(page, "workspace", "top", "collision");
-        assert.equal(before, 0);
-        await put(page, "joint-0-number", "0.78");
-        await put(page, "joint-1-number", "0");
-        assert.equal(await page.getAttribute("#stage", "data-free"), "false");
-        const { touching } = scenario.check([0.78, 0]);
-        for (const { part, obstacle } of touching)
-          assert.match(
-            await page.innerText("#fact-collision"),
-            new RegExp(`link ${part + 1} touches obstacle ${obstacle}`, "i"),
-          );
-        assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 200);
-        assert.equal(await page.getAttribute("#stage", "data-singular"), "true");
-        assert.equal(await page.innerText("#fact-isotropy"), "0.00");
-        await put(page, "joint-0-number", "-0.8");
-        assert.match(await page.innerText("#story"), /Nearly singular/);
-      }, options),
-  );
-
-  test(`${name}, from A to B, the short way and the long way, it touches where the core says`, () =>
-    onReach(async (page) => {
-      await click(page, "#mode-between");
-      const { a, b } = entryOf("islands");
-      const motionOf = (/** @type {import("../../www/reach/motion.js").Direction} */ direction) =>
-        new Motion(new Robot(entryOf("islands").document, a), a, b, [direction, direction]);
-      assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("short").hit ?? "none"));
-      assert.deepEqual(await poseOf(page), a);
-      await click(page, "#all-long");
-      assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("long").hit ?? "none"));
-      assert.match(await page.innerText("#story"), /long way round/);
-      for (let i = 0; i < 3; i++) await click(page, "#between-step-10");
-      assert.equal(await page.inputValue("#along"), "0.3");
-      assert.ok((await pixelsOf(page, "workspace", "top", "path")) > 100);
-      await page.fill("#between-speed", "100");
-      await page.click("#between-play");
-      await valueWithin(page, "along", 0.9999);
-      await rest(page);
-      const wrapped = (await poseOf(page)).map((angle, i) => Math.abs(Math.sin((angle - b[i]) / 2)));
-      assert.ok(
-        wrapped.every((off) => off < 1e-9),
-        `it ends at B: ${wrapped}`,
-      );
-      assert.equal(await page.getAttribute("#between-play", "data-playing"), "false");
-    }, options));
-
-  test(
-    `${name}, inverse kinematics is the core's run, step by step, with its solutions`,
-    { skip: isAlike(options) },
-    () =>
-      onReach(async (page) => {
-        await click(page, "#mode-solve");
-        const { q, target } = entryOf("islands");
-        const run = scenarioOf("islands").reach({
-          target,
-          start: q,
-          method: "damped-least-squares",
-          solutions: 8,
-          restarts: 40,
-          seed: 0,
-        });
-        await click(page, "#solve-step-1");
-        assert.equal(await page.getAttribute("#solve", "data-iterations"), "1");
-        run.step(1);
-        assert.deepEqual(await poseOf(page), [...run.configuration()]);
-        assert.ok((await pixelsOf(page, "workspace", "top", "goal")) > 30, "the target is a cross");
-        await solved(page);
-        while (run.step(100) === "running");
-        assert.equal(await page.getAttribute("#solve", "data-fingerprint"), run.fingerprint());
-        assert.equal(await page.getAttribute("#solve", "data-solutions"), String(run.solutionCount));
-        assert.equal(run.solutionCount, 2, "an elbow on either side");
-        assert.equal(
-          await page.innerText("#story"),
-          `Two configurations reach the target; ${(await page.getAttribute("#solve", "data-free")) === "2" ? "neither collides" : "1 of them is collision-free"}.`,
-        );
-        assert.equal(await page.locator("#solutions button").count(), 2);
-        await click(page, "#solutions button >> nth=1");
-        assert.deepEqual(await poseOf(page), [...run.solutionsSince(1)].slice(0, 2));
-        await page.waitForSelector("#charts .line path");
-        assert.match((await page.getAttribute("#charts svg", "aria-label")) ?? "", /iterations/);
-      }, options),
-  );
-}
-
-test("a motion is the core's own where joints turn the short way, and is free as far as the core says", () => {
-  for (const { id, a, b, q } of SCENES) {
-    for (const pose of [a, b, q]) assert.ok(scenarioOf(id).check(pose).free, `${id}: ${pose}`);
-    const robot = new Robot(entryOf(id).document, a);
-    const short = new Motion(
-      robot,
-      a,
-      b,
-      a.map(() => "short"),
-    );
-    const hit = robot.scenario.firstHit(a, b);
-    assert.equal(short.hit === null, hit === null, id);
-    if (hit !== null) assert.ok(Math.abs((short.hit ?? 1) - hit) < 1e-2, `${id}: ${short.hit} ${hit}`);
-    const long = new Motion(
-      robot,
-      a,
-      b,
-      a.map(() => "long"),
-    );
-    for (const motion of [short, long]) {
-      const free = motion.hit ?? 1;
-      for (let i = 0; i <= 400; i++)
-        if (i / 400 < free - 1e-9) assert.ok(robot.isFree(robot.fitted(motion.at(i / 400))), `${id} at ${i / 400}`);
-      const end = robot.fitted(motion.at(1));
-      b.forEach((value, i) => assert.ok(Math.abs(Math.sin((end[i] - value) / 2)) < 1e-9));
-    }
-    long.turns.forEach((turn, i) => {
-      // Where a joint need not turn, it does not.
-      if (!robot.coordinates[i].isCircle || short.turns[i] === 0) assert.equal(turn, short.turns[i]);
-      else assert.ok(Math.abs(Math.abs(turn - short.turns[i]) - 2 * Math.PI) < 1e-9);
-    });
-  }
-});
-
-test("the faulty way turns as far as the short way, and ends at B unless two angles differ by more than half a turn", () => {
-  assert.ok(Math.abs(turnOf(-3, 3, true, "faulty") - (2 * Math.PI - 6)) < 1e-12);
-  assert.equal(turnOf(-3, 3, false, "faulty"), 6, "what does not wrap has one way");
-  for (let i = 0; i < 50; i++) {
-    const [from, to] = [Math.PI * Math.sin(2.7 * i), Math.PI * Math.sin(1 + 4.1 * i)];
-    const [short, faulty] = /** @type {const} */ (["short", "faulty"]).map((way) => turnOf(from, to, true, way));
-    assert.equal(Math.abs(faulty), Math.abs(short));
-    assert.equal(Math.abs(Math.sin((from + faulty - to) / 2)) < 1e-9, Math.abs(to - from) <= Math.PI, `${from} ${to}`);
-  }
-});
-
-test("keys turn joints by five degrees; what collides is taken back where that is wanted", () =>
-  onReach(async (page) => {
+/** What the arm does on any device. @type {Record<string, (page: Page) => Promise<void>>} */
+const ANYWHERE = {
+  [TURNED]: async (page) => {
     const scenario = scenarioOf("islands");
-    await put(page, "joint-1-number", "0");
-    let q = await poseOf(page);
-    await press(page, "#stage", "Shift+2", "2", "Shift+1", "1");
-    assert.ok((await poseOf(page)).every((angle, i) => Math.abs(angle - q[i]) < 1e-12));
-    await press(page, "#stage", "3");
-    await click(page, "label[for=back]");
-    const turned = (/** @type {number[]} */ [a, b]) => [a + Math.PI / 36, b];
-    const names = ["1"];
-    for (; scenario.firstHit(q, turned(q)) === null; names.push("1")) q = turned(q);
-    await press(page, "#stage", ...names);
-    assert.ok(
-      (await poseOf(page)).every((angle, i) => Math.abs(angle - q[i]) < 1e-9),
-      "the last turn is taken back",
-    );
-    assert.equal(await page.getAttribute("#stage", "data-free"), "true");
-    assert.match(
-      await page.innerText("#story"),
-      /^Taken back: joint 1 turned 5\u00b0 counter-clockwise, and link 2 touches obstacle 0\.$/,
-    );
-    await click(page, "label[for=back]");
-    await press(page, "#stage", "1");
-    assert.equal(await page.getAttribute("#stage", "data-free"), "false");
-  }));
-
-test("the tip follows the mouse; a link turns its own joint alone", () =>
-  onReach(async (page) => {
-    const scenario = scenarioOf("islands");
-    const before = await poseOf(page);
-    const [x0, y0] = await windowOf(page, "islands", scenario.endEffector(before));
-    const [x1, y1] = await windowOf(page, "islands", [0.3, -0.6]);
-    await page.mouse.move(x0, y0);
-    await page.mouse.down();
-    for (let i = 1; i <= 8; i++) {
-      await page.mouse.move(x0 + ((x1 - x0) * i) / 8, y0 + ((y1 - y0) * i) / 8);
-      await rest(page);
-    }
-    await page.mouse.up();
-    await rest(page);
+    await put(page, "joint-1-number", "0.75");
     const q = await poseOf(page);
-    const [tx, ty] = scenario.endEffector(q);
-    assert.ok(Math.hypot(tx - 0.3, ty + 0.6) < 0.02, `${tx} ${ty}`);
-    const elbow = scenario.footprint(q)[1];
-    assert.ok(elbow.type === "capsule");
-    const middle = /** @type {[number, number]} */ ([(elbow.a[0] + elbow.b[0]) / 2, (elbow.a[1] + elbow.b[1]) / 2]);
-    const [mx, my] = await windowOf(page, "islands", middle);
-    await drag(page, [
-      [mx, my],
-      [mx + 25, my + 25],
-    ]);
-    await rest(page);
-    const turned = await poseOf(page);
-    assert.equal(turned[0], q[0]);
-    assert.ok(Math.abs(turned[1] - q[1]) > 0.05);
-  }));
-
-test("a finger at the tip drags it, and elsewhere leaves the page to be scrolled", () =>
-  onReach(async (page) => {
-    const before = await poseOf(page);
-    const scenario = scenarioOf("islands");
-    const [x, y] = await windowOf(page, "islands", scenario.endEffector(before));
-    const [fx, fy] = await windowOf(page, "islands", [-0.2, -0.9]);
-    const prevented = await page.locator("#workspace canvas[data-layer=top]").evaluate(
-      (canvas, places) =>
-        places.map(([clientX, clientY]) => {
-          const touch = new Touch({ identifier: 1, target: canvas, clientX, clientY });
-          return !canvas.dispatchEvent(
-            new TouchEvent("touchstart", { touches: [touch], cancelable: true, bubbles: true }),
-          );
-        }),
-      [
-        [x, y],
-        [fx, fy],
-      ],
-    );
-    assert.deepEqual(prevented, [true, false]);
-    await swipe(page, [
-      [x, y],
-      [x - 20, y + 30],
-    ]);
-    await rest(page);
-    assert.notDeepEqual(await poseOf(page), before);
-  }, PHONE));
-
-test("the last link keeps its direction while the tip goes, where there are joints for it", () =>
-  onReach(async (page) => {
-    assert.equal(await page.isDisabled("#keep"), true);
-    assert.match(await page.innerText("#keep-hint"), /third/);
-    await choose(page, "corner");
-    await page.check("#keep");
-    await rest(page);
-    const sum = (/** @type {number[]} */ q) => q.reduce((a, b) => a + b, 0);
-    const kept = sum(await poseOf(page));
-    await press(page, "#stage", "ArrowUp", "ArrowRight", "Shift+ArrowDown");
-    assert.ok(Math.abs(Math.sin((sum(await poseOf(page)) - kept) / 2)) < 1e-6);
-    assert.ok(await page.isVisible("#direction"));
-    await put(page, "direction-number", "1");
-    assert.ok(Math.abs(Math.sin((sum(await poseOf(page)) - 1) / 2)) < 1e-6);
-  }));
-
-test("its ellipse is the core's manipulability, and what the tip does when the joints turn a little", () => {
-  for (const { id, q } of SCENES) {
-    const scenario = scenarioOf(id);
-    const { major, minor, angle, manipulability } = ellipseOf(
-      scenario.footprint(q),
-      slidesOf(/** @type {import("../../www/domain/coordinates.js").ArmRobot} */ (scenario.document().robot), q),
-    );
-    const tip = scenario.endEffector(q);
-    const { manipulability: wanted } = scenario.follow(q, tip);
-    assert.ok(Math.abs(manipulability - wanted) < 1e-9 * (1 + wanted), `${id}: ${manipulability} ${wanted}`);
-    assert.ok(Math.abs(major * minor - manipulability) < 1e-12);
-    // Along the major axis goes the farthest of many small turns of length 1.
-    let most = 0;
-    for (let k = 0; k < 4000; k++) {
-      const turn = q.map((_, i) => Math.sin(1 + 7.13 * k * (i + 1)));
-      const length = Math.hypot(...turn);
-      const [x, y] = scenario.endEffector(q.map((value, i) => value + (1e-6 * turn[i]) / length));
-      most = Math.max(most, Math.abs((x - tip[0]) * Math.cos(angle) + (y - tip[1]) * Math.sin(angle)) / 1e-6);
-    }
-    assert.ok(most <= major * (1 + 1e-4), `${id}: ${most} ${major}`);
-    if (q.length <= 3) assert.ok(most > 0.97 * major, `${id}: ${most} ${major}`);
-  }
-});
-
-test("two joints are a square of the core's obstacles without a border; a drag in it is a pose", () =>
-  onReach(async (page) => {
-    await page.waitForSelector("#stage[data-cells=true]");
-    await rest(page);
-    const share = await pixelsOf(page, "cspace", "ground", "obstacle");
-    assert.ok(share > 2000, `${share}`);
-    const box = (await page.locator("#cspace canvas[data-layer=top]").boundingBox()) ?? assert.fail();
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    await drag(page, [
-      [x, y],
-      [x + 40, y - 30],
-    ]);
-    await rest(page);
-    const [a, b] = await poseOf(page);
-    assert.ok(a > 0.2 && b > 0.1, `${a} ${b}`);
-    // Beside the border there is a twin on the other side.
-    await put(page, "joint-0-number", "3.1");
-    await put(page, "joint-1-number", "-2");
-    const { free } = scenarioOf("islands").check([3.1, -2]);
-    assert.ok(free);
-    const { width, alpha } = await alphaOf(page, "cspace", "top");
-    const covered = [true, false].map(
-      (isLeft) => alpha.filter((dense, i) => dense > 40 && i % width < width / 2 === isLeft).length,
-    );
-    assert.ok(covered[0] > 20 && covered[1] > 20, `${covered}`);
-  }));
-
-test("more joints have an axis for each; a drag along one turns that joint alone; stops are bars", () =>
-  onReach(async (page) => {
-    await choose(page, "limits");
-    assert.equal(await page.isVisible("#cspace"), false);
-    const before = await poseOf(page);
-    const box = (await page.locator("#axes canvas[data-layer=top]").boundingBox()) ?? assert.fail();
-    const x = box.x + box.width - 24;
-    await drag(page, [
-      [x, box.y + box.height / 2],
-      [x, box.y + box.height * 0.7],
-    ]);
-    await rest(page);
-    const q = await poseOf(page);
-    assert.deepEqual(q.slice(0, 2), before.slice(0, 2));
-    assert.ok(q[2] < -0.3 && q[2] >= -1.6, `${q[2]}`);
-    await drag(page, [
-      [x, box.y + 10],
-      [x, box.y - 40],
-    ]);
-    await rest(page);
-    assert.equal((await poseOf(page))[2], 1.6, "it ends at its stop");
-  }));
-
-test("the arm is made of 1 to 8 links, longer and shorter, thick and thin, with stops and without", () =>
-  onReach(async (page) => {
-    for (const count of [8, 1, 3]) {
-      await put(page, "links-number", String(count));
-      assert.equal((await poseOf(page)).length, count);
-      assert.equal(await page.locator("#joints input[type=range]").count(), count);
-    }
-    await put(page, "link-2-number", "0.9");
-    await put(page, "radius-number", "0.08");
-    await click(page, "label[for=stops]");
-    assert.equal(await page.locator("#intervals input").count(), 6);
-    await put(page, "stop-0-0", "0.5");
-    assert.ok((await poseOf(page))[0] >= 0.5, "what was beyond a stop is at it");
-    await put(page, "stop-0-1", "0.1");
-    assert.match(await page.innerText("#arm-reason"), /limits of joint 1/);
-    await put(page, "stop-0-1", "2");
-    assert.equal(await page.isHidden("#arm-reason"), true);
-    await click(page, "label[for=stops]");
-    assert.equal(await page.locator("#intervals input").count(), 0);
-  }));
-
-test("the arm is that of a scenario of the reader's own; one that cannot be, or without an arm, is refused", () =>
-  onReach(async (page) => {
-    const text = JSON.stringify({
-      ...entryOf("islands").document,
-      robot: { type: "arm", base: [0.62, 0.62], links: [1] },
-      queries: [],
-    });
+    assert.equal(q[1], 0.75);
+    const [x, y] = scenario.endEffector(q);
+    assert.equal(await page.innerText("#fact-tip"), `(${x.toFixed(2)}, ${y.toFixed(2)}) m`.replaceAll("-", "\u2212"));
+    await press(page, "#joint-1", "ArrowRight");
+    assert.ok((await poseOf(page))[1] > 0.75);
     const kept = await poseOf(page);
-    await pickFile(page, "bad.json", text);
-    await page.waitForSelector("#notice[data-code=base-in-collision]");
+    await put(page, "joint-0-number", "9");
+    assert.match(await page.innerText("#joint-0-reason"), /9 is above/);
     assert.deepEqual(await poseOf(page), kept);
-    await pickFile(page, "shelf.json", textOf("shelf"));
-    await page.waitForSelector("body[data-scene=file]");
+  },
+
+  "arrow keys lead the tip exactly where the core follows": async (page) => {
+    await choose(page, "tentacle");
+    const scenario = scenarioOf("tentacle");
+    let q = Float64Array.from(await poseOf(page));
+    const step = linksOf("tentacle").reduce((a, b) => a + b, 0) * 0.01;
+    for (const [key, dx, dy] of /** @type {[string, number, number][]} */ ([
+      ["ArrowUp", 0, step],
+      ["ArrowLeft", -step, 0],
+      ["Shift+ArrowDown", 0, -10 * step],
+    ])) {
+      const [x, y] = scenario.endEffector(q);
+      const followed = scenario.follow(q, [x + dx, y + dy]);
+      assert.ok(followed.reached);
+      await press(page, "#stage", key);
+      assert.deepEqual(await poseOf(page), [...followed.configuration]);
+      q = Float64Array.from(followed.configuration);
+    }
+  },
+
+  "the nearest point, what touches and a singular arm are shown and said": async (page) => {
+    const scenario = scenarioOf("islands");
+    await put(page, "joint-0-number", "0");
+    await put(page, "joint-1-number", "0.02");
+    const [x, y] = scenario.endEffector([0, 0.02]);
+    await press(page, "#stage", "Shift+ArrowRight");
+    assert.equal(await page.getAttribute("#stage", "data-reached"), "false");
+    const nearest = scenario.nearestReachable([x + 0.1 * 1.12, y]);
+    assert.ok(nearest.distance > 0.05);
+    assert.ok(
+      (await page.innerText("#story")).includes(`${nearest.distance.toFixed(2)} m away`),
+      await page.innerText("#story"),
+    );
+    await keys(page, "Shift+ArrowLeft", "Shift+ArrowLeft");
+    await page.waitForSelector("#stage[data-reached=true]");
+    const before = await pixelsOf(page, "workspace", "top", "collision");
+    assert.equal(before, 0);
+    await put(page, "joint-0-number", "0.78");
+    await put(page, "joint-1-number", "0");
+    assert.equal(await page.getAttribute("#stage", "data-free"), "false");
+    const { touching } = scenario.check([0.78, 0]);
+    for (const { part, obstacle } of touching)
+      assert.match(
+        await page.innerText("#fact-collision"),
+        new RegExp(`link ${part + 1} touches obstacle ${obstacle}`, "i"),
+      );
+    assert.ok((await pixelsOf(page, "workspace", "top", "collision")) > 200);
+    assert.equal(await page.getAttribute("#stage", "data-singular"), "true");
+    assert.equal(await page.innerText("#fact-isotropy"), "0.00");
+    await put(page, "joint-0-number", "-0.8");
+    assert.match(await page.innerText("#story"), /Nearly singular/);
+  },
+
+  [BETWEEN]: async (page) => {
+    await click(page, "#mode-between");
+    const { a, b } = entryOf("islands");
+    const motionOf = (/** @type {import("../../www/reach/motion.js").Direction} */ direction) =>
+      new Motion(new Robot(entryOf("islands").document, a), a, b, [direction, direction]);
+    assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("short").hit ?? "none"));
+    assert.deepEqual(await poseOf(page), a);
+    await click(page, "#all-long");
+    assert.equal(await page.getAttribute("#between", "data-hit"), String(motionOf("long").hit ?? "none"));
+    assert.match(await page.innerText("#story"), /long way round/);
+    for (let i = 0; i < 3; i++) await click(page, "#between-step-10");
+    assert.equal(await page.inputValue("#along"), "0.3");
+    assert.ok((await pixelsOf(page, "workspace", "top", "path")) > 100);
+    await page.fill("#between-speed", "100");
+    await page.click("#between-play");
+    await valueWithin(page, "along", 0.9999);
     await rest(page);
-    assert.deepEqual(await poseOf(page), [1.42, -1.2, -0.22]);
-    await pickFile(page, "museum.json", textOf("museum"));
-    await page.waitForSelector("#notice[data-code=unsupported]");
-    assert.match(await page.innerText("#notice"), /This page is for arms/);
-  }));
+    const wrapped = (await poseOf(page)).map((angle, i) => Math.abs(Math.sin((angle - b[i]) / 2)));
+    assert.ok(
+      wrapped.every((off) => off < 1e-9),
+      `it ends at B: ${wrapped}`,
+    );
+    assert.equal(await page.getAttribute("#between-play", "data-playing"), "false");
+  },
+
+  "inverse kinematics is the core's run, step by step, with its solutions": async (page) => {
+    await click(page, "#mode-solve");
+    const { q, target } = entryOf("islands");
+    const run = scenarioOf("islands").reach({
+      target,
+      start: q,
+      method: "damped-least-squares",
+      solutions: 8,
+      restarts: 40,
+      seed: 0,
+    });
+    await click(page, "#solve-step-1");
+    assert.equal(await page.getAttribute("#solve", "data-iterations"), "1");
+    run.step(1);
+    assert.deepEqual(await poseOf(page), [...run.configuration()]);
+    assert.ok((await pixelsOf(page, "workspace", "top", "goal")) > 30, "the target is a cross");
+    await solved(page);
+    while (run.step(100) === "running");
+    assert.equal(await page.getAttribute("#solve", "data-fingerprint"), run.fingerprint());
+    assert.equal(await page.getAttribute("#solve", "data-solutions"), String(run.solutionCount));
+    assert.equal(run.solutionCount, 2, "an elbow on either side");
+    assert.equal(
+      await page.innerText("#story"),
+      `Two configurations reach the target; ${(await page.getAttribute("#solve", "data-free")) === "2" ? "neither collides" : "1 of them is collision-free"}.`,
+    );
+    assert.equal(await page.locator("#solutions button").count(), 2);
+    await click(page, "#solutions button >> nth=1");
+    assert.deepEqual(await poseOf(page), [...run.solutionsSince(1)].slice(0, 2));
+    await page.waitForSelector("#charts .line path");
+    assert.match((await page.getAttribute("#charts svg", "aria-label")) ?? "", /iterations/);
+  },
+};
+
+/** A phone adds its size, which these two show. */
+const { [TURNED]: turns, [BETWEEN]: moves } = ANYWHERE;
+
+test("on a desktop the arm is turned, led, moved and solved", (t) => onReach(inTurn(t, ANYWHERE, putBack)));
+
+test("on a phone it is, too", (t) =>
+  onReach(
+    inTurn(
+      t,
+      {
+        ...(isDeep ? ANYWHERE : { [TURNED]: turns, [BETWEEN]: moves }),
+        "a finger at the tip drags it, and elsewhere leaves the page to be scrolled": async (page) => {
+          const before = await poseOf(page);
+          const scenario = scenarioOf("islands");
+          const [x, y] = await windowOf(page, "islands", scenario.endEffector(before));
+          const [fx, fy] = await windowOf(page, "islands", [-0.2, -0.9]);
+          const prevented = await page.locator("#workspace canvas[data-layer=top]").evaluate(
+            (canvas, places) =>
+              places.map(([clientX, clientY]) => {
+                const touch = new Touch({ identifier: 1, target: canvas, clientX, clientY });
+                return !canvas.dispatchEvent(
+                  new TouchEvent("touchstart", { touches: [touch], cancelable: true, bubbles: true }),
+                );
+              }),
+            [
+              [x, y],
+              [fx, fy],
+            ],
+          );
+          assert.deepEqual(prevented, [true, false]);
+          await swipe(page, [
+            [x, y],
+            [x - 20, y + 30],
+          ]);
+          await rest(page);
+          assert.notDeepEqual(await poseOf(page), before);
+        },
+      },
+      putBack,
+    ),
+    PHONE,
+  ));

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { pagePolicy, serve } from "../../scripts/serve.mjs";
 import { flag, list, number, record, withDefaults } from "../../www/formats/rules.js";
 import { decodeState, encodeState } from "../../www/app/link.js";
 import { DESK, TRAP, onPage, pageRoot, pixelsOf, root, useBrowser } from "./browser.mjs";
@@ -228,28 +229,29 @@ test("every page has the same policy as the planner's, and its own entry, style 
   }
 });
 
-test("files are sent compressed to those who accept it, and are the same", () =>
-  onPage({}, async (_, url) => {
-    for (const file of ["", "planarium/planarium_bg.wasm", "style.css"]) {
-      const [plain, ...compressed] = await Promise.all(
-        ["identity", "gzip", "br"].map(async (encoding) => {
-          const response = await fetch(new URL(file, url), { headers: { "accept-encoding": encoding } });
-          return {
-            encoding: response.headers.get("content-encoding"),
-            type: response.headers.get("content-type"),
-            size: Number(response.headers.get("content-length")),
-            bytes: Buffer.from(await response.arrayBuffer()),
-          };
-        }),
-      );
-      assert.deepEqual(
-        [plain, ...compressed].map(({ encoding }) => encoding),
-        [null, "gzip", "br"],
-        file,
-      );
-      for (const { bytes, type, size } of compressed) {
-        assert.ok(bytes.equals(plain.bytes) && type === plain.type, file);
-        assert.ok(size < plain.size / 2, `${file}: ${size} of ${plain.size}`);
-      }
+test("files are sent compressed to those who accept it, and are the same", async (t) => {
+  const { url, close } = await serve({ root: pageRoot, port: 0, policy: pagePolicy() });
+  t.after(close);
+  for (const file of ["", "planarium/planarium_bg.wasm", "style.css"]) {
+    const [plain, ...compressed] = await Promise.all(
+      ["identity", "gzip", "br"].map(async (encoding) => {
+        const response = await fetch(new URL(file, url), { headers: { "accept-encoding": encoding } });
+        return {
+          encoding: response.headers.get("content-encoding"),
+          type: response.headers.get("content-type"),
+          size: Number(response.headers.get("content-length")),
+          bytes: Buffer.from(await response.arrayBuffer()),
+        };
+      }),
+    );
+    assert.deepEqual(
+      [plain, ...compressed].map(({ encoding }) => encoding),
+      [null, "gzip", "br"],
+      file,
+    );
+    for (const { bytes, type, size } of compressed) {
+      assert.ok(bytes.equals(plain.bytes) && type === plain.type, file);
+      assert.ok(size < plain.size / 2, `${file}: ${size} of ${plain.size}`);
     }
-  }));
+  }
+});

@@ -27,6 +27,7 @@ import {
   useBrowser,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
+import { inTurn, openState, restage } from "./turns.mjs";
 
 /** @import { Page } from "playwright-core" */
 
@@ -58,68 +59,6 @@ function marksAt(planner, iteration) {
   return marks;
 }
 
-test("a page that says which button to press has it", async () => {
-  for (const [path, tabs] of /** @type {const} */ ([
-    ["prm-rl.html", ["#part-train", "#part-compare"]],
-    ["experiments.html", []],
-    ["reach.html", ["#mode-between", "#mode-solve"]],
-    ["trajectories.html", []],
-    ["fleet.html", []],
-    ["", []],
-  ])) {
-    await onPage(
-      { reducedMotion: "reduce" },
-      async (page) => {
-        await page.waitForSelector("body[data-state=ready]");
-        /** @type {Set<string>} */
-        const named = new Set();
-        for (const tab of ["", ...tabs]) {
-          if (tab !== "") await page.click(tab);
-          if (tab !== "") await page.waitForSelector(`${tab}[aria-pressed=true]`);
-          if (tab === "#part-train") await page.waitForSelector("#stage[data-training=ready]");
-          for (const [, name] of (await page.locator("main").innerText()).matchAll(/\b[Pp]ress ([A-Z]\w+)(?=[.:,])/g)) {
-            named.add(name);
-            assert.ok(
-              (await page.getByRole("button", { name, exact: true }).filter({ visible: true }).count()) > 0,
-              `${path}${tab}: there is no button ${name}`,
-            );
-          }
-        }
-        if (path === "prm-rl.html") assert.deepEqual([...named].sort(), ["Run", "Train"]);
-      },
-      { path },
-    );
-  }
-});
-
-test("lit are the lines that the iteration shown went through", () =>
-  onPausedPage(async (page) => {
-    for (const id of ["stones", "trap", "shelf", "museum"]) {
-      const entry = sceneOf(id);
-      const lines = planners().find((info) => info.id === entry.algorithm)?.pseudocode ?? assert.fail(id);
-      if (id !== "stones") await chooseScene(page, id);
-      assert.deepEqual(
-        await page.locator("#pseudocode li").allInnerTexts(),
-        lines.map(({ text }) => text),
-        id,
-      );
-      assert.deepEqual(await lit(page), [], `${id}: before the first iteration nothing has been done`);
-      const scenario = open(entry);
-      const last = await finish(page);
-      for (const iteration of [2, 3, 30, 61, 120, last.iterations]) {
-        const planner = withOptions({ ...entry.settings, algorithm: entry.algorithm }, (options) =>
-          scenario.planner(options),
-        );
-        const marks = marksAt(planner, iteration);
-        planner.free();
-        assert.equal((await seek(page, iteration)).iterations, iteration);
-        const wanted = lines.filter((line) => line.lit_by.some((mark) => marks.has(mark))).map(({ text }) => text);
-        assert.ok(wanted.length > 0);
-        assert.deepEqual(await lit(page), wanted, `${id} at ${iteration}: ${[...marks].join(" ")}`);
-      }
-    }
-  }));
-
 test("lit lines have a glyph, are not announced, change slowly enough to follow", () =>
   onPage(
     { colorScheme: "dark" },
@@ -150,84 +89,93 @@ test("lit lines have a glyph, are not announced, change slowly enough to follow"
     },
   ));
 
-test("a slider generates the scene again, with the same settings and speed", () =>
-  onPausedPage(async (page) => {
-    assert.equal(await page.locator(".sliders input").count(), 0, "a scene of a file has none");
-    await chooseScene(page, "passage");
-    await setParameter(page, "samples", "77");
-    await page.fill("#speed", "33");
-    const first = await finish(page);
-    const slider = page.locator("#option-width");
-    assert.equal(await page.locator("label", { has: slider }).locator(".name").innerText(), "Width of the passage");
-    assert.equal(await page.innerText("#option-width-value"), "0.2 m");
-    await slider.press("End");
-    await page.waitForSelector("#counters[data-iterations='0']", { state: "attached" });
-    assert.equal(await page.innerText("#option-width-value"), "0.5 m");
-    assert.equal(await page.evaluate(() => document.activeElement?.id), "option-width", "the focus stays");
-    const wide = await finish(page);
-    assert.notEqual(wide.fingerprint, first.fingerprint);
-    const entry = sceneOf("passage");
-    assert.equal(
-      wide.fingerprint,
-      ran(open(entry, { width: 0.5 }), "prm", { ...entry.settings, samples: 77 }).result.fingerprint,
-    );
-    assert.equal(await page.inputValue("#speed"), "33");
-    assert.equal(await page.inputValue("#parameter-samples"), "77");
-    assert.equal(await page.getAttribute("body", "data-scene"), "passage");
-  }));
+test("options of scenes", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "a slider generates the scene again, with the same settings and speed": async (page) => {
+          assert.equal(await page.locator(".sliders input").count(), 0, "a scene of a file has none");
+          await chooseScene(page, "passage");
+          await setParameter(page, "samples", "77");
+          await page.fill("#speed", "33");
+          const first = await finish(page);
+          const slider = page.locator("#option-width");
+          assert.equal(
+            await page.locator("label", { has: slider }).locator(".name").innerText(),
+            "Width of the passage",
+          );
+          assert.equal(await page.innerText("#option-width-value"), "0.2 m");
+          await slider.press("End");
+          await page.waitForSelector("#counters[data-iterations='0']", { state: "attached" });
+          assert.equal(await page.innerText("#option-width-value"), "0.5 m");
+          assert.equal(await page.evaluate(() => document.activeElement?.id), "option-width", "the focus stays");
+          const wide = await finish(page);
+          assert.notEqual(wide.fingerprint, first.fingerprint);
+          const entry = sceneOf("passage");
+          assert.equal(
+            wide.fingerprint,
+            ran(open(entry, { width: 0.5 }), "prm", { ...entry.settings, samples: 77 }).result.fingerprint,
+          );
+          assert.equal(await page.inputValue("#speed"), "33");
+          assert.equal(await page.inputValue("#parameter-samples"), "77");
+          assert.equal(await page.getAttribute("body", "data-scene"), "passage");
+        },
 
-test("of many moves at once the last one stays, and words are words", () =>
-  onPausedPage(async (page) => {
-    await chooseScene(page, "maze");
-    assert.equal(await page.innerText("#option-difficulty-value"), "medium");
-    await page.locator("#option-seed").evaluate((element) => {
-      const input = /** @type {HTMLInputElement} */ (element);
-      for (let i = 0; i <= 30; i++) {
-        input.value = String(i);
-        input.dispatchEvent(new Event("input"));
-      }
-    });
-    await page.fill("#option-difficulty", "2");
-    await page.waitForFunction(() => document.getElementById("option-seed-value")?.textContent === "30");
-    await atRest(page);
-    assert.equal(await page.innerText("#option-difficulty-value"), "hard");
-    const shown = await finish(page);
-    const entry = sceneOf("maze");
-    assert.equal(
-      shown.fingerprint,
-      ran(open(entry, { seed: 30, difficulty: 2 }), entry.algorithm, entry.settings).result.fingerprint,
-    );
-  }));
+        "of many moves at once the last one stays, and words are words": async (page) => {
+          await chooseScene(page, "maze");
+          assert.equal(await page.innerText("#option-difficulty-value"), "medium");
+          await page.locator("#option-seed").evaluate((element) => {
+            const input = /** @type {HTMLInputElement} */ (element);
+            for (let i = 0; i <= 30; i++) {
+              input.value = String(i);
+              input.dispatchEvent(new Event("input"));
+            }
+          });
+          await page.fill("#option-difficulty", "2");
+          await page.waitForFunction(() => document.getElementById("option-seed-value")?.textContent === "30");
+          await atRest(page);
+          assert.equal(await page.innerText("#option-difficulty-value"), "hard");
+          const shown = await finish(page);
+          const entry = sceneOf("maze");
+          assert.equal(
+            shown.fingerprint,
+            ran(open(entry, { seed: 30, difficulty: 2 }), entry.algorithm, entry.settings).result.fingerprint,
+          );
+        },
 
-test("any scene that the core makes can be made; a value out of range is refused beside its field", () =>
-  onPausedPage(async (page) => {
-    await page.click("#make-fold > summary");
-    await page.waitForSelector("#make-kind");
-    assert.deepEqual(
-      await offered(page, "make-kind"),
-      generators().map(({ id }) => id),
-    );
-    await page.selectOption("#make-kind", "discs");
-    await page.fill("#make-count", "-4");
-    await page.click("#make button");
-    assert.match(await page.innerText("#make-count-reason"), /-4 is below 0/);
-    assert.equal(await page.getAttribute("body", "data-scene"), "stones", "nothing was made");
-    await page.fill("#make-count", "31");
-    await page.fill("#make-seed", "6");
-    await page.selectOption("#planner", "rrt-connect");
-    await page.click("#make button");
-    await page.waitForSelector("body[data-scene=file]");
-    const shown = await finish(page);
-    assert.equal(
-      shown.fingerprint,
-      ran(Scenario.generate("discs", { count: 31, seed: 6 }), "rrt-connect", { seed: 0 }).result.fingerprint,
-    );
-    assert.equal(await page.locator("input[name=scene]:checked").count(), 0);
-    await page.fill("#make-links", "5");
-    await page.click("#make button");
-    await page.waitForSelector("#notice:not([hidden])");
-    assert.match(await page.innerText("#notice"), /^This scene cannot be generated\..*links/s);
-  }));
+        "any scene that the core makes can be made; a value out of range is refused beside its field": async (page) => {
+          await page.click("#make-fold > summary");
+          await page.waitForSelector("#make-kind");
+          assert.deepEqual(
+            await offered(page, "make-kind"),
+            generators().map(({ id }) => id),
+          );
+          await page.selectOption("#make-kind", "discs");
+          await page.fill("#make-count", "-4");
+          await page.click("#make button");
+          assert.match(await page.innerText("#make-count-reason"), /-4 is below 0/);
+          assert.equal(await page.getAttribute("body", "data-scene"), "stones", "nothing was made");
+          await page.fill("#make-count", "31");
+          await page.fill("#make-seed", "6");
+          await page.selectOption("#planner", "rrt-connect");
+          await page.click("#make button");
+          await page.waitForSelector("body[data-scene=file]");
+          const shown = await finish(page);
+          assert.equal(
+            shown.fingerprint,
+            ran(Scenario.generate("discs", { count: 31, seed: 6 }), "rrt-connect", { seed: 0 }).result.fingerprint,
+          );
+          assert.equal(await page.locator("input[name=scene]:checked").count(), 0);
+          await page.fill("#make-links", "5");
+          await page.click("#make button");
+          await page.waitForSelector("#notice:not([hidden])");
+          assert.match(await page.innerText("#notice"), /^This scene cannot be generated\..*links/s);
+        },
+      },
+      restage,
+    ),
+  ));
 
 test("a lesson begins from its title, goes back and forth, and every step has its address", () =>
   onPausedPage(async (page, url) => {
@@ -308,67 +256,112 @@ for (const [device, options] of /** @type {const} */ ([
     ));
 }
 
-test("an address without a lesson is said, and the page opens", async () => {
-  for (const [lesson, sentence] of /** @type {[string, RegExp][]} */ ([
-    ["alchemy.1", /no lesson "alchemy"/],
-    ["trees.77", /5 steps; there is no step 77/],
-    ["", /There is no lesson/],
-    ["<b>x</b>", /There is no lesson/],
-  ])) {
-    await onPausedPage(
-      async (page) => {
+test("an address without a lesson is said, and the page opens, or stays as it is", () =>
+  onPausedPage(
+    async (page) => {
+      const says = async (/** @type {RegExp} */ sentence) => {
         await page.waitForSelector("#notice:not([hidden])");
         assert.match(await page.innerText("#notice"), sentence);
         assert.equal(await page.getAttribute("body", "data-scene"), "stones");
-      },
-      {},
-      { path: `#lesson=${lesson}` },
-    );
-  }
-});
-
-test("what is looked for is said first, then what grows, then what came of it", () =>
-  onPausedPage(async (page) => {
-    assert.match(
-      await page.innerText("#story"),
-      /^Looking for a path from start to goal\. Each dot is a collision-free configuration of the arm\.$/,
-    );
-    assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+dots mark the arm.s tip$/);
-    assert.match(await page.innerText("#cspace figcaption"), /^Configuration space\s+each dot: two joint angles$/);
-    while ((await atRest(page)).phase === "sampling") await page.click("#step-100");
-    assert.equal((await atRest(page)).phase, "connecting");
-    assert.equal(await page.innerText("#story"), SCENES[0].story);
-    await finish(page);
-    assert.match(await page.innerText("#story"), /^Path found after/);
-  }));
-
-test("whatever is said, the stage stays where it is", () =>
-  onPausedPage(async (page) => {
-    const place = () =>
-      page.evaluate(() => {
-        scrollTo(0, 0);
-        const { top, height } = /** @type {HTMLElement} */ (document.getElementById("stage")).getBoundingClientRect();
-        return `${top.toFixed(0)} ${height.toFixed(0)}`;
-      });
-    for (const id of ["stones", "locked", "veil"]) {
-      if (id !== "stones") await chooseScene(page, id);
-      for (const [width, height] of [
-        [1280, 860],
-        [1024, 768],
-        [390, 844],
-        [820, 1100],
-      ]) {
-        await page.setViewportSize({ width, height });
-        await click(page, "#reset");
-        const first = await place();
-        const sentences = new Set([await page.innerText("#story")]);
-        for (const act of ["#step-100", "#finish", "#your-turn"]) {
-          await click(page, act);
-          sentences.add(await page.innerText("#story"));
-          assert.equal(await place(), first, `${id}, ${width} pixels wide: ${await page.innerText("#story")}`);
-        }
-        assert.ok(sentences.size >= 3);
-        await page.click("#your-turn");
+      };
+      await says(/no lesson "alchemy"/);
+      for (const [lesson, sentence] of /** @type {[string, RegExp][]} */ ([
+        ["trees.77", /5 steps; there is no step 77/],
+        ["", /There is no lesson/],
+        ["<b>x</b>", /There is no lesson/],
+      ])) {
+        await page.click("#notice button");
+        await openState(page, `lesson=${lesson}`);
+        await says(sentence);
       }
-    }
-  }));
+    },
+    {},
+    { path: "#lesson=alchemy.1" },
+  ));
+
+test("what is said of a run", (t) =>
+  onPausedPage(
+    inTurn(
+      t,
+      {
+        "what is looked for is said first, then what grows, then what came of it": async (page) => {
+          assert.match(
+            await page.innerText("#story"),
+            /^Looking for a path from start to goal\. Each dot is a collision-free configuration of the arm\.$/,
+          );
+          assert.match(await page.innerText("#workspace figcaption"), /^Workspace\s+dots mark the arm.s tip$/);
+          assert.match(
+            await page.innerText("#cspace figcaption"),
+            /^Configuration space\s+each dot: two joint angles$/,
+          );
+          while ((await atRest(page)).phase === "sampling") await page.click("#step-100");
+          assert.equal((await atRest(page)).phase, "connecting");
+          assert.equal(await page.innerText("#story"), SCENES[0].story);
+          await finish(page);
+          assert.match(await page.innerText("#story"), /^Path found after/);
+        },
+
+        "lit are the lines that the iteration shown went through": async (page) => {
+          for (const id of ["stones", "trap", "shelf", "museum"]) {
+            const entry = sceneOf(id);
+            const lines = planners().find((info) => info.id === entry.algorithm)?.pseudocode ?? assert.fail(id);
+            if (id !== "stones") await chooseScene(page, id);
+            assert.deepEqual(
+              await page.locator("#pseudocode li").allInnerTexts(),
+              lines.map(({ text }) => text),
+              id,
+            );
+            assert.deepEqual(await lit(page), [], `${id}: before the first iteration nothing has been done`);
+            const scenario = open(entry);
+            const last = await finish(page);
+            for (const iteration of [2, 3, 30, 61, 120, last.iterations]) {
+              const planner = withOptions({ ...entry.settings, algorithm: entry.algorithm }, (options) =>
+                scenario.planner(options),
+              );
+              const marks = marksAt(planner, iteration);
+              planner.free();
+              assert.equal((await seek(page, iteration)).iterations, iteration);
+              const wanted = lines
+                .filter((line) => line.lit_by.some((mark) => marks.has(mark)))
+                .map(({ text }) => text);
+              assert.ok(wanted.length > 0);
+              assert.deepEqual(await lit(page), wanted, `${id} at ${iteration}: ${[...marks].join(" ")}`);
+            }
+          }
+        },
+
+        "whatever is said, the stage stays where it is": async (page) => {
+          const place = () =>
+            page.evaluate(() => {
+              scrollTo(0, 0);
+              const { top, height } = /** @type {HTMLElement} */ (
+                document.getElementById("stage")
+              ).getBoundingClientRect();
+              return `${top.toFixed(0)} ${height.toFixed(0)}`;
+            });
+          for (const id of ["stones", "locked", "veil"]) {
+            if (id !== "stones") await chooseScene(page, id);
+            for (const [width, height] of [
+              [1280, 860],
+              [1024, 768],
+              [390, 844],
+              [820, 1100],
+            ]) {
+              await page.setViewportSize({ width, height });
+              await click(page, "#reset");
+              const first = await place();
+              const sentences = new Set([await page.innerText("#story")]);
+              for (const act of ["#step-100", "#finish", "#your-turn"]) {
+                await click(page, act);
+                sentences.add(await page.innerText("#story"));
+                assert.equal(await place(), first, `${id}, ${width} pixels wide: ${await page.innerText("#story")}`);
+              }
+              assert.ok(sentences.size >= 3);
+              await page.click("#your-turn");
+            }
+          }
+        },
+      },
+      restage,
+    ),
+  ));

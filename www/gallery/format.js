@@ -19,9 +19,9 @@
  *    second planner of a race `{visited B}`. Every other number in `see` is one of the entry's settings.
  * 4. Of a report: add its id to the rows that it is about. If it is among the best of its topic: to `best` there.
  *
- * The build makes the links, the pictures and the page from this data: see `build/`. `tests/page/gallery.test.mjs`
- * checks that all rows are there, that every state is valid, and that every entry opens and shows what it should, to
- * the numbers in `shows`.
+ * The build makes the links, the pictures and the page from this data: see `build/`.
+ * `tests/page/gallery-entries.test.mjs` checks that all rows are there, that every state is valid, and that every entry
+ * opens and shows what it should, to the numbers in `shows`.
  *
  * Texts are plain: `code` between backticks is the only markup.
  */

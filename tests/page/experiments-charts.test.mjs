@@ -1,0 +1,129 @@
+/** Charts of experiments and what is said of them, without a browser. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { ceilingOf, tasksOf } from "../../www/experiments/ceiling.js";
+import { captionOf } from "../../www/experiments/chart-view.js";
+import { CHARTS, chartOf, completed, remarkOf } from "../../www/experiments/charts.js";
+import { commonTrials } from "../../www/experiments/common.js";
+import { comparisons } from "../../www/experiments/comparisons.js";
+import { Rows } from "../../www/experiments/rows.js";
+import { small } from "./experiments.mjs";
+
+/** @import { ExperimentDocument } from "planarium/full" */
+
+test("what is put across is not up any more: another factor is", () => {
+  const factors = ["planner.k", "world", "planner"].map((column) => ({
+    column,
+    title: column,
+    unit: "",
+    values: [1, 2],
+    isNumeric: column === "planner.k",
+  }));
+  const shown = (/** @type {string} */ axis, /** @type {string} */ second, all = factors) => {
+    const { kind, axis: across, second: up } = completed({ chart: "heat", axis, second }, all, [], ["solved"]);
+    return [kind.id, across?.column, up?.column];
+  };
+  assert.deepEqual(shown("world", "planner"), ["heat", "world", "planner"]);
+  assert.deepEqual(shown("world", "world"), ["heat", "world", "planner.k"]);
+  assert.deepEqual(shown("planner.k", "planner.k"), ["heat", "planner.k", "world"]);
+  assert.deepEqual(shown("world", "world", [factors[1]]), ["success", "world", undefined]);
+});
+
+test("settings without a path are no baseline; four sentences are enough for any number of settings", () => {
+  const rows = new Rows(["planner", "seed", "status", "length"], 12);
+  // Two settings without paths, and two with them.
+  for (let trial = 0; trial < 12; trial++)
+    rows.set(
+      trial,
+      ["abcd"[Math.floor(trial / 3)], trial % 3, trial < 6 ? "failed" : "solved", trial < 6 ? null : trial],
+      [0, 0],
+    );
+  const factor = { column: "planner", title: "planner", unit: "", values: [..."abcd"], isNumeric: false };
+  const lengths = comparisons(rows, [factor], "length");
+  assert.deepEqual([lengths.baseline, lengths.other], ["c", "d"]);
+  assert.match(lengths.sentences[0], /smallest for c, 7 \(n = 3\), and largest for d, 10 \(n = 3\)/);
+  assert.match(lengths.sentences[1], /^The path length of d is smaller than that of c in 0 of 3 pairs/);
+  assert.equal(comparisons(rows, [factor], "length", { baseline: "d" }).baseline, "d");
+  assert.equal(
+    comparisons(rows, [factor], "length", { other: "a" }).sentences[1],
+    "No pair has a value of both a and c.",
+  );
+  const solved = comparisons(rows, [factor], "solved", { baseline: "b", other: "d" }).sentences;
+  assert.match(solved[1], /^d finds a path more often than b, alone in 3 of 3 pairs, and b alone in 0/);
+  assert.match(solved[2], /^None of the 3 other settings differs significantly from b\.$/);
+  const { which, pairs, left } = commonTrials(rows, [factor]);
+  assert.deepEqual([[...which], pairs, left], [[0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1], 3, ["a", "b"]]);
+});
+
+test("every chart has a button, fits a measure and says what its marks mean", () => {
+  assert.equal(new Set(CHARTS.map(({ id }) => id)).size, CHARTS.length);
+  const rows = new Rows(["planner", "planner.k", "seed", "status", "length", "iterations", "clearance_evaluations"], 8);
+  for (let trial = 0; trial < 8; trial++)
+    rows.set(
+      trial,
+      ["ab"[trial % 2], trial >> 2, (trial >> 1) % 2, trial === 5 ? "failed" : "solved", trial, 1, 2],
+      [0, 0],
+    );
+  const of = (/** @type {string} */ column, /** @type {any[]} */ values, /** @type {boolean} */ isNumeric) => ({
+    column,
+    title: column,
+    unit: "",
+    values,
+    isNumeric,
+  });
+  const factors = [of("planner", ["a", "b"], false), of("planner.k", [0, 1], true)];
+  for (const { id, fits, title } of CHARTS) {
+    assert.ok(["solved", "length"].some(fits) && title, id);
+    const chart = chartOf(rows, factors, { chart: id }, ["length"], "m", { most: 75 });
+    assert.deepEqual([chart.kind.id, chart.rows().length > 0, chart.counted.length > 0], [id, true, true]);
+    assert.match(remarkOf(chart), /^[A-Z].* n = \d+ (?:each|to \d+)\./, id);
+    assert.equal(chart.ceiling, ["success", "line", "ecdf"].includes(id) ? 75 : null, id);
+    const captionWhile = (/** @type {number} */ uncertified) =>
+      captionOf(chart, { document: small, view: {}, ceiling: null, rows, uncertified });
+    const subject = "PRM, RRT-Connect; Two links among stones, made; 8 trials.";
+    assert.equal(captionWhile(0), `${subject} ${remarkOf(chart)}`, id);
+    const isOfPaths = chart.measure === "solved" || chart.kind.isOfAll === true;
+    assert.equal(captionWhile(2).endsWith("still being examined."), isOfPaths, id);
+    // Worlds across or in series have ceilings of their own.
+    const worlds = [...factors, of("world", ["u", "v"], false)];
+    assert.equal(chartOf(rows, worlds, { chart: id }, ["length"], "m", { most: 75 }).ceiling, null, id);
+  }
+});
+
+test("the ceiling counts worlds with a proven path, certified ones and unknown ones", () => {
+  const document = /** @type {ExperimentDocument} */ ({
+    format: "planarium-experiment-1",
+    worlds: [{ generate: "discs", seeds: { from: 0, count: 4 } }],
+    planners: [{ algorithm: "prm" }, { algorithm: "prm", name: "leaps", set: { edge_check: "none" } }],
+    seeds: [0],
+  });
+  const rows = new Rows(["world", "world_seed", "query", "planner", "seed", "status", "length"], 8);
+  // World 0 is solved with proof, world 1 without; the others are not.
+  for (let trial = 0; trial < 8; trial++) {
+    const planner = ["prm", "leaps"][trial % 2];
+    const isSolved = trial === 0 || trial === 3;
+    rows.set(
+      trial,
+      ["discs", trial >> 1, "q", planner, 0, isSolved ? "solved" : "failed", isSolved ? 1 : null],
+      [0, 0],
+    );
+  }
+  const tasks = tasksOf(rows, document);
+  assert.deepEqual(
+    tasks.map(({ hasPath }) => hasPath),
+    [true, false, false, false],
+  );
+  const { most, words } = ceilingOf(
+    tasks,
+    new Map([
+      [tasks[1].key, "infeasible"],
+      [tasks[2].key, "connected"],
+    ]),
+  );
+  assert.equal(most, 75);
+  assert.equal(
+    words,
+    "Of 4 worlds 2 have a path, 1 is proven to have none and 1 may have one or not: no planner can solve more than 75 % of these trials.",
+  );
+  assert.match(ceilingOf(tasks, new Map([[tasks[1].key, "unsupported"]])).words, /certificates are for discs and arms/);
+});

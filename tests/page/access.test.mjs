@@ -29,6 +29,8 @@ import {
 } from "./browser.mjs";
 import { plane, swipe } from "./editing.mjs";
 import { assertFaultless, assertForced, assertTargets } from "./looks.mjs";
+import { SMALL } from "./pages.mjs";
+import { encodeExperiment } from "../../www/experiments/link.js";
 
 /** @import { Page } from "playwright-core" */
 
@@ -304,8 +306,11 @@ test("few controls are in view at first; More stays open, and opens for a link t
     { isFolded: true },
   ));
 
-for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "fleet.html", "prm-rl.html"])
-  test(`the figures of ${path || "Plan"} fill small screens, projectors and frames`, () =>
+/** A short experiment that runs as it is opened. */
+const CHART = `experiments.html#${await encodeExperiment({ document: SMALL, run: true })}`;
+
+for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "fleet.html", "prm-rl.html", CHART])
+  test(`the figures of ${path.split("#")[0] || "Plan"} fill small screens, projectors and frames`, () =>
     onPage(
       { reducedMotion: "reduce", viewport: { width: 1024, height: 768 } },
       async (page, url) => {
@@ -319,7 +324,7 @@ for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "f
           { width: 640, height: 480 },
         ]) {
           await page.setViewportSize(viewport);
-          await page.goto(addressOf(url, `${path}?embed=1`));
+          await page.goto(addressOf(url, path.replace(/(?=#|$)/, "?embed=1")));
           await assertFills(page, `frame of ${viewport.width}`);
           assert.equal(await page.isVisible(".masthead"), false);
         }
@@ -333,9 +338,12 @@ for (const path of ["", "reach.html", "neighbours.html", "trajectories.html", "f
  * @param {string} name
  */
 async function assertFills(page, name) {
+  await page.waitForSelector("#stage :is(.sheet, .plot)");
   await page.waitForSelector("#counters[data-settled=true], body[data-settled=true]", { state: "attached" });
   const { width, height, bottom } = await page.evaluate(() => {
-    const boxes = [...document.querySelectorAll("#stage .sheet")].map((sheet) => sheet.getBoundingClientRect());
+    const boxes = [...document.querySelectorAll("#stage :is(.sheet, .plot)")].map((sheet) =>
+      sheet.getBoundingClientRect(),
+    );
     const side = (/** @type {number[]} */ from, /** @type {number[]} */ to) => Math.max(...to) - Math.min(...from);
     return {
       width:

@@ -218,7 +218,7 @@ export const ROWS = {
 
 /**
  * A short experiment, some of whose trials find no path.
- * @type {import("../../www/experiments/link.js").LinkedDocument}
+ * @type {import("../../www/domain/types.js").LinkedDocument}
  */
 export const SMALL = {
   format: "planarium-experiment-1",

@@ -6,6 +6,7 @@
  *   dist/package/  the files that `npm pack` publishes
  *   dist/page/     the static pages
  *   dist/planarium.html   the planner's page in one file
+ *   dist/planarium-experiments.html   the page of experiments in one file
  *
  * `node scripts/build.mjs` builds everything, `node scripts/build.mjs package` only the package.
  */

@@ -6,6 +6,9 @@ import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { Problem, ask, root } from "./run.mjs";
 
+/** The file with the notices. */
+export const NOTICES = "THIRD-PARTY-NOTICES.txt";
+
 /**
  * @typedef {{ name: string, version: string, license: string | null, authors: string[], repository: string | null,
  *   manifest_path: string }} Package

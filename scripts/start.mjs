@@ -1,6 +1,6 @@
 /**
  * `npm start`: installs tools, builds, and serves the pages and their documentation on PORT (8080). It also writes the
- * planner's page as one file.
+ * planner's page and that of experiments as one file each.
  */
 import { join } from "node:path";
 import { buildPackage } from "./build.mjs";
@@ -23,7 +23,7 @@ await script(async () => {
     docs: join(root, "dist", "site"),
   });
   console.log(
-    `\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute; dist/planarium.html is the planner's page in one file.`,
+    `\nPlanarium is at ${url} (Ctrl+C stops it). Its documentation will be at ${url}docs/ in half a minute; dist/planarium.html is the planner's page in one file, dist/planarium-experiments.html that of experiments.`,
   );
   await buildSite();
   console.log(`\nThe documentation is at ${url}docs/`);

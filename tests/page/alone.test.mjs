@@ -1,7 +1,7 @@
 /** The page on its own: without a network, as one file, inside another page, and after its core was lost. */
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import {
@@ -20,11 +20,14 @@ import {
   worker,
 } from "./browser.mjs";
 import { open, ran, sceneOf } from "./library.mjs";
+import { SMALL } from "./pages.mjs";
+import { encodeExperiment } from "../../www/experiments/link.js";
 import { SCENES } from "../../www/planner/scenes/scenes.js";
 
 useBrowser();
 
 const oneFile = join(root, "dist", "planarium.html");
+const experimentsFile = join(root, "dist", "planarium-experiments.html");
 
 test("without a network every scene can be shown and planned, once the page is open", () =>
   onPausedPage(
@@ -48,12 +51,47 @@ test("without a network every scene can be shown and planned, once the page is o
     },
   ));
 
-test("the page in one file has at most 1260 KB and asks for nothing", () => {
-  assert.ok(statSync(oneFile).size <= 1260 * 1024, `${statSync(oneFile).size}`);
-  const html = readFileSync(oneFile, "utf8");
-  assert.match(html, /default-src 'none'/);
-  assert.doesNotMatch(html, /<(script|link|img)[^>]*(src|href)="(?!data:)/);
-});
+for (const [file, most] of /** @type {[string, number][]} */ ([
+  [oneFile, 1270],
+  [experimentsFile, 1580],
+]))
+  test(`${basename(file)} has at most ${most} KB and asks for nothing`, () => {
+    assert.ok(statSync(file).size <= most * 1024, `${statSync(file).size}`);
+    const html = readFileSync(file, "utf8");
+    assert.match(html, /default-src 'none'/);
+    assert.doesNotMatch(html, /<(script|link|img)[^>]*(src|href)="(?!data:)/);
+    assert.match(html, /uqr \d[\d.]* \(MIT\), https:/);
+  });
+
+test("the page of experiments in one file opens from the disk, runs, and links to the planner's file", () =>
+  onPage(
+    { reducedMotion: "reduce" },
+    async (page, url) => {
+      /** @type {string[]} */
+      const requests = [];
+      page.on("request", (request) => requests.push(request.url()));
+      const fragment = await encodeExperiment({ document: SMALL, run: true });
+      await page.goto(pathToFileURL(experimentsFile).href + `#${fragment}`);
+      await page.waitForSelector("body[data-phase=done][data-done='8']:not([data-chart=''])");
+      const there = await page.evaluate(() => ({ ...document.body.dataset }));
+      await page.waitForSelector("#trials tbody a[href]");
+      const trial = (await page.getAttribute("#trials tbody a", "href")) ?? "";
+      assert.match(trial, /^planarium\.html#1/);
+      // One whose worlds are files of the site.
+      await page.selectOption("#ready", "arm-planners");
+      await page.waitForSelector("body[data-phase=ready]:not([data-count='8'])");
+      await page.goto(new URL(trial, page.url()).href);
+      await page.waitForSelector("#counters[data-settled=true][data-status=solved]", { state: "attached" });
+      assert.ok(
+        requests.every((url) => /^(file|data|blob):/.test(url)),
+        requests.join(" "),
+      );
+      await page.goto(addressOf(url, `experiments.html#${fragment}`));
+      await page.waitForSelector("body[data-phase=done][data-done='8']:not([data-chart=''])");
+      assert.deepEqual(await page.evaluate(() => ({ ...document.body.dataset })), there);
+    },
+    { path: "icon.svg", expectErrors: true },
+  ));
 
 test("the page in one file runs from the disk and in a sandboxed frame, and plans the same bits as the package", () => {
   const { algorithm, settings } = sceneOf("stones");

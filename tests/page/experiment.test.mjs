@@ -25,8 +25,8 @@ const table = new Planners(withPageDefaults(planners()));
 Object.assign(globalThis, {
   document: {
     getElementById: (/** @type {string} */ id) => {
-      const scene = id.replace("inline-scene-", "");
-      return scene === id ? null : { textContent: textOf(scene) };
+      const scene = /^inline-scenes\/(.+)\.json$/.exec(id)?.[1];
+      return scene ? { textContent: textOf(scene) } : null;
     },
     documentElement: { classList: { contains: () => false } },
   },

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ceilingOf, tasksOf } from "../../www/experiments/ceiling.js";
 import { captionOf } from "../../www/experiments/chart-view.js";
+import { bySettings } from "../../www/experiments/charts/summaries.js";
 import { CHARTS, chartOf, completed, remarkOf } from "../../www/experiments/charts.js";
 import { commonTrials } from "../../www/experiments/common.js";
 import { comparisons } from "../../www/experiments/comparisons.js";
@@ -87,6 +88,34 @@ test("every chart has a button, fits a measure and says what its marks mean", ()
     // Worlds across or in series have ceilings of their own.
     const worlds = [...factors, of("world", ["u", "v"], false)];
     assert.equal(chartOf(rows, worlds, { chart: id }, ["length"], "m", { most: 75 }).ceiling, null, id);
+  }
+});
+
+test("one more chart is one object in the table", () => {
+  const rows = new Rows(["planner", "seed", "status", "length"], 4);
+  for (let trial = 0; trial < 4; trial++) rows.set(trial, ["ab"[trial % 2], trial >> 1, "solved", 1 + trial], [0, 0]);
+  const factor = { column: "planner", title: "planner", unit: "", values: ["a", "b"], isNumeric: false };
+  /** @type {import("../../www/experiments/charts.js").Chart} */
+  const range = {
+    id: "range",
+    title: "Range",
+    fits: (measure) => measure === "length",
+    controls: ["measure", "axis"],
+    swatch: "none",
+    data: (query) => bySettings(query),
+    marks: (plot, { summaries }) => ({
+      marks: [plot.ruleX(summaries, { x: "x", y1: "low", y2: "high" })],
+      options: {},
+    }),
+    remark: () => "Lines: from the shortest to the longest path.",
+  };
+  CHARTS.push(range);
+  try {
+    const chart = chartOf(rows, [factor], { chart: "range" }, ["length"], "m", null);
+    assert.deepEqual([chart.kind, chart.measure, chart.summaries.length], [range, "length", 2]);
+    assert.match(remarkOf(chart), /^Lines: from the shortest .* n = 2 each\./);
+  } finally {
+    CHARTS.pop();
   }
 });
 

@@ -4,8 +4,10 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Experiment, ecdf, paired, quartiles, share } from "planarium/full";
-import { counters, fill, frames, onPage, root, useBrowser, violations } from "./browser.mjs";
-import { assertFaultless, assertTargets, overhang } from "./looks.mjs";
+import { encodeExperiment } from "../../www/experiments/link.js";
+import { addressOf, counters, fill, frames, onPage, root, useBrowser, violations } from "./browser.mjs";
+import { assertFaultless, assertFills, assertTargets, overhang } from "./looks.mjs";
+import { SMALL } from "./pages.mjs";
 import { inTurn } from "./turns.mjs";
 import { small, onExperiment, done, taken, tableOf } from "./experiments.mjs";
 
@@ -338,6 +340,35 @@ test("an experiment that was run", (t) =>
       },
       async () => {},
     ),
+  ));
+
+/** A short experiment that runs as it is opened. */
+const CHART = `#${await encodeExperiment({ document: SMALL, run: true })}`;
+
+test("its chart fills small screens, projectors and frames", () =>
+  onPage(
+    { reducedMotion: "reduce", viewport: { width: 1024, height: 768 } },
+    async (page, url) => {
+      const fills = async (/** @type {string} */ name) => {
+        await page.waitForSelector("#stage .plot");
+        await assertFills(page, name);
+      };
+      await fills("desk");
+      await page.click("#projector");
+      await fills("projector");
+      await page.setViewportSize({ width: 1280, height: 720 });
+      await fills("wide projector");
+      for (const [width, height] of [
+        [960, 540],
+        [640, 480],
+      ]) {
+        await page.setViewportSize({ width, height });
+        await page.goto(addressOf(url, `experiments.html?embed=1${CHART}`));
+        await fills(`frame of ${width}`);
+        assert.equal(await page.isVisible(".masthead"), false);
+      }
+    },
+    { path: `experiments.html${CHART}` },
   ));
 
 test("paused, gone on with and cancelled, it ends with the same rows", () =>

@@ -120,6 +120,14 @@ test("scenes and files", (t) =>
             assert.ok(Math.max(...left.map((box) => box.right)) <= Math.min(...right.map((box) => box.left)));
             assert.ok(sheets.every(({ width, height }) => width > 300 && Math.abs(width - height) < 1));
           }
+          assert.equal(await page.locator("#printed-link svg").count(), 1);
+          // A link that is too long for a code.
+          await pickFile(page, "rings.json", textOf("rings"));
+          await page.waitForSelector("body[data-scene=file]");
+          await page.waitForFunction(() =>
+            /has [2-9],\d{3} characters, too many/.test(document.getElementById("printed-link")?.textContent ?? ""),
+          );
+          assert.equal(await page.locator("#printed-link svg").count(), 0);
           await page.emulateMedia({ media: "screen" });
         },
       },

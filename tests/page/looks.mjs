@@ -132,7 +132,9 @@ export const overhang = (page) =>
 export async function assertFills(page, name) {
   await settled(page);
   const { width, height, bottom } = await page.evaluate(() => {
-    const boxes = [...document.querySelectorAll("#stage .sheet")].map((sheet) => sheet.getBoundingClientRect());
+    const boxes = [...document.querySelectorAll("#stage :is(.sheet, .plot)")].map((sheet) =>
+      sheet.getBoundingClientRect(),
+    );
     const side = (/** @type {number[]} */ from, /** @type {number[]} */ to) => Math.max(...to) - Math.min(...from);
     return {
       width:

@@ -13,6 +13,7 @@ import { atRest, choose, click, fill, finish, pickFile, unfold } from "./browser
  * @property {"planarium" | "full" | ""} [core]  the module of WebAssembly that it loads
  * @property {number} [side]  of its figures at any width, pixels, at least; 0: it has none
  * @property {Record<string, (page: Page) => Promise<unknown>>} [states]  how each is entered from the one before it
+ * @property {number} [controls]  in the panel as it opens, at most, beside the choice of a scene
  * @property {string[]} [broken]  fragments that are refused for what they say, besides those that no page can read
  * @property {boolean} [takesFiles]
  * @property {boolean} [isEmbedded]  does it open in a frame, as its figure alone?
@@ -66,6 +67,7 @@ export const ROWS = {
     ready: "#counters[data-status=running]",
     core: "planarium",
     side: 120,
+    controls: 6,
     states: {
       "solved, all numbers and parameters open": async (page) => {
         await finish(page);
@@ -99,6 +101,7 @@ export const ROWS = {
   },
   reach: {
     ready: "body[data-scene=islands]",
+    controls: 3,
     states: {
       touching: (page) => give(page, { "joint-0-number": "0.78", "joint-1-number": "0" }),
       solved: async (page) => {
@@ -111,6 +114,7 @@ export const ROWS = {
         await press(page, "#mode-between");
         await give(page, { "joint-2-number": "-3" });
         await press(page, "#set-a");
+        await unfoldAll(page);
         await press(page, "#rounds button[data-direction=faulty]", "#between[data-missed='1']");
       },
       "with stops": async (page) => {
@@ -126,6 +130,7 @@ export const ROWS = {
   },
   neighbours: {
     ready: "body[data-robot=two][data-found]",
+    controls: 6,
     states: {
       naive: async (page) => {
         await page.selectOption("#option-metric", "naive");
@@ -211,8 +216,11 @@ export const ROWS = {
   gallery: { core: "", side: 0, takesFiles: false, isEmbedded: false, isPrinted: false },
 };
 
-/** A short experiment, some of whose trials find no path. */
-const SMALL = {
+/**
+ * A short experiment, some of whose trials find no path.
+ * @type {import("../../www/domain/types.js").LinkedDocument}
+ */
+export const SMALL = {
   format: "planarium-experiment-1",
   title: "Small",
   worlds: [{ scene: "stones" }],

@@ -8,6 +8,7 @@ import { PAGES } from "../../scripts/page.mjs";
 import { DESK, addressOf, coloursOf, dropFile, finish, onPage, unfold, useBrowser, violations } from "./browser.mjs";
 import { assertFaultless, assertFills, assertForced, assertKeys, assertTargets, overhang } from "./looks.mjs";
 import { ROWS, rest } from "./pages.mjs";
+import { printedCode } from "./printed.mjs";
 
 /** @import { Page } from "./browser.mjs" */
 
@@ -46,6 +47,18 @@ const stateOf = async (page) => {
   );
 };
 
+/**
+ * A page is as it was; it may have unfolded more.
+ * @param {Awaited<ReturnType<typeof stateOf>>} now @param {Awaited<ReturnType<typeof stateOf>>} then
+ */
+const assertSame = (now, then) => {
+  assert.deepEqual(now.data, then.data);
+  assert.deepEqual(
+    then.fields.filter((field) => !now.fields.includes(field)),
+    [],
+  );
+};
+
 /** What a page says that it refuses. @param {Page} page */
 const refusal = async (page) => {
   await page.waitForSelector("#notice:not([hidden])");
@@ -78,6 +91,7 @@ for (const { name, link: title } of PAGES) {
     takesFiles = true,
     isPrinted = true,
     isEmbedded = true,
+    controls = Infinity,
     broken,
   } = ROWS[name] ?? {};
   const path = addressAt(name);
@@ -100,6 +114,14 @@ for (const { name, link: title } of PAGES) {
           assert.equal(await page.innerText("[aria-current=page]"), title);
           assert.equal(await page.locator("h1").count(), 1);
           assert.equal(await page.isHidden("#notice"), true);
+        });
+        await t.test("has few controls first, and the others under More", async () => {
+          // A slider with its field is one control.
+          const all = page.locator(".panel :is(button, select, input[type=range], [role=switch])");
+          const first = await all.evaluateAll((ones) =>
+            ones.filter((one) => one.checkVisibility()).map(({ id }) => id),
+          );
+          assert.ok(first.length <= controls, first.join(" "));
         });
         await t.test("is used by keys", () => assertKeys(page));
         await t.test("is light or dark as the reader chooses", async () => {
@@ -177,6 +199,22 @@ for (const { name, link: title } of PAGES) {
             );
           await page.pdf();
         });
+        if (isEmbedded)
+          await t.test("has on paper the address and a code that opens the same", async () => {
+            await page.goto(addressOf(url, `${path}?`));
+            await open(page, ready);
+            const there = await stateOf(page);
+            await page.emulateMedia({ media: "print", colorScheme: "dark" });
+            const address = await printedCode(page);
+            assert.ok((await page.innerText("#printed-link")).includes(addressOf(url, path)));
+            assert.ok(address.startsWith(`${addressOf(url, path)}?#1`), address);
+            await page.emulateMedia({ media: "screen", colorScheme: "light" });
+            assert.equal(await page.isVisible("#printed-link"), false);
+            await page.goto("about:blank");
+            await page.goto(address);
+            await open(page, ready);
+            assertSame(await stateOf(page), there);
+          });
         await t.test("a link that does not work is refused in a sentence, and it opens as ever", async () => {
           await page.emulateMedia({ media: null });
           await page.setViewportSize(DESK.viewport);
@@ -204,10 +242,22 @@ for (const { name, link: title } of PAGES) {
           }
         });
         if (isEmbedded)
-          await t.test("in a frame it is its figure alone, and fits", async () => {
+          await t.test("in a frame it is its figure alone, and fits; the page has the code of the frame", async () => {
             await page.setViewportSize({ width: 640, height: 420 });
-            await page.goto(addressOf(url, `${path}?embed=1`));
+            await page.goto("about:blank");
+            await page.goto(addressOf(url, path));
             await open(page, ready);
+            const there = await stateOf(page);
+            await unfold(page, "export");
+            await page.locator("#embed-fold > summary").click();
+            await page.waitForFunction(
+              () => /** @type {HTMLTextAreaElement} */ (document.getElementById("embed-text")).value !== "",
+            );
+            const [, address] = /^<iframe src="([^"]+)" /.exec(await page.inputValue("#embed-text")) ?? [];
+            assert.ok(address.startsWith(`${addressOf(url, path)}?embed=1#1`), address);
+            await page.goto(address);
+            await open(page, ready);
+            assertSame(await stateOf(page), there);
             for (const hidden of [".masthead", ".panel"]) assert.equal(await page.isVisible(hidden), false, hidden);
             assert.equal(await page.isVisible("#stage"), true);
             assert.equal(await overhang(page), 0);

@@ -4,6 +4,7 @@ import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Scenario } from "planarium";
+import { printedCode } from "./printed.mjs";
 import { classPlan } from "../../scripts/front.mjs";
 import { encodeLink } from "../../www/planner/link/codec.js";
 import { beginRun, bestPath } from "../../www/start/growth.js";
@@ -157,6 +158,11 @@ test("each slide of the class has its question, its answer on demand, and its pa
       await page.keyboard.press("PageUp");
       await page.waitForSelector(`#deck[data-slide="${count - 1}"]`);
       assert.equal(new URL(page.url()).hash, `#${count - 1}`);
+      await page.emulateMedia({ media: "print" });
+      for (const [i, { page: address }] of classPlan().entries())
+        assert.equal(await printedCode(page, page.locator(".slide svg").nth(i)), url + address);
+      await page.emulateMedia({ media: "screen" });
+      assert.equal(await page.locator(".slide svg:visible").count(), 0);
     },
     { path: "class.html" },
   ));

@@ -3,6 +3,7 @@
  * describes its state by one rule, with defaults for entries that a link leaves out.
  */
 import { byId, make } from "./dom.js";
+import { LazyFeature } from "./lazy-feature.js";
 import { isAbort } from "./work.js";
 import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 
@@ -15,6 +16,8 @@ import { decodeFragment, encodeFragment } from "../formats/fragment.js";
 const LIMITS = { characters: 2048, bytes: 16_384 };
 /** Milliseconds for which a message stays. */
 const READING = 6000;
+/** Milliseconds after the page has opened at which what a print needs is loaded. */
+const PRINT = 1500;
 
 /**
  * @param {object} state  plain data that the rule allows
@@ -115,14 +118,14 @@ export function setAddress(fragment) {
  */
 
 /**
- * Makes the share button, and opens the state in the address, now and whenever the address changes.
+ * Makes the share button, the code of a frame and the printed link, and opens the state in the address, now and
+ * whenever the address changes.
  * @param {App} app @param {StateRule} rule @param {Link} link
  * @param {(act: (signal: AbortSignal) => unknown) => Promise<unknown>} opening   of which only the newest counts
  */
 export async function useLink(app, rule, { save, spare = "", open, contents }, opening) {
   let isWhole = true;
-  const encode = async () => {
-    const state = save();
+  const encode = async (/** @type {Record<string, unknown>} */ state = { ...save() }) => {
     isWhole = true;
     try {
       return await encodeState(state, rule);
@@ -132,8 +135,17 @@ export async function useLink(app, rule, { save, spare = "", open, contents }, o
       return await encodeState({ ...state, [spare]: undefined }, rule);
     }
   };
-  const share = makeShare(app, encode, () => (typeof contents === "string" ? contents : contents(isWhole)));
+  const share = makeShare(
+    app,
+    () => encode(),
+    () => (typeof contents === "string" ? contents : contents(isWhole)),
+  );
   byId("link", HTMLElement).addEventListener("click", () => void share());
+  new LazyFeature(app.notice, async () =>
+    (await import("./embed-code.js")).showEmbedCode(app, byId("export", HTMLElement), () => encode()),
+  ).inFold("export-fold");
+  const printing = new LazyFeature(app.notice, () => import("./printed-link.js"));
+  setTimeout(() => printing.use(({ printLink }) => printLink(() => ({ ...save() }), encode)), PRINT);
   /** Whether there is a state to return to. */
   let isOpen = false;
   addEventListener("hashchange", () => {

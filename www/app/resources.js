@@ -30,24 +30,34 @@ export async function loadCore() {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Documents of scenes that have been fetched. @type {Map<string, Promise<string>>} */
-const scenes = new Map();
+/** Documents that have been fetched. @type {Map<string, Promise<string>>} */
+const documents = new Map();
 
 /** The text of a scene's document. @param {string} id @returns {Promise<string>} */
 export function loadScene(id) {
-  const known = scenes.get(id) ?? fetchScene(id);
-  scenes.set(id, known);
-  known.catch(() => scenes.delete(id));
+  return loadText(`scenes/${id}.json`);
+}
+
+/** The text of a document of the site. @param {string} path  from the page on @returns {Promise<string>} */
+export function loadText(path) {
+  const known = documents.get(path) ?? fetchText(path);
+  documents.set(path, known);
+  known.catch(() => documents.delete(path));
   return known;
 }
 
-/** @param {string} id @returns {Promise<string>} */
-async function fetchScene(id) {
-  const text = inline(`scene-${id}`);
+/** @param {string} path @returns {Promise<string>} */
+async function fetchText(path) {
+  const text = inline(path);
   if (text !== null) return text;
-  const response = await fetch(`scenes/${id}.json`);
-  if (!response.ok) throw new Error(`scenes/${id}.json: ${response.status} ${response.statusText}`);
+  const response = await fetch(path);
+  if (!response.ok) throw new Error(`${path}: ${response.status} ${response.statusText}`.trimEnd());
   return response.text();
+}
+
+/** The address of the planner's page: of its file beside this one, where each is a single file. */
+export function plannerAddress() {
+  return inline("core") === null ? "plan.html" : "planarium.html";
 }
 
 /** @param {string} packed @returns {Promise<ArrayBuffer>} */

@@ -1,10 +1,13 @@
 /**
  * The slides of a class: one question and one live page each. The arrow keys turn the slides and A shows the answer;
- * after Escape in the live page the keys belong to the slides again. The fragment is the number of the slide.
+ * after Escape in the live page the keys belong to the slides again. The fragment is the number of the slide. On paper
+ * each question has a code that opens its page.
  *
- * For tests: `#deck` carries `data-slide`, counted from 1.
+ * For tests: `#deck` carries `data-slide`, counted from 1, and `body` `data-settled` ("true" once the live page has
+ * loaded).
  */
 import { byId } from "../app/dom.js";
+import { qrCode } from "../app/qr-code.js";
 import { watchTheme } from "../app/theme.js";
 
 const deck = byId("deck", HTMLElement);
@@ -24,7 +27,11 @@ function showAnswer(isShown) {
 function load() {
   const { page = "", title = "" } = slides[at].dataset;
   own.href = page;
+  document.body.dataset.settled = "false";
   const frame = Object.assign(document.createElement("iframe"), { title });
+  frame.addEventListener("load", () => {
+    document.body.dataset.settled = "true";
+  });
   frame.src = page.replace(/^([\w-]+\.html)/, "$1?embed=1");
   byId("frame", HTMLElement).replaceChildren(frame);
 }
@@ -46,6 +53,15 @@ function turnTo(index) {
   history.replaceState(null, "", `#${at + 1}`);
 }
 
+/** The codes of all pages: they are drawn with the first print. */
+function drawCodes() {
+  if (document.querySelector(".slide svg")) return;
+  for (const slide of slides) {
+    const { page = "", title = "" } = slide.dataset;
+    slide.prepend(qrCode(new URL(page, location.href).href, `QR code of the link to ${title}`));
+  }
+}
+
 const open = () => turnTo((Number.parseInt(location.hash.slice(1), 10) || 1) - 1);
 
 // The page in the frame reads the theme when it opens.
@@ -60,5 +76,7 @@ addEventListener("keydown", ({ key, ctrlKey, metaKey, altKey }) => {
   else if (key === "ArrowLeft" || key === "PageUp") turnTo(at - 1);
   else if (key === "a" || key === "A") answer.click();
 });
+addEventListener("beforeprint", drawCodes);
+matchMedia("print").addEventListener("change", drawCodes);
 answer.disabled = false;
 open();

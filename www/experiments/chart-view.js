@@ -20,6 +20,9 @@ const MOST_ROWS = 400;
 
 const drawing = once(() => import("./draw.js"));
 
+/** The height of a chart: a part of the window's and of its own width, at most, and pixels, at least. */
+const TALL = { ofWindow: 0.605, ofWidth: 0.75, pixels: 300 };
+
 export class ChartView {
   /**
    * @param {ExperimentSession} session
@@ -48,6 +51,7 @@ export class ChartView {
       if (change !== "phase" || !this.chart) this.isStale = true;
     });
     new ResizeObserver(() => this.redraw()).observe(this.host);
+    addEventListener("resize", () => this.redraw());
     this.app.onTheme(() => this.redraw());
     this.app.onFrame((now) => this.animate(now));
     this.fold.addEventListener("toggle", () => this.showTable());
@@ -79,7 +83,7 @@ export class ChartView {
     const { palette, bold } = this.app.look;
     const chart = rows.done > 0 ? chartOf(rows, factors, view, asked, unit, ceiling) : null;
     const width = Math.max(280, Math.floor(host.clientWidth));
-    const height = Math.round(Math.min(480, Math.max(300, 0.55 * width)));
+    const height = Math.round(Math.max(TALL.pixels, Math.min(TALL.ofWindow * innerHeight, TALL.ofWidth * width)));
     const picture = chart && drawChart(chart, { width, height, palette, bold });
     this.chart = chart;
     this.picture = picture;

@@ -44,7 +44,7 @@ export function drawChart(chart, look) {
       width,
       height: look.height + LINE * legend.lines + above,
       marginTop,
-      marginBottom: 46,
+      marginBottom: 26 + 20 * bold,
       marginLeft: 62,
       marginRight: 20,
       className: "plot",

@@ -1,5 +1,6 @@
 /** Ready experiments: the documents beside this file, and the views of some of them. */
 
+import { loadText } from "../app/resources.js";
 import { plannerTitle } from "./factors.js";
 import { resolved } from "./worlds.js";
 
@@ -44,9 +45,8 @@ export const READY = DOCUMENTS.toSorted((a, b) => placeOf(a.id) - placeOf(b.id) 
 
 /** @param {string} id @returns {Promise<ExperimentState>} */
 export async function loadReady(id) {
-  const response = await fetch(`experiments/documents/${id}.json`);
-  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
-  return { document: /** @type {LinkedDocument} */ (await response.json()), view: VIEWS[id] ?? {} };
+  const document = /** @type {LinkedDocument} */ (JSON.parse(await loadText(`experiments/documents/${id}.json`)));
+  return { document, view: VIEWS[id] ?? {} };
 }
 
 /**

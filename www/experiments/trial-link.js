@@ -1,4 +1,5 @@
 /** The run of a trial as a link of the planner's page. */
+import { plannerAddress } from "../app/resources.js";
 import { encodeLink } from "../planner/link/codec.js";
 import { nameOf } from "./factors.js";
 import { variedOf, worldOfTrial } from "./worlds.js";
@@ -40,5 +41,5 @@ export async function trialLink(document, resolved, rows, trial) {
     experiment.scene = `make-${world.generate}`;
     experiment.options = world.options;
   } else experiment.document = { ...world.scenario };
-  return `plan.html#${await encodeLink(experiment)}`;
+  return `${plannerAddress()}#${await encodeLink(experiment)}`;
 }

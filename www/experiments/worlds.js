@@ -3,7 +3,7 @@ import { Scenario } from "planarium/full";
 import { withOptions } from "../domain/option-names.js";
 import { unitOf } from "../domain/names.js";
 import { SCENES } from "../planner/scenes/scenes.js";
-import { loadScene } from "../app/resources.js";
+import { loadScene, loadText } from "../app/resources.js";
 import { nameOf, valuesOf } from "./factors.js";
 
 /** @import { ExperimentDocument, ExperimentWorld } from "planarium/full" */
@@ -57,9 +57,12 @@ async function fetched(path, i) {
   const wrong = (/** @type {string} */ reason) =>
     Object.assign(new Error(`The file "${path}" ${reason}.`), { code: "file", pointer: `/worlds/${i}/scenario` });
   if (!/^[\w-.]+(\/[\w-.]+)*\.json$/.test(path)) throw wrong("is not a file of this site");
-  const response = await fetch(new URL(path, new URL("experiments/documents/", location.href)));
-  if (!response.ok) throw wrong("cannot be read");
-  return response.json();
+  const { pathname } = new URL(path, "site:/experiments/documents/");
+  try {
+    return JSON.parse(await loadText(pathname.slice(1)));
+  } catch {
+    throw wrong("cannot be read");
+  }
 }
 
 /**

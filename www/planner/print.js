@@ -1,5 +1,8 @@
-/** A line for the printed page: the scene, the planners with their settings, and the time shown. */
+/** Lines for the printed page: the scene, the planners with their settings, the time shown, and the link. */
 import { byId, grouped, make } from "../app/dom.js";
+import { printLink } from "../app/printed-link.js";
+import { encodeLink } from "./link/codec.js";
+import { experimentOf } from "./link/experiment.js";
 import { letter } from "./race/standings.js";
 import { FIRST } from "./settings/form.js";
 
@@ -9,6 +12,7 @@ import { FIRST } from "./settings/form.js";
 export function watchPrint(page) {
   const line = make("p", { id: "printed" });
   const stage = byId("stage", HTMLElement);
+  printLink(() => experimentOf(page), encodeLink);
   byId("story", HTMLElement).before(line);
   addEventListener("beforeprint", () => {
     line.textContent = lineOf(page);

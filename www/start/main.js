@@ -2,7 +2,8 @@
  * The start page: after the first paint it loads the core and grows its picture by a run of the planner. With reduced
  * motion it does so once it is asked to.
  *
- * For tests: `#grown` carries `data-state` ("picture", "running", "paused", "solved", "failed") and `data-iterations`.
+ * For tests: `#grown` carries `data-state` ("picture", "running", "paused", "solved", "failed") and `data-iterations`,
+ * and `body` `data-settled` ("true" while nothing grows or is loaded).
  */
 import { byId } from "../app/dom.js";
 import { readPalette } from "../app/palette.js";
@@ -30,6 +31,7 @@ let frame = 0;
 function enter(state) {
   cancelAnimationFrame(frame);
   grown.dataset.state = state;
+  document.body.dataset.settled = String(state !== "running");
   play.textContent = { running: "Pause", paused: "Continue", solved: "Grow again", failed: "Try again" }[state];
   if (state === "running") frame = requestAnimationFrame(grow);
 }
@@ -59,6 +61,7 @@ function draw() {
 
 async function start() {
   play.disabled = true;
+  document.body.dataset.settled = "false";
   try {
     const library = await import("planarium");
     await library.default();
@@ -84,6 +87,7 @@ play.addEventListener("click", () => {
   else void start();
 });
 play.disabled = false;
+document.body.dataset.settled = "true";
 
 /** After the first paint. */
 requestAnimationFrame(() =>

@@ -3,6 +3,7 @@
  * why there is none.
  */
 import { json, save } from "../../app/files.js";
+import { showEmbedCode } from "../../app/embed-code.js";
 import { byId, make, write } from "../../app/dom.js";
 import { imageOf } from "../../draw/export.js";
 import { writeNpy } from "../../formats/npy.js";
@@ -10,9 +11,10 @@ import { downloadRow, failureOf } from "../../widgets/download-row.js";
 import { row, select } from "../../widgets/elements.js";
 import { filmRow } from "../../widgets/films.js";
 import { Progress } from "../../widgets/progress.js";
+import { encodeLink } from "../link/codec.js";
+import { experimentOf } from "../link/experiment.js";
 import { PAST } from "../run-log/columns.js";
 import { NONE } from "../timeline/playback.js";
-import { showSnippets } from "./embed.js";
 import { countersCsv, nameOf } from "./files.js";
 import { filmsOf } from "./films.js";
 import { layoutOfStage, sameRun } from "./picture.js";
@@ -110,7 +112,7 @@ export function showExport(page) {
       save(countersCsv(runs), `${name(page.state?.lanes[0].made)}.csv`);
     }),
   );
-  showSnippets(page, host);
+  showEmbedCode(page.app, host, async () => encodeLink(experimentOf(page)));
   page.onOpen(() => progress.cancel());
   page.onState(reflect);
 

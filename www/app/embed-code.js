@@ -1,10 +1,7 @@
 /** Code that embeds the page with its current state in a web page, in slides or in a notebook. */
-import { make } from "../../app/dom.js";
-import { button } from "../../widgets/elements.js";
-import { encodeLink } from "../link/codec.js";
-import { experimentOf } from "../link/experiment.js";
+import { make } from "./dom.js";
 
-/** @import { Page } from "./export.js" */
+/** @import { App } from "./app.js" */
 
 /** @type {[string, string, (address: string) => string][]} */
 const KINDS = [
@@ -26,8 +23,12 @@ const KINDS = [
   ],
 ];
 
-/** @param {Page} page @param {HTMLElement} host */
-export function showSnippets(page, host) {
+/**
+ * @param {Pick<App, "fail">} app
+ * @param {HTMLElement} host
+ * @param {() => Promise<string>} encode  the fragment of what is shown, without `#`
+ */
+export function showEmbedCode(app, host, encode) {
   const kind = make(
     "select",
     { id: "embed-kind", ariaLabel: "Embed as" },
@@ -40,16 +41,7 @@ export function showSnippets(page, host) {
     ariaLabel: "Embed code",
     spellcheck: false,
   });
-  const copy = button("embed-copy", "Copy", async () => {
-    await update();
-    try {
-      await navigator.clipboard.writeText(text.value);
-      result.textContent = "Copied.";
-    } catch {
-      text.select();
-      result.textContent = "The code is selected; copy it from the field.";
-    }
-  });
+  const copy = make("button", { type: "button", id: "embed-copy", onclick: () => void save() }, "Copy");
   const result = make("p", { className: "hint", role: "status" });
   const details = make(
     "details",
@@ -64,17 +56,28 @@ export function showSnippets(page, host) {
   details.addEventListener("toggle", () => void update());
 
   async function update() {
-    if (!details.open || !page.state) return;
+    if (!details.open) return;
     try {
       const { origin, pathname, protocol } = location;
-      const fragment = await encodeLink(experimentOf(page));
+      const fragment = await encode();
       const [, , codeOf] = KINDS[kind.selectedIndex];
       text.value = codeOf(`${protocol === "file:" ? `file://${pathname}` : origin + pathname}?embed=1#${fragment}`);
       result.textContent =
         protocol === "file:" ? "This page was opened from a file: publish it, and change the address in the code." : "";
     } catch (error) {
       text.value = "";
-      page.app.fail(error, "No link can be made.");
+      app.fail(error, "No link can be made.");
+    }
+  }
+
+  async function save() {
+    await update();
+    try {
+      await navigator.clipboard.writeText(text.value);
+      result.textContent = "Copied.";
+    } catch {
+      text.select();
+      result.textContent = "The code is selected; copy it from the field.";
     }
   }
 }

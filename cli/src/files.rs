@@ -41,16 +41,29 @@ pub fn scenario(name: &str, other: Option<(&str, &str)>) -> Result<Scenario, Err
 
 /// The same as a tree, whatever its format.
 pub fn document(name: &str, other: Option<(&str, &str)>) -> Result<Value, Error> {
-    if let Some((what, "-")) = other.filter(|_| name == "-") {
-        let sentence = format!("scenario and {what} cannot both come from standard input");
-        return Err(Error::new(Code::Usage, "", sentence));
-    }
+    refuse_both(name, other)?;
     json::parse(&read(name)?)
+}
+
+/// Refuses a second input that is standard input if the first is.
+pub fn refuse_both(name: &str, other: Option<(&str, &str)>) -> Result<(), Error> {
+    match other.filter(|_| name == "-") {
+        Some((what, "-")) => {
+            let sentence = format!("scenario and {what} cannot both come from standard input");
+            Err(Error::new(Code::Usage, "", sentence))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The text of the file; of standard input for `-`.
 pub fn read(name: &str) -> Result<String, Error> {
-    String::from_utf8(read_bytes(name)?).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
+    text(name, read_bytes(name)?)
+}
+
+/// The bytes of a file as text.
+pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, Error> {
+    String::from_utf8(bytes).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
 }
 
 /// The bytes of the file; of standard input for `-`. A file that standard output goes into is refused.

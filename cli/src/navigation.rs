@@ -99,7 +99,7 @@ pub fn train(arguments: &Train) -> Answer {
 
 fn inputs(task: &str, policy: &str) -> Result<(Navigation, Policy), Error> {
     if task == "-" && policy == "-" {
-        return Err(Error::new(Code::Usage, "", "task and policy cannot both come from standard input"));
+        return Err(Error::new(Code::Usage, "", "task and policy cannot both come from standard input").into());
     }
     Ok((Navigation::parse(&files::read(task)?)?, Policy::parse(&files::read(policy)?)?))
 }
@@ -232,7 +232,7 @@ pub fn compare(arguments: &Compare) -> Answer {
     let read = files.iter().chain([policy]).map(String::as_str);
     let out = Outputs::beside(read, arguments.force).add(arguments.out.as_deref(), Kind::COMPARISON)?;
     if files.iter().chain([policy]).filter(|file| *file == "-").count() > 1 {
-        return Err(Error::new(Code::Usage, "", "only one file can come from standard input"));
+        return Err(Error::new(Code::Usage, "", "only one file can come from standard input").into());
     }
     let policy = Policy::parse(&files::read(policy)?)?;
     let tasks: Vec<Navigation> =

@@ -99,7 +99,7 @@ pub fn train(arguments: &Train) -> Answer {
 
 fn inputs(task: &str, policy: &str) -> Result<(Navigation, Policy), Error> {
     if task == "-" && policy == "-" {
-        return Err(Error::new(Code::Usage, "", "task and policy cannot both come from standard input").into());
+        return Err(Error::new(Code::Usage, "", "task and policy cannot both come from standard input"));
     }
     Ok((Navigation::parse(&files::read(task)?)?, Policy::parse(&files::read(policy)?)?))
 }

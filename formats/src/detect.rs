@@ -100,7 +100,8 @@ fn by_first_bytes(bytes: &[u8]) -> Option<Kind> {
     if let Some(picture) = Picture::of(bytes) {
         return Some(Kind::Picture(picture));
     }
-    let kinds: [(fn(&[u8]) -> bool, Kind); 6] = [
+    type IsKind = fn(&[u8]) -> bool;
+    let kinds: [(IsKind, Kind); 6] = [
         (|bytes| bytes.starts_with(npy::MAGIC), Kind::Npy),
         (movingai::is_map, Kind::MovingAiMap),
         (movingai::is_scenarios, Kind::MovingAiScenarios),

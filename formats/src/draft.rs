@@ -66,6 +66,10 @@ impl Draft {
 
     /// The scenario, the report and the picture.
     pub fn finish(mut self, options: &Options) -> Result<crate::World, FormatError> {
+        let Aabb { min, max } = self.bounds;
+        if ![min.x, min.y, max.x, max.y].iter().all(|number| number.is_finite()) {
+            return Err(FormatError::new(Code::InvalidNumber, "the coordinates are too large for 64-bit numbers"));
+        }
         self.add_given_query(options)?;
         self.mark_blocked();
         let (robot, words) = self.robot(options)?;
@@ -151,7 +155,7 @@ impl Draft {
                 (body.into(), format!("a footprint of {} corners that turns", corners.len()))
             }
             &RobotChoice::Car { length, width, wheelbase, steering } => {
-                if !(wheelbase < length) {
+                if wheelbase >= length || wheelbase.is_nan() || length.is_nan() {
                     let sentence = format!("a car of {length} m cannot have a wheelbase of {wheelbase} m");
                     return Err(FormatError::new(Code::InvalidOption, sentence));
                 }

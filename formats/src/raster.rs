@@ -22,13 +22,12 @@ pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), 
     let is_blocked = |&cell: &Cell| cell == Cell::Occupied || cell == Cell::Unknown && unknown_is_occupied;
     let mut bits: Vec<bool> = grid.cells.iter().map(is_blocked).collect();
     if options.min_island > 1 {
-        let dropped = drop_islands(&mut bits, grid.width, options.min_island);
-        draft.report.dropped.extend(dropped.filter(|dropped| dropped.count > 0));
+        draft.report.dropped.extend(drop_islands(&mut bits, grid.width, options.min_island));
     }
     let (grown_cells, grown) = simplify(&mut bits, grid.width, grid.frame.resolution, options.simplify);
-    let cover = cover(&bits, grid.width, MAX_OBSTACLES).map_err(|count| {
+    let cover = cover(&bits, grid.width, MAX_OBSTACLES).map_err(|excess| {
         let sentence = format!(
-            "the obstacles make up {count} rectangles; a scenario has at most {MAX_OBSTACLES}: drop small islands (min_island) or let \
+            "the obstacles make up {excess} rectangles; a scenario has at most {MAX_OBSTACLES}: drop small islands (min_island) or let \
              obstacles grow a little (simplify)"
         );
         FormatError::new(Code::WorldTooLarge, sentence)
@@ -50,8 +49,7 @@ pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), 
         block_outside(draft, hull);
     }
     draft.report.grown = draft.report.grown.max(grown + slack * 2f64.sqrt());
-    let count =
-        |regions: Regions, all: bool| regions.list().iter().filter(|(region, _)| all || !region.touches_border).count();
+    let free = Regions::of(&bits, grid.width, false, Connected::Sides).list();
     draft.report.grid = Some(GridRead {
         width: grid.width,
         height: grid.height,
@@ -63,8 +61,8 @@ pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), 
         unknown_is_occupied,
         transparent: 0,
         kinds: Vec::new(),
-        islands: count(Regions::of(&bits, grid.width, true, Connected::Corners), true),
-        enclosed: count(Regions::of(&bits, grid.width, false, Connected::Sides), false),
+        islands: Regions::of(&bits, grid.width, true, Connected::Corners).list().len(),
+        enclosed: free.iter().filter(|region| !region.touches_border).count(),
         grown_cells,
         merged_cells: bits.iter().filter(|&&bit| bit).count(),
         rectangles,
@@ -76,18 +74,15 @@ pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), 
 }
 
 /// Clears islands of fewer than `least` cells.
-fn drop_islands(bits: &mut [bool], width: usize, least: usize) -> impl Iterator<Item = Dropped> + use<> {
-    let (mut count, mut cells) = (0, 0);
-    for (region, rows) in Regions::of(bits, width, true, Connected::Corners).list() {
-        if region.cells < least {
-            count += 1;
-            cells += region.cells;
-            for (row, columns) in rows {
-                bits[row * width..][columns].fill(false);
-            }
-        }
+fn drop_islands(bits: &mut [bool], width: usize, least: usize) -> Option<Dropped> {
+    let regions = Regions::of(bits, width, true, Connected::Corners);
+    let (count, rows) = regions.choose(|region| region.cells < least);
+    let cells = rows.iter().map(|(_, columns)| columns.len()).sum();
+    for (row, columns) in rows {
+        bits[row * width..][columns].fill(false);
     }
-    std::iter::once(Dropped { what: format!("islands smaller than {least} cells"), count, cells: Some(cells) })
+    let what = format!("islands smaller than {least} cells");
+    (count > 0).then_some(Dropped { what, count, cells: Some(cells) })
 }
 
 /// Fills every square block of cells that has an occupied one; blocks are as large as the bound on growth allows. Returns how many

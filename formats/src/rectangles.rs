@@ -25,7 +25,7 @@ const NONE: usize = usize::MAX;
 /// Rectangles that have exactly the cells of a bitmap.
 pub struct Cover {
     /// Columns and rows of each, in cells.
-    pub rectangles: Vec<(Range<usize>, Range<usize>)>,
+    pub rectangles: Vec<Rectangle>,
     /// Whether no fewer rectangles without overlap are possible.
     pub is_fewest: bool,
 }
@@ -33,21 +33,24 @@ pub struct Cover {
 /// Covers the cells that are true with at most so many rectangles.
 ///
 /// # Errors
-/// How many rectangles were found, if they are more.
-pub fn cover(bits: &[bool], width: usize, most: usize) -> Result<Cover, usize> {
-    let by_rows = divide(bits, width, &[]);
-    if by_rows.len() > 3 * most {
-        return Err(by_rows.len());
-    }
-    let cover = match chosen_columns(bits, width) {
-        Some(cuts) => Cover { rectangles: divide(bits, width, &cuts), is_fewest: true },
-        None => Cover { rectangles: by_rows, is_fewest: false },
+/// How many rectangles were found, in words, if they are more.
+pub fn cover(bits: &[bool], width: usize, most: usize) -> Result<Cover, String> {
+    let far_beyond = 3 * most;
+    let by_rows = divide(bits, width, &[], far_beyond).ok_or_else(|| format!("more than {far_beyond}"))?;
+    let (rectangles, is_fewest) = match chosen_columns(bits, width) {
+        // Chords that are chosen never make more.
+        Some(cuts) => (divide(bits, width, &cuts, far_beyond).unwrap_or(by_rows), true),
+        None => (by_rows, false),
     };
-    if cover.rectangles.len() > most { Err(cover.rectangles.len()) } else { Ok(cover) }
+    if rectangles.len() > most { Err(rectangles.len().to_string()) } else { Ok(Cover { rectangles, is_fewest }) }
 }
 
-/// The rectangles of equal runs of successive rows, once these cuts along columns divide the runs.
-fn divide(bits: &[bool], width: usize, cuts: &[Chord]) -> Vec<(Range<usize>, Range<usize>)> {
+/// The columns and rows of a rectangle.
+type Rectangle = (Range<usize>, Range<usize>);
+
+/// The rectangles of equal runs of successive rows, once these cuts along columns divide the runs; `None` if there are more than
+/// `most`.
+fn divide(bits: &[bool], width: usize, cuts: &[Chord], most: usize) -> Option<Vec<Rectangle>> {
     let mut rectangles = Vec::new();
     // The rectangles that end at the present row, by their columns.
     let mut open: Vec<(Range<usize>, usize)> = Vec::new();
@@ -85,10 +88,13 @@ fn divide(bits: &[bool], width: usize, cuts: &[Chord]) -> Vec<(Range<usize>, Ran
         }
         rectangles.extend(before.map(|(columns, first)| (columns, first..row)));
         open = next;
+        if rectangles.len() > most {
+            return None;
+        }
     }
     let height = bits.len() / width;
     rectangles.extend(open.into_iter().map(|(columns, first)| (columns, first..height)));
-    rectangles
+    (rectangles.len() <= most).then_some(rectangles)
 }
 
 /// A chord: on which line of the lattice, and from where to where.

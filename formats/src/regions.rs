@@ -78,25 +78,39 @@ impl Regions {
         i
     }
 
-    /// Each region, in the order of its first cell, and the columns of its rows.
-    pub fn list(mut self) -> Vec<(Region, Vec<(usize, Range<usize>)>)> {
-        let mut places = vec![u32::MAX; self.runs.len()];
-        let mut found: Vec<(Region, Vec<_>)> = Vec::new();
+    /// Each region, in the order of its first cell.
+    pub fn list(&mut self) -> Vec<Region> {
+        self.number().0
+    }
+
+    /// The stretches of rows of all regions that a rule chooses, as rows and columns, and how many regions it chooses.
+    pub fn choose(mut self, rule: impl Fn(&Region) -> bool) -> (usize, Vec<(usize, Range<usize>)>) {
+        let (regions, numbers) = self.number();
+        let runs = self.runs.iter().zip(numbers).filter(|(_, number)| rule(&regions[*number as usize]));
+        let chosen = runs.map(|(run, _)| (run.row as usize, run.columns.start as usize..run.columns.end as usize));
+        (regions.iter().filter(|region| rule(region)).count(), chosen.collect())
+    }
+
+    /// All regions, and the number of the region of each run.
+    fn number(&mut self) -> (Vec<Region>, Vec<u32>) {
+        let mut numbers = vec![u32::MAX; self.runs.len()];
+        let mut regions: Vec<Region> = Vec::new();
         for i in 0..self.runs.len() {
+            // The root of a region is its first run.
             let root = self.root(i);
-            if places[root] == u32::MAX {
-                places[root] = found.len() as u32;
-                found.push((Region { cells: 0, touches_border: false }, Vec::new()));
+            if root == i {
+                numbers[i] = regions.len() as u32;
+                regions.push(Region { cells: 0, touches_border: false });
             }
-            let (region, rows) = &mut found[places[root] as usize];
-            let Run { row, columns } = &self.runs[i];
-            let (row, columns) = (*row as usize, columns.start as usize..columns.end as usize);
+            numbers[i] = numbers[root];
+            let (region, Run { row, columns }) = (&mut regions[numbers[i] as usize], &self.runs[i]);
             region.cells += columns.len();
-            region.touches_border |=
-                row == 0 || row + 1 == self.height || columns.start == 0 || columns.end == self.width;
-            rows.push((row, columns));
+            region.touches_border |= *row == 0
+                || *row as usize + 1 == self.height
+                || columns.start == 0
+                || columns.end as usize == self.width;
         }
-        found
+        (regions, numbers)
     }
 }
 

@@ -67,7 +67,7 @@ impl Metadata {
         }
         let resolution_entry = required("resolution")?;
         let resolution = number(resolution_entry, scalar(resolution_entry)?)?;
-        if !(resolution > 0.0) {
+        if resolution <= 0.0 {
             return Err(out_of_range(resolution_entry, format!("the resolution must be positive, not {resolution}")));
         }
         let origin_entry = required("origin")?;

@@ -10,8 +10,23 @@ use png::{BitDepth, ColorType};
 const CHANGES: [usize; 2] = [2_000, 70_000];
 
 /// Numbers that readers may not expect.
-const ODD: [&str; 12] =
-    ["-1", "0", "1e309", "nan", "-inf", "99999999999999999999", "4294967296", "65536", "1e-320", "0.5", "", "30000"];
+const ODD: [&str; 15] = [
+    "-1",
+    "0",
+    "1e309",
+    "nan",
+    "-inf",
+    "99999999999999999999",
+    "4294967296",
+    "65536",
+    "1e-320",
+    "0.5",
+    "",
+    "30000",
+    "1e300",
+    "1e-300",
+    "1.7e308",
+];
 
 /// A few changes of bytes, pieces and numbers.
 fn changed(original: &[u8], random: &mut Random) -> Vec<u8> {
@@ -113,7 +128,8 @@ fn changed_pictures_are_survived() {
 
 #[test]
 fn the_corpus_of_the_fuzzers_is_survived() {
-    let targets: [(&str, fn(&[u8])); 5] = [
+    type Target = fn(&[u8]);
+    let targets: [(&str, Target); 5] = [
         ("world_alone", fuzzed::alone),
         ("world_picture", fuzzed::picture),
         ("world_metadata", fuzzed::metadata),

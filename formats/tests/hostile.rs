@@ -141,3 +141,22 @@ fn a_world_that_is_too_large_for_a_scenario_says_what_helps() {
     let grown = read(&[file("dots.txt", &text)], &Options { simplify: 1.5, ..Options::default() }).expect("blocks");
     assert_eq!(grown.report.obstacles.polygons, 1);
 }
+
+#[test]
+fn the_documentation_has_every_code_and_its_limits() {
+    let page = include_str!("../../docs/worlds.md");
+    for code in Code::ALL {
+        assert!(page.contains(&format!("| `{}` |", code.as_str())), "{}", code.as_str());
+        assert!(code.meaning().len() > 20);
+    }
+    let digits = |number: usize| {
+        let text = number.to_string();
+        let groups: Vec<&str> =
+            text.as_bytes().rchunks(3).rev().map(|three| std::str::from_utf8(three).expect("digits")).collect();
+        groups.join(",")
+    };
+    for number in [planarium_formats::MAX_CELLS, planarium_formats::MAX_SIDE, planarium::scenario::MAX_OBSTACLES] {
+        assert!(page.contains(&digits(number)), "{}", digits(number));
+    }
+    assert!(page.contains(&format!("{} MiB", MAX_BYTES >> 20)));
+}

@@ -1,6 +1,7 @@
 //! Pictures without metadata.
 
-use crate::files::{PGM, bmp, file, one, png, refused};
+use crate::files::{PGM, Places, Random, bmp, file, npy, one, png, refused};
+use planarium::geometry::Point;
 use planarium_formats::{Code, Format, Options, Place, read};
 use png::{BitDepth, ColorType};
 
@@ -105,4 +106,43 @@ fn damaged_pictures_are_refused_at_their_byte() {
     assert_eq!(byte(with(14, &12u32.to_le_bytes(), Code::UnsupportedFeature)), 14);
     with(22, &i32::MIN.to_le_bytes(), Code::WorldTooLarge);
     with(10, &u32::MAX.to_le_bytes(), Code::Truncated);
+}
+
+/// The same cells in every format, compared with the cells themselves.
+#[test]
+fn every_raster_agrees_with_its_cells_at_random_points() {
+    let (width, height, scale) = (37, 29, 0.05);
+    let mut random = Random(19);
+    let occupied: Vec<bool> = (0..width * height).map(|_| random.unit() < 0.4).collect();
+    let grey: Vec<u8> = occupied.iter().map(|&bit| if bit { 0 } else { 255 }).collect();
+    let text = |free: char, wall: char| -> String {
+        let rows = occupied.chunks(width);
+        rows.map(|row| row.iter().map(|&bit| if bit { wall } else { free }).chain(['\n']).collect::<String>()).collect()
+    };
+    let cells: Vec<u8> = occupied.iter().map(|&bit| u8::from(bit)).collect();
+    let plain: Vec<String> = grey.iter().map(u8::to_string).collect();
+    let rasters: [(&str, Vec<u8>); 7] = [
+        ("raw PGM", [format!("P5 {width} {height} 255\n").as_bytes(), &grey].concat()),
+        ("plain PGM", format!("P2 {width} {height} 255\n{}", plain.join(" ")).into_bytes()),
+        ("PNG", png(width as u32, height as u32, ColorType::Grayscale, BitDepth::Eight, &grey)),
+        ("BMP", bmp(width, height, &grey)),
+        ("MovingAI", format!("type octile\nheight {height}\nwidth {width}\nmap\n{}", text('.', '@')).into_bytes()),
+        ("text", text('0', '1').into_bytes()),
+        ("array", npy("|b1", height, width, &cells)),
+    ];
+    let options = Options { scale: Some(scale), ..Options::default() };
+    for (name, bytes) in rasters {
+        let world = read(&[file("raster", &bytes)], &options).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let places = Places::of(&world.scenario);
+        let mut compared = 0;
+        while compared < 100_000 {
+            let [column, row] = [random.unit() * width as f64, random.unit() * height as f64];
+            if [column, row].iter().any(|at| (at - at.round()).abs() < 1e-9) {
+                continue;
+            }
+            let p = Point::new(column * scale, (height as f64 - row) * scale);
+            assert_eq!(places.is_free(p), !occupied[row as usize * width + column as usize], "{name}: {p}");
+            compared += 1;
+        }
+    }
 }

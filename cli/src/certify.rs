@@ -36,9 +36,6 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = DEFAULT_CELLS, allow_negative_numbers = true)]
     cells: usize,
 
-    #[command(flatten)]
-    world: WorldOptions,
-
     /// Write the certificate to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<String>,
@@ -46,6 +43,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 /// Divides to the end and prints the certificate; true if it is decided.

@@ -25,9 +25,6 @@ pub struct Arguments {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<String>,
 
-    #[command(flatten)]
-    world: WorldOptions,
-
     /// The form of the report on standard error
     #[arg(long, value_name = "FORM", default_value = "text")]
     report: ReportForm,
@@ -39,6 +36,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -41,9 +41,6 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     result: Option<String>,
 
-    #[command(flatten)]
-    world: WorldOptions,
-
     /// Write the document to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<String>,
@@ -51,6 +48,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 /// The printed document.

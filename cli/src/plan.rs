@@ -45,9 +45,6 @@ pub struct Arguments {
     #[command(flatten)]
     given: Given,
 
-    #[command(flatten)]
-    world: WorldOptions,
-
     /// The most iterations; the same as --set max_iterations=N
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     max_iterations: Option<u64>,
@@ -81,6 +78,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

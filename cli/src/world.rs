@@ -113,6 +113,9 @@ pub fn scenario(
     }
     let world = world(vec![(name.to_owned(), bytes)], options, outputs)?;
     files::say(&world.report.to_string());
+    if world.scenario.queries().is_empty() {
+        return Err(Error::new(Code::Usage, "", "the file has no query: --start and --goal make one").into());
+    }
     Ok(world.scenario)
 }
 

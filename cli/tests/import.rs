@@ -120,6 +120,11 @@ fn wrong_files_are_refused_with_their_place() {
     {
         error(line, "usage");
     }
+    assert!(
+        planarium(&format!("plan {at}/room.yaml"))
+            .stderr
+            .ends_with("error: the file has no query: --start and --goal make one\n")
+    );
     // A scenario has its own robot and queries.
     error("plan room.json --radius 0.2", "usage");
     error("plan room.json --unknown free", "usage");

@@ -4,7 +4,7 @@ use crate::arguments::Answer;
 use crate::files;
 use crate::kind::Kind;
 use crate::output::Outputs;
-use crate::world::{WorldOptions, world};
+use crate::world::{WorldOptions, read_file, world};
 use clap::{Args, ValueEnum};
 use planarium::Error;
 use planarium::error::Code;
@@ -54,7 +54,7 @@ pub fn import(arguments: &Arguments) -> Answer {
     if arguments.files.iter().filter(|name| *name == "-").count() > 1 {
         return Err(Error::new(Code::Usage, "", "only one file can come from standard input").into());
     }
-    let given = arguments.files.iter().map(|name| Ok((name.clone(), files::read_bytes(name)?)));
+    let given = arguments.files.iter().map(|name| Ok((name.clone(), read_file(name)?)));
     let world = world(given.collect::<Result<_, Error>>()?, &arguments.world, &outputs)?;
     out.write(&world.scenario.to_json_string())?;
     files::say(&match arguments.report {

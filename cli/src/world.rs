@@ -7,7 +7,7 @@ use clap::Args;
 use planarium::error::Code;
 use planarium::scenario::Scenario;
 use planarium::{Error, json};
-use planarium_formats::{File, FormatError, Options, RobotChoice, Unknown, World, is_world, read};
+use planarium_formats::{File, FormatError, MAX_BYTES, Options, RobotChoice, Unknown, World, is_world, read};
 use std::path::Path;
 
 /// What a map does not say.
@@ -132,9 +132,14 @@ pub fn world(mut given: Vec<(String, Vec<u8>)>, options: &WorldOptions, outputs:
             return Err(error.into());
         };
         outputs.check_input(&name)?;
-        let bytes = files::read_bytes(&name)?;
+        let bytes = read_file(&name)?;
         given.push((name, bytes));
     }
+}
+
+/// The content of a file; of one that is too long, as much as shows it.
+pub fn read_file(name: &str) -> Result<Vec<u8>, Error> {
+    files::read_at_most(name, MAX_BYTES as u64 + 1)
 }
 
 /// The missing file that an error names, if it lies where the file says that names it, or in the same folder.

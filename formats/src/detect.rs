@@ -31,7 +31,7 @@ impl Kind {
             return Err(FormatError::new(Code::Truncated, "the file is empty"));
         }
         if bytes.len() > MAX_BYTES {
-            let sentence = format!("the file has {} bytes; at most {MAX_BYTES} are read", bytes.len());
+            let sentence = format!("the file has more than {MAX_BYTES} bytes, which are the most that are read");
             return Err(FormatError::new(Code::WorldTooLarge, sentence));
         }
         if let Some(kind) = by_first_bytes(bytes) {

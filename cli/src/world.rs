@@ -8,6 +8,7 @@ use planarium::error::Code;
 use planarium::scenario::Scenario;
 use planarium::{Error, json};
 use planarium_formats::{File, FormatError, MAX_BYTES, Options, RobotChoice, Unknown, World, is_world, read};
+use serde_json::Value;
 use std::path::Path;
 
 /// What a map does not say.
@@ -105,18 +106,39 @@ pub fn scenario(
     options: &WorldOptions,
     outputs: &Outputs,
 ) -> Result<Scenario, Failure> {
+    match document_or_map(name, other, options, outputs)? {
+        Source::Document(document) => Ok(Scenario::read(&document)?),
+        Source::Map(scenario) => Ok(scenario),
+    }
+}
+
+/// What a file is.
+pub enum Source {
+    /// A document, whatever its format.
+    Document(Value),
+    /// A map, as a scenario.
+    Map(Scenario),
+}
+
+/// Reads a document or a map, as [`scenario`] does.
+pub fn document_or_map(
+    name: &str,
+    other: Option<(&str, &str)>,
+    options: &WorldOptions,
+    outputs: &Outputs,
+) -> Result<Source, Failure> {
     files::refuse_both(name, other)?;
     let bytes = files::read_bytes(name)?;
     if !is_world(&bytes) {
         options.refuse()?;
-        return Ok(Scenario::read(&json::parse(&files::text(name, bytes)?)?)?);
+        return Ok(Source::Document(json::parse(&files::text(name, bytes)?)?));
     }
     let world = world(vec![(name.to_owned(), bytes)], options, outputs)?;
     files::say(&world.report.to_string());
     if world.scenario.queries().is_empty() {
         return Err(Error::new(Code::Usage, "", "the file has no query: --start and --goal make one").into());
     }
-    Ok(world.scenario)
+    Ok(Source::Map(world.scenario))
 }
 
 /// The world of files; those that they name are read as well.

@@ -52,6 +52,12 @@ fn a_map_becomes_a_scenario_that_is_planned_in_and_verified() {
     let saved: Value = serde_json::from_str(&text_of(&format!("{at}/result.json"))).expect("a result");
     assert_eq!((direct.code, &direct.json()["fingerprint"]), (0, &saved["fingerprint"]), "{}", direct.stderr);
     assert!(direct.stderr.starts_with("read ros-map: ") && direct.stderr.contains("\nsolved: "), "{}", direct.stderr);
+    file(&format!("{at}/direct.json"), &direct.stdout);
+    let verified = planarium(&format!("verify {at}/room.yaml {at}/direct.json {query}"));
+    assert_eq!((verified.code, &verified.json()["valid"]), (0, &json!(true)), "{}", verified.stderr);
+    // For a larger robot the same path is not free.
+    let wider = planarium(&format!("verify {at}/room.yaml {at}/direct.json {}", query.replace("0.2", "0.45")));
+    assert_eq!((wider.code, &wider.json()["valid"]), (1, &json!(false)), "{}", wider.stderr);
     let certified = planarium(&format!("certify {at}/room.yaml {query}"));
     assert_eq!((certified.code, &certified.json()["verdict"]), (0, &json!("connected")));
     let optimum = planarium(&format!("optimum {at}/room.yaml {query}"));

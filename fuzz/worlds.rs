@@ -33,7 +33,8 @@ pub fn queries(bytes: &[u8]) {
     check(&[File { name: "circles", bytes: CIRCLES }, File { name: "queries", bytes }]);
 }
 
-/// Reads with several options. What is read is a scenario whose numbers agree with the report; what is refused says why.
+/// Reads with several options. What is read is a scenario whose numbers agree with the report; what is refused says
+/// why.
 fn check(files: &[File<'_>]) {
     let turning = Options {
         robot: RobotChoice::rectangle(0.5, 0.25),

@@ -23,7 +23,8 @@ Examples:
   planarium verify arm.json result.json
   planarium plan arm.json | planarium verify arm.json -")]
 pub struct Arguments {
-    /// The scenario or the fleet, a JSON file, or a map with the options that it was planned with; - reads it from standard input
+    /// The scenario or the fleet, a JSON file, or a map with the options that it was planned with; - reads it from
+    /// standard input
     file: String,
 
     /// The result document, or the certificate; - reads it from standard input
@@ -33,8 +34,8 @@ pub struct Arguments {
     world: WorldOptions,
 }
 
-/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format. That of the
-/// first document tells whether it is a fleet.
+/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format.
+/// That of the first document tells whether it is a fleet.
 pub fn verify(arguments: &Arguments) -> Answer {
     let inputs = Outputs::beside([&*arguments.file, &*arguments.result], false);
     let other = Some(("result", &*arguments.result));

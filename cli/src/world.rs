@@ -1,4 +1,5 @@
-//! Maps, pictures and other files that are no scenarios: what the command line says about them, and how they become scenarios.
+//! Maps, pictures and other files that are no scenarios: what the command line says about them, and how they become
+//! scenarios.
 
 use crate::arguments::Failure;
 use crate::files;
@@ -19,7 +20,8 @@ pub struct WorldOptions {
     #[arg(long, value_name = "M", allow_negative_numbers = true, group = "robot", value_parser = metres)]
     radius: Option<f64>,
 
-    /// The robot is a rectangle that turns, in metres, such as 0.9x0.62; or a polygon, such as [[0.5,0],[-0.4,0.3],[-0.4,-0.3]]
+    /// The robot is a rectangle that turns, in metres, such as 0.9x0.62; or a polygon, such as
+    /// [[0.5,0],[-0.4,0.3],[-0.4,-0.3]]
     #[arg(long, value_name = "LxW", group = "robot", value_parser = footprint)]
     footprint: Option<RobotChoice>,
 
@@ -47,8 +49,8 @@ pub struct WorldOptions {
     #[arg(long, value_name = "WHAT", value_parser = ["occupied", "free"])]
     unknown: Option<String>,
 
-    /// The brightness from 0 to 1 from which a pixel of a picture is free [default: 0.5], or the number from which a cell of a
-    /// grid is occupied
+    /// The brightness from 0 to 1 from which a pixel of a picture is free [default: 0.5], or the number from which a
+    /// cell of a grid is occupied
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     threshold: Option<f64>,
 
@@ -98,8 +100,8 @@ impl WorldOptions {
     }
 }
 
-/// The scenario of a file that is one, or of a map; what was read of a map goes to standard error. `other` is the name of a second
-/// input and its file, which cannot both be standard input.
+/// The scenario of a file that is one, or of a map; what was read of a map goes to standard error. `other` is the name
+/// of a second input and its file, which cannot both be standard input.
 pub fn scenario(
     name: &str,
     other: Option<(&str, &str)>,

@@ -171,8 +171,8 @@ impl Draft {
         })
     }
 
-    /// Moves everything if a coordinate is far from the origin, by whole metres, so that the difference is exact. Returns what was
-    /// subtracted.
+    /// Moves everything if a coordinate is far from the origin, by whole metres, so that the difference is exact.
+    /// Returns what was subtracted.
     fn recentre(&mut self) -> Point {
         let corners = [self.bounds.min, self.bounds.max];
         let largest = corners.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);

@@ -4,7 +4,8 @@ use serde::Serialize;
 use std::fmt;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
-/// The kind of an error, as a stable kebab-case code that programs may match on. Versions may add codes; none changes its meaning.
+/// The kind of an error, as a stable kebab-case code that programs may match on. Versions may add codes; none changes
+/// its meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumMessage, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]

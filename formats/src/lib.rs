@@ -1,7 +1,8 @@
 //! Maps, grids, pictures and benchmark files as scenarios of Planarium.
 //!
-//! [`read`] turns bytes and [`Options`] into a [`Scenario`] and a [`Report`], which says in numbers what was read, dropped, merged,
-//! moved and grown. No file is opened here, nothing is planned, and no obstacle is ever smaller than in the file.
+//! [`read`] turns bytes and [`Options`] into a [`Scenario`] and a [`Report`], which says in numbers what was read,
+//! dropped, merged, moved and grown. No file is opened here, nothing is planned, and no obstacle is ever smaller than
+//! in the file.
 //!
 //! | format | files |
 //! |---|---|
@@ -85,12 +86,13 @@ pub struct World {
 /// Reads the files of one world, in any order.
 ///
 /// # Errors
-/// See [`Code`]; the error names the file and, where it is known, the place in it. `missing-file` says in [`FormatError::wanted`]
-/// which file is needed as well.
+/// See [`Code`]; the error names the file and, where it is known, the place in it. `missing-file` says in
+/// [`FormatError::wanted`] which file is needed as well.
 ///
 /// # Complexity
-/// Near linear in the size of the files and the number of cells, see `rectangles.rs`. At most [`MAX_CELLS`] cells are read, and memory is
-/// taken only after the announced size was compared with the limits and, but for PNG, with the size of the file.
+/// Near linear in the size of the files and the number of cells, see `rectangles.rs`. At most [`MAX_CELLS`] cells are
+/// read, and memory is taken only after the announced size was compared with the limits and, but for PNG, with the size
+/// of the file.
 pub fn read(files: &[File<'_>], options: &Options) -> Result<World, FormatError> {
     check_options(options)?;
     detect::draft(files, options)?.finish(options)

@@ -1,12 +1,12 @@
-//! A largest independent set of a bipartite graph: a maximum matching by Hopcroft and Karp (1973, SIAM J. Comput. 2(4)), then the
-//! complement of König's smallest cover.
+//! A largest independent set of a bipartite graph: a maximum matching by Hopcroft and Karp (1973, SIAM J. Comput.
+//! 2(4)), then the complement of König's smallest cover.
 
 use std::collections::VecDeque;
 
 const NONE: u32 = u32::MAX;
 
-/// Which vertices on the right are in a largest set of vertices without an edge between them. `edges[i]` lists the neighbours on the
-/// right of the vertex `i` on the left. O(E sqrt(V)).
+/// Which vertices on the right are in a largest set of vertices without an edge between them. `edges[i]` lists the
+/// neighbours on the right of the vertex `i` on the left. O(E sqrt(V)).
 pub fn independent_on_the_right(edges: &[Vec<u32>], right: usize) -> Vec<bool> {
     let mut left_of = vec![NONE; right];
     let mut right_of = vec![NONE; edges.len()];
@@ -43,7 +43,8 @@ pub fn independent_on_the_right(edges: &[Vec<u32>], right: usize) -> Vec<bool> {
             }
         }
     }
-    // The last search has no augmenting path: what it reached on the left is independent, with what it did not reach on the right.
+    // The last search has no augmenting path: what it reached on the left is independent, with what it did not reach on
+    // the right.
     let mut reached = vec![false; right];
     for (i, neighbours) in edges.iter().enumerate() {
         if levels[i] != NONE {

@@ -1,7 +1,8 @@
 //! Maps and scenarios of the MovingAI benchmarks: <https://movingai.com/benchmarks/formats.html>.
 //!
-//! `.` and `G` are free, and `S`, swamp; `@`, `O`, `T` are blocked, and `W`, water, which cannot be entered from land. Their y points
-//! down: here row 0 is the highest y, and a scenario's cell (x, y) of a map with h rows has its middle at (x + 0.5, h - y - 0.5) cells.
+//! `.` and `G` are free, and `S`, swamp; `@`, `O`, `T` are blocked, and `W`, water, which cannot be entered from land.
+//! Their y points down: here row 0 is the highest y, and a scenario's cell (x, y) of a map with h rows has its middle
+//! at (x + 0.5, h - y - 0.5) cells.
 
 use crate::draft::{Draft, DraftQuery};
 use crate::error::{Code, FormatError, quoted};

@@ -1,5 +1,5 @@
-//! NumPy's array files, `.npy`, versions 1 to 3: truth values, integers and floating-point numbers of either byte order, in C or Fortran
-//! order.
+//! NumPy's array files, `.npy`, versions 1 to 3: truth values, integers and floating-point numbers of either byte
+//! order, in C or Fortran order.
 
 use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 
@@ -14,7 +14,8 @@ pub struct Table {
 /// The first bytes of such a file.
 pub const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// The most brackets that a header opens: npyz takes exponential time if they are nested. That of an array of numbers opens two.
+/// The most brackets that a header opens: npyz takes exponential time if they are nested. That of an array of numbers
+/// opens two.
 const MOST_BRACKETS: usize = 6;
 
 /// Reads rows of numbers.

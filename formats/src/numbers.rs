@@ -1,4 +1,5 @@
-//! Tables of numbers without a header: 0-1 grids, parking cases, the obstacles of Modern Robotics. They are told apart by their shape.
+//! Tables of numbers without a header: 0-1 grids, parking cases, the obstacles of Modern Robotics. They are told apart
+//! by their shape.
 
 use crate::draft::{Draft, DraftQuery};
 use crate::error::{Code, FormatError, Place, quoted};
@@ -27,8 +28,8 @@ struct Row {
 }
 
 impl Table {
-    /// Reads rows of numbers between commas, semicolons or blanks; a row of only zeros and ones may have nothing between them. Lines
-    /// that begin with # and empty ones are skipped.
+    /// Reads rows of numbers between commas, semicolons or blanks; a row of only zeros and ones may have nothing
+    /// between them. Lines that begin with # and empty ones are skipped.
     ///
     /// # Errors
     /// `unknown-world` if something is no number, `invalid-number` if one is not finite
@@ -90,8 +91,8 @@ impl Table {
         grid_of(name, first, cells, options)
     }
 
-    /// As a parking case: start and goal with headings, the number of obstacles, how many corners each has, and the corners.
-    /// <https://www.tpcap.net/#/benchmarks>
+    /// As a parking case: start and goal with headings, the number of obstacles, how many corners each has, and the
+    /// corners. <https://www.tpcap.net/#/benchmarks>
     pub fn parking(&self, name: &str) -> Result<Draft, FormatError> {
         let Row { line, numbers } = &self.rows[0];
         let truncated =
@@ -135,8 +136,8 @@ impl Table {
         Ok(draft)
     }
 
-    /// As the obstacles of the course Modern Robotics: x, y and diameter of discs in a square of side 1 about the origin, in which a
-    /// point goes from the lower left corner to the upper right one.
+    /// As the obstacles of the course Modern Robotics: x, y and diameter of discs in a square of side 1 about the
+    /// origin, in which a point goes from the lower left corner to the upper right one.
     pub fn modern_robotics(&self, name: &str) -> Result<Draft, FormatError> {
         let mut draft = Draft::new(Format::ModernRobotics, name);
         let square = Aabb::of(Point::new(-0.5, -0.5), Point::new(0.5, 0.5));

@@ -1,5 +1,5 @@
-//! The two-dimensional test files of OMPL: a grid with start and end (`tests/resources/env1.txt`), and circles with queries
-//! (`circle_obstacles.txt`, `circle_queries.txt`).
+//! The two-dimensional test files of OMPL: a grid with start and end (`tests/resources/env1.txt`), and circles with
+//! queries (`circle_obstacles.txt`, `circle_queries.txt`).
 //!
 //! In OMPL the first number of a cell is its row, the second its column; here row 0 is the highest y.
 

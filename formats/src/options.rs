@@ -5,22 +5,23 @@
 pub struct Options {
     /// The robot; by default that of the format, or a point.
     pub robot: RobotChoice,
-    /// The start of a further query, the first of the scenario: x and y, and for robots that turn theta (0 if it is absent), in
-    /// metres and radians, in the coordinates of the file. Together with `goal`.
+    /// The start of a further query, the first of the scenario: x and y, and for robots that turn theta (0 if it is
+    /// absent), in metres and radians, in the coordinates of the file. Together with `goal`.
     pub start: Option<Vec<f64>>,
     /// The goal of that query.
     pub goal: Option<Vec<f64>>,
     /// What unknown cells are.
     pub unknown: Unknown,
-    /// Of pictures without metadata, the brightness from 0 to 1 from which a cell is free (0.5 by default); of grids of numbers, the
-    /// number from which a cell is occupied (by default they may contain 0 and 1 only, and -1 for unknown).
+    /// Of pictures without metadata, the brightness from 0 to 1 from which a cell is free (0.5 by default); of grids of
+    /// numbers, the number from which a cell is occupied (by default they may contain 0 and 1 only, and -1 for
+    /// unknown).
     pub threshold: Option<f64>,
     /// Metres per cell, for grids and pictures that do not say it; 1 by default.
     pub scale: Option<f64>,
     /// Islands of fewer occupied cells than this are dropped. Cells that touch at a side or a corner are one island.
     pub min_island: usize,
-    /// How far in metres obstacles of grids may grow so that there are fewer of them: blocks of cells become occupied if any of theirs
-    /// is. 0, the default, keeps every cell.
+    /// How far in metres obstacles of grids may grow so that there are fewer of them: blocks of cells become occupied
+    /// if any of theirs is. 0, the default, keeps every cell.
     pub simplify: f64,
 }
 

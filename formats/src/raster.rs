@@ -10,7 +10,8 @@ use crate::report::{Dropped, GridRead};
 use planarium::geometry::{Aabb, Point};
 use planarium::scenario::MAX_OBSTACLES;
 
-/// How far rectangles of a turned grid are grown, in parts of the largest coordinate: rounding is below a thousandth of it.
+/// How far rectangles of a turned grid are grown, in parts of the largest coordinate: rounding is below a thousandth of
+/// it.
 const TURNED_SLACK: f64 = 1e-12;
 
 /// Adds the obstacles and the bounds of a grid to a draft.
@@ -85,8 +86,8 @@ fn drop_islands(bits: &mut [bool], width: usize, least: usize) -> Option<Dropped
     (count > 0).then_some(Dropped { what, count, cells: Some(cells) })
 }
 
-/// Fills every square block of cells that has an occupied one; blocks are as large as the bound on growth allows. Returns how many
-/// cells were filled, and how far they are from an occupied one at most.
+/// Fills every square block of cells that has an occupied one; blocks are as large as the bound on growth allows.
+/// Returns how many cells were filled, and how far they are from an occupied one at most.
 fn simplify(bits: &mut [bool], width: usize, resolution: f64, bound: f64) -> (usize, f64) {
     // In a block of k cells a side, a point is within (k - 1) diagonals of a cell of any other cell of the block.
     let diagonal = 2f64.sqrt() * resolution;

@@ -1,15 +1,16 @@
 //! Occupied cells as the fewest rectangles that do not overlap.
 //!
-//! A corner of the outline at which three of four cells are occupied has to be cut, along the row or along the column. A chord is a cut
-//! between two such corners of one line: it serves both. The fewest rectangles have the most chords of which no two touch
-//! (Ohtsuki 1982, "Minimum dissection of rectilinear regions"; Imai and Asano 1986, SIAM J. Comput. 15(2)): a largest independent set,
-//! since chords along rows touch chords along columns only. All other corners are cut along their row. So once the chosen
-//! chords along columns have cut the runs of each row, equal runs of successive rows make up one rectangle.
+//! A corner of the outline at which three of four cells are occupied has to be cut, along the row or along the column.
+//! A chord is a cut between two such corners of one line: it serves both. The fewest rectangles have the most chords of
+//! which no two touch (Ohtsuki 1982, "Minimum dissection of rectilinear regions"; Imai and Asano 1986, SIAM J. Comput.
+//! 15(2)): a largest independent set, since chords along rows touch chords along columns only. All other corners are
+//! cut along their row. So once the chosen chords along columns have cut the runs of each row, equal runs of successive
+//! rows make up one rectangle.
 //!
-//! O(n + c sqrt(v)) for n cells and v chords that touch each other c times. A grid with more than [`MAX_TOUCHES`] of them is cut along
-//! its rows only, and [`Cover::is_fewest`] is false. Cuts along rows alone make at most three times as many rectangles: N corners with
-//! three cells, c regions and h holes give at most a = N - h + c along rows and at least a - N / 2, and a hole has four corners. So a
-//! grid that is far beyond what is allowed is refused by its rows.
+//! O(n + c sqrt(v)) for n cells and v chords that touch each other c times. A grid with more than [`MAX_TOUCHES`] of
+//! them is cut along its rows only, and [`Cover::is_fewest`] is false. Cuts along rows alone make at most three times
+//! as many rectangles: N corners with three cells, c regions and h holes give at most a = N - h + c along rows and at
+//! least a - N / 2, and a hole has four corners. So a grid that is far beyond what is allowed is refused by its rows.
 
 use crate::matching::independent_on_the_right;
 use crate::regions::runs;
@@ -48,7 +49,8 @@ pub fn cover(bits: &[bool], width: usize, most: usize) -> Result<Cover, String> 
 /// The columns and rows of a rectangle.
 type Rectangle = (Range<usize>, Range<usize>);
 
-/// The rectangles of equal runs of successive rows, once these cuts along columns divide the runs; `None` if there are more than
+/// The rectangles of equal runs of successive rows, once these cuts along columns divide the runs; `None` if there are
+/// more than
 /// `most`.
 fn divide(bits: &[bool], width: usize, cuts: &[Chord], most: usize) -> Option<Vec<Rectangle>> {
     let mut rectangles = Vec::new();

@@ -1,13 +1,15 @@
 //! Maps of ROS's `map_server`: a YAML file with the metadata, and the picture that it names.
 //!
-//! Cells are read as Nav2's `map_io.cpp` reads them. Brightness p is the mean of the channels; occ is p if `negate` is set, else 1 - p.
-//! - `trinary`: occupied if occ > `occupied_thresh`, free if occ < `free_thresh`, else unknown; opacity counts as a further channel;
-//! - `scale`: the same, and a pixel that is not opaque is unknown; what lies between the thresholds is a cost, no obstacle in a costmap's
-//!   sense and not free either: it counts as unknown;
+//! Cells are read as Nav2's `map_io.cpp` reads them. Brightness p is the mean of the channels; occ is p if `negate` is
+//! set, else 1 - p.
+//! - `trinary`: occupied if occ > `occupied_thresh`, free if occ < `free_thresh`, else unknown; opacity counts as a
+//!   further channel;
+//! - `scale`: the same, and a pixel that is not opaque is unknown; what lies between the thresholds is a cost, no
+//!   obstacle in a costmap's sense and not free either: it counts as unknown;
 //! - `raw`: the brightness from 0 to 255 is the value of the cell: 0 is free, 100 occupied, all else unknown.
 //!
-//! One thing differs: a pixel that is wholly transparent is unknown in every mode, since nothing of its colour can be seen. Row 0 is the
-//! highest y. `origin` is the pose of the lower left corner.
+//! One thing differs: a pixel that is wholly transparent is unknown in every mode, since nothing of its colour can be
+//! seen. Row 0 is the highest y. `origin` is the pose of the lower left corner.
 
 use crate::draft::{Draft, base};
 use crate::error::{Code, FormatError, Place, quoted};

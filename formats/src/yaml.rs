@@ -1,5 +1,5 @@
-//! Flat YAML: the scalars and the lists of scalars of a mapping, by the parser saphyr-parser, whose events are read without building a
-//! tree. Aliases are never followed, and what lies deeper is skipped.
+//! Flat YAML: the scalars and the lists of scalars of a mapping, by the parser saphyr-parser, whose events are read
+//! without building a tree. Aliases are never followed, and what lies deeper is skipped.
 
 use crate::error::{Code, FormatError, quoted};
 use saphyr_parser::{Event, Parser};

@@ -1,5 +1,5 @@
-//! Every test of the formats in one program. `PLANARIUM_DEEP=1` tries a million mutations; `PLANARIUM_WORLDS` names a folder of real
-//! files that are read and planned in as well.
+//! Every test of the formats in one program. `PLANARIUM_DEEP=1` tries a million mutations; `PLANARIUM_WORLDS` names a
+//! folder of real files that are read and planned in as well.
 
 // Of the tests of the library.
 #[allow(dead_code)]

@@ -1,5 +1,5 @@
-//! Changed files of every format are read or refused, without a panic: a few thousand of each, with `PLANARIUM_DEEP=1` a million together.
-//! The corpus of the fuzzers is tried as well.
+//! Changed files of every format are read or refused, without a panic: a few thousand of each, with `PLANARIUM_DEEP=1`
+//! a million together. The corpus of the fuzzers is tried as well.
 
 use crate::documents::deep;
 use crate::files::*;

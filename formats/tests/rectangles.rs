@@ -14,7 +14,8 @@ fn text(bits: &[bool], width: usize) -> String {
     text
 }
 
-/// The fewest rectangles into which the cells can be divided, by trying all: the first free cell is the top left corner of some rectangle.
+/// The fewest rectangles into which the cells can be divided, by trying all: the first free cell is the top left corner
+/// of some rectangle.
 fn fewest(bits: u32, width: usize, height: usize, known: &mut std::collections::HashMap<u32, usize>) -> usize {
     if bits == 0 {
         return 0;

@@ -76,8 +76,8 @@ fn transparent_pixels_are_unknown() {
     let grey = png(2, 2, ColorType::GrayscaleAlpha, BitDepth::Eight, &pixels);
     assert_eq!(counts(YAML, &grey), (1, 1, 2));
     assert_eq!(map(YAML, &grey).report.grid.map(|grid| grid.transparent), Some(2));
-    // In mode trinary the opacity counts as a further channel, as in map_server: (3 * 255 + 60) / 4 / 255 = 0.81; in mode scale, what
-    // is not opaque is unknown.
+    // In mode trinary the opacity counts as a further channel, as in map_server: (3 * 255 + 60) / 4 / 255 = 0.81; in
+    // mode scale, what is not opaque is unknown.
     let half = png(2, 1, ColorType::Rgba, BitDepth::Eight, &[255, 255, 255, 60, 255, 255, 255, 255]);
     assert_eq!(counts(YAML, &half), (2, 0, 0));
     assert_eq!(counts(&format!("{YAML}mode: scale\n"), &half), (1, 0, 1));

@@ -1,5 +1,6 @@
-//! Real files: every raster and table of the folder that `PLANARIUM_WORLDS` names is read, compared with its bytes at random points by
-//! code that has nothing in common with the readers, and planned in. A table of sizes and times is printed.
+//! Real files: every raster and table of the folder that `PLANARIUM_WORLDS` names is read, compared with its bytes at
+//! random points by code that has nothing in common with the readers, and planned in. A table of sizes and times is
+//! printed.
 
 use crate::documents::{deep, needed};
 use crate::files::{Places, Random, file};

@@ -1,6 +1,7 @@
 //! BMP without compression, of 1, 4, 8, 24 or 32 bits a pixel.
 //!
-//! The fourth byte of 32 bits counts as opacity only where the header says so (a mask of alpha), as it is 0 in most files.
+//! The fourth byte of 32 bits counts as opacity only where the header says so (a mask of alpha), as it is 0 in most
+//! files.
 
 use super::{Cells, Pixel, truncated};
 use crate::error::{Code, FormatError, Place};

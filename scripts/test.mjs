@@ -33,8 +33,11 @@ import { buildSite } from "./site.mjs";
 const WASM = ["--target", "wasm32-unknown-unknown"];
 const NO_WARNINGS = ["--", "-D", "warnings"];
 
-/** The library and the command line. */
-const CRATES = ["-p", "planarium", "-p", "planarium-cli", "-p", "own-planner"];
+/** The library, the formats and the command line. */
+const CRATES = ["-p", "planarium", "-p", "planarium-formats", "-p", "planarium-cli", "-p", "own-planner"];
+
+/** The crates that others build on. */
+const DOCUMENTED = ["-p", "planarium", "-p", "planarium-formats"];
 
 /** The tests that `wasm-pack test` runs. */
 const SMOKE_TEST = "sampling::";
@@ -83,8 +86,16 @@ const suites = [
   },
   {
     groups: ["check"],
+    name: "clippy, wasm32, formats",
+    run: () => command("cargo", ["clippy", "--locked", ...WASM, "-p", "planarium-formats", "--lib", ...NO_WARNINGS]),
+  },
+  {
+    groups: ["check"],
     name: "Rust documentation",
-    run: () => command("cargo", ["doc", "--locked", "--no-deps", "--all-features"], { RUSTDOCFLAGS: "-D warnings" }),
+    run: () =>
+      command("cargo", ["doc", "--locked", "--no-deps", "--all-features", ...DOCUMENTED], {
+        RUSTDOCFLAGS: "-D warnings",
+      }),
   },
   {
     groups: ["check"],

@@ -4,10 +4,69 @@ use clap::Args;
 use planarium::Error;
 use planarium::random::{MAX_SEED, random_seed};
 use planarium::run::Value;
+use planarium_formats::FormatError;
+use serde_json::json;
 use std::num::NonZeroUsize;
 
 /// The result of a command without an error: true is exit code 0, false is 1.
-pub type Answer = Result<bool, Error>;
+pub type Answer = Result<bool, Failure>;
+
+/// Why a command cannot answer.
+pub enum Failure {
+    /// What it was asked is wrong, or a document.
+    Library(Error),
+    /// A file that is no document.
+    Format(FormatError),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Library(error)
+    }
+}
+
+impl From<FormatError> for Failure {
+    fn from(error: FormatError) -> Self {
+        Self::Format(error)
+    }
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Library(error) => error.fmt(f),
+            Self::Format(error) => error.fmt(f),
+        }
+    }
+}
+
+impl Failure {
+    /// The error as it is printed.
+    pub fn document(&self) -> serde_json::Value {
+        let mut fields = match self {
+            Self::Library(error) => {
+                json!({ "code": error.code().as_str(), "message": error.message(), "pointer": error.pointer() })
+            }
+            Self::Format(error) => json!({ "code": error.code().as_str(), "message": error.message(), "pointer": "" }),
+        };
+        match self {
+            Self::Library(error) => {
+                if let Some(nearest) = error.nearest() {
+                    fields["nearest"] = nearest.into();
+                }
+            }
+            Self::Format(error) => {
+                if let Some(file) = error.file() {
+                    fields["file"] = file.into();
+                }
+                if let Some(place) = error.place() {
+                    fields["place"] = json!(place);
+                }
+            }
+        }
+        json!({ "error": fields })
+    }
+}
 
 /// The arguments of every command that draws random numbers and has options.
 #[derive(Args)]

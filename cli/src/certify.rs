@@ -4,6 +4,7 @@ use crate::arguments::Answer;
 use crate::files;
 use crate::kind::Kind;
 use crate::output::Outputs;
+use crate::world::{self, WorldOptions};
 use clap::Args;
 use planarium::certificate::{Certificate, DEFAULT_CELLS, Options, Subdivision, Verdict};
 use planarium::problem::Stepped;
@@ -20,7 +21,7 @@ Examples:
   planarium verify arm.json certificate.json
   planarium certify arm.json --query report --clearance 0.01 --cells 200000")]
 pub struct Arguments {
-    /// The scenario, a JSON file; - reads it from standard input
+    /// The scenario, a JSON file, or a map (see `planarium import`); - reads it from standard input
     file: String,
 
     /// The query, by name [default: the first of the scenario]
@@ -42,12 +43,16 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 /// Divides to the end and prints the certificate; true if it is decided.
 pub fn certify(arguments: &Arguments) -> Answer {
-    let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::CERTIFICATE)?;
-    let scenario = files::scenario(&arguments.file, None)?;
+    let mut outputs = Outputs::beside([&*arguments.file], arguments.force);
+    let out = outputs.add(arguments.out.as_deref(), Kind::CERTIFICATE)?;
+    let scenario = world::scenario(&arguments.file, None, &arguments.world, &outputs)?;
     let Arguments { query, clearance, cells, .. } = arguments;
     let options = Options { query: query.clone(), clearance: *clearance, cells: *cells };
     let mut subdivision = Subdivision::new(&scenario, &options)?;

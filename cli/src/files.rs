@@ -7,6 +7,7 @@ use planarium::json;
 use planarium::scenario::Scenario;
 use serde_json::Value;
 use std::fmt::Display;
+use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -41,28 +42,49 @@ pub fn scenario(name: &str, other: Option<(&str, &str)>) -> Result<Scenario, Err
 
 /// The same as a tree, whatever its format.
 pub fn document(name: &str, other: Option<(&str, &str)>) -> Result<Value, Error> {
-    if let Some((what, "-")) = other.filter(|_| name == "-") {
-        let sentence = format!("scenario and {what} cannot both come from standard input");
-        return Err(Error::new(Code::Usage, "", sentence));
-    }
+    refuse_both(name, other)?;
     json::parse(&read(name)?)
+}
+
+/// Refuses a second input that is standard input if the first is.
+pub fn refuse_both(name: &str, other: Option<(&str, &str)>) -> Result<(), Error> {
+    match other.filter(|_| name == "-") {
+        Some((what, "-")) => {
+            let sentence = format!("scenario and {what} cannot both come from standard input");
+            Err(Error::new(Code::Usage, "", sentence))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The text of the file; of standard input for `-`.
 pub fn read(name: &str) -> Result<String, Error> {
-    String::from_utf8(read_bytes(name)?).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
+    text(name, read_bytes(name)?)
+}
+
+/// The bytes of a file as text.
+pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, Error> {
+    String::from_utf8(bytes).map_err(|_| failed("read", name, &"it is not valid UTF-8"))
 }
 
 /// The bytes of the file; of standard input for `-`. A file that standard output goes into is refused.
 pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
+    read_at_most(name, u64::MAX)
+}
+
+/// The same, but no more than so many bytes.
+pub fn read_at_most(name: &str, most: u64) -> Result<Vec<u8>, Error> {
     if is_standard_output(name) {
         IS_INPUT.store(true, Ordering::Relaxed);
         return Err(would_overwrite(name, &"it is an input of this command, and standard output goes into it"));
     }
     let mut bytes = Vec::new();
-    let result =
-        if name == "-" { io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes) } else { std::fs::read(name) };
-    result.map_err(|error| failed("read", name, &error))
+    let result = if name == "-" {
+        io::stdin().lock().take(most).read_to_end(&mut bytes)
+    } else {
+        File::open(name).and_then(|file| file.take(most).read_to_end(&mut bytes))
+    };
+    result.map(|_| bytes).map_err(|error| failed("read", name, &error))
 }
 
 /// Writes the text and a line break to standard output. A closed pipe is not an error.

@@ -4,7 +4,8 @@ use crate::arguments::Answer;
 use crate::files;
 use clap::Args;
 use planarium::catalogue::catalogue;
-use serde_json::Value;
+use planarium_formats::Code;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// The tables of entries with options: the title, the field of the catalogue, and the field of an entry with its options.
@@ -26,6 +27,9 @@ const LISTS: [(&str, &str); 4] = [
     ("TRAJECTORIES", "trajectories"),
 ];
 
+/// The field of the error codes of files that are no documents.
+const WORLD_ERRORS: &str = "world_errors";
+
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -39,9 +43,12 @@ pub struct Arguments {
 
 /// Prints tables, or JSON.
 pub fn list(arguments: &Arguments) -> Answer {
-    let catalogue = catalogue();
+    let mut catalogue = catalogue();
+    catalogue[WORLD_ERRORS] =
+        Code::ALL.iter().map(|code| json!({ "code": code.as_str(), "meaning": code.meaning() })).collect();
     let text = if arguments.json { format!("{catalogue:#}") } else { as_tables(&catalogue) };
-    files::print(&text).map(|()| true)
+    files::print(&text)?;
+    Ok(true)
 }
 
 fn as_tables(catalogue: &Value) -> String {
@@ -58,10 +65,14 @@ fn as_tables(catalogue: &Value) -> String {
             push_option(&mut text, option, 18);
         }
     }
-    text.push_str("\nERROR CODES\n");
-    for error in rows(&catalogue["errors"]) {
-        let _ = write!(text, "\n  {:<18} {}", word(&error["code"]), word(&error["meaning"]));
+    for (title, field) in [("ERROR CODES", "errors"), ("ERROR CODES OF MAPS AND PICTURES", WORLD_ERRORS)] {
+        let _ = write!(text, "\n{title}\n");
+        for error in rows(&catalogue[field]) {
+            let _ = write!(text, "\n  {:<19} {}", word(&error["code"]), word(&error["meaning"]));
+        }
+        text.push('\n');
     }
+    text.truncate(text.trim_end().len());
     text
 }
 

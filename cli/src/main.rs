@@ -1,4 +1,4 @@
-//! The command line: plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach,
+//! The command line: import, plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach,
 //! trajectories, schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
@@ -12,11 +12,11 @@ mod files;
 mod fleet;
 mod generate;
 mod identity;
+mod import;
 mod kind;
 mod list;
 mod navigation;
 mod nearest;
-mod npy;
 mod optimum;
 mod output;
 mod plan;
@@ -26,8 +26,9 @@ mod schema;
 mod sweep;
 mod trajectories;
 mod verify;
+mod world;
 
-use arguments::Answer;
+use arguments::{Answer, Failure};
 use clap::{Parser, Subcommand};
 use planarium::Error;
 use planarium::error::Code;
@@ -46,6 +47,7 @@ Exit codes: 0 solved or valid; 1 not solved or not valid; 2 the input is wrong, 
 contains {\"error\": {\"code\", \"message\", \"pointer\"}}. `planarium list` explains the codes.
 
 Examples:
+  planarium import map.yaml --radius 0.2 --start 1,1 --goal 8,5 --out map.json
   planarium generate forest --set links=3 --seed 4 --out forest.json
   planarium plan forest.json --planner prm --set samples=700 --set k=30 --out result.json
   planarium verify forest.json result.json"
@@ -57,6 +59,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Read a map, a picture or a benchmark file as a scenario and print it
+    Import(import::Arguments),
     /// Plan a path for one query of a scenario and print the result document
     Plan(plan::Arguments),
     /// Prove that no path keeps more than a clearance, or that one does, and print the certificate
@@ -99,7 +103,7 @@ fn main() -> ExitCode {
         }
         Err(error) => {
             let _ = error.print();
-            return report(&usage(&error));
+            return report(&usage(&error).into());
         }
     };
     match answer {
@@ -114,6 +118,7 @@ fn main() -> ExitCode {
 
 fn run(command: &Command) -> Answer {
     match command {
+        Command::Import(arguments) => import::import(arguments),
         Command::Plan(arguments) => plan::plan(arguments),
         Command::Certify(arguments) => certify::certify(arguments),
         Command::Fleet(arguments) => fleet::fleet(arguments),
@@ -144,14 +149,8 @@ fn usage(error: &clap::Error) -> Error {
 }
 
 /// Prints the error as JSON; exit code 2.
-fn report(error: &Error) -> ExitCode {
-    let mut fields = serde_json::json!({
-        "error": { "code": error.code().as_str(), "message": error.message(), "pointer": error.pointer() }
-    });
-    if let Some(nearest) = error.nearest() {
-        fields["error"]["nearest"] = nearest.into();
-    }
-    if let Err(unwritten) = files::print(&fields.to_string()) {
+fn report(error: &Failure) -> ExitCode {
+    if let Err(unwritten) = files::print(&error.document().to_string()) {
         files::say(&format!("error: {unwritten}"));
     }
     ExitCode::from(2)

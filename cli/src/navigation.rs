@@ -232,7 +232,7 @@ pub fn compare(arguments: &Compare) -> Answer {
     let read = files.iter().chain([policy]).map(String::as_str);
     let out = Outputs::beside(read, arguments.force).add(arguments.out.as_deref(), Kind::COMPARISON)?;
     if files.iter().chain([policy]).filter(|file| *file == "-").count() > 1 {
-        return Err(Error::new(Code::Usage, "", "only one file can come from standard input"));
+        return Err(Error::new(Code::Usage, "", "only one file can come from standard input").into());
     }
     let policy = Policy::parse(&files::read(policy)?)?;
     let tasks: Vec<Navigation> =

@@ -2,7 +2,6 @@
 
 use crate::arguments::{Answer, Given};
 use crate::files;
-use crate::npy;
 use clap::Args;
 use planarium::error::Code;
 use planarium::run::Value;
@@ -10,6 +9,7 @@ use planarium::run::inspect::Inspector;
 use planarium::run::neighbours::{IndexOptions, Neighbours, index, recall};
 use planarium::world::PlanningWorld;
 use planarium::{Error, json};
+use planarium_formats::npy;
 use serde::Serialize;
 use std::time::{Duration, Instant};
 

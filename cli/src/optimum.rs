@@ -4,6 +4,7 @@ use crate::arguments::Answer;
 use crate::files;
 use crate::kind::Kind;
 use crate::output::Outputs;
+use crate::world::{self, WorldOptions};
 use clap::Args;
 use planarium::error::Code;
 use planarium::optimum::{self, Optimum};
@@ -25,7 +26,7 @@ Examples:
   planarium optimum discs.json --query across
   planarium plan discs.json --planner rrt-star | planarium optimum discs.json --result -")]
 pub struct Arguments {
-    /// The scenario, a JSON file; - reads it from standard input
+    /// The scenario, a JSON file, or a map (see `planarium import`); - reads it from standard input
     file: String,
 
     /// The query, by name [default: that of the result, else the first of the scenario]
@@ -47,6 +48,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 /// The printed document.
@@ -65,17 +69,17 @@ pub fn optimum(arguments: &Arguments) -> Answer {
     let mut outputs = Outputs::beside(inputs.into_iter().flatten(), arguments.force);
     let out = outputs.add(arguments.out.as_deref(), Kind::OPTIMUM)?;
     let other = arguments.result.as_deref().map(|name| ("result", name));
-    let scenario = files::scenario(&arguments.file, other)?;
+    let scenario = world::scenario(&arguments.file, other, &arguments.world, &outputs)?;
     let result = arguments.result.as_deref().map(|name| ResultDocument::parse(&files::read(name)?)).transpose()?;
     if let Some(result) = result.as_ref().filter(|result| result.scenario != scenario.name()) {
         let sentence = format!("the result is of the scenario {:?}, not {:?}", result.scenario, scenario.name());
-        return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
+        return Err(Error::new(Code::InvalidResult, "/scenario", sentence).into());
     }
     if let Some((asked, result)) = arguments.query.as_deref().zip(result.as_ref())
         && asked != result.query
     {
         let sentence = format!("the result is of the query {:?}, not {asked:?}", result.query);
-        return Err(Error::new(Code::InvalidResult, "/query", sentence));
+        return Err(Error::new(Code::InvalidResult, "/query", sentence).into());
     }
     if let Some(result) = &result {
         check(&scenario, result)?;
@@ -88,7 +92,7 @@ pub fn optimum(arguments: &Arguments) -> Answer {
     if let Some(measured) = measured.filter(|&measured| measured != optimum.length_measure) {
         let [measured, own] = [measured, optimum.length_measure].map(|measure| json::to_string(&measure));
         let sentence = format!("the length of the result measures {measured}, that of the shortest path {own}");
-        return Err(Error::new(Code::InvalidResult, "/length_measure", sentence));
+        return Err(Error::new(Code::InvalidResult, "/length_measure", sentence).into());
     }
     let gap = result.map(|result| {
         let length = optimum.length.filter(|_| !result.path.is_empty())?;

@@ -13,6 +13,9 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+/// What a file is for that is not an input.
+const OUTPUT: &str = "another output";
+
 /// The outputs of a command, beside its inputs.
 pub struct Outputs {
     force: bool,
@@ -51,8 +54,20 @@ impl Outputs {
         if let Some((what, other, _)) = self.files.iter().find(|(_, _, other)| *other == identity) {
             return Err(would_overwrite(name, &format!("it is {what} of this command ({other:?})")));
         }
-        self.files.push(("another output", name.to_owned(), identity));
+        self.files.push((OUTPUT, name.to_owned(), identity));
         Ok(())
+    }
+
+    /// Refuses a further input that is an output.
+    ///
+    /// # Errors
+    /// `would-overwrite`
+    pub fn check_input(&self, name: &str) -> Result<(), Error> {
+        let identity = Identity::of(Path::new(name));
+        match self.files.iter().find(|(what, _, other)| *what == OUTPUT && Some(other) == identity.as_ref()) {
+            Some((_, output, _)) => Err(would_overwrite(output, &format!("it is an input of this command ({name:?})"))),
+            None => Ok(()),
+        }
     }
 
     /// Refuses standard output if it goes into an output that is written from its beginning, or continued.

@@ -5,6 +5,7 @@ use crate::files;
 use crate::kind::Kind;
 use crate::output::{Output, Outputs};
 use crate::progress::{REDRAW, next_slice, progress_target};
+use crate::world::{self, WorldOptions};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use planarium::Error;
@@ -29,7 +30,7 @@ Examples:
   planarium plan arm.json --planner prm --save-roadmap arm.roadmap
   planarium plan arm.json --roadmap arm.roadmap --query another")]
 pub struct Arguments {
-    /// The scenario, a JSON file; - reads it from standard input
+    /// The scenario, a JSON file, or a map (see `planarium import`); - reads it from standard input
     file: String,
 
     /// The query, by name [default: the first of the scenario]
@@ -77,6 +78,9 @@ pub struct Arguments {
     /// Replace files that contain something else
     #[arg(long)]
     force: bool,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -99,7 +103,8 @@ pub fn plan(arguments: &Arguments) -> Answer {
     let mut outputs = Outputs::beside([Some(&*arguments.file), saved].into_iter().flatten(), arguments.force);
     let roadmap = arguments.save_roadmap.as_deref().map(|name| outputs.add(Some(name), Kind::ROADMAP)).transpose()?;
     let out = outputs.add(arguments.out.as_deref(), Kind::PLAN)?;
-    let scenario = files::scenario(&arguments.file, saved.map(|name| ("roadmap", name)))?;
+    let other = saved.map(|name| ("roadmap", name));
+    let scenario = world::scenario(&arguments.file, other, &arguments.world, &outputs)?;
     let most = arguments.max_iterations.map(|most| Value::Number(most as f64));
     let request = Request {
         planner: arguments.planner.clone(),
@@ -118,7 +123,7 @@ pub fn plan(arguments: &Arguments) -> Answer {
     };
     if arguments.save_roadmap.is_some() && run.roadmap().is_none() {
         let sentence = format!("{} builds no roadmap that could be saved", run.result().planner);
-        return Err(Error::new(Code::Unsupported, "", sentence));
+        return Err(Error::new(Code::Unsupported, "", sentence).into());
     }
     run.set_threads(arguments.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN));
     let result = drive(run.as_mut(), arguments.max_seconds);

@@ -27,5 +27,6 @@ pub fn schema(arguments: &Arguments) -> Answer {
         Document::Fleet => planarium::fleet::schema(),
         Document::Navigation => planarium::navigation::schema(),
     };
-    files::print(&format!("{schema:#}")).map(|()| true)
+    files::print(&format!("{schema:#}"))?;
+    Ok(true)
 }

@@ -2,6 +2,8 @@
 
 use crate::arguments::Answer;
 use crate::files;
+use crate::output::Outputs;
+use crate::world::{self, Source, WorldOptions};
 use clap::Args;
 use planarium::certificate::{self, Certificate};
 use planarium::fleet::{self, Fleet, FleetResult};
@@ -21,20 +23,28 @@ Examples:
   planarium verify arm.json result.json
   planarium plan arm.json | planarium verify arm.json -")]
 pub struct Arguments {
-    /// The scenario or the fleet, a JSON file; - reads it from standard input
+    /// The scenario or the fleet, a JSON file, or a map with the options that it was planned with; - reads it from
+    /// standard input
     file: String,
 
     /// The result document, or the certificate; - reads it from standard input
     result: String,
+
+    #[command(flatten)]
+    world: WorldOptions,
 }
 
-/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format. That of the
-/// first document tells whether it is a fleet.
+/// Verifies and prints the verdict; true if the result or the certificate is valid. Only certificates have a format.
+/// That of the first document tells whether it is a fleet.
 pub fn verify(arguments: &Arguments) -> Answer {
-    let document = files::document(&arguments.file, Some(("result", &arguments.result)))?;
+    let inputs = Outputs::beside([&*arguments.file, &*arguments.result], false);
+    let other = Some(("result", &*arguments.result));
+    let source = world::document_or_map(&arguments.file, other, &arguments.world, &inputs)?;
     let text = files::read(&arguments.result)?;
-    if document["format"] == fleet::FORMAT {
-        let verification = fleet::verify(&Fleet::read(&document)?, &FleetResult::parse(&text)?)?;
+    if let Source::Document(document) = &source
+        && document["format"] == fleet::FORMAT
+    {
+        let verification = fleet::verify(&Fleet::read(document)?, &FleetResult::parse(&text)?)?;
         let fleet::Verification { conflicts, faults, claims, .. } = &verification;
         let counts = [conflicts.len(), faults.len(), claims.len()];
         let verdict = if verification.is_valid() { "valid" } else { "not valid" };
@@ -42,7 +52,10 @@ pub fn verify(arguments: &Arguments) -> Answer {
         files::print(&json::to_string(&verification))?;
         return Ok(verification.is_valid());
     }
-    let scenario = Scenario::read(&document)?;
+    let scenario = match source {
+        Source::Document(document) => Scenario::read(&document)?,
+        Source::Map(scenario) => scenario,
+    };
     let is_certificate = json::parse(&text)?.get("format").is_some();
     if is_certificate {
         let why = certificate::verify(&scenario, &Certificate::parse(&text)?)?;

@@ -8,6 +8,7 @@ mod program;
 
 mod commands;
 mod files;
+mod import;
 mod nearest;
 mod sweep;
 mod truth;

@@ -31,6 +31,7 @@ const GROUPS = [
     "Reference",
     [
       "docs/scenarios.md",
+      "docs/worlds.md",
       "docs/fleet.md",
       "docs/prm-rl.md",
       "docs/javascript.md",
@@ -60,6 +61,7 @@ const TITLES = {
   "docs/in-rust.md": "Rust",
   "docs/teaching.md": "Teaching",
   "docs/worksheet.md": "Worksheet",
+  "docs/worlds.md": "Maps and pictures",
   "docs/planners.md": "Overview",
 };
 
@@ -256,6 +258,7 @@ export default defineConfig({
         text: "Reference",
         items: [
           { text: "Scenarios", link: "/scenarios" },
+          { text: "Maps and pictures", link: "/worlds" },
           { text: "Several robots", link: "/fleet" },
           { text: "Learned edges", link: "/prm-rl" },
           { text: "JavaScript", link: "/javascript" },

@@ -1,5 +1,5 @@
-//! NumPy's array files, `.npy`, versions 1 to 3: integers and floating-point numbers of either byte order, in C or Fortran
-//! order.
+//! NumPy's array files, `.npy`, versions 1 to 3: truth values, integers and floating-point numbers of either byte
+//! order, in C or Fortran order.
 
 use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 
@@ -7,16 +7,21 @@ use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 pub struct Table {
     /// The numbers per row.
     pub width: usize,
+    /// The numbers, row by row.
     pub numbers: Vec<f64>,
 }
 
 /// The first bytes of such a file.
 pub const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// The most brackets that a header opens: npyz takes exponential time if they are nested. That of an array of numbers opens two.
+/// The most brackets that a header opens: npyz takes exponential time if they are nested. That of an array of numbers
+/// opens two.
 const MOST_BRACKETS: usize = 6;
 
-/// Reads rows of numbers; the error is a sentence about the file.
+/// Reads rows of numbers.
+///
+/// # Errors
+/// A sentence about the file.
 pub fn read(bytes: &[u8]) -> Result<Table, String> {
     // npyz reserves memory for a header of any length, up to 4 GB.
     let (start, length) = match bytes.get(MAGIC.len()..MAGIC.len() + 6) {
@@ -44,6 +49,7 @@ pub fn read(bytes: &[u8]) -> Result<Table, String> {
     let order = header.order();
     let file = NpyFile::with_header(header, data);
     let stored = match (kind.type_char(), kind.size_field()) {
+        (TypeChar::Bool, 1) => numbers(file, |x: bool| f64::from(u8::from(x))),
         (TypeChar::Float, 8) => numbers(file, |x: f64| x),
         (TypeChar::Float, 4) => numbers(file, |x: f32| x.into()),
         (TypeChar::Int, 1) => numbers(file, |x: i8| x.into()),

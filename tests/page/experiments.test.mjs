@@ -269,7 +269,7 @@ test("an experiment that was run", (t) =>
           assert.equal(lines.length, shown.length + 1);
           assert.ok(lines[0].startsWith("planner.k,series,trials,missing"));
           assert.ok(
-            lines.every((one, i) => one.endsWith(i === 0 ? ",measure,unit" : ",path length,rad")),
+            lines.every((one, i) => one.endsWith(i === 0 ? ",measure,unit" : ',"path length",')),
             lines[1],
           );
           assert.match(svg.name, /-line-length\.svg$/);

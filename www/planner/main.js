@@ -39,6 +39,7 @@ import { Pose } from "./pose/controls.js";
 import { showPseudocode } from "./pseudocode.js";
 import { SCENES } from "./scenes/scenes.js";
 import { Session, placed } from "./session.js";
+import { loadRegions } from "./stage/pane.js";
 import { Panel } from "./settings/panel.js";
 import { Planners } from "./settings/planners.js";
 import { Figures } from "./figures.js";
@@ -204,7 +205,7 @@ const isOpen = await app.open(
     /** Loads the modules that other scenes and prints need, for when there is no network. */
     async function loadModules() {
       try {
-        await Promise.all([options.get(), placed(), asking.get(), print.get()]);
+        await Promise.all([options.get(), placed(), asking.get(), print.get(), loadRegions()]);
         document.body.dataset.complete = "true";
       } catch {
         // There is no network any more: the next use tries again, and reports the error.

@@ -6,6 +6,7 @@ import { withPageDefaults } from "../domain/page-defaults.js";
 import { errorInfo } from "../app/error-info.js";
 import { once } from "../app/once.js";
 import { pacer } from "../app/paced.js";
+import { loadRegions } from "./stage/pane.js";
 import { Stage } from "./stage/stage.js";
 import { Clock } from "./timeline/clock.js";
 import { Timeline } from "./timeline/playback.js";
@@ -394,6 +395,7 @@ export class Session {
     const isOther = String(view.axes) !== String(axes) || view.refused !== refused;
     Object.assign(this.view, view);
     this.markDirty();
+    if (view.regions) void this.app.track(loadRegions().then(() => this.markDirty()));
     if (isOther) this.stage.invalidate();
   }
 

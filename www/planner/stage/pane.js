@@ -7,7 +7,6 @@ import { Glow } from "./glow.js";
 import { Growth, countsOf, motionsAlong } from "./growth.js";
 import { disc, ring } from "../../draw/marks.js";
 import { strokeLine, tracePen } from "../../draw/pen.js";
-import { Regions } from "./regions.js";
 import { VertexIndex } from "./vertex-index.js";
 import { drawGoal, drawHit, drawStart } from "../../draw/shapes.js";
 import { Strobe } from "./strobe.js";
@@ -25,10 +24,18 @@ import { Strobe } from "./strobe.js";
  *   firsts[i + 1]; NaN lifts the pen
  */
 
+/** What draws Voronoi regions. @type {typeof import("./regions.js").Regions | undefined} */
+let Regions;
+
+/** Loads what draws Voronoi regions, for the first view that shows them. */
+export async function loadRegions() {
+  ({ Regions } = await import("./regions.js"));
+}
+
 export class Pane {
   constructor() {
     this.growth = new Growth(this);
-    /** The Voronoi regions of a tree, once they are asked for. @type {Regions | null} */
+    /** The Voronoi regions of a tree, once they are drawn. @type {import("./regions.js").Regions | null} */
     this.regions = null;
     this.glow = new Glow();
     /** @type {Lane | null} */
@@ -214,7 +221,7 @@ export class Pane {
    */
   drawRegions(context, lane) {
     const { view } = this;
-    if (!view || !this.isPlaneOf(lane.scenario)) return;
+    if (!view || !Regions || !this.isPlaneOf(lane.scenario)) return;
     const { min, max } = lane.scenario.robot === "disc" ? lane.scenario.extent() : view.box;
     const image = (this.regions ??= new Regions()).image(lane, { min, max }, lane.scenario.circles());
     if (!image) return;

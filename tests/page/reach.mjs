@@ -4,7 +4,7 @@ import { Scenario } from "planarium/full";
 import { SCENES } from "../../www/reach/scenes.js";
 import { DESK, choose as chooseOne, fill, keys, onPage, reveal } from "./browser.mjs";
 import { plane } from "./editing.mjs";
-import { EMPTY, openState } from "./turns.mjs";
+import { EMPTY, openState, reopen } from "./turns.mjs";
 
 /** @import { More, Options, Page } from "./browser.mjs" */
 
@@ -25,7 +25,7 @@ export const scenarioOf = (id) => Scenario.parse(entryOf(id).document);
  * @param {string} name  of its page
  * @param {string} ready  its body at rest
  * @param {string} chosen  the attribute that says which scene is chosen
- * @param {string} [first]  the fragment of its state as it opens
+ * @param {string | null} [first]  the fragment of its state as it opens; null: no address says it
  */
 export function roomOf(name, ready, chosen, first = EMPTY) {
   /** Waits until all is computed and drawn. @param {Page} page */
@@ -70,8 +70,10 @@ export function roomOf(name, ready, chosen, first = EMPTY) {
     },
     /** The page as it opens. @param {Page} page */
     putBack: async (page) => {
-      await openState(page, first);
+      if (first === null) await reopen(page, ready);
+      else await openState(page, first);
       await rest(page);
+      await reveal(page, "#more");
     },
     /** Puts a number into a field. @param {Page} page @param {string} id @param {string | number} value */
     put: async (page, id, value) => {
@@ -89,7 +91,7 @@ export const {
   choose,
   put,
   putBack,
-} = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene");
+} = roomOf("reach", "body[data-state=ready][data-settled=true]", "scene", null);
 
 /** Solves to the end. @param {Page} page */
 export async function solved(page) {

@@ -57,7 +57,9 @@ impl Kind {
             Some(format) => Ok(Self::Numbers(table, format)),
             None => Err(FormatError::new(
                 Code::UnknownWorld,
-                format!("the numbers of the file are of no known shape; {KNOWN}"),
+                format!(
+                    "the numbers of the file are of no known shape (a grid of other numbers than 0, 1 and -1 needs a threshold); {KNOWN}"
+                ),
             )),
         }
     }
@@ -143,10 +145,21 @@ pub fn draft(files: &[File<'_>], options: &Options) -> Result<Draft, FormatError
         let sentence = format!("{} files are given; at most {MAX_FILES} make up a world", files.len());
         return Err(FormatError::new(Code::WorldTooLarge, sentence));
     }
+    let found: Vec<_> = files.iter().map(|file| Kind::of(file.bytes, options)).collect();
+    // What a map names as its picture is never quoted: the map may come from anyone.
+    let is_named = |file: &File<'_>| {
+        found.iter().any(|kind| matches!(kind, Ok(Kind::Metadata(metadata)) if metadata.is_image(file.name)))
+    };
+    let named: Vec<bool> = files.iter().map(is_named).collect();
     let mut kinds = Vec::with_capacity(files.len());
-    for file in files {
-        let kind = Kind::of(file.bytes, options).map_err(|error| error.in_file(file.name))?;
-        kinds.push((*file, kind));
+    for ((file, kind), is_named) in files.iter().zip(found).zip(named) {
+        let is_picture = matches!(kind, Ok(Kind::Picture(_)));
+        let is_unread = matches!(&kind, Err(error) if error.code() == Code::UnknownWorld);
+        if is_named && !is_picture && (kind.is_ok() || is_unread) {
+            let sentence = "the YAML file names it as the picture, but it is no PGM, PNG or BMP";
+            return Err(FormatError::new(Code::InvalidFile, sentence).in_file(file.name));
+        }
+        kinds.push((*file, kind.map_err(|error| error.in_file(file.name))?));
     }
     let main = main_file(&kinds)?;
     let (file, kind) = &kinds[main];

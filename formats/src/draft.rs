@@ -9,7 +9,10 @@ use planarium::robot::{Car, DiscRobot, RigidBody, Weights};
 use planarium::scenario::{self, GoalTolerance, MAX_OBSTACLES, Obstacle, Query, Robot, Scenario, World};
 
 /// Where a coordinate is larger than this, in metres, all are moved: a scenario allows 1e6, and digits get lost.
-const FAR: f64 = 1e5;
+pub const FAR: f64 = 1e5;
+
+/// How far an obstacle without area is grown to have one, in metres.
+const THICKNESS: f64 = 1e-6;
 
 /// The step of integration of cars, in seconds.
 const INTEGRATION_STEP: f64 = 0.01;
@@ -23,6 +26,8 @@ pub struct Draft {
     pub polygons: Vec<Vec<Point>>,
     pub discs: Vec<(Point, f64)>,
     pub bounds: Aabb,
+    /// What the reader has subtracted from all but the queries, so that cells far from the origin keep their digits.
+    pub moved: Point,
     pub queries: Vec<DraftQuery>,
     /// The robot of the format, and the words for it.
     pub robot: Option<(Robot, &'static str)>,
@@ -56,6 +61,7 @@ impl Draft {
             polygons: Vec::new(),
             discs: Vec::new(),
             bounds: Aabb::of(Point::origin(), Point::origin()),
+            moved: Point::origin(),
             queries: Vec::new(),
             robot: None,
             grid: None,
@@ -71,11 +77,11 @@ impl Draft {
             return Err(FormatError::new(Code::InvalidNumber, "the coordinates are too large for 64-bit numbers"));
         }
         self.add_given_query(options)?;
-        self.mark_blocked();
         let (robot, words) = self.robot(options)?;
         self.report.robot = words;
         let offset = self.recentre();
         self.report.offset = [offset.x, offset.y];
+        self.mark_blocked();
         let Aabb { min, max } = self.bounds;
         self.report.bounds = [[min.x, min.y], [max.x, max.y]];
         let obstacles = self.obstacles()?;
@@ -174,10 +180,12 @@ impl Draft {
     /// Moves everything if a coordinate is far from the origin, by whole metres, so that the difference is exact.
     /// Returns what was subtracted.
     fn recentre(&mut self) -> Point {
+        let moved = self.moved;
+        self.shift_queries(moved);
         let corners = [self.bounds.min, self.bounds.max];
         let largest = corners.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
         if largest <= FAR {
-            return Point::origin();
+            return moved;
         }
         let offset = middle(corners[0], corners[1]);
         let shift = |p: &mut Point| *p = Point::new(p.x - offset.x, p.y - offset.y);
@@ -188,13 +196,17 @@ impl Draft {
         if let Some(grid) = &mut self.grid {
             shift(&mut grid.frame.origin);
         }
+        self.shift_queries(offset);
+        Point::new(moved.x + offset.x, moved.y + offset.y)
+    }
+
+    fn shift_queries(&mut self, offset: Point) {
         for place in self.queries.iter_mut().flat_map(|query| [&mut query.start, &mut query.goal]) {
             *place = [place[0] - offset.x, place[1] - offset.y];
         }
-        offset
     }
 
-    /// The obstacles; polygons without area are left out and counted.
+    /// The obstacles; those without area are grown to have one, since they separate as well.
     fn obstacles(&mut self) -> Result<Vec<Obstacle>, FormatError> {
         let count = self.polygons.len() + self.discs.len();
         if count > MAX_OBSTACLES {
@@ -204,22 +216,28 @@ impl Draft {
         let mut obstacles = Vec::with_capacity(count);
         let mut flat = 0;
         for (i, corners) in self.polygons.iter().enumerate() {
-            if is_flat(corners) {
+            let thick;
+            let corners = if is_flat(corners) {
                 flat += 1;
-                continue;
-            }
+                thick = thickened(corners);
+                &thick
+            } else {
+                corners
+            };
             let polygon = scenario::polygon(corners).map_err(|error| {
                 FormatError::new(Code::InvalidFile, error.message()).at(Place::Element(format!("obstacle {i}")))
             })?;
             self.report.obstacles.vertices += polygon.vertices().len();
             obstacles.push(polygon.into());
         }
-        self.report.drop("polygons without area", flat);
         self.report.obstacles.polygons = obstacles.len();
         let points = self.discs.iter().filter(|(_, radius)| *radius == 0.0).count();
-        self.report.drop("discs of radius 0", points);
-        let discs = self.discs.iter().filter(|(_, radius)| *radius > 0.0);
-        obstacles.extend(discs.map(|&(center, radius)| Obstacle::disc(center, radius)));
+        obstacles.extend(self.discs.iter().map(|&(center, radius)| Obstacle::disc(center, radius.max(THICKNESS))));
+        if flat + points > 0 {
+            self.report.grown = self.report.grown.max(2.0 * THICKNESS);
+            let sentence = format!("{} obstacles without area are grown by {THICKNESS:e} m to have one", flat + points);
+            self.report.notes.push(sentence);
+        }
         self.report.obstacles.discs = obstacles.len() - self.report.obstacles.polygons;
         Ok(obstacles)
     }
@@ -264,6 +282,23 @@ fn is_flat(corners: &[Point]) -> bool {
     let Some((&first, rest)) = corners.split_first() else { return true };
     let Some(&other) = rest.iter().find(|&&p| p != first) else { return true };
     corners.iter().all(|&p| planarium::geometry::orientation(first, other, p) == 0.0)
+}
+
+/// A rectangle around corners that lie on one line.
+fn thickened(corners: &[Point]) -> Vec<Point> {
+    let first = corners.first().copied().unwrap_or(Point::origin());
+    let far = |from: Point| {
+        let apart = |p: &Point| (p.x - from.x).hypot(p.y - from.y);
+        corners.iter().copied().max_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(from)
+    };
+    let a = far(first);
+    let b = far(a);
+    let length = (b.x - a.x).hypot(b.y - a.y);
+    let [x, y] = if length > 0.0 { [(b.x - a.x) / length, (b.y - a.y) / length] } else { [1.0, 0.0] };
+    let corner = |p: Point, along: f64, across: f64| {
+        Point::new(p.x + THICKNESS * (along * x - across * y), p.y + THICKNESS * (along * y + across * x))
+    };
+    vec![corner(a, -1.0, 1.0), corner(a, -1.0, -1.0), corner(b, 1.0, -1.0), corner(b, 1.0, 1.0)]
 }
 
 /// The name of a file without folders and extension.

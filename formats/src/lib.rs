@@ -95,7 +95,12 @@ pub struct World {
 /// of the file.
 pub fn read(files: &[File<'_>], options: &Options) -> Result<World, FormatError> {
     check_options(options)?;
-    detect::draft(files, options)?.finish(options)
+    let draft = detect::draft(files, options)?;
+    let main = draft.report.files.first().map(|file| file.name.clone()).unwrap_or_default();
+    draft.finish(options).map_err(|error| match error.code() {
+        Code::InvalidOption => error,
+        _ => error.in_file(&main),
+    })
 }
 
 fn check_options(options: &Options) -> Result<(), FormatError> {

@@ -4,7 +4,7 @@
 //! Their y points down: here row 0 is the highest y, and a scenario's cell (x, y) of a map with h rows has its middle
 //! at (x + 0.5, h - y - 0.5) cells.
 
-use crate::draft::{Draft, DraftQuery};
+use crate::draft::{Draft, DraftQuery, stem};
 use crate::error::{Code, FormatError, quoted};
 use crate::grid::{Cell, Frame, Grid, cell_count};
 use crate::options::Options;
@@ -133,9 +133,10 @@ pub fn add_scenarios(draft: &mut Draft, bytes: &[u8]) -> Result<(), FormatError>
     let invalid = |line: usize, message: String| FormatError::at_line(Code::InvalidNumber, line, message);
     let Some(grid) = &draft.grid else { return Ok(()) };
     let (width, height, scale) = (grid.width, grid.height, grid.frame.resolution);
+    let mut of_others = 0;
     for (number, line) in Lines::of(bytes).skip(1).filter(|(_, line)| !line.trim_ascii().is_empty()) {
         let columns: Vec<&[u8]> = fields(line).collect();
-        let &[bucket, _, w, h, x0, y0, x1, y1, length] = &columns[..] else {
+        let &[bucket, map, w, h, x0, y0, x1, y1, length] = &columns[..] else {
             let sentence = format!("a scenario has 9 columns, not {}", columns.len());
             return Err(FormatError::at_line(Code::InvalidFile, number, sentence));
         };
@@ -162,12 +163,16 @@ pub fn add_scenarios(draft: &mut Draft, bytes: &[u8]) -> Result<(), FormatError>
             let sentence = format!("there are more than {MAX_QUERIES} scenarios");
             return Err(FormatError::at_line(Code::WorldTooLarge, number, sentence));
         }
+        of_others += usize::from(draft.name != "world" && stem(&text::utf8(map)) != draft.name);
         let mut query = DraftQuery::new(draft.queries.len().to_string(), start, goal);
         let bucket = whole("the bucket", bucket)?;
         query.read.bucket =
             Some(u32::try_from(bucket).map_err(|_| invalid(number, format!("the bucket {bucket} is too large")))?);
         query.read.length = Some(length * scale);
         draft.queries.push(query);
+    }
+    if of_others > 0 {
+        draft.report.notes.push(format!("{of_others} scenarios name a map that is called otherwise"));
     }
     Ok(())
 }

@@ -66,7 +66,10 @@ impl Table {
         if self.rows.len() == 1 && self.rows[0].numbers.len() >= 7 {
             return Some(Format::Tpcap);
         }
+        // Values of an occupancy grid need a threshold, in any number of columns.
+        let occupancy = self.rows.iter().flat_map(|row| &row.numbers).all(|number| [-1.0, 0.0, 100.0].contains(number));
         match self.width {
+            _ if occupancy && options.threshold.is_none() => None,
             Some(3) if options.threshold.is_none() => Some(Format::ModernRobotics),
             Some(_) if options.threshold.is_some() => Some(Format::Grid),
             _ => None,

@@ -10,6 +10,9 @@ use crate::report::{Dropped, GridRead};
 use planarium::geometry::{Aabb, Point};
 use planarium::scenario::MAX_OBSTACLES;
 
+/// The smallest side of a cell, in metres.
+const MIN_RESOLUTION: f64 = 1e-6;
+
 /// How far rectangles of a turned grid are grown, in parts of the largest coordinate: rounding is below a thousandth of
 /// it.
 const TURNED_SLACK: f64 = 1e-12;
@@ -19,6 +22,11 @@ const TURNED_SLACK: f64 = 1e-12;
 /// # Errors
 /// `world-too-large`
 pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), FormatError> {
+    let resolution = grid.frame.resolution;
+    if resolution < MIN_RESOLUTION {
+        let sentence = format!("a cell is at least {MIN_RESOLUTION:e} m, not {resolution:e} m");
+        return Err(FormatError::new(Code::InvalidNumber, sentence));
+    }
     let unknown_is_occupied = options.unknown == Unknown::Occupied;
     let is_blocked = |&cell: &Cell| cell == Cell::Occupied || cell == Cell::Unknown && unknown_is_occupied;
     let mut bits: Vec<bool> = grid.cells.iter().map(is_blocked).collect();
@@ -91,7 +99,7 @@ fn drop_islands(bits: &mut [bool], width: usize, least: usize) -> Option<Dropped
 fn simplify(bits: &mut [bool], width: usize, resolution: f64, bound: f64) -> (usize, f64) {
     // In a block of k cells a side, a point is within (k - 1) diagonals of a cell of any other cell of the block.
     let diagonal = 2f64.sqrt() * resolution;
-    let side = 1 + (bound / diagonal).floor().min(width as f64 + bits.len() as f64) as usize;
+    let side = 1 + (bound / diagonal).floor().min(width.max(bits.len() / width) as f64) as usize;
     if side == 1 {
         return (0, 0.0);
     }

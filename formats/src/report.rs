@@ -170,12 +170,6 @@ impl Report {
         }
     }
 
-    pub(crate) fn drop(&mut self, what: impl Into<String>, count: usize) {
-        if count > 0 {
-            self.dropped.push(Dropped { what: what.into(), count, cells: None });
-        }
-    }
-
     /// The report as JSON, on one line.
     pub fn to_json_string(&self) -> String {
         serde_json::to_string(self).expect("a report has no map with other keys than strings")

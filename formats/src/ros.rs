@@ -11,7 +11,7 @@
 //! One thing differs: a pixel that is wholly transparent is unknown in every mode, since nothing of its colour can be
 //! seen. Row 0 is the highest y. `origin` is the pose of the lower left corner.
 
-use crate::draft::{Draft, base};
+use crate::draft::{Draft, FAR, base};
 use crate::error::{Code, FormatError, Place, quoted};
 use crate::grid::{Cell, Frame};
 use crate::image::{Picture, Pixel};
@@ -45,12 +45,15 @@ enum Mode {
 /// The keys that are read.
 const KEYS: [&str; 7] = ["image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"];
 
-/// Whether text looks like the metadata of a map: it has the key `image` at the beginning of a line.
+/// Whether text looks like the metadata of a map: it has the key `image` at the beginning of a line, or two others.
 pub fn is_metadata(text: &str) -> bool {
-    text.lines().any(|line| {
-        let key = line.trim_start_matches(['{', ' ']).split(':').next().unwrap_or_default();
-        line.contains(':') && key.trim_end().trim_matches(['"', '\'']) == "image"
-    })
+    let has = |wanted: &str| {
+        text.trim_start_matches('\u{feff}').lines().any(|line| {
+            let key = line.trim_start_matches(['{', ' ']).split(':').next().unwrap_or_default();
+            line.contains(':') && key.trim_end().trim_matches(['"', '\'']) == wanted
+        })
+    };
+    has("image") || has("resolution") && has("origin")
 }
 
 impl Metadata {
@@ -146,9 +149,15 @@ impl Metadata {
             self.cell(pixel)
         })?;
         let [x, y, yaw] = self.origin;
-        let frame = Frame { origin: Point::new(x, y), resolution: self.resolution, yaw };
         let mut draft = Draft::new(Format::RosMap, name);
-        add_grid(&mut draft, cells.in_frame(frame), options)?;
+        let frame = Frame { origin: Point::origin(), resolution: self.resolution, yaw };
+        let mut grid = cells.in_frame(frame);
+        if x.abs().max(y.abs()) > FAR {
+            let middle = grid.corner(grid.width as f64 / 2.0, grid.height as f64 / 2.0);
+            draft.moved = Point::new((x + middle.x).round(), (y + middle.y).round());
+        }
+        grid.frame.origin = Point::new(x - draft.moved.x, y - draft.moved.y);
+        add_grid(&mut draft, grid, options)?;
         if let Some(grid) = &mut draft.report.grid {
             grid.transparent = transparent;
         }

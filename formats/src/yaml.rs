@@ -36,7 +36,7 @@ pub fn read(text: &str) -> Result<Vec<Entry>, FormatError> {
     let mut key: Option<(String, usize)> = None;
     let mut list: Option<Vec<String>> = None;
     let mut depth = 0;
-    for event in Parser::new_from_str(text) {
+    for event in Parser::new_from_str(text.trim_start_matches('\u{feff}')) {
         let (event, span) = event.map_err(|error| {
             FormatError::at_line(
                 Code::InvalidFile,

@@ -159,6 +159,44 @@ fn a_map_far_away_is_moved() {
 }
 
 #[test]
+fn cells_keep_their_place_however_far_away_the_map_is() {
+    for origin in ["1e15, -1e15", "4.5e9, 4.5e9", "1e17, 0.0"] {
+        let near = map(&YAML.replace("-1.0, 2.0", "0.0, 0.0"), PGM);
+        for yaw in ["0.0]", "0.5]"] {
+            let world = map(&YAML.replace("-1.0, 2.0", origin).replace("0.0]", yaw), PGM);
+            assert_eq!(
+                world.report.obstacles.polygons,
+                near.report.obstacles.polygons + 4 * usize::from(yaw != "0.0]")
+            );
+            assert!(world.report.grown < 1e-9, "{}", world.report);
+            agrees(&world);
+        }
+    }
+}
+
+#[test]
+fn metadata_may_begin_with_a_byte_order_mark_and_cells_have_a_size() {
+    let marked = map(&format!("\u{feff}{YAML}"), PGM);
+    assert_eq!(marked.scenario.world(), map(YAML, PGM).scenario.world());
+    let image = YAML.lines().find(|line| line.starts_with("image")).expect("a picture");
+    let error = refused(&[file("map.yaml", &YAML.replace(image, ""))], &Options::default(), Code::InvalidFile);
+    assert!(error.message().contains("image"), "{error}");
+    let tiny = YAML.lines().map(|line| if line.starts_with("resolution") { "resolution: 1e-300" } else { line });
+    let tiny: String = tiny.flat_map(|line| [line, "\n"]).collect();
+    refused(&[file("map.yaml", &tiny), file("map.pgm", PGM)], &Options::default(), Code::InvalidNumber);
+}
+
+#[test]
+fn what_a_map_names_as_its_picture_is_not_quoted() {
+    let error = refused(
+        &[file("map.yaml", YAML), file("map.pgm", "root:x:0:0:secret")],
+        &Options::default(),
+        Code::InvalidFile,
+    );
+    assert!(error.message().contains("no PGM, PNG or BMP") && !error.message().contains("root"), "{error}");
+}
+
+#[test]
 fn a_missing_picture_is_named() {
     let error = refused(&[file("dir/map.yaml", YAML)], &Options::default(), Code::MissingFile);
     assert_eq!((error.wanted(), error.file()), (Some("map.pgm"), Some("dir/map.yaml")));

@@ -1,6 +1,6 @@
 //! Parking cases, the obstacles of Modern Robotics, and the test files of OMPL.
 
-use crate::files::{CIRCLES, MODERN, OMPL_GRID, PARKING, QUERIES, file, one, refused};
+use crate::files::{CIRCLES, MODERN, OMPL_GRID, PARKING, Places, QUERIES, file, one, refused};
 use planarium::geometry::Point;
 use planarium::scenario::Robot;
 use planarium_formats::{Code, Format, Options, Place, RobotChoice, read};
@@ -57,21 +57,51 @@ fn wrong_parking_cases_are_refused() {
     of(&PARKING.replace("1.57,2,", "1.57,1e18,"), Code::InvalidNumber);
     assert_eq!(of(&PARKING.replace("2,4,3,", "2,4,0,"), Code::InvalidNumber).place(), element(1).as_ref());
     of(&PARKING.replace("1.57", "inf"), Code::InvalidNumber);
-    // A bow tie crosses itself; a flat obstacle is left out and counted.
+    // A bow tie crosses itself.
     let bow = "1,1,0,4,4,1.57,1,4,6,0,8,2,8,0,6,2\n";
     assert_eq!(of(bow, Code::InvalidFile).place(), element(0).as_ref());
-    let flat = one("Case1.csv", "1,1,0,4,4,1.57,2,3,3,6,0,7,0,8,0,0,6,1,6,0,7\n");
-    assert_eq!((flat.report.obstacles.polygons, flat.report.dropped[0].count), (1, 1));
     refused(&[file("Case1.csv", PARKING)], &Options { scale: Some(2.0), ..Options::default() }, Code::InvalidOption);
     refused(&[file("Case1.csv", PARKING)], &Options { min_island: 2, ..Options::default() }, Code::InvalidOption);
     refused(&[file("Case1.csv", PARKING)], &Options { simplify: 0.1, ..Options::default() }, Code::InvalidOption);
 }
 
 #[test]
+fn walls_without_area_separate() {
+    // Between start and goal: two corners, four on one line, one point with a wall on each side.
+    for corners in [
+        "1,2,10,-50,10,50",
+        "1,4,10,-50,10,50,10,50,10,-50",
+        "1,3,10,50,10,-50,10,0",
+        "3,2,1,2,10,-50,10,0,10,0,10,0,10,50",
+    ] {
+        let world = one("wall.csv", format!("0,0,0,20,0,0,{corners}\n"));
+        assert_eq!(world.report.dropped, []);
+        assert!((1e-6..1e-5).contains(&world.report.grown), "{}", world.report);
+        let places = Places::of(&world.scenario);
+        for i in -500..=500 {
+            assert!(!places.is_free(Point::new(10.0, f64::from(i) / 10.0)), "{corners} at {i}");
+        }
+        assert!(places.is_free(Point::new(9.999, 0.0)) && places.is_free(Point::new(10.001, 0.0)));
+    }
+}
+
+#[test]
+fn occupancy_values_need_a_threshold_in_three_columns_too() {
+    for text in ["0 0 100\n100 0 0\n0 0 0\n", "0 0 100 0\n-1 0 0 0\n"] {
+        let error = refused(&[file("occupancy.txt", text)], &Options::default(), Code::UnknownWorld);
+        assert!(error.message().contains("threshold"), "{error}");
+        let options = Options { threshold: Some(50.0), ..Options::default() };
+        let world = read(&[file("occupancy.txt", text)], &options).expect("a grid");
+        assert_eq!(world.report.format, Format::Grid);
+    }
+}
+
+#[test]
 fn obstacles_of_modern_robotics_are_discs_of_a_diameter() {
     let world = one("obstacles.csv", MODERN);
-    assert_eq!((world.report.format, world.report.obstacles.discs), (Format::ModernRobotics, 2));
-    assert_eq!(world.report.dropped[0].count, 1, "a disc of radius 0");
+    // One of them has the diameter 0.
+    assert_eq!((world.report.format, world.report.obstacles.discs), (Format::ModernRobotics, 3));
+    assert!(world.report.notes.iter().any(|note| note.starts_with("1 obstacles without area are grown")));
     let planarium::scenario::Obstacle::Disc(disc) = &world.scenario.world().obstacles[0] else { panic!("a disc") };
     assert_eq!((disc.center, disc.radius), (Point::new(0.0, 0.0), 0.1));
     assert_eq!(world.scenario.queries()[0].start, [-0.5, -0.5]);

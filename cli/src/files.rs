@@ -72,7 +72,7 @@ pub fn read_bytes(name: &str) -> Result<Vec<u8>, Error> {
     read_at_most(name, u64::MAX)
 }
 
-/// The same, but no more than so many bytes.
+/// The first `most` bytes of a file.
 pub fn read_at_most(name: &str, most: u64) -> Result<Vec<u8>, Error> {
     if is_standard_output(name) {
         IS_INPUT.store(true, Ordering::Relaxed);

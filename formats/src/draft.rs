@@ -131,11 +131,8 @@ impl Draft {
     fn mark_blocked(&mut self) {
         let Some(grid) = &self.grid else { return };
         for query in &mut self.queries {
-            query.read.blocked = [query.start, query.goal].iter().any(|&[x, y]| {
-                let [column, row] = grid.locate(Point::new(x, y));
-                let inside = column >= 0.0 && row >= 0.0 && column < grid.width as f64 && row < grid.height as f64;
-                !inside || self.blocked[row as usize * grid.width + column as usize]
-            });
+            let is_blocked = |[x, y]: [f64; 2]| grid.index_at(Point::new(x, y)).is_none_or(|i| self.blocked[i]);
+            query.read.blocked = is_blocked(query.start) || is_blocked(query.goal);
         }
     }
 
@@ -216,11 +213,9 @@ impl Draft {
         let mut obstacles = Vec::with_capacity(count);
         let mut flat = 0;
         for (i, corners) in self.polygons.iter().enumerate() {
-            let thick;
             let corners = if is_flat(corners) {
                 flat += 1;
-                thick = thickened(corners);
-                &thick
+                &thickened(corners)
             } else {
                 corners
             };

@@ -91,9 +91,14 @@ impl Grid {
 
     /// The cell at a place in the coordinates of the scenario; `None` outside the grid.
     pub fn cell_at(&self, p: Point) -> Option<Cell> {
+        self.index_at(p).map(|i| self.cells[i])
+    }
+
+    /// The index of that cell.
+    pub(crate) fn index_at(&self, p: Point) -> Option<usize> {
         let [column, row] = self.locate(p);
         let inside = column >= 0.0 && row >= 0.0 && column < self.width as f64 && row < self.height as f64;
-        inside.then(|| self.cells[row as usize * self.width + column as usize])
+        inside.then(|| row as usize * self.width + column as usize)
     }
 
     /// The number of cells of a kind.

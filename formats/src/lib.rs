@@ -14,7 +14,7 @@
 //! | [`Format::ModernRobotics`] | `obstacles.csv` |
 //! | [`Format::OmplGrid`], [`Format::OmplCircles`] | the test files of OMPL |
 //!
-//! Formats are told apart by the content; files may come in any order.
+//! The content decides which format it is; files may come in any order.
 //!
 //! ```
 //! use planarium_formats::{File, Options, RobotChoice, read};

@@ -1,5 +1,5 @@
-//! Tables of numbers without a header: 0-1 grids, parking cases, the obstacles of Modern Robotics. They are told apart
-//! by their shape.
+//! Tables of numbers without a header: 0-1 grids, parking cases, the obstacles of Modern Robotics. Their shape tells
+//! which it is.
 
 use crate::draft::{Draft, DraftQuery};
 use crate::error::{Code, FormatError, Place, quoted};
@@ -56,22 +56,21 @@ impl Table {
 
     /// What the table is; `None` for none of them.
     pub fn format(&self, options: &Options) -> Option<Format> {
-        let mut all = self.rows.iter().flat_map(|row| &row.numbers);
+        let are_all =
+            |known: [f64; 3]| self.rows.iter().flat_map(|row| &row.numbers).all(|number| known.contains(number));
         if self.rows.is_empty() {
             return None;
         }
-        if self.is_dense || all.all(|number| [-1.0, 0.0, 1.0].contains(number)) {
+        if self.is_dense || are_all([-1.0, 0.0, 1.0]) {
             return Some(Format::Grid);
         }
         if self.rows.len() == 1 && self.rows[0].numbers.len() >= 7 {
             return Some(Format::Tpcap);
         }
-        // Values of an occupancy grid need a threshold, in any number of columns.
-        let occupancy = self.rows.iter().flat_map(|row| &row.numbers).all(|number| [-1.0, 0.0, 100.0].contains(number));
         match self.width {
-            _ if occupancy && options.threshold.is_none() => None,
-            Some(3) if options.threshold.is_none() => Some(Format::ModernRobotics),
             Some(_) if options.threshold.is_some() => Some(Format::Grid),
+            // Values of an occupancy grid are no discs.
+            Some(3) if !are_all([-1.0, 0.0, 100.0]) => Some(Format::ModernRobotics),
             _ => None,
         }
     }

@@ -31,7 +31,7 @@ pub struct Cover {
     pub is_fewest: bool,
 }
 
-/// Covers the cells that are true with at most so many rectangles.
+/// Covers the cells that are true with at most `most` rectangles.
 ///
 /// # Errors
 /// How many rectangles were found, in words, if they are more.

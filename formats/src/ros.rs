@@ -47,13 +47,17 @@ const KEYS: [&str; 7] = ["image", "resolution", "origin", "negate", "occupied_th
 
 /// Whether text looks like the metadata of a map: it has the key `image` at the beginning of a line, or two others.
 pub fn is_metadata(text: &str) -> bool {
-    let has = |wanted: &str| {
-        text.trim_start_matches('\u{feff}').lines().any(|line| {
-            let key = line.trim_start_matches(['{', ' ']).split(':').next().unwrap_or_default();
-            line.contains(':') && key.trim_end().trim_matches(['"', '\'']) == wanted
-        })
-    };
-    has("image") || has("resolution") && has("origin")
+    let lines = text.trim_start_matches('\u{feff}').lines();
+    let mut keys = lines.filter_map(|line| {
+        let (key, _) = line.trim_start_matches(['{', ' ']).split_once(':')?;
+        Some(key.trim_end().trim_matches(['"', '\'']))
+    });
+    let [mut resolution, mut origin] = [false; 2];
+    keys.any(|key| {
+        resolution |= key == "resolution";
+        origin |= key == "origin";
+        key == "image" || resolution && origin
+    })
 }
 
 impl Metadata {

@@ -15,7 +15,7 @@ import { Jobs, Pool } from "../app/pool.js";
 /** Parts of a generation for each worker: a pause takes no longer than one of them. */
 const PARTS = 4;
 
-/** A worker holds a training, after so many generations. @extends {Pool<TrainingWorker, number>} */
+/** A worker holds a training; of it is kept how many generations it knows. @extends {Pool<TrainingWorker, number>} */
 export class TrainingPool extends Pool {
   /** Gives the training up. */
   signal = new AbortController().signal;

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fill, pixelsOf, useBrowser } from "./browser.mjs";
 import { inTurn } from "./turns.mjs";
-import { told, onFleet, replanned, chooseFleet, fleetOf, planned, putBack } from "./fleet.mjs";
+import { onFleet, replanned, chooseFleet, fleetOf, planned, putBack } from "./fleet.mjs";
+import { told } from "./stage.mjs";
 
 useBrowser();
 

@@ -5,27 +5,12 @@ import { stateRule } from "../../www/fleet/state.js";
 import { Fleet } from "planarium/full";
 import { SCENES } from "../../www/fleet/scenes.js";
 import { choose, onPage } from "./browser.mjs";
+import { CALM, rest, told } from "./stage.mjs";
 import { openState } from "./turns.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
 /** @typedef {import("planarium/full").FleetOptions} FleetOptions */
-
-export const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
-
-/**
- * Waits until nothing moves, nothing is computed and all is drawn.
- * @param {Page} page
- * @param {string} [stage]  what the stage says then
- */
-export const rest = (page, stage = "") =>
-  page.waitForSelector(`body[data-state=ready][data-settled=true] #stage${stage}`);
-
-/** What the stage says of itself. @param {Page} page @returns {Promise<Record<string, string>>} */
-export const told = (page) =>
-  page
-    .locator("#stage")
-    .evaluate((element) => /** @type {Record<string, string>} */ ({ .../** @type {HTMLElement} */ (element).dataset }));
 
 /**
  * The page, opened; with reduced motion it has planned.

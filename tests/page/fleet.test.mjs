@@ -5,7 +5,8 @@ import { Fleet, fleetGenerators, fleetPlanners } from "planarium/full";
 import { Trajectory, straightOf } from "../../www/fleet/trajectory.js";
 import { download, dropFile, fill, linkOf, pickFile, pictureOf, pixelsOf, pressUntil, useBrowser } from "./browser.mjs";
 import { inTurn } from "./turns.mjs";
-import { CALM, rest, told, onFleet, replanned, chooseFleet, fleetOf, planned, putBack } from "./fleet.mjs";
+import { onFleet, replanned, chooseFleet, fleetOf, planned, putBack } from "./fleet.mjs";
+import { CALM, rest, told } from "./stage.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 

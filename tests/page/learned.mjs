@@ -4,11 +4,10 @@ import { join } from "node:path";
 import { Navigation } from "planarium/full";
 import { FIRST } from "../../www/prm-rl/session.js";
 import { onPage, root } from "./browser.mjs";
+import { CALM, rest } from "./stage.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./browser.mjs").Options} Options */
-
-export const CALM = /** @type {Options} */ ({ reducedMotion: "reduce" });
 
 /** What the page gives a planner, beside what is set. */
 export const ROADMAP = { samples: 400, k: 15 };
@@ -17,20 +16,6 @@ export const ROADMAP = { samples: 400, k: 15 };
 export const policy = JSON.parse(readFileSync(join(root, "www", "prm-rl", "policy.json"), "utf8"));
 
 export const first = Navigation.generate(FIRST.kind, FIRST.options);
-
-/**
- * Waits until nothing moves, nothing is computed and all is drawn.
- * @param {Page} page
- * @param {string} [stage]  what the stage says then
- */
-export const rest = (page, stage = "") =>
-  page.waitForSelector(`body[data-state=ready][data-settled=true] #stage${stage}`);
-
-/** What the stage says of itself. @param {Page} page @returns {Promise<Record<string, string>>} */
-export const told = (page) =>
-  page
-    .locator("#stage")
-    .evaluate((element) => /** @type {Record<string, string>} */ ({ .../** @type {HTMLElement} */ (element).dataset }));
 
 /**
  * The page, opened; with reduced motion it has planned and driven.

@@ -8,7 +8,8 @@ import { TrainingPool } from "../../www/prm-rl/pool.js";
 import { FIRST, countsOf } from "../../www/prm-rl/session.js";
 import { download, dropFile, fill, linkOf, pickFile, pixelsOf, root, textMatches, useBrowser } from "./browser.mjs";
 import { EMPTY, inTurn, openState } from "./turns.mjs";
-import { CALM, ROADMAP, policy, first, rest, told, onLearned } from "./learned.mjs";
+import { ROADMAP, policy, first, onLearned } from "./learned.mjs";
+import { CALM, rest, told } from "./stage.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("planarium/full").NavigationDocument} NavigationDocument */

@@ -7,7 +7,8 @@ import { stateRule } from "../../www/prm-rl/state.js";
 import { countsOf, poseAt } from "../../www/prm-rl/session.js";
 import { fill, linkOf, pixelsOf, pressUntil, useBrowser } from "./browser.mjs";
 import { inTurn, openState } from "./turns.mjs";
-import { CALM, ROADMAP, policy, first, rest, told, onLearned } from "./learned.mjs";
+import { ROADMAP, policy, first, onLearned } from "./learned.mjs";
+import { CALM, rest, told } from "./stage.mjs";
 
 useBrowser();
 

@@ -30,8 +30,10 @@ pub enum Code {
     OutOfRange,
     /// A configuration or a list of limits with the wrong number of entries.
     WrongDimension,
-    /// A polygon with fewer than three distinct vertices, without area, with edges that cross, or with a coordinate near 0.
+    /// A polygon with too few distinct vertices, without area, with crossing edges, a coordinate near 0, or misplaced holes.
     DegeneratePolygon,
+    /// A wall with fewer than two distinct points, or with a coordinate near 0.
+    DegenerateWall,
     /// Two queries, worlds or planners share a name, or two rows that differ a trial.
     DuplicateName,
     /// An obstacle lies within the arm's radius of its base, which never moves.
@@ -134,7 +136,9 @@ impl Error {
     #[must_use]
     pub(crate) fn with_nearest(mut self, nearest: &[f64], distance: f64) -> Self {
         let distance = Number(serde_json::from_str(&format!("{distance:.3e}")).unwrap_or(distance));
-        self.0.message += &format!("; the nearest free configuration found is {nearest:?}, {distance} away");
+        self.0.message += &format!(
+            "; the nearest free configuration found is {nearest:?}, {distance} away in the metric of the space"
+        );
         self.0.nearest = Some(nearest.iter().map(|x| x.to_bits()).collect());
         self
     }

@@ -29,7 +29,8 @@ fn named_nearest(world: &Scenario, planner: &str, code: &str) -> Option<Vec<f64>
     let error = requests::start(world, &options(planner, 1, "")).err().expect("an end is in collision");
     assert_eq!(error.code().as_str(), code, "{error}");
     let nearest = error.nearest();
-    let is_told = error.message().contains("the nearest free configuration found is");
+    let is_told = error.message().contains("the nearest free configuration found is")
+        && error.message().ends_with(" away in the metric of the space");
     assert_eq!(is_told, nearest.is_some(), "{error}");
     nearest
 }

@@ -44,7 +44,7 @@ fn hash(scenario: &Scenario) -> u64 {
 fn polygons<'a>(scenario: &'a Scenario) -> Vec<&'a Polygon> {
     let of = |obstacle: &'a Obstacle| match obstacle {
         Obstacle::Polygon(polygon) => polygon,
-        Obstacle::Disc(_) => panic!("generators make polygons"),
+        _ => panic!("generators make polygons"),
     };
     scenario.world().obstacles.iter().map(of).collect()
 }
@@ -366,7 +366,7 @@ fn discs_stand_apart_or_overlap_within_bounds() {
     let discs_of = |scenario: &Scenario| -> Vec<Disc> {
         let disc = |obstacle: &Obstacle| match obstacle {
             Obstacle::Disc(disc) => *disc,
-            Obstacle::Polygon(_) => panic!("discs are discs"),
+            _ => panic!("discs are discs"),
         };
         scenario.world().obstacles.iter().map(disc).collect()
     };

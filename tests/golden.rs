@@ -58,6 +58,12 @@ fn every_planner_has_its_golden_outcomes() {
     check("golden.json", include_str!("golden.json"), 120, planned);
 }
 
+#[wasm_bindgen_test(unsupported = test)]
+fn worlds_with_holes_and_walls_have_their_golden_outcomes() {
+    // Every robot, with and without a margin.
+    check("golden-walls.json", include_str!("golden-walls.json"), 14, planned);
+}
+
 /// The number of steps of the followed target.
 const MOVES: u32 = 20;
 

@@ -22,6 +22,14 @@ fn a_duplicate_field_is_refused_among_any_number_of_fields() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn one_byte_order_mark_is_skipped_before_a_text_alone() {
+    assert_eq!(Scenario::parse(&format!("\u{feff}{DISC}")), Scenario::parse(DISC));
+    for wrong in ["\u{feff}", "\u{feff}\u{feff}{}", "{}\u{feff}", "[\u{feff}1]"] {
+        refusal(wrong, "invalid-json", if wrong.starts_with('[') { "/0" } else { "" });
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn deep_and_long_texts_are_refused_without_harm() {
     for deep in ["[".repeat(100_000), "{\"a\":".repeat(100_000), "[{\"a\":".repeat(50_000)] {
         let error = Scenario::parse(&deep).expect_err("too deep");

@@ -5,7 +5,7 @@ use crate::common::documents::{arm, disc, polygon, rectangle, scenario};
 use crate::common::{arm_and_wall, arm_of, assert_valid, begin_with, disc_and_wall, finish, seeds, thick_arm_and_wall};
 use planarium::collision::{ArmValidity, DiscValidity, Obstacles};
 use planarium::geometry::{Aabb, Disc, Point};
-use planarium::problem::{Sampled, Samples, Validity};
+use planarium::problem::{Sampled, Samples, Touched, Validity};
 use planarium::random::{Random, Stream};
 use planarium::robot::{Arm, Joint, MAX_LINKS, joint_space, plane};
 use planarium::run::Status;
@@ -145,7 +145,7 @@ fn the_same_holds_where_links_slide() {
 
 fn the_fast_proof_agrees_with_distances(slides: bool) {
     let mut random = Random::new(4, Stream::Samples);
-    let (mut accepted, mut refused, mut beyond) = (0, 0, 0);
+    let (mut accepted, mut refused, mut beyond, mut clear, mut all) = (0, 0, 0, 0, 0);
     for world_number in 0..seeds(400) {
         let (arm, world) = random_world(&mut random, slides);
         let space: ProductSpace<MAX_LINKS> = joint_space(&arm, Metric::Sum);
@@ -178,6 +178,19 @@ fn the_fast_proof_agrees_with_distances(slides: bool) {
                 assert_eq!(validity.is_free(&q), !is_touching, "world {world_number}: {q:?}");
                 assert!(!is_touching || (!fast && i == samples), "world {world_number}: {a:?} {b:?} touches at {q:?}");
             }
+            // No contact on the way is missed by the boxes that decide what a changed world leaves as it was.
+            let boxes: Vec<Aabb> = world.obstacles.iter().map(Obstacle::aabb).collect();
+            for i in 0..=10 {
+                for contact in validity.contacts(&space.interpolate(&a, &b, f64::from(i) / 10.0)) {
+                    let Touched::Obstacle(obstacle) = contact.with else { continue };
+                    assert!(
+                        validity.may_meet(&a, &b, &boxes[obstacle..=obstacle]),
+                        "world {world_number}: {a:?} {b:?}"
+                    );
+                }
+            }
+            clear += boxes.iter().filter(|one| !validity.may_meet(&a, &b, std::slice::from_ref(*one))).count();
+            all += boxes.len();
             accepted += u32::from(fast);
             refused += u32::from(!fast);
             beyond += u32::from(fast && !slow);
@@ -189,6 +202,7 @@ fn the_fast_proof_agrees_with_distances(slides: bool) {
     }
     assert!(u64::from(accepted) > 10 * seeds(400) && u64::from(refused) > seeds(400), "{accepted} and {refused}");
     assert!(beyond * 200 <= accepted, "{beyond} of {accepted} only by separating lines");
+    assert!(clear * 2 > all, "{clear} of {all} boxes are never met");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -9,7 +9,8 @@ use crate::schema::check as check_schema;
 use planarium::geometry::{Aabb, Point};
 use planarium::robot::{DiscRobot, Target, Weights};
 use planarium::scenario::{
-    Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Query, Robot, Scenario, World, polygon,
+    Goal, GoalTolerance, LARGEST, MAX_OBSTACLES, MAX_VERTICES, MapFrame, MapPlane, Obstacle, Query, Robot, Scenario,
+    World, polygon,
 };
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -117,14 +118,14 @@ fn a_start_or_goal_in_collision_is_left_to_the_planner() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn more_obstacles_or_vertices_than_the_limits_of_the_contract_are_refused() {
-    assert_eq!((MAX_OBSTACLES, MAX_VERTICES, LARGEST), (10_000, 100_000, 1e6));
+    assert_eq!((MAX_OBSTACLES, MAX_VERTICES, LARGEST), (100_000, 1_000_000, 1e6));
     let edge = with(DISC, r#"[1, 1], "radius": 0.5"#, r#"[-1e6, 1e6], "radius": 1e6"#);
     assert!(matches!(Scenario::parse(&edge).unwrap().world().obstacles[0], Obstacle::Disc(disc) if disc.radius == 1e6));
     let world = |text: String| with(DISC, r#"{"type": "disc", "center": [1, 1], "radius": 0.5}"#, &text);
     let discs = |n: usize| vec![r#"{"type":"disc","center":[1,1],"radius":0.5}"#; n].join(",");
     assert_eq!(Scenario::parse(&world(discs(MAX_OBSTACLES))).unwrap().world().obstacles.len(), MAX_OBSTACLES);
     let many = world(discs(MAX_OBSTACLES + 1));
-    assert!(refusal(&many, "too-large", "/world/obstacles").contains("10001"));
+    assert!(refusal(&many, "too-large", "/world/obstacles").contains("100001"));
     check_schema(&serde_json::from_str(&many).unwrap(), false);
 
     // A comb of so many vertices, at most a millionth apart.
@@ -233,4 +234,29 @@ fn scenarios_are_made_of_values() {
     refuses(polygon(&corners[..2]), "degenerate-polygon", "/vertices");
     let short = Scenario::new("made", World::new(Some(bounds), []), disc.clone(), [Query::new("q", [1.0], [1.0, 1.0])]);
     refuses(short, "wrong-dimension", "/queries/0/start");
+}
+
+/// The way back to the coordinates of a map stays with a scenario, and is written only if there is one.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_frame_is_kept_and_leads_there_and_back() {
+    let bare = Scenario::parse(DISC).unwrap();
+    assert!(bare.frame().is_same() && !bare.to_json_string().contains("frame"));
+    let plane = MapPlane { origin: [13.4, 52.5], scale: [67_000.0, 111_000.0], degrees: true };
+    for (offset, plane) in [([4.5e6, -1024.0], None), ([0.0, 3.0], Some(plane))] {
+        let frame = MapFrame::new(offset, plane).unwrap();
+        let scenario = bare.clone().in_frame(frame);
+        assert_ne!(scenario, bare);
+        let text = scenario.to_json_string();
+        let read = Scenario::parse(&text).unwrap();
+        assert_eq!((read.frame(), &read, read.to_json_string()), (&frame, &scenario, text));
+        assert_eq!((frame.offset(), frame.plane(), frame.has_degrees()), (offset, plane.as_ref(), plane.is_some()));
+        for place in [[0.0, 0.0], [1.25, -2.5]] {
+            for there_and_back in [frame.from_metres(frame.to_metres(place)), frame.from_units(frame.to_units(place))] {
+                let off = [0, 1].map(|k| (there_and_back[k] - place[k]).abs());
+                assert!(off[0].max(off[1]) < 1e-8, "{place:?} becomes {there_and_back:?}");
+            }
+        }
+        assert_eq!(frame.to_metres([1.0, 2.0]), [1.0 + offset[0], 2.0 + offset[1]]);
+        assert_eq!(scenario.in_frame(MapFrame::default()), bare);
+    }
 }

@@ -1,6 +1,6 @@
 //! The committed JSON Schema is the one that the types give, and it agrees with the parser.
 
-use crate::common::documents::{ARM, BODY, CAR, DISC, reaching};
+use crate::common::documents::{ARM, BODY, CAR, DISC, WALLS, reaching};
 use planarium::scenario::generate::{ClutterOptions, ForestOptions, Generator};
 use planarium::scenario::{Scenario, schema};
 use serde_json::Value;
@@ -100,13 +100,28 @@ const SLIDING: &str = r#"{
   "queries": [{"name": "out", "start": [-1, 0, 0], "goal": [1, 0.5, 1]}]
 }"#;
 
+/// A document that was read from a map in longitude and latitude.
+const MAPPED: &str = r#"{
+  "format": "planarium-scenario-1", "name": "house", "frame": {"offset": [0, -3],
+  "plane": {"origin": [13.4, 52.5], "scale": [67000, 111000], "degrees": true}},
+  "world": {"bounds": {"min": [-2, -2], "max": [2, 2]}, "obstacles": []}, "robot": {"type": "disc", "radius": 0.1}, "queries": []
+}"#;
+
 /// What the parser is tested on is all that the schema knows.
 #[test]
 fn every_property_of_the_schema_is_in_a_document() {
     let mut known = std::collections::BTreeSet::new();
-    for place in
-        ["", "/$defs/World", "/$defs/Bounds", "/$defs/Query", "/$defs/Target", "/$defs/Metric", "/$defs/GoalTolerance"]
-    {
+    for place in [
+        "",
+        "/$defs/MapFrame",
+        "/$defs/MapPlane",
+        "/$defs/World",
+        "/$defs/Bounds",
+        "/$defs/Query",
+        "/$defs/Target",
+        "/$defs/Metric",
+        "/$defs/GoalTolerance",
+    ] {
         known.extend(schema().pointer(&format!("{place}/properties")).unwrap().as_object().unwrap().keys().cloned());
     }
     for union in ["Joint", "Obstacle", "Robot"] {
@@ -114,7 +129,7 @@ fn every_property_of_the_schema_is_in_a_document() {
             known.extend(one["properties"].as_object().unwrap().keys().cloned());
         }
     }
-    let mentioned = [ARM, SLIDING, DISC, BODY, CAR, &reaching()].concat();
+    let mentioned = [ARM, SLIDING, MAPPED, DISC, BODY, CAR, WALLS, &reaching()].concat();
     for name in known {
         assert!(mentioned.contains(&format!("{name:?}:")), "{name}");
     }
@@ -126,7 +141,7 @@ fn what_is_written_follows_the_schema() {
         let forest = ForestOptions { links: 1 + seed as usize % 8, seed }.generate();
         [forest, ClutterOptions { seed, ..ClutterOptions::default() }.generate()]
     };
-    let parsed = [ARM, SLIDING, DISC, BODY, CAR].map(Scenario::parse);
+    let parsed = [ARM, SLIDING, MAPPED, DISC, BODY, CAR, WALLS].map(Scenario::parse);
     for scenario in (0..10).flat_map(generated).chain(parsed) {
         assert!(is_valid(&serde_json::from_str(&scenario.unwrap().to_json_string()).unwrap()));
     }

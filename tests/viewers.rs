@@ -7,9 +7,10 @@ use crate::common::graphs::{edges, events, rows};
 use crate::common::{PLANNERS, arm_and_wall, arm_of, begin_with, disc_and_wall, finish, fitting, no_way, parse};
 use planarium::graph::EventKind;
 use planarium::robot::Part;
-use planarium::run::inspect::Inspector;
+use planarium::run::inspect::{Clearance, Inspector};
 use planarium::run::{EVENT_HEAD, HISTORY_WIDTH, Phase, Run, Status};
 use planarium::scenario::generate;
+use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const PHASE: usize = 3;
@@ -213,6 +214,29 @@ fn the_clearance_is_the_least_distance_and_its_points_are_that_far_apart() {
         }
     }
     assert!(free > 200 && touching > 200, "{free} free, {touching} touching");
+    // A margin is a part of the robot: what is nearer than it is touched, and clearance is what is left beyond it.
+    let (margin, mut smaller, mut within) = (0.05, 0, 0);
+    for robot in ["disc", "arm", "rigid_body", "car"] {
+        let options = serde_json::json!({ "robot": robot, "seed": 4 });
+        let scenario = generate::generate("clutter", &options).expect("a scenario");
+        let mut document: Value = serde_json::from_str(&scenario.to_json_string()).expect("JSON");
+        document["robot"]["margin"] = margin.into();
+        document["queries"] = serde_json::json!([]);
+        let [own, grown] = [scenario, parse(&document.to_string())].map(|scenario| Inspector::new(&scenario));
+        for q in own.samples(100, 5, true).expect("samples").chunks(own.dimension()) {
+            let [own, grown] = [&own, &grown].map(|inspector| inspector.clearance(q).expect("a configuration"));
+            let own = own.expect("a free configuration");
+            match grown {
+                None => within += usize::from(own.distance < margin + 1e-9),
+                Some(Clearance { distance, points: [a, b], .. }) => {
+                    assert!((own.distance - margin - distance).abs() < 1e-9, "{robot} {q:?}");
+                    assert!(((b - a).norm() - distance).abs() < 1e-9, "{robot} {q:?}");
+                    smaller += 1;
+                }
+            }
+        }
+    }
+    assert!(smaller > 100 && within > 10, "{smaller} {within}");
     let empty = Inspector::new(scenario("", "", &arm(&[1.0], 0.0), ""));
     assert_eq!(empty.clearance(&[0.0]).expect("a configuration"), None);
     refuses(empty.clearance(&[f64::NAN]), "not-finite", "/q/0");

@@ -67,7 +67,7 @@ pub(super) struct Clearances {
     arm: Option<Arm>,
     radius: f64,
     obstacles: Arc<Obstacles>,
-    /// The convex pieces of each obstacle; `None` if it is convex itself.
+    /// The convex pieces of each obstacle, or of its border; `None` if it is convex itself.
     pieces: Vec<Option<Obstacles>>,
     bounds: Option<Aabb>,
     pub square: Square,
@@ -85,15 +85,15 @@ impl Clearances {
                 let space = configurations.space();
                 let ends = |end: usize| [0, 1].map(|joint| space.range(joint)[end]);
                 let wraps = [0, 1].map(|joint| space.is_circle(joint));
-                (Some(arm.clone()), arm.radius(), Square { low: ends(0), high: ends(1), wraps })
+                (Some(arm.clone()), arm.kept_radius(), Square { low: ends(0), high: ends(1), wraps })
             }
             Robot::Disc(disc) => {
                 // The centre keeps the radius away from the bounds.
-                let inside = world.bounds().grown(-disc.radius());
+                let inside = world.bounds().grown(-disc.kept_radius());
                 // In a world as wide as the disc the range is a point, and rounding may exchange its ends.
                 let ends = [[inside.min.x, inside.max.x], [inside.min.y, inside.max.y]];
                 let (low, high) = (ends.map(|[a, b]| a.min(b)), ends.map(|[a, b]| a.max(b)));
-                (None, disc.radius(), Square { low, high, wraps: [false; 2] })
+                (None, disc.kept_radius(), Square { low, high, wraps: [false; 2] })
             }
             robot => {
                 let (kind, dimension) = (robot.kind(), robot.dimension());
@@ -251,13 +251,20 @@ impl Clearances {
     }
 }
 
+/// Convex shapes that cover the obstacle, or of a polygon with holes its border; `None` if it is convex itself.
 fn pieces_of(obstacle: &Obstacle) -> Option<Obstacles> {
     match obstacle {
         Obstacle::Polygon(polygon) if !polygon.is_convex() => {
             let pieces: Vec<Obstacle> = convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect();
             Some(Obstacles::new(pieces))
         }
-        _ => None,
+        Obstacle::PolygonWithHoles(polygon) => {
+            Some(Obstacles::new(polygon.border().map(Obstacle::Wall).collect::<Vec<_>>()))
+        }
+        Obstacle::Wall(wall) if wall.points().len() > 2 => {
+            Some(Obstacles::new(wall.pieces().map(Obstacle::Wall).collect::<Vec<_>>()))
+        }
+        Obstacle::Disc(_) | Obstacle::Polygon(_) | Obstacle::Wall(_) => None,
     }
 }
 
@@ -294,5 +301,7 @@ fn signed_distance(p: Point, obstacle: &Obstacle) -> f64 {
     match obstacle {
         Obstacle::Disc(disc) => (p - disc.center).norm() - disc.radius,
         Obstacle::Polygon(polygon) => signed_distance_point_polygon(p, polygon),
+        Obstacle::PolygonWithHoles(polygon) => polygon.signed_distance_to_point(p),
+        Obstacle::Wall(wall) => wall.distance_to_segment(&Segment::new(p, p), f64::INFINITY),
     }
 }

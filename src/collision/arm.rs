@@ -1,6 +1,6 @@
 //! Collision of an arm: contacts of its links, and which motions are free.
 
-use super::motion::LONGEST_TURN;
+use super::motion::{LONGEST_TURN, parts_of_motion};
 use super::obstacles::largest_coordinate;
 use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingArm, Order, Prover, Scene};
@@ -23,6 +23,8 @@ pub struct ArmValidity<const N: usize> {
     obstacles: Arc<Obstacles>,
     scene: Scene,
     prover: RefCell<Prover<MovingArm<N>>>,
+    /// Whether the base lies in a polygon with holes: then so does whatever does not meet the border of that.
+    is_buried: bool,
 }
 
 impl<const N: usize> ArmValidity<N> {
@@ -33,7 +35,7 @@ impl<const N: usize> ArmValidity<N> {
         let obstacles = world.obstacles();
         let base = arm.base().x.abs().max(arm.base().y.abs());
         let bounds = world.bounds().map_or(0.0, largest_coordinate);
-        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.radius();
+        let scale = obstacles.largest_coordinate().max(base).max(bounds) + arm.reach() + arm.kept_radius();
         let side = world.bounds().map_or(2.0 * arm.reach(), Aabb::longer_side);
         // Sums of angles round more if limits are wide: see `proof/arm.rs`.
         let widest = arm.joint_types().iter().map(|joint| match *joint {
@@ -45,7 +47,8 @@ impl<const N: usize> ArmValidity<N> {
         let tolerance = Tolerance::new(scale, tolerance * side);
         let prover = RefCell::new(Prover::new(MovingArm::new(arm, tolerance.eta)));
         let scene = Scene { obstacles: world.pieces(), bounds: world.bounds().copied(), tolerance };
-        Self { space, arm: arm.clone(), obstacles, scene, prover }
+        let is_buried = obstacles.is_in_polygon_with_holes(arm.base());
+        Self { space, arm: arm.clone(), obstacles, scene, prover, is_buried }
     }
 
     /// The same with a tolerance no coarser than half the clearance of either configuration, and half its depth within the
@@ -69,7 +72,7 @@ impl<const N: usize> ArmValidity<N> {
 
     /// The distance from the arm to the nearest obstacle, in metres; infinite without obstacles. O(links x obstacles).
     pub fn clearance(&self, q: &[f64; N]) -> f64 {
-        let clearance = |link: Segment| self.obstacles.clearance(&link) - self.arm.radius();
+        let clearance = |link: Segment| self.obstacles.clearance(&link) - self.arm.kept_radius();
         self.links(q).map(clearance).fold(f64::INFINITY, f64::min)
     }
 
@@ -82,7 +85,7 @@ impl<const N: usize> ArmValidity<N> {
             let mut q = *a;
             q.iter_mut().zip(&delta).for_each(|(angle, delta)| *angle += t * delta);
             let part = |(i, link): (usize, Segment)| PartDistance {
-                clearance: self.obstacles.clearance(&link) - self.arm.radius(),
+                clearance: self.obstacles.clearance(&link) - self.arm.kept_radius(),
                 depth: self.depth_of(&link),
                 travel: travel[i],
             };
@@ -96,12 +99,17 @@ impl<const N: usize> ArmValidity<N> {
         self.scene.tolerance
     }
 
-    /// Whether the arm may touch something in one of the boxes on the motion from `a` to `b`. O(links x boxes).
+    /// Whether the arm may touch something in one of the boxes on the motion from `a` to `b`, or come within the slack of it.
+    /// O(links x boxes).
     pub fn may_meet(&self, a: &[f64; N], b: &[f64; N], boxes: &[Aabb]) -> bool {
         let Some(delta) = self.delta(a, b) else { return true };
-        let prover = &mut *self.prover.borrow_mut();
-        let state = prover.moving.begin(a, &delta);
-        prover.may_meet(boxes, state)
+        let travel = self.arm.travel(&delta);
+        let own = self.arm.kept_radius() + 2.0 * self.scene.tolerance.eta;
+        parts_of_motion().any(|(middle, half)| {
+            let q: [f64; N] = std::array::from_fn(|i| a[i] + middle * delta[i]);
+            let mut around = self.links(&q).zip(travel).map(|(link, travel)| link.aabb().grown(own + half * travel));
+            around.any(|around| boxes.iter().any(|one| one.intersects(&around)))
+        })
     }
 
     /// How far each joint moves on the motion from `a` to `b`; `None` if the short way round is ambiguous.
@@ -123,6 +131,9 @@ impl<const N: usize> ArmValidity<N> {
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     fn prove(&self, from: &[f64; N], delta: &[f64; N], order: Order) -> Option<f64> {
+        if self.is_buried {
+            return Some(0.0);
+        }
         let prover = &mut *self.prover.borrow_mut();
         let state = prover.moving.begin(from, delta);
         prover.first_unproven(&self.scene, state, order)
@@ -131,9 +142,9 @@ impl<const N: usize> ArmValidity<N> {
     /// Whether a straight motion by `delta` is proven free, also off by any part of `aside`, forward or back.
     fn is_band_free(&self, from: &[f64; N], delta: &[f64; N], aside: &[f64; N]) -> bool {
         let off = self.arm.travel(aside)[self.arm.links().len() - 1];
-        self.prover.borrow_mut().moving.set_radius(self.arm.radius() + off);
+        self.prover.borrow_mut().moving.set_radius(self.arm.kept_radius() + off);
         let is_free = self.prove(from, delta, Order::MiddleFirst).is_none();
-        self.prover.borrow_mut().moving.set_radius(self.arm.radius());
+        self.prover.borrow_mut().moving.set_radius(self.arm.kept_radius());
         is_free
     }
 
@@ -141,9 +152,9 @@ impl<const N: usize> ArmValidity<N> {
     fn clearance_within(&self, q: &[f64; N], most: f64) -> f64 {
         let mut least = f64::INFINITY;
         for link in self.links(q) {
-            let near = link.aabb().grown(self.arm.radius() + most);
+            let near = link.aabb().grown(self.arm.kept_radius() + most);
             self.obstacles.any_near(&near, |i| {
-                least = least.min(self.obstacles.distance(i, &link) - self.arm.radius());
+                least = least.min(self.obstacles.distance(i, &link) - self.arm.kept_radius());
                 false
             });
         }
@@ -165,7 +176,7 @@ impl<const N: usize> ArmValidity<N> {
 
     /// The depth of the link within the bounds, in metres; infinite without bounds.
     fn depth_of(&self, axis: &Segment) -> f64 {
-        let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.radius();
+        let depth = |bounds: &Aabb| bounds.depth(axis.a).min(bounds.depth(axis.b)) - self.arm.kept_radius();
         self.scene.bounds.as_ref().map_or(f64::INFINITY, depth)
     }
 }
@@ -176,7 +187,10 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
     fn is_free(&self, q: &[f64; N]) -> bool {
         let prover = &mut *self.prover.borrow_mut();
         prover.moving.rest(q);
-        prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
+        match prover.is_free_at_rest(&self.scene) {
+            Some(is_clear) => is_clear && !self.is_buried,
+            None => self.contacts(q).is_empty(),
+        }
     }
 
     fn is_motion_free(&self, a: &[f64; N], b: &[f64; N]) -> bool {
@@ -197,9 +211,10 @@ impl<const N: usize> Validity<[f64; N]> for ArmValidity<N> {
         let Tolerance { eta, .. } = self.scene.tolerance;
         let mut contacts = Vec::new();
         for (part, axis) in self.links(q).enumerate() {
-            let near = axis.aabb().grown(self.arm.radius() + eta);
+            let near = axis.aabb().grown(self.arm.kept_radius() + eta);
             let is_touched = |&i: &usize| {
-                self.obstacles.aabb(i).intersects(&near) && self.obstacles.distance(i, &axis) - self.arm.radius() <= eta
+                self.obstacles.aabb(i).intersects(&near)
+                    && self.obstacles.distance(i, &axis) - self.arm.kept_radius() <= eta
             };
             let touched = (0..self.obstacles.len()).filter(is_touched).map(Touched::Obstacle);
             let leaves = (self.depth_of(&axis) < -eta).then_some(Touched::Bounds);

@@ -1,10 +1,11 @@
 //! Collision of a body: any simple polygon that moves and turns, and which of its motions are free.
 
+use super::motion::parts_of_motion;
 use super::obstacles::{depth, largest_coordinate};
 use super::proof::oracle::{self, PartDistance};
 use super::proof::{MovingBody, Order, Prover, Scene};
 use super::{BodyMotion, CollisionWorld, Obstacles, Tolerance};
-use crate::geometry::{Aabb, Point, Polygon};
+use crate::geometry::{Aabb, Placed, Point, Polygon};
 use crate::problem::{Contact, Touched};
 use crate::robot::LARGEST;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -22,6 +23,8 @@ const LONGEST_PATH: f64 = 9.0;
 /// The collision checker of a body. Placements are (x, y, theta) of the origin of the body's frame.
 pub struct BodyCollision {
     body: Polygon,
+    /// By how much it is taken as larger on all sides, in metres.
+    margin: f64,
     /// The obstacles as they are; those of the scene are their convex pieces.
     obstacles: Arc<Obstacles>,
     bounds: Aabb,
@@ -39,15 +42,22 @@ impl BodyCollision {
     /// bounds, greater than 0. If the world has no bounds, these are coordinates up to 1e6, and the slack is that of a
     /// world of this size.
     pub fn new(body: &Polygon, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
+        Self::with_margin(body, 0.0, world, tolerance)
+    }
+
+    /// The same of a body that is larger by this margin on all sides, in metres.
+    pub fn with_margin(body: &Polygon, margin: f64, world: impl Into<CollisionWorld>, tolerance: f64) -> Self {
         let world = world.into();
         let obstacles = world.obstacles();
         let everywhere = Aabb { min: Point::new(-LARGEST, -LARGEST), max: Point::new(LARGEST, LARGEST) };
         let bounds = world.bounds().copied().unwrap_or(everywhere);
-        let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach();
+        let scale = obstacles.largest_coordinate().max(largest_coordinate(&bounds)) + body.reach() + margin;
         let tolerance = Tolerance::new(scale, tolerance * bounds.longer_side());
-        let prover = Mutex::new(Prover::new(MovingBody::new(body, tolerance.eta)));
+        let mut moving = MovingBody::new(body, tolerance.eta);
+        moving.grow(margin);
+        let prover = Mutex::new(Prover::new(moving));
         let scene = Scene { obstacles: world.pieces(), bounds: Some(bounds), tolerance };
-        Self { body: body.clone(), obstacles, bounds, scale, scene, prover, name: "the body" }
+        Self { body: body.clone(), margin, obstacles, bounds, scale, scene, prover, name: "the body" }
     }
 
     fn prover(&self) -> MutexGuard<'_, Prover<MovingBody>> {
@@ -85,7 +95,15 @@ impl BodyCollision {
         }
         let prover = &mut *self.prover();
         prover.moving.rest(*q);
-        prover.is_free_at_rest(&self.scene).unwrap_or_else(|| self.contacts(q).is_empty())
+        match prover.is_free_at_rest(&self.scene) {
+            Some(is_clear) => is_clear && !self.is_inside(*q),
+            None => self.contacts(q).is_empty(),
+        }
+    }
+
+    /// Whether the body, whose border does not meet that of any polygon with holes, lies in one.
+    fn is_inside(&self, q: [f64; 3]) -> bool {
+        self.obstacles.has_holes() && self.obstacles.is_in_polygon_with_holes(Placed::new(&self.body, q).corner(0))
     }
 
     /// Every contact at `q`: part 0 with obstacles by their index, the bounds last. O(vertices of the body +
@@ -93,11 +111,12 @@ impl BodyCollision {
     pub fn contacts(&self, q: &[f64; 3]) -> Vec<Contact> {
         let placed = self.body.placed(*q);
         let eta = self.scene.tolerance.eta;
-        let near = placed.aabb().grown(eta);
+        let near = placed.aabb().grown(eta + self.margin);
         let is_near = |&i: &usize| self.obstacles.aabb(i).intersects(&near);
-        let touches = |&i: &usize| self.obstacles.distance_from(&placed, i, 2.0 * eta) <= eta;
+        let touches =
+            |&i: &usize| self.obstacles.distance_from(&placed, i, 2.0 * eta + self.margin) - self.margin <= eta;
         let touched = (0..self.obstacles.len()).filter(is_near).filter(touches).map(Touched::Obstacle);
-        let leaves = depth(&self.bounds, placed.vertices()) < -eta;
+        let leaves = depth(&self.bounds, placed.vertices()) - self.margin < -eta;
         touched.chain(leaves.then_some(Touched::Bounds)).map(|with| Contact { part: 0, with }).collect()
     }
 
@@ -105,12 +124,12 @@ impl BodyCollision {
     pub fn clearance(&self, q: &[f64; 3]) -> f64 {
         let placed = self.body.placed(*q);
         let nearer = |least: f64, i: usize| least.min(self.obstacles.distance_from(&placed, i, least));
-        (0..self.obstacles.len()).fold(f64::INFINITY, nearer)
+        (0..self.obstacles.len()).fold(f64::INFINITY, nearer) - self.margin
     }
 
     /// The depth of the body at `q` within the bounds, in metres: negative if it is not wholly inside.
     pub fn depth(&self, q: &[f64; 3]) -> f64 {
-        depth(&self.bounds, self.body.placed(*q).vertices())
+        depth(&self.bounds, self.body.placed(*q).vertices()) - self.margin
     }
 
     /// Whether the motion is proven free, both ends included. Tests the middle first, where collisions are found early.
@@ -121,9 +140,9 @@ impl BodyCollision {
     /// Whether a straight motion is proven free, also off by any part of `aside`, forward or back.
     pub(super) fn is_band_free(&self, motion: &BodyMotion, aside: [f64; 3]) -> bool {
         let [x, y, turn] = aside;
-        self.prover().moving.grow((x * x + y * y).sqrt() + turn.abs() * self.body.reach());
+        self.prover().moving.grow(self.margin + ((x * x + y * y).sqrt() + turn.abs() * self.body.reach()));
         let is_free = self.is_motion_free(motion);
-        self.prover().moving.grow(0.0);
+        self.prover().moving.grow(self.margin);
         is_free
     }
 
@@ -158,12 +177,17 @@ impl BodyCollision {
         self.scene.tolerance
     }
 
-    /// Whether the body may touch something in one of the boxes on the motion; `true` for motions that proofs do not cover.
+    /// Whether the body may touch something in one of the boxes on the motion, or come within the slack of it; `true` for motions
+    /// that proofs do not cover. O(vertices of the body + boxes).
     pub fn may_meet(&self, motion: &BodyMotion, boxes: &[Aabb]) -> bool {
         let Some((motion, _)) = self.decisive_part(motion) else { return true };
-        let prover = &mut *self.prover();
-        prover.moving.begin(&motion);
-        prover.may_meet(boxes, ())
+        let (path, turn) = motion.extent();
+        let travel = path + turn * self.body.reach();
+        let own = self.margin + 2.0 * self.scene.tolerance.eta;
+        parts_of_motion().any(|(middle, half)| {
+            let around = self.body.placed(motion.at(middle)).aabb().grown(own + half * travel);
+            boxes.iter().any(|one| one.intersects(&around))
+        })
     }
 
     /// How many times the clearance of a part has been evaluated so far.
@@ -184,6 +208,9 @@ impl BodyCollision {
             Order::FrontFirst { steps: Some(steps) } => Order::FrontFirst { steps: Some(steps * fraction) },
             order => order,
         };
+        if self.is_inside(motion.from()) {
+            return Some(0.0);
+        }
         let prover = &mut *self.prover();
         prover.moving.begin(&motion);
         prover.first_unproven(&self.scene, (), order).map(|hit| hit * fraction)

@@ -8,7 +8,7 @@
 //! their common box; then every eight neighbours make a group, the boxes around every eight groups the next level's
 //! groups, and so on.
 
-use crate::geometry::{Aabb, sort_numbers};
+use crate::geometry::{Aabb, arrange};
 use wide::i16x8;
 
 /// How many boxes a group holds.
@@ -121,7 +121,7 @@ impl Boxes {
     pub fn new(boxes: &[Aabb]) -> Self {
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         if boxes.len() > LANES * TOP {
-            arrange(&mut order, boxes);
+            arrange(&mut order, boxes, LANES);
         }
         let grid = Grid::new(boxes);
         let mut around: Vec<Cells> = order.iter().map(|&i| grid.cells(&boxes[i as usize])).collect();
@@ -192,25 +192,4 @@ fn union(boxes: &[Cells]) -> Cells {
     let least = |k: usize| boxes.iter().map(|cells| cells[k]).fold(END, i16::min);
     let most = |k: usize| boxes.iter().map(|cells| cells[k]).fold(0, i16::max);
     [least(0), least(1), most(2), most(3)]
-}
-
-/// Orders the boxes so that neighbours are adjacent: the halves along the longer side of the box around all middles, each
-/// ordered likewise. The first half is eight times a power of two, so that groups of groups are compact too.
-fn arrange(order: &mut [u32], boxes: &[Aabb]) {
-    if order.len() <= LANES {
-        sort_numbers(order, &|i, j| i.cmp(&j));
-        return;
-    }
-    // Twice the middle; coordinates are at most 1e6.
-    let middle = |i: u32, axis: usize| boxes[i as usize].min[axis] + boxes[i as usize].max[axis];
-    let spread = |axis: usize| {
-        let most = order.iter().map(|&i| middle(i, axis)).fold(f64::NEG_INFINITY, f64::max);
-        most - order.iter().map(|&i| middle(i, axis)).fold(f64::INFINITY, f64::min)
-    };
-    let axis = usize::from(spread(1) > spread(0));
-    let half = order.len().next_power_of_two() / 2;
-    order.select_nth_unstable_by(half, |&i, &j| middle(i, axis).total_cmp(&middle(j, axis)).then(i.cmp(&j)));
-    let (front, back) = order.split_at_mut(half);
-    arrange(front, boxes);
-    arrange(back, boxes);
 }

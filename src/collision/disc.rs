@@ -14,6 +14,7 @@ const HALVINGS: u32 = 40;
 
 /// The collision checker of a disc.
 pub struct DiscValidity {
+    /// With the margin.
     radius: f64,
     obstacles: Arc<Obstacles>,
     bounds: Option<Aabb>,
@@ -27,10 +28,10 @@ impl DiscValidity {
         let world = world.into();
         let obstacles = world.obstacles();
         let bounds = world.bounds().map_or(0.0, largest_coordinate);
-        let scale = obstacles.largest_coordinate().max(bounds) + robot.radius();
+        let scale = obstacles.largest_coordinate().max(bounds) + robot.kept_radius();
         let tolerance = Tolerance::new(scale, 0.0);
         Self {
-            radius: robot.radius(),
+            radius: robot.kept_radius(),
             obstacles,
             bounds: world.bounds().copied(),
             tolerance,

@@ -39,7 +39,7 @@ impl<const N: usize> Validity<[f64; N]> for JointLines<N> {
         }
         let obstacles = self.world.obstacles();
         let [from, to] = [a, b].map(|q| self.arm.joints(self.space.coordinates(q)));
-        let radius = self.arm.radius();
+        let radius = self.arm.kept_radius();
         // The base does not move.
         (1..=self.arm.links().len()).all(|joint| {
             let line = Segment::new(from[joint], to[joint]);

@@ -13,6 +13,16 @@ pub const LONGEST_DRIVE: f64 = 1e3;
 /// An arc that turns by more, in radians, repeats itself; a little more than a whole turn.
 const ONE_TURN: f64 = TAU + 1e-9;
 
+/// In how many parts a motion is looked at where boxes around them are enough.
+const PARTS: u32 = 4;
+
+/// The middle of each part of a motion, as a fraction of it, and half of the part: no point moves farther from where it is in
+/// that middle than this share of the way that it can travel on the motion at constant rates.
+pub(super) fn parts_of_motion() -> impl Iterator<Item = (f64, f64)> {
+    let half = 0.5 / f64::from(PARTS);
+    (0..PARTS).map(move |part| (f64::from(2 * part + 1) * half, half))
+}
+
 /// A motion of a body. A placement is (x, y, theta): metres, and radians counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BodyMotion {

@@ -1,9 +1,12 @@
 //! The obstacles of a world, prepared for queries: boxes in front of exact shapes.
 
 use super::boxes::Boxes;
-use crate::geometry::{Aabb, Disc, Point, Polygon, Segment, Vector, intersects_segment_polygon};
+use crate::geometry::{Aabb, Disc, Point, Polygon, Segment, Vector};
 use crate::scenario::Obstacle;
 use std::sync::Arc;
+
+/// The most corners of a convex piece: all sides of two pieces are tried to separate them.
+pub(super) const MOST_CORNERS: usize = 24;
 
 /// Obstacles with their boxes, which only exclude obstacles that are certainly apart; they decide no distance.
 #[derive(Clone)]
@@ -11,9 +14,21 @@ pub struct Obstacles {
     pub(super) shapes: Arc<[Obstacle]>,
     boxes: Vec<Aabb>,
     prepared: Boxes,
-    /// The faces of all convex polygons, and the range of those of each obstacle.
+    /// The faces of all small convex cores, those of each obstacle in its range.
     faces: Vec<Face>,
-    ranges: Vec<(u32, u32)>,
+    cores: Vec<Core>,
+    /// Whether an obstacle is a polygon with holes.
+    has_holes: bool,
+}
+
+/// The convex core of an obstacle: a convex polygon, or the segment of a wall that has only one.
+#[derive(Debug, Clone, Copy)]
+struct Core {
+    /// The range of its faces: those of a segment are its two sides.
+    first: u32,
+    end: u32,
+    /// All within this distance of the core is the obstacle, in metres.
+    radius: f64,
 }
 
 /// One face of a convex polygon: its outward unit normal, the polygon's support in that direction, and the corner the face
@@ -31,24 +46,49 @@ impl Obstacles {
         let shapes = shapes.into();
         let boxes: Vec<Aabb> = shapes.iter().map(Obstacle::aabb).collect();
         let mut faces = Vec::new();
-        let mut ranges = Vec::with_capacity(shapes.len());
+        let mut cores = Vec::with_capacity(shapes.len());
         for shape in shapes.iter() {
-            let first = faces.len() as u32;
-            if let Obstacle::Polygon(polygon) = shape
-                && polygon.is_convex()
-            {
-                faces.extend(faces_of(polygon));
+            let (first, mut radius) = (faces.len() as u32, 0.0);
+            match shape {
+                Obstacle::Polygon(polygon) if polygon.is_convex() && polygon.vertices().len() <= MOST_CORNERS => {
+                    faces.extend(faces_of(polygon));
+                }
+                Obstacle::Wall(wall) if wall.points().len() == 2 => {
+                    radius = wall.radius();
+                    faces.extend(sides_of(wall.points()));
+                }
+                _ => {}
             }
-            ranges.push((first, faces.len() as u32));
+            cores.push(Core { first, end: faces.len() as u32, radius });
         }
-        Self { prepared: Boxes::new(&boxes), shapes, boxes, faces, ranges }
+        let has_holes = shapes.iter().any(|shape| matches!(shape, Obstacle::PolygonWithHoles(_)));
+        Self { prepared: Boxes::new(&boxes), shapes, boxes, faces, cores, has_holes }
     }
 
-    /// The faces of obstacle `i` if it is a convex polygon; else none.
+    /// The faces of the core of obstacle `i` if it is a convex polygon of at most [`MOST_CORNERS`] or a wall of one segment;
+    /// else none.
     #[inline(always)]
     pub(super) fn faces(&self, i: usize) -> &[Face] {
-        let (first, end) = self.ranges[i];
+        let Core { first, end, .. } = self.cores[i];
         &self.faces[first as usize..end as usize]
+    }
+
+    /// How far a wall of one segment, obstacle `i`, reaches beyond its core; 0 for any other.
+    #[inline(always)]
+    pub(super) fn radius(&self, i: usize) -> f64 {
+        self.cores[i].radius
+    }
+
+    /// Whether an obstacle is a polygon with holes.
+    #[inline(always)]
+    pub(super) fn has_holes(&self) -> bool {
+        self.has_holes
+    }
+
+    /// Whether the point lies in a polygon with holes, not in one of these.
+    pub(super) fn is_in_polygon_with_holes(&self, p: Point) -> bool {
+        let contains = |i: usize| matches!(&self.shapes[i], Obstacle::PolygonWithHoles(polygon) if polygon.contains(p));
+        self.any_near(&Aabb { min: p, max: p }, contains)
     }
 
     /// Obstacle `i` if it is a disc.
@@ -93,13 +133,10 @@ impl Obstacles {
         self.shapes[i].distance_to_segment_within(segment, most)
     }
 
-    /// Whether a point that moves along the segment touches obstacle `i`: exact for polygons; within the slack `eta` for
-    /// discs, whose boundary no double can hit exactly.
+    /// Whether a point that moves along the segment touches obstacle `i`: exact for polygons and for walls without width;
+    /// within the slack `eta` for discs and other walls, whose boundary no double can hit exactly.
     pub fn touches_point(&self, i: usize, segment: &Segment, eta: f64) -> bool {
-        match &self.shapes[i] {
-            Obstacle::Disc(_) => self.distance(i, segment) <= eta,
-            Obstacle::Polygon(polygon) => intersects_segment_polygon(segment, polygon),
-        }
+        self.shapes[i].meets_segment(segment).unwrap_or_else(|| self.distance(i, segment) <= eta)
     }
 
     /// The distance from the placed body to obstacle `i`, in metres; 0 or less if they share a point; if it is `most`
@@ -134,10 +171,17 @@ pub(super) fn depth(bounds: &Aabb, points: &[Point]) -> f64 {
 /// is outside by the rounding of the normal.
 pub(super) fn faces_of(polygon: &Polygon) -> impl Iterator<Item = Face> {
     polygon.edges().map(|edge| {
-        // Scaled first: the squares of a very short edge would underflow, and its normal would not be of unit length.
-        let edge_vector = edge.b - edge.a;
-        let along = (edge_vector / edge_vector.amax()).normalize();
-        let normal = Vector::new(along.y, -along.x);
+        let normal = edge.normal();
         Face { normal, support: polygon.support(normal), corner: edge.a }
+    })
+}
+
+/// Both sides of a segment: without an inside, it is a polygon of two corners.
+fn sides_of(ends: &[Point]) -> impl Iterator<Item = Face> {
+    let edge = Segment::new(ends[0], ends[1]);
+    [edge, Segment::new(edge.b, edge.a)].into_iter().map(move |side| {
+        let normal = side.normal();
+        let support = normal.dot(&edge.a.coords).max(normal.dot(&edge.b.coords));
+        Face { normal, support, corner: side.a }
     })
 }

@@ -1,12 +1,10 @@
 //! The obstacles and bounds of a scenario, prepared once for every collision query.
 
 use super::Obstacles;
+use super::obstacles::MOST_CORNERS;
 use crate::geometry::{Aabb, small_convex_pieces};
 use crate::scenario::{Obstacle, World};
 use std::sync::{Arc, OnceLock};
-
-/// The most corners of a convex piece: all sides of two pieces are tried to separate them.
-pub(super) const MOST_CORNERS: usize = 24;
 
 /// A world prepared for collision queries: obstacles with their bounding boxes and faces, and their convex pieces. Cheap to
 /// clone: clones share what was prepared.
@@ -30,15 +28,15 @@ impl CollisionWorld {
         Arc::clone(&self.0.obstacles)
     }
 
-    /// The obstacles with concave polygons, and those of many corners, cut into small convex pieces.
+    /// The obstacles with concave polygons, and those of many corners, cut into small convex pieces, walls into segments with a
+    /// width, and of polygons with holes the border: what does not meet it is inside or outside with all of it, so that one point
+    /// of the robot decides about the inside.
     pub(super) fn pieces(&self) -> Arc<Obstacles> {
         let obstacles = &self.0.obstacles;
-        let is_small = |shape: &Obstacle| match shape {
-            Obstacle::Polygon(polygon) => polygon.is_convex() && polygon.vertices().len() <= MOST_CORNERS,
-            Obstacle::Disc(_) => true,
-        };
+        // Discs, small convex polygons and walls of one segment.
+        let is_core = |i: usize| obstacles.disc(i).is_some() || !obstacles.faces(i).is_empty();
         let cut = || {
-            if obstacles.shapes.iter().all(is_small) {
+            if (0..obstacles.len()).all(is_core) {
                 return Arc::clone(obstacles);
             }
             let pieces: Vec<Obstacle> = obstacles.shapes.iter().flat_map(pieces_of).collect();
@@ -56,12 +54,14 @@ impl From<&World> for CollisionWorld {
     }
 }
 
-/// The convex pieces of an obstacle.
+/// The convex pieces of an obstacle, or of its border.
 fn pieces_of(obstacle: &Obstacle) -> Vec<Obstacle> {
     match obstacle {
         Obstacle::Polygon(polygon) => {
             small_convex_pieces(polygon, MOST_CORNERS).into_iter().map(Obstacle::Polygon).collect()
         }
+        Obstacle::PolygonWithHoles(polygon) => polygon.border().map(Obstacle::Wall).collect(),
+        Obstacle::Wall(wall) => wall.pieces().map(Obstacle::Wall).collect(),
         Obstacle::Disc(_) => vec![obstacle.clone()],
     }
 }

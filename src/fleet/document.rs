@@ -3,7 +3,7 @@
 
 use super::FORMAT;
 use super::motion::{Footprint, Pose, reach};
-use crate::error::{Code, Error, quoted};
+use crate::error::{Code, Error, Number, quoted};
 use crate::geometry::Aabb;
 use crate::json::{self, objects, one_format};
 use crate::problem::naming_nearest;
@@ -181,7 +181,7 @@ impl FleetRobot {
     fn scenario(&self, fleet: &str, world: &World) -> Scenario {
         let Self { name, robot, start, goal, .. } = self.clone();
         let queries = vec![Query { name, start, goal: Goal::Configuration(goal), goal_tolerance: None }];
-        Parts { name: fleet.to_owned(), title: None, world: world.clone(), robot, queries }.into()
+        Parts::new(fleet.to_owned(), None, world.clone(), robot, queries).into()
     }
 }
 
@@ -190,9 +190,9 @@ impl Fleet {
     ///
     /// # Errors
     /// The first rule that is violated, with the JSON pointer of the offending value: the codes of [`Scenario::parse`];
-    /// `unsupported` for a robot that is neither a disc nor a rigid body; `start-in-collision` and `goal-in-collision` if a start
-    /// or a goal touches an obstacle, leaves the bounds, or touches the start or the goal of an earlier robot; `too-large` for
-    /// more than 1000 robots.
+    /// `unsupported` for a robot that is neither a disc nor a rigid body, or has a margin; `start-in-collision` and
+    /// `goal-in-collision` if a start or a goal touches an obstacle, leaves the bounds, or touches the start or the goal of an
+    /// earlier robot; `too-large` for more than 1000 robots.
     pub fn parse(text: &str) -> Result<Self, Error> {
         Self::read(&json::parse(text)?)
     }
@@ -385,6 +385,10 @@ fn checked_member(member: Member) -> Result<FleetRobot, Error> {
     if !matches!(robot, Robot::Disc(_) | Robot::RigidBody(_)) {
         let sentence = format!("a robot of a fleet is a disc or a rigid body, not \"{}\"", robot.kind());
         return Err(Error::new(Code::Unsupported, "/robot/type", sentence));
+    }
+    if robot.margin() > 0.0 {
+        let sentence = format!("a robot of a fleet has no margin; this one has {}", Number(robot.margin()));
+        return Err(Error::new(Code::Unsupported, "/robot/margin", sentence));
     }
     let [start, goal] = [("/start", &member.start), ("/goal", &member.goal)]
         .map(|(pointer, q)| checked_configuration(q, pointer, &robot));

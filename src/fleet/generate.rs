@@ -128,7 +128,7 @@ impl FleetRobots {
         // Twice as long as wide, on the circle.
         let half = 0.999 * self.radius / f64::sqrt(5.0);
         let shape = rectangle([-2.0 * half, -half], [2.0 * half, half]);
-        Ok(Robot::RigidBody(RigidBody { shape, weights: Weights::default() }))
+        Ok(Robot::RigidBody(RigidBody::new(shape, Weights::default())))
     }
 
     /// The fleet of such robots from places to places, each x, y and a heading.

@@ -47,3 +47,10 @@ pub fn euler_pose([x, y, theta]: [f64; 3], speed: f64, turn_rate: f64, time: f64
     let (sin, cos) = libm::sincos(theta);
     [x + along * cos, y + along * sin, theta + turn_rate * time]
 }
+
+/// The length of the arc that turns by an angle over a chord, in metres and radians, negative for a negative chord: the way back
+/// of [`arc_pose`]. O(1).
+pub(crate) fn arc_length(chord: f64, turn: f64) -> f64 {
+    let half = 0.5 * turn;
+    if half == 0.0 { chord } else { chord * half / libm::sin(half) }
+}

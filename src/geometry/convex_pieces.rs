@@ -15,7 +15,7 @@ pub fn convex_pieces(polygon: &Polygon) -> Vec<Polygon> {
     if polygon.is_convex() {
         return vec![polygon.clone()];
     }
-    let cuts = Cuts::new(triangles(polygon));
+    let cuts = Cuts::new(triangles(polygon), polygon.vertices().len());
     let mut is_taken = vec![false; cuts.triangles.len()];
     let mut pieces = Vec::new();
     for first in 0..cuts.triangles.len() {
@@ -61,28 +61,45 @@ pub fn small_convex_pieces(polygon: &Polygon, most: usize) -> Vec<Polygon> {
 /// Triangles and their sides, numbered from 3 times the triangle on.
 struct Cuts {
     triangles: Vec<[u32; 3]>,
-    /// The sides by the vertices that they lead from and to.
+    /// The sides by the vertices that they lead from, and of these by the vertices that they lead to.
     order: Vec<u32>,
+    /// Where in this order the sides from each vertex begin, and at last its length.
+    starts: Vec<u32>,
 }
 
 impl Cuts {
-    fn new(triangles: Vec<[u32; 3]>) -> Self {
-        let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
-        let cuts = Self { triangles, order: Vec::new() };
-        sort_numbers(&mut order, &|a, b| cuts.side(a as u32).cmp(&cuts.side(b as u32)));
+    /// O(n) for n vertices, but for the order of the sides from one vertex.
+    fn new(triangles: Vec<[u32; 3]>, vertices: usize) -> Self {
+        let mut starts = vec![0; vertices + 1];
+        triangles.as_flattened().iter().for_each(|&from| starts[from as usize + 1] += 1);
+        (0..vertices).for_each(|v| starts[v + 1] += starts[v]);
+        let mut order = vec![0; 3 * triangles.len()];
+        let mut next = starts.clone();
+        for (number, &from) in triangles.as_flattened().iter().enumerate() {
+            let at = &mut next[from as usize];
+            order[*at as usize] = number as u32;
+            *at += 1;
+        }
+        let cuts = Self { triangles, order: Vec::new(), starts };
+        for ends in cuts.starts.windows(2) {
+            let from_one = &mut order[ends[0] as usize..ends[1] as usize];
+            sort_numbers(from_one, &|a, b| cuts.leads_to(a as u32).cmp(&cuts.leads_to(b as u32)));
+        }
         Self { order, ..cuts }
     }
 
-    /// The vertices that a side leads from and to, the triangle on its left.
-    fn side(&self, number: u32) -> [u32; 2] {
+    /// The vertex that a side leads to, the triangle on its left.
+    fn leads_to(&self, number: u32) -> u32 {
         let (triangle, from) = (&self.triangles[number as usize / 3], number as usize % 3);
-        [triangle[from], triangle[(from + 1) % 3]]
+        triangle[(from + 1) % 3]
     }
 
     /// The triangle on the right of the side.
     fn across(&self, from: u32, to: u32) -> Option<u32> {
-        let at = self.order.partition_point(|&number| self.side(number) < [to, from]);
-        self.order.get(at).filter(|&&number| self.side(number) == [to, from]).map(|number| number / 3)
+        let [first, end] = [to, to + 1].map(|v| self.starts[v as usize] as usize);
+        let sides = &self.order[first..end];
+        let at = sides.partition_point(|&number| self.leads_to(number) < from);
+        sides.get(at).filter(|&&number| self.leads_to(number) == from).map(|number| number / 3)
     }
 }
 

@@ -5,6 +5,7 @@
 //! vertical line are swept from bottom to top, which is the same as to tilt the line a little; so vertical edges need no
 //! care. Every decision is an orientation of given points, so all are exact.
 
+use super::blocks::Blocks;
 use super::{Point, Segment, intersects_segment_segment, orientation, sort_numbers};
 use std::cmp::Ordering;
 
@@ -15,23 +16,22 @@ pub(super) fn find_crossing(vertices: &[Point]) -> Option<(usize, usize)> {
     if let Some(corner) = (0..n).find(|&i| folds_back(vertices, i)) {
         return Some(in_order((corner + n - 1) % n, corner));
     }
-    let mut sweep = Sweep { vertices, edges: Vec::new() };
+    let mut sweep = Sweep { vertices, edges: Blocks::default() };
     let mut order: Vec<u32> = (0..n as u32).collect();
     sort_numbers(&mut order, &|i, j| left_to_right(vertices[i], vertices[j]).then(i.cmp(&j)));
-    let order: Vec<usize> = order.into_iter().map(|vertex| vertex as usize).collect();
-    for (at, &vertex) in order.iter().enumerate() {
-        if at > 0 && vertices[order[at - 1]] == vertices[vertex] {
-            return Some(in_order(order[at - 1], vertex));
+    let mut before = None;
+    for vertex in order {
+        let same = before.filter(|&before: &u32| vertices[before as usize] == vertices[vertex as usize]);
+        if let Some((i, j)) = same.map(|before| (before, vertex)).or_else(|| sweep.pass(vertex)) {
+            return Some(in_order(i as usize, j as usize));
         }
-        if let Some((i, j)) = sweep.pass(vertex) {
-            return Some(in_order(i, j));
-        }
+        before = Some(vertex);
     }
     None
 }
 
 /// The order in which the sweep meets points.
-fn left_to_right(p: Point, q: Point) -> Ordering {
+pub(super) fn left_to_right(p: Point, q: Point) -> Ordering {
     p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
 }
 
@@ -50,56 +50,54 @@ fn folds_back(vertices: &[Point], corner: usize) -> bool {
 /// The edges that the sweeping line meets, from bottom to top.
 struct Sweep<'a> {
     vertices: &'a [Point],
-    edges: Vec<usize>,
+    edges: Blocks,
 }
 
 impl Sweep<'_> {
     /// Moves the line over a vertex: edges that end there leave, edges that begin there enter. Returns a pair that
     /// meets, if one is found.
-    fn pass(&mut self, vertex: usize) -> Option<(usize, usize)> {
-        let (n, p) = (self.vertices.len(), self.vertices[vertex]);
+    fn pass(&mut self, vertex: u32) -> Option<(u32, u32)> {
+        let (n, p) = (self.vertices.len() as u32, self.vertices[vertex as usize]);
         let at_vertex = [(vertex + n - 1) % n, vertex];
-        let first = self.edges.partition_point(|&e| self.side(e, p) > 0.0);
-        let mut last = first;
-        while let Some(&e) = self.edges.get(last).filter(|&&e| self.side(e, p) == 0.0) {
+        let mut at = self.edges.first_without(|e| self.side(e, p) > 0.0);
+        let below = self.edges.before(at);
+        while let Some(e) = self.edges.get(at).filter(|&e| self.side(e, p) == 0.0) {
             if !at_vertex.contains(&e) {
                 return Some((e, vertex));
             }
-            last += 1;
+            at = self.edges.remove(at);
         }
-        let mut begin: Vec<usize> = at_vertex.into_iter().filter(|&e| self.ends(e).0 == p).collect();
+        let above = self.edges.get(at);
+        let mut begin: Vec<u32> = at_vertex.into_iter().filter(|&e| self.ends(e).0 == p).collect();
         if begin.len() == 2 && orientation(p, self.ends(begin[0]).1, self.ends(begin[1]).1) < 0.0 {
             begin.swap(0, 1);
         }
-        let next_above = first + begin.len();
-        self.edges.splice(first..last, begin);
-        let below = first.checked_sub(1);
-        let neighbours = if next_above == first {
-            [(below, Some(first)), (None, None)]
-        } else {
-            [(below, Some(first)), (Some(next_above - 1), Some(next_above))]
+        self.edges.insert(at, &begin);
+        let neighbours = match begin[..] {
+            [] => [(below, above), (None, None)],
+            [first, ..] => [(below, Some(first)), (begin.last().copied(), above)],
         };
         neighbours.into_iter().find_map(|(low, high)| {
-            let (&low, &high) = (self.edges.get(low?)?, self.edges.get(high?)?);
+            let (low, high) = (low?, high?);
             self.meet(low, high).then_some((low, high))
         })
     }
 
     /// The ends of an edge, left one first.
-    fn ends(&self, edge: usize) -> (Point, Point) {
-        let (a, b) = (self.vertices[edge], self.vertices[(edge + 1) % self.vertices.len()]);
+    fn ends(&self, edge: u32) -> (Point, Point) {
+        let (a, b) = (self.vertices[edge as usize], self.vertices[(edge as usize + 1) % self.vertices.len()]);
         if left_to_right(a, b).is_le() { (a, b) } else { (b, a) }
     }
 
     /// Positive if the point lies above the edge, negative below, zero on its line.
-    fn side(&self, edge: usize, p: Point) -> f64 {
+    fn side(&self, edge: u32, p: Point) -> f64 {
         let (left, right) = self.ends(edge);
         orientation(left, right, p)
     }
 
     /// Whether two edges meet beyond a common corner. Those with a common corner do not, since no corner folds back.
-    fn meet(&self, i: usize, j: usize) -> bool {
-        let n = self.vertices.len();
+    fn meet(&self, i: u32, j: u32) -> bool {
+        let n = self.vertices.len() as u32;
         let segment = |e| {
             let (a, b) = self.ends(e);
             Segment::new(a, b)

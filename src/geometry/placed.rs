@@ -1,7 +1,8 @@
-//! A polygon at a pose: what lies in it, and how far it is from others. Its corners and the boxes of its tree are
+//! A chain or a polygon at a pose: what lies in it, and how far it is from others. Its corners and the boxes of its tree are
 //! placed one by one, as far as a query needs them.
 
-use super::edge_tree::{DEPTH, EdgeTree, LEAF, Node};
+use super::box_tree::{BoxTree, DEPTH, LEAF, Node};
+use super::chain::Chain;
 use super::{
     Aabb, Point, Polygon, Segment, Vector, distance_squared_point_segment, distance_squared_segment_segment,
     intersects_segment_segment, orientation,
@@ -16,7 +17,7 @@ const ROUNDING: f64 = 1e-14;
 /// A polygon where it is, or turned about the origin and then moved.
 #[derive(Debug, Clone, Copy)]
 pub struct Placed<'a> {
-    polygon: &'a Polygon,
+    chain: &'a Chain,
     pose: Option<Pose>,
 }
 
@@ -38,24 +39,34 @@ impl Pose {
 impl<'a> Placed<'a> {
     /// The polygon where it is. O(1).
     pub fn resting(polygon: &'a Polygon) -> Self {
-        Self { polygon, pose: None }
+        Self::of_chain(polygon.border())
     }
 
     /// The polygon at the pose (x, y, theta): its corners have the same bits as those of [`Polygon::placed`]. O(1).
     pub fn new(polygon: &'a Polygon, [x, y, theta]: [f64; 3]) -> Self {
         let (sin, cos) = libm::sincos(theta);
-        Self { polygon, pose: Some(Pose { x, y, sin, cos }) }
+        Self { chain: polygon.border(), pose: Some(Pose { x, y, sin, cos }) }
+    }
+
+    /// A chain where it is: what it encloses is filled for those queries that say so. O(1).
+    pub(super) fn of_chain(chain: &'a Chain) -> Self {
+        Self { chain, pose: None }
+    }
+
+    /// A box around it.
+    pub(super) fn aabb(&self) -> Aabb {
+        self.around(self.chain.aabb())
     }
 
     /// Corner `i`.
-    fn corner(&self, i: usize) -> Point {
-        let corner = self.polygon.vertices()[i];
+    pub(crate) fn corner(&self, i: usize) -> Point {
+        let corner = self.chain.points()[i];
         self.pose.map_or(corner, |pose| pose.place(corner))
     }
 
     /// The edge from corner `i`.
     fn edge(&self, i: usize) -> Segment {
-        let next = if i + 1 == self.polygon.vertices().len() { 0 } else { i + 1 };
+        let next = if i + 1 == self.chain.points().len() { 0 } else { i + 1 };
         Segment::new(self.corner(i), self.corner(next))
     }
 
@@ -79,25 +90,29 @@ impl<'a> Placed<'a> {
 
     /// The same; `work` is increased by the number of boxes and edges compared.
     fn contains_counted(&self, p: Point, work: &mut u64) -> bool {
-        match self.polygon.tree() {
+        self.is_inside(p, work).unwrap_or(true)
+    }
+
+    /// Whether the point lies inside; `None` on the border.
+    pub(super) fn is_inside(&self, p: Point, work: &mut u64) -> Option<bool> {
+        match self.chain.tree() {
             Some(tree) => self.crossings(tree, tree.root(), p, work),
-            None => self.crossings_of(0..self.polygon.vertices().len(), p, work),
+            None => self.crossings_of(0..self.chain.count(), p, work),
         }
-        .unwrap_or(true)
     }
 
     /// Whether the ray to the right from the point crosses an odd number of the node's edges; `None` if the point is on
     /// one.
-    fn crossings(&self, tree: &EdgeTree, node: Node, p: Point, work: &mut u64) -> Option<bool> {
+    fn crossings(&self, tree: &BoxTree, node: Node, p: Point, work: &mut u64) -> Option<bool> {
         *work += 1;
         let around = self.around(tree.aabb(node));
         if around.max.x < p.x || around.max.y < p.y || around.min.y > p.y {
             return Some(false);
         }
-        let edges = tree.edges(node);
+        let edges = tree.items(node);
         if around.min.x > p.x {
             // All edges are to the right: their chain crosses the ray as often, modulo 2, as the line between its ends.
-            let end = if edges.end == self.polygon.vertices().len() { 0 } else { edges.end };
+            let end = if edges.end == self.chain.points().len() { 0 } else { edges.end };
             return Some((self.corner(edges.start).y > p.y) != (self.corner(end).y > p.y));
         }
         let Some((first, second)) = tree.children(node) else { return self.crossings_of(edges, p, work) };
@@ -149,9 +164,11 @@ impl<'a> Placed<'a> {
         if self.is_beyond(&s.aabb(), most) {
             return f64::INFINITY;
         }
-        if self.contains_counted(s.a, work) {
-            return 0.0;
-        }
+        if self.contains_counted(s.a, work) { 0.0 } else { self.border_to_segment(s, most, work) }
+    }
+
+    /// The distance from the segment to the border; if it is `most` or more, that distance or infinity. In metres.
+    pub(super) fn border_to_segment(&self, s: &Segment, most: f64, work: &mut u64) -> f64 {
         let (around, along) = (s.aabb(), s.b - s.a);
         let length = along.norm();
         let bound = |aabb: &Aabb| {
@@ -167,14 +184,14 @@ impl<'a> Placed<'a> {
 
     /// Whether the box around the polygon is at least `most` from another one.
     fn is_beyond(&self, other: &Aabb, most: f64) -> bool {
-        most < f64::INFINITY && self.around(self.polygon.aabb()).gap_squared(other) >= most * most
+        most < f64::INFINITY && self.aabb().gap_squared(other) >= most * most
     }
 
     /// The least `squared` of all edges; if it is `most` or more, that or infinity. `bound` is no more than that of any
     /// edge in a box.
     fn least(&self, most: f64, bound: impl Fn(&Aabb) -> f64, squared: impl Fn(&Segment) -> f64, work: &mut u64) -> f64 {
-        let n = self.polygon.vertices().len();
-        let Some(tree) = self.polygon.tree() else {
+        let n = self.chain.count();
+        let Some(tree) = self.chain.tree() else {
             *work += n as u64;
             return (0..n).map(|i| squared(&self.edge(i))).fold(f64::INFINITY, f64::min);
         };
@@ -190,7 +207,7 @@ impl<'a> Placed<'a> {
             }
             let Some((first, second)) = tree.children(node) else {
                 *work += LEAF as u64;
-                least = tree.edges(node).map(|i| squared(&self.edge(i))).fold(least, f64::min);
+                least = tree.items(node).map(|i| squared(&self.edge(i))).fold(least, f64::min);
                 limit = limit.min(least);
                 continue;
             };
@@ -220,14 +237,19 @@ impl<'a> Placed<'a> {
     /// corner.
     pub fn distance(&self, other: &Placed, most: f64, work: &mut u64) -> f64 {
         *work += 1;
-        if self.is_beyond(&other.around(other.polygon.aabb()), most) {
+        if self.is_beyond(&other.aabb(), most) {
             return f64::INFINITY;
         }
         if self.contains_counted(other.corner(0), work) || other.contains_counted(self.corner(0), work) {
             return 0.0;
         }
-        let [n, m] = [self, other].map(|placed| placed.polygon.vertices().len());
-        if self.polygon.tree().is_none() && other.polygon.tree().is_none() {
+        self.border_to_border(other, most, work)
+    }
+
+    /// The distance between the borders; if it is `most` or more, that distance or infinity. In metres.
+    pub(super) fn border_to_border(&self, other: &Placed, most: f64, work: &mut u64) -> f64 {
+        let [n, m] = [self, other].map(|placed| placed.chain.count());
+        if self.chain.tree().is_none() && other.chain.tree().is_none() {
             *work += (n * m) as u64;
             let edges: Vec<Segment> = (0..m).map(|i| other.edge(i)).collect();
             let squared = |i| {
@@ -309,7 +331,7 @@ impl<'a> Placed<'a> {
         mut visit: impl FnMut(usize, &Segment) -> bool,
     ) -> bool {
         let mut visit_all = |edges: Range<usize>| edges.into_iter().any(|i| visit(i, &self.edge(i)));
-        let Some(tree) = self.polygon.tree() else { return visit_all(0..self.polygon.vertices().len()) };
+        let Some(tree) = self.chain.tree() else { return visit_all(0..self.chain.count()) };
         let mut stack = [Node::ANY; DEPTH];
         stack[0] = tree.root();
         let mut waiting = 1;
@@ -320,7 +342,7 @@ impl<'a> Placed<'a> {
                 continue;
             }
             let Some((first, second)) = tree.children(node) else {
-                if visit_all(tree.edges(node)) {
+                if visit_all(tree.items(node)) {
                     return true;
                 }
                 continue;
@@ -335,6 +357,11 @@ impl<'a> Placed<'a> {
 
     /// Whether the closed segment shares a point with the polygon; exact for the rounded corners.
     pub(super) fn intersects_segment(&self, s: &Segment) -> bool {
+        self.contains(s.a) || self.border_meets_segment(s)
+    }
+
+    /// Whether the closed segment shares a point with the border; exact for the rounded corners.
+    pub(super) fn border_meets_segment(&self, s: &Segment) -> bool {
         let around = s.aabb();
         let meets_line = |aabb: &Aabb| {
             // The corners that are farthest to the left and to the right of the line.
@@ -344,11 +371,10 @@ impl<'a> Placed<'a> {
             };
             orientation(s.a, s.b, corner(left, right)) >= 0.0 && orientation(s.a, s.b, corner(!left, !right)) <= 0.0
         };
-        self.contains(s.a)
-            || self.any_edge(
-                |aabb| aabb.intersects(&around) && meets_line(aabb),
-                |_, edge| intersects_segment_segment(s, edge),
-            )
+        self.any_edge(
+            |aabb| aabb.intersects(&around) && meets_line(aabb),
+            |_, edge| intersects_segment_segment(s, edge),
+        )
     }
 
     /// Whether the polygons share a point; exact for the rounded corners.
@@ -369,21 +395,21 @@ struct Part {
 
 impl Part {
     fn all(placed: &Placed) -> Self {
-        let node = placed.polygon.tree().map(EdgeTree::root);
-        Self { node, around: placed.around(placed.polygon.aabb()) }
+        let node = placed.chain.tree().map(BoxTree::root);
+        Self { node, around: placed.aabb() }
     }
 
     fn children(&self, placed: &Placed) -> Option<[Option<Self>; 2]> {
-        let tree = placed.polygon.tree()?;
+        let tree = placed.chain.tree()?;
         let (first, second) = tree.children(self.node?)?;
         let part = |node: Node| Self { node: Some(node), around: placed.around(tree.aabb(node)) };
         Some([Some(part(first)), second.map(part)])
     }
 
     fn edges(&self, placed: &Placed) -> Range<usize> {
-        match (self.node, placed.polygon.tree()) {
-            (Some(node), Some(tree)) => tree.edges(node),
-            _ => 0..placed.polygon.vertices().len(),
+        match (self.node, placed.chain.tree()) {
+            (Some(node), Some(tree)) => tree.items(node),
+            _ => 0..placed.chain.count(),
         }
     }
 }

@@ -1,10 +1,10 @@
 //! A simple polygon, convex or concave, closed and filled.
 
+use super::box_tree::Node;
+use super::chain::Chain;
 use super::crossing::find_crossing;
-use super::edge_tree::{EdgeTree, MOST_WITHOUT, Node};
 use super::{Aabb, Point, Segment, Vector, orientation};
 use serde::Serialize;
-use std::sync::{Arc, OnceLock};
 
 /// The smallest magnitude of a vertex coordinate other than 0, in metres.
 ///
@@ -34,20 +34,16 @@ pub enum PolygonFault {
 #[derive(Debug, Clone, Serialize)]
 #[serde(tag = "type", rename = "polygon")]
 pub struct Polygon {
-    vertices: Vec<Point>,
-    #[serde(skip)]
-    aabb: Aabb,
+    #[serde(rename = "vertices")]
+    border: Chain,
     #[serde(skip)]
     convex: bool,
-    /// Built by the first query; clones share it.
-    #[serde(skip)]
-    tree: OnceLock<Arc<EdgeTree>>,
 }
 
 /// Polygons are equal if their corners are, from the first on.
 impl PartialEq for Polygon {
     fn eq(&self, other: &Self) -> bool {
-        self.vertices == other.vertices
+        self.border == other.border
     }
 }
 
@@ -61,8 +57,7 @@ impl Polygon {
     /// # Complexity
     /// O(n log n) predicates for n points.
     pub fn new(points: &[Point]) -> Result<Self, PolygonFault> {
-        let is_exact = |x: f64| x == 0.0 || (MIN_MAGNITUDE..=MAX_MAGNITUDE).contains(&x.abs());
-        if let Some(i) = points.iter().position(|p| !is_exact(p.x) || !is_exact(p.y)) {
+        if let Some(i) = points.iter().position(|&p| !is_exact(p)) {
             return Err(PolygonFault::Magnitude(i));
         }
         let mut distinct: Vec<usize> = Vec::with_capacity(points.len());
@@ -96,8 +91,7 @@ impl Polygon {
 
     /// The polygon of these corners, known to be simple and counter-clockwise.
     pub(super) fn of(vertices: Vec<Point>, convex: bool) -> Self {
-        let aabb = Aabb::around(vertices.iter().copied()).expect("three vertices at least");
-        Self { vertices, aabb, convex, tree: OnceLock::new() }
+        Self { border: Chain::new(vertices, true), convex }
     }
 
     /// The polygon turned about the origin by `theta` and then moved by (x, y), for a pose (x, y, theta): the shape of a
@@ -106,28 +100,27 @@ impl Polygon {
     pub fn placed(&self, [x, y, theta]: [f64; 3]) -> Self {
         let (sin, cos) = libm::sincos(theta);
         let place = |p: &Point| Point::new(x + (cos * p.x - sin * p.y), y + (sin * p.x + cos * p.y));
-        Self::of(self.vertices.iter().map(place).collect(), self.convex)
+        Self::of(self.vertices().iter().map(place).collect(), self.convex)
     }
 
     /// The distance from the origin to the farthest vertex, in metres: the reach of a body from the origin of its frame.
     pub fn reach(&self) -> f64 {
-        self.vertices.iter().map(|p| p.coords.norm()).fold(0.0, f64::max)
+        self.vertices().iter().map(|p| p.coords.norm()).fold(0.0, f64::max)
     }
 
     /// The corners, counter-clockwise, each once.
     pub fn vertices(&self) -> &[Point] {
-        &self.vertices
+        self.border.points()
     }
 
     /// The edges, counter-clockwise, the first from vertex 0.
     pub fn edges(&self) -> impl Iterator<Item = Segment> + '_ {
-        let n = self.vertices.len();
-        (0..n).map(move |i| Segment::new(self.vertices[i], self.vertices[if i + 1 == n { 0 } else { i + 1 }]))
+        self.border.edges()
     }
 
     /// The smallest box around the polygon.
     pub fn aabb(&self) -> &Aabb {
-        &self.aabb
+        self.border.aabb()
     }
 
     /// Whether no corner turns to the right.
@@ -139,7 +132,9 @@ impl Polygon {
     /// polygon.
     pub fn support(&self, direction: Vector) -> f64 {
         let along = |p: &Point| direction.dot(&p.coords);
-        let Some(tree) = self.tree() else { return self.vertices.iter().map(along).fold(f64::NEG_INFINITY, f64::max) };
+        let Some(tree) = self.border.tree() else {
+            return self.vertices().iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+        };
         // Rounding keeps the order, so the product with the foremost corner of a box is no less than any in it.
         let bound = |node: Node| {
             let Aabb { min, max } = tree.aabb(node);
@@ -153,7 +148,7 @@ impl Polygon {
                 continue;
             }
             match tree.children(node) {
-                None => most = self.vertices[tree.edges(node)].iter().map(along).fold(most, f64::max),
+                None => most = self.vertices()[tree.items(node)].iter().map(along).fold(most, f64::max),
                 Some((first, second)) => {
                     let is_farther = |second| bound(first).total_cmp(&bound(second)).is_gt();
                     let children =
@@ -165,11 +160,15 @@ impl Polygon {
         most
     }
 
-    /// The tree of edges; `None` if there are so few that comparing all is faster.
-    pub(super) fn tree(&self) -> Option<&EdgeTree> {
-        (self.vertices.len() > MOST_WITHOUT)
-            .then(|| &**self.tree.get_or_init(|| Arc::new(EdgeTree::new(&self.vertices))))
+    /// The closed chain of corners.
+    pub(super) fn border(&self) -> &Chain {
+        &self.border
     }
+}
+
+/// Whether orientations of points with such coordinates are exact.
+pub(super) fn is_exact(p: Point) -> bool {
+    [p.x, p.y].iter().all(|&x| x == 0.0 || (MIN_MAGNITUDE..=MAX_MAGNITUDE).contains(&x.abs()))
 }
 
 /// The direction of a simple polygon, read exactly at its lowest, then leftmost corner.

@@ -9,6 +9,11 @@ impl Polygon {
         self.aabb().contains(p) && Placed::resting(self).contains(p)
     }
 
+    /// Whether the point lies inside, not on the border; exact. As [`Polygon::contains`].
+    pub fn contains_inside(&self, p: Point) -> bool {
+        self.aabb().contains(p) && Placed::resting(self).is_inside(p, &mut 0) == Some(true)
+    }
+
     /// Calls `visit` with every edge whose box meets the given one, and the number of the corner that it starts from,
     /// in order, until it returns true; returns whether it did. O(log n + edges visited) if the border is as usual.
     pub fn any_edge_near(&self, near: &Aabb, mut visit: impl FnMut(usize, &Segment) -> bool) -> bool {

@@ -1,6 +1,6 @@
 //! Boxes, discs and segments.
 
-use super::Point;
+use super::{Point, Vector};
 use serde::Serialize;
 
 /// A closed box with sides along the axes, in metres.
@@ -106,5 +106,13 @@ impl Segment {
     /// The smallest box around the segment.
     pub fn aabb(&self) -> Aabb {
         Aabb::of(self.a, self.b)
+    }
+
+    /// The unit normal to the right; the ends must differ. Scaled first: the squares of a very short segment would
+    /// underflow, and its normal would not be of unit length.
+    pub(crate) fn normal(&self) -> Vector {
+        let along = self.b - self.a;
+        let along = (along / along.amax()).normalize();
+        Vector::new(along.y, -along.x)
     }
 }

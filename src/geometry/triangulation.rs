@@ -1,6 +1,6 @@
 //! Triangulation of a simple polygon by ear clipping.
 
-use super::{Aabb, Point, Polygon, orientation};
+use super::{Aabb, Point, Polygon, orientation, select_number};
 
 /// Triangles between vertices of the polygon that cover it without overlap: three indices each, counter-clockwise, two fewer
 /// than there are vertices, none flat. Decided exactly.
@@ -49,36 +49,59 @@ pub fn triangles(polygon: &Polygon) -> Vec<[u32; 3]> {
     triangles
 }
 
-/// A set of numbers, a bit for each.
-struct Candidates(Vec<u64>);
+/// A set of numbers: a bit for each, on the next level one for each word that is not zero, and so on up to one word.
+struct Candidates(Vec<Vec<u64>>);
 
 impl Candidates {
     /// The numbers below `n`.
     fn all(n: u32) -> Self {
-        let mut words = vec![u64::MAX; n.div_ceil(64) as usize];
-        if let Some(last) = words.last_mut().filter(|_| !n.is_multiple_of(64)) {
-            *last = (1 << (n % 64)) - 1;
+        let mut levels = Vec::new();
+        let mut count = n as usize;
+        loop {
+            let mut words = vec![u64::MAX; count.div_ceil(64)];
+            if let Some(last) = words.last_mut().filter(|_| !count.is_multiple_of(64)) {
+                *last = (1 << (count % 64)) - 1;
+            }
+            count = words.len();
+            levels.push(words);
+            if count <= 1 {
+                return Self(levels);
+            }
         }
-        Self(words)
     }
 
     fn add(&mut self, number: u32) {
-        self.0[number as usize / 64] |= 1 << (number % 64);
+        let mut at = number as usize;
+        for words in &mut self.0 {
+            words[at / 64] |= 1 << (at % 64);
+            at /= 64;
+        }
     }
 
-    /// Takes the first number that is not below another out of the set.
+    /// Takes the first number that is not below another out of the set. O(log n).
     fn take_from(&mut self, number: u32) -> Option<u32> {
-        let first = number as usize / 64;
-        let mut mask = u64::MAX << (number % 64);
-        for (at, word) in self.0.iter_mut().enumerate().skip(first) {
-            let found = *word & mask;
-            if found != 0 {
-                *word ^= found & found.wrapping_neg();
-                return Some(at as u32 * 64 + found.trailing_zeros());
-            }
-            mask = u64::MAX;
+        let mut at = number as usize;
+        // Up to the first level whose word has a bit at that place or after it.
+        let found = self.0.iter().enumerate().find_map(|(level, words)| {
+            let bits = words.get(at / 64)? & (u64::MAX << (at % 64));
+            let first = at / 64 * 64 + bits.trailing_zeros() as usize;
+            // The word of this place is below it: the next level begins after that word.
+            at = at / 64 + 1;
+            (bits != 0).then_some((level, first))
+        });
+        let (level, mut at) = found?;
+        for words in self.0[..level].iter().rev() {
+            at = at * 64 + words[at].trailing_zeros() as usize;
         }
-        None
+        let taken = at as u32;
+        for words in &mut self.0 {
+            words[at / 64] &= !(1 << (at % 64));
+            if words[at / 64] != 0 {
+                break;
+            }
+            at /= 64;
+        }
+        Some(taken)
     }
 }
 
@@ -92,10 +115,11 @@ struct Tree {
 impl Tree {
     /// O(n log n).
     fn new(points: impl Iterator<Item = Point>) -> Self {
-        let mut points: Vec<Point> = points.collect();
+        let points: Vec<Point> = points.collect();
         let mut boxes: Vec<Aabb> = points.iter().map(|&p| Aabb::of(p, p)).collect();
-        split(&mut points, &mut boxes);
-        Self { points, boxes }
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        split(&mut order, &points, &mut boxes);
+        Self { points: order.into_iter().map(|i| points[i as usize]).collect(), boxes }
     }
 
     /// Whether a point other than the corners lies in the closed, counter-clockwise triangle.
@@ -128,16 +152,16 @@ impl Tree {
     }
 }
 
-/// Orders the points as a tree, and stores the box of every range.
-fn split(points: &mut [Point], boxes: &mut [Aabb]) {
-    let Some(aabb) = Aabb::around(points.iter().copied()) else { return };
+/// Orders the numbers of points as a tree, and stores the box of every range.
+fn split(order: &mut [u32], points: &[Point], boxes: &mut [Aabb]) {
+    let Some(aabb) = Aabb::around(order.iter().map(|&i| points[i as usize])) else { return };
     let is_wide = aabb.max.x - aabb.min.x > aabb.max.y - aabb.min.y;
-    let middle = points.len() / 2;
-    let along = |p: &Point| if is_wide { p.x } else { p.y };
-    points.select_nth_unstable_by(middle, |p, q| along(p).total_cmp(&along(q)));
+    let middle = order.len() / 2;
+    let along = |i: usize| if is_wide { points[i].x } else { points[i].y };
+    select_number(order, middle, &|i, j| along(i).total_cmp(&along(j)).then(i.cmp(&j)));
     boxes[middle] = aabb;
-    let (low, high) = points.split_at_mut(middle);
+    let (low, high) = order.split_at_mut(middle);
     let (low_boxes, high_boxes) = boxes.split_at_mut(middle);
-    split(low, low_boxes);
-    split(&mut high[1..], &mut high_boxes[1..]);
+    split(low, points, low_boxes);
+    split(&mut high[1..], points, &mut high_boxes[1..]);
 }

@@ -17,6 +17,12 @@ pub fn jacobian(arm: &Arm, q: &[f64]) -> [[f64; MAX_LINKS]; 2] {
     [x, y]
 }
 
+/// The speed of the tip at `q` where the coordinates change at these rates, in metres per second. O(links).
+pub fn tip_speed(arm: &Arm, q: &[f64], rates: &[f64]) -> f64 {
+    let [x, y] = jacobian(arm, q).map(|row| row.iter().zip(rates).map(|(entry, rate)| entry * rate).sum::<f64>());
+    libm::hypot(x, y)
+}
+
 /// The singular values of the Jacobian of the tip's position at `q`, the larger first, in metres per radian, a metre of a
 /// prismatic joint counted as a radian.
 pub fn singular_values(arm: &Arm, q: &[f64]) -> [f64; 2] {

@@ -18,7 +18,7 @@ mod task;
 
 pub use crate::robot::Target;
 pub use follow::{Followed, follow};
-pub use kinematics::{jacobian, manipulability, orientation, singular_values};
+pub use kinematics::{jacobian, manipulability, orientation, singular_values, tip_speed};
 pub use methods::{
     ClosedFormOptions, Finding, IterativeOptions, MethodId, MethodOptions, SolverOptions, Starting, Stopping, arm_of,
     methods,

@@ -11,10 +11,9 @@ mod write;
 
 pub(crate) use document::{objects, one_format, read_document};
 pub use tree::parse;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "bindings"))]
 pub(crate) use tree::{Unread, in_javascript, read_tree};
-pub(crate) use typed::by_type;
-pub use typed::{not_negative, read, some_not_negative};
+pub use typed::{by_type, not_negative, read, some_not_negative};
 pub(crate) use write::finite_tree;
 pub use write::to_string;
 

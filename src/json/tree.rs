@@ -7,7 +7,7 @@ use serde_json::map::Entry;
 use serde_json::{Map, Value};
 use std::fmt;
 
-/// Reads JSON text. O(n log n) in its length.
+/// Reads JSON text; a byte order mark before it is skipped, as RFC 8259 (section 8.1) allows. O(n log n) in its length.
 ///
 /// # Errors
 /// `too-large` for text longer than [`MAX_TEXT`]; `duplicate-field` for a field that occurs twice in one object; `invalid-json`
@@ -18,6 +18,7 @@ pub fn parse(text: &str) -> Result<Value, Error> {
         let sentence = format!("the text is {} bytes long; at most {MAX_TEXT} are read", text.len());
         return Err(Error::new(Code::TooLarge, "", sentence));
     }
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut source = serde_json::Deserializer::from_str(text);
     let tree = read_tree(&mut source).and_then(|tree| {
         source.end().map(|()| tree).map_err(|source| Unread { refusal: None, pointer: String::new(), source })

@@ -340,6 +340,8 @@ impl<'de> MapAccess<'de> for Fields<'de> {
 
 /// Derives `Deserialize` for an enum whose variants hold a struct each and are distinguished by the field `type`. A derived
 /// internally tagged enum would lose the path of an error; this one is only for [`read`], which has `type` come first.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! by_type {
     ($name:ident { $($word:literal => $variant:ident),+ $(,)? }) => {
         impl<'de> serde::Deserialize<'de> for $name {
@@ -372,4 +374,4 @@ macro_rules! by_type {
         }
     };
 }
-pub(crate) use by_type;
+pub use by_type;

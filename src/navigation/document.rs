@@ -254,7 +254,7 @@ impl Navigation {
         within("/margin", "a margin", margin, 0.0..=1e6)?;
         let robot = Robot::Disc(crate::robot::DiscRobot::new(self.robot().reach() + margin)?);
         let queries = self.queries().iter().map(query).collect();
-        Ok(Parts { name: self.name().to_owned(), title: None, world: self.world().clone(), robot, queries }.into())
+        Ok(Parts::new(self.name().to_owned(), None, self.world().clone(), robot, queries).into())
     }
 
     /// The distance that each ray of the sensor measures at a configuration, from right to left, in metres and without noise.

@@ -43,23 +43,41 @@ enum Shape {
     Polygon(BodyCollision),
 }
 
-/// The edges and discs that may be near the robot, gathered again for each time step.
+/// The edges, discs and segments of walls that may be near the robot, gathered again for each time step.
 #[derive(Default)]
 struct Near {
+    /// What is on their left is obstacle.
     edges: Vec<Segment>,
     discs: Vec<Disc>,
+    /// With half their width.
+    walls: Vec<(Segment, f64)>,
 }
 
 impl Near {
     fn gather(&mut self, obstacles: &Obstacles, around: &Aabb) {
         self.edges.clear();
         self.discs.clear();
+        self.walls.clear();
         obstacles.any_near(around, |i| {
             match obstacles.shape(i) {
                 Obstacle::Disc(disc) => self.discs.push(*disc),
                 Obstacle::Polygon(polygon) => {
                     polygon.any_edge_near(around, |_, edge| {
                         self.edges.push(*edge);
+                        false
+                    });
+                }
+                Obstacle::PolygonWithHoles(polygon) => {
+                    for (k, ring) in polygon.rings().enumerate() {
+                        ring.any_edge_near(around, |_, edge| {
+                            self.edges.push(if k == 0 { *edge } else { Segment::new(edge.b, edge.a) });
+                            false
+                        });
+                    }
+                }
+                Obstacle::Wall(wall) => {
+                    wall.any_segment_near(&around.grown(wall.radius()), |segment| {
+                        self.walls.push((*segment, wall.radius()));
                         false
                     });
                 }
@@ -72,37 +90,50 @@ impl Near {
     fn distance(&self, p: Point) -> f64 {
         let edges = self.edges.iter().map(|edge| distance_point_segment(p, edge));
         let discs = self.discs.iter().map(|disc| (p - disc.center).norm() - disc.radius);
-        edges.chain(discs).fold(f64::INFINITY, f64::min)
+        let walls = self.walls.iter().map(|(segment, radius)| distance_point_segment(p, segment) - radius);
+        edges.chain(discs).chain(walls).fold(f64::INFINITY, f64::min)
     }
 
     /// The distance from a segment, of which a point is outside all obstacles, to the nearest one; 0 or less if it meets one.
     fn distance_from(&self, s: &Segment) -> f64 {
         let edges = self.edges.iter().map(|edge| distance_segment_segment(s, edge));
         let discs = self.discs.iter().map(|disc| distance_point_segment(disc.center, s) - disc.radius);
-        edges.chain(discs).fold(f64::INFINITY, f64::min)
+        let walls = self.walls.iter().map(|(segment, radius)| distance_segment_segment(s, segment) - radius);
+        edges.chain(discs).chain(walls).fold(f64::INFINITY, f64::min)
     }
 
-    /// The distance along a ray, of unit direction, to the first edge or disc that it meets; `range` if it meets none before.
+    /// The distance along a ray, of unit direction, to the first edge, disc or wall that it meets; `range` if it meets none
+    /// before.
     fn cast(&self, from: Point, direction: Vector, range: f64) -> f64 {
         let mut least = range;
-        for edge in &self.edges {
+        let edge = |least: f64, edge: &Segment| {
             let (along, to) = (edge.b - edge.a, edge.a - from);
             let cross = direction.perp(&along);
-            // With a positive cross product the ray leaves a polygon, whose corners are counter-clockwise.
+            // With a positive cross product the ray leaves what is on the left.
             if cross >= 0.0 {
-                continue;
+                return least;
             }
             let (t, s) = (to.perp(&along) / cross, to.perp(&direction) / cross);
-            if t >= 0.0 && t < least && (0.0..=1.0).contains(&s) {
-                least = t;
-            }
-        }
-        for disc in &self.discs {
-            let to = disc.center - from;
+            if t >= 0.0 && t < least && (0.0..=1.0).contains(&s) { t } else { least }
+        };
+        let disc = |least: f64, center: Point, radius: f64| {
+            let to = center - from;
             let (middle, off) = (to.dot(&direction), to.perp(&direction));
-            let squared = disc.radius * disc.radius - off * off;
-            if squared >= 0.0 && middle >= 0.0 {
-                least = least.min((middle - squared.sqrt()).max(0.0));
+            let squared = radius * radius - off * off;
+            if squared >= 0.0 && middle >= 0.0 { least.min((middle - squared.sqrt()).max(0.0)) } else { least }
+        };
+        for one in &self.edges {
+            least = edge(least, one);
+        }
+        for one in &self.discs {
+            least = disc(least, one.center, one.radius);
+        }
+        for &(Segment { a, b }, radius) in &self.walls {
+            let aside = radius * Segment::new(a, b).normal();
+            least = edge(least, &Segment::new(a + aside, b + aside));
+            least = edge(least, &Segment::new(b - aside, a - aside));
+            if radius > 0.0 {
+                least = disc(disc(least, a, radius), b, radius);
             }
         }
         least

@@ -8,7 +8,7 @@ use crate::robot::{Cargo, CargoLimits, CargoState, DifferentialDrive, Footprint,
 use crate::scenario::MAX_VERTICES;
 use crate::scenario::document;
 use crate::scenario::number::{Coordinate, NonNegative, Positive, Speed};
-use crate::scenario::validate::checked_polygon;
+use crate::scenario::obstacle::checked_polygon;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -110,10 +110,10 @@ pub fn optimum(
         let ends = [start, goal].map(|q| Point::new(q[0], q[1]));
         let bounds = *world.bounds();
         let shortest =
-            tangent_graph::shortest(world.scenario().world(), bounds, disc.radius(), ends).map_err(at_query)?;
+            tangent_graph::shortest(world.scenario().world(), bounds, disc.kept_radius(), ends).map_err(at_query)?;
         let (length, points) = shortest.unzip();
         let path = points.unwrap_or_default().iter().map(|p| vec![p.x, p.y]).collect();
-        let slack = Some(tangent_graph::larger(world.scenario().world(), &bounds, disc.radius()));
+        let slack = Some(tangent_graph::larger(world.scenario().world(), &bounds, disc.kept_radius()));
         return Ok(Optimum { slack, ..found(Method::TangentGraph, length, path) });
     }
     let path = grid::reference(&problem).unwrap_or_default();

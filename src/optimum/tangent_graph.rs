@@ -1,4 +1,4 @@
-//! The shortest path of a disc, or of a point, among polygons and discs: exact.
+//! The shortest path of a disc, or of a point, among polygons, walls and discs: exact.
 //!
 //! The centre of a disc moves as a point among obstacles that are larger by its radius (Lozano-Perez and Wesley 1979, "An
 //! algorithm for planning collision-free paths among polyhedral obstacles"). Their corners are arcs, so a shortest path consists
@@ -30,7 +30,7 @@ const LARGER: f64 = 1.0 / 16.0;
 /// The part of it that covers rounding: some 70 units in the last place of the largest coordinate.
 const ROUNDING: f64 = 0.25;
 
-/// Convex corners and discs at most: every two of them are compared, which takes seconds.
+/// Convex corners, points of walls and discs at most: every two of them are compared, which takes seconds.
 const MOST: usize = 4000;
 
 /// Free tangents at most: they and what is made of them take a quarter of a gigabyte.
@@ -58,7 +58,7 @@ impl Grown {
         is_within(segment.a) && is_within(segment.b) && !self.obstacles.any_near(&segment.aabb().grown(radius), touches)
     }
 
-    /// The circles at the convex corners of all polygons and around all discs.
+    /// The circles at the convex corners of all polygons, at all points of walls and around all discs.
     fn circles(&self, shapes: &[Obstacle]) -> Vec<Circle> {
         let radius = self.radius + self.larger;
         let mut circles = Vec::new();
@@ -68,14 +68,21 @@ impl Grown {
                     let disc = Disc { radius: disc.radius + radius, ..*disc };
                     circles.push(Circle { disc, normals: None });
                 }
-                Obstacle::Polygon(polygon) => {
-                    let edges: Vec<Segment> = polygon.edges().collect();
-                    let before = edges.iter().cycle().skip(edges.len() - 1);
-                    let corners = before.zip(&edges).filter(|(to, from)| orientation(to.a, from.a, from.b) > 0.0);
-                    circles.extend(corners.map(|(to, from)| Circle {
-                        disc: Disc { center: from.a, radius },
-                        normals: Some([normal(to), normal(from)]),
-                    }));
+                Obstacle::Polygon(polygon) => circles.extend(corners(polygon.edges().collect(), radius)),
+                Obstacle::PolygonWithHoles(polygon) => {
+                    circles.extend(corners(polygon.outline().edges().collect(), radius));
+                    // The polygon is on the other side of the border of a hole.
+                    for hole in polygon.holes() {
+                        let reversed = |edge: Segment| Segment::new(edge.b, edge.a);
+                        let mut edges: Vec<Segment> = hole.edges().map(reversed).collect();
+                        edges.reverse();
+                        circles.extend(corners(edges, radius));
+                    }
+                }
+                Obstacle::Wall(wall) => {
+                    let radius = radius + wall.radius();
+                    let circle = |&center: &Point| Circle { disc: Disc { center, radius }, normals: None };
+                    circles.extend(wall.points().iter().map(circle));
                 }
             }
         }
@@ -100,14 +107,10 @@ impl Grown {
                     let disc = Disc { radius: disc.radius + radius, ..*disc };
                     crossings_disc(circle, &disc, &mut found);
                 }
-                Obstacle::Polygon(polygon) => {
-                    polygon.any_edge_near(&near, |_, edge| {
-                        crossings_disc(circle, &Disc { center: edge.a, radius }, &mut found);
-                        crossings_disc(circle, &Disc { center: edge.b, radius }, &mut found);
-                        let normal = normal(edge);
-                        let height = normal.dot(&edge.a.coords);
-                        crossings_line(circle, &normal, height + radius, &mut found);
-                        crossings_line(circle, &normal, height - radius, &mut found);
+                shape => {
+                    let beyond = shape.edge_radius();
+                    shape.any_edge_near(&near.grown(beyond), |edge| {
+                        crossings_edge(circle, edge, radius + beyond, &mut found);
                         false
                     });
                 }
@@ -118,11 +121,25 @@ impl Grown {
     }
 }
 
-/// The unit normal to the right of an edge. Scaled first, so that squares of a very short edge do not underflow.
-fn normal(edge: &Segment) -> Vector {
-    let along = edge.b - edge.a;
-    let along = (along / along.amax()).normalize();
-    Vector::new(along.y, -along.x)
+/// The circles at the convex corners of a closed chain of edges, with the inside on their left.
+fn corners(edges: Vec<Segment>, radius: f64) -> Vec<Circle> {
+    let before = edges.iter().cycle().skip(edges.len() - 1);
+    let corners = before.zip(&edges).filter(|(to, from)| orientation(to.a, from.a, from.b) > 0.0);
+    let circle = |(to, from): (&Segment, &Segment)| Circle {
+        disc: Disc { center: from.a, radius },
+        normals: Some([to.normal(), from.normal()]),
+    };
+    corners.map(circle).collect()
+}
+
+/// The angles at which the circle may cross the border of all within a distance of an edge.
+fn crossings_edge(circle: &Disc, edge: &Segment, radius: f64, found: &mut Vec<f64>) {
+    crossings_disc(circle, &Disc { center: edge.a, radius }, found);
+    crossings_disc(circle, &Disc { center: edge.b, radius }, found);
+    let normal = edge.normal();
+    let height = normal.dot(&edge.a.coords);
+    crossings_line(circle, &normal, height + radius, found);
+    crossings_line(circle, &normal, height - radius, found);
 }
 
 /// An end of a tangent on its circle.
@@ -152,7 +169,9 @@ impl TangentGraph {
         circles.extend(grown.circles(shapes));
         let count = circles.len() - 2;
         if count > MOST {
-            let sentence = format!("the obstacles have {count} convex corners and discs; at most {MOST} are compared");
+            let sentence = format!(
+                "the obstacles have {count} convex corners, points of walls and discs; at most {MOST} are compared"
+            );
             return Err(Error::new(Code::TooLarge, "", sentence));
         }
         let mut graph = Self { circles, larger: grown.larger, ends: Vec::new(), edges: Vec::new() };

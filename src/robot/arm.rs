@@ -1,7 +1,7 @@
 //! A planar arm: a chain of capsules from a fixed base, each link turning or sliding against the one before.
 
 use super::Part;
-use super::range::{LARGEST, check_limits, check_positive, check_range, check_size};
+use super::range::{LARGEST, check_limits, check_positive, check_range, check_size, checked_margin};
 use crate::error::{Code, Error, Number};
 use crate::geometry::Point;
 use serde::ser::SerializeStruct;
@@ -99,6 +99,7 @@ pub struct Arm {
     joints: Vec<Joint>,
     /// The range of each joint, if all have one.
     limits: Option<Vec<[f64; 2]>>,
+    margin: f64,
 }
 
 impl Arm {
@@ -184,7 +185,15 @@ impl Arm {
             }
         }
         let limits = joints.iter().map(Joint::range).collect();
-        Self { base: Point::new(base.x + 0.0, base.y + 0.0), links, radius: radius + 0.0, joints, limits }
+        Self { base: Point::new(base.x + 0.0, base.y + 0.0), links, radius: radius + 0.0, joints, limits, margin: 0.0 }
+    }
+
+    /// The same, to be planned for as if it were larger by this margin on all sides, in metres.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range` (pointer `/margin`) if the margin is not a finite number from 0 to 1e6.
+    pub fn with_margin(self, margin: f64) -> Result<Self, Error> {
+        Ok(Self { margin: checked_margin(margin)?, ..self })
     }
 
     /// The position of the base, in metres.
@@ -202,9 +211,24 @@ impl Arm {
         self.radius
     }
 
+    /// By how much it is planned for as larger, in metres.
+    pub fn margin(&self) -> f64 {
+        self.margin
+    }
+
+    /// The distance from the axes of the links that is kept free: radius and margin, in metres.
+    pub fn kept_radius(&self) -> f64 {
+        self.radius + self.margin
+    }
+
     /// How each link moves against the one before, from the base outwards.
     pub fn joint_types(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// Which joints are circles: revolute without limits.
+    pub(crate) fn circles(&self) -> Vec<bool> {
+        self.joints.iter().map(|joint| joint.range().is_none()).collect()
     }
 
     /// The range (low, high) of each joint, in radians, or metres of prismatic ones, if every joint has one; `None` if a joint
@@ -298,6 +322,9 @@ impl Serialize for Arm {
             Some(limits) if !self.has_prismatic_joint() => object.serialize_field("joint_limits", limits)?,
             _ if self.joints.iter().all(|joint| *joint == Joint::CIRCLE) => (),
             _ => object.serialize_field("joints", &self.joints)?,
+        }
+        if self.margin > 0.0 {
+            object.serialize_field("margin", &self.margin)?;
         }
         object.end()
     }

@@ -4,7 +4,7 @@
 //! rear axle in its middle, as in the course reports. LaValle 2006, "Planning Algorithms", section 13.1.2.
 
 use super::Weights;
-use super::range::{LARGEST, check_limits, check_positive};
+use super::range::{LARGEST, check_limits, check_positive, checked_margin, is_zero};
 use crate::error::Error;
 use crate::geometry::Polygon;
 use serde::Serialize;
@@ -25,6 +25,8 @@ pub struct Car {
     integration_step: f64,
     #[serde(rename = "metric")]
     weights: Weights,
+    #[serde(skip_serializing_if = "is_zero")]
+    margin: f64,
 }
 
 impl Car {
@@ -46,7 +48,15 @@ impl Car {
         check_limits("/speed", "a speed", speed, LARGEST)?;
         check_limits("/steering", "a steering angle", steering, STEEPEST)?;
         check_positive("/integration_step", "the step of integration", integration_step, LONGEST_STEP)?;
-        Ok(Self { shape, wheelbase, speed, steering, integration_step, weights })
+        Ok(Self { shape, wheelbase, speed, steering, integration_step, weights, margin: 0.0 })
+    }
+
+    /// The same, to be planned for as if it were larger by this margin on all sides, in metres.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range` (pointer `/margin`) if the margin is not a finite number from 0 to 1e6.
+    pub fn with_margin(self, margin: f64) -> Result<Self, Error> {
+        Ok(Self { margin: checked_margin(margin)?, ..self })
     }
 
     /// The shape in its own frame, in metres; x is forward.
@@ -77,6 +87,11 @@ impl Car {
     /// The weights of the metric.
     pub fn weights(&self) -> Weights {
         self.weights
+    }
+
+    /// By how much it is planned for as larger, in metres.
+    pub fn margin(&self) -> f64 {
+        self.margin
     }
 
     /// The turn rate of the car under the control, in radians per second: v tan(phi) / L.

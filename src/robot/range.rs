@@ -12,6 +12,17 @@ pub(crate) fn check_range(pointer: &str, what: &str, value: f64, low: f64) -> Re
     check(pointer, what, value, (low..=LARGEST).contains(&value), &range)
 }
 
+/// The margin of a robot, if it is finite and within [0, 1e6].
+pub(super) fn checked_margin(margin: f64) -> Result<f64, Error> {
+    check_range("/margin", "a margin", margin, 0.0)?;
+    Ok(margin + 0.0)
+}
+
+/// Whether a margin need not be written.
+pub(super) fn is_zero(margin: &f64) -> bool {
+    *margin == 0.0
+}
+
 /// Returns an error unless the value is finite and within (0, most].
 pub(super) fn check_positive(pointer: &str, what: &str, value: f64, most: f64) -> Result<(), Error> {
     let range = format!("be greater than 0 and at most {}", Number(most));

@@ -191,6 +191,7 @@ impl<'a> Setup<'a> {
             scenario: scenario.name().to_owned(),
             query: query.name.clone(),
             measure: Some(LengthMeasure::of(scenario.robot(), metric)),
+            margin: scenario.robot().margin(),
             ..info
         };
         let query = (index, query);

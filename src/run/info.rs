@@ -29,6 +29,8 @@ pub(super) struct RunInfo {
     pub edge_check: EdgeCheck,
     /// What lengths measure; `None` if that is not known.
     pub measure: Option<LengthMeasure>,
+    /// The margin of the robot, in metres; 0 if it has none.
+    pub margin: f64,
     /// The start, if it was moved out of a collision, and the goals that were.
     pub moved_start: Option<Vec<f64>>,
     pub moved_goals: Vec<Vec<f64>>,

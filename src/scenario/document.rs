@@ -2,7 +2,8 @@
 //! the ranges of numbers. [`validate`](super::validate) checks the remaining rules.
 
 use super::number::{
-    AngleOrCoordinate, Coordinate, JointAngle, JointLimit, NonNegative, Positive, Speed, SteeringAngle, Step,
+    AngleOrCoordinate, Coordinate, JointAngle, JointLimit, MapCoordinate, MapScale, Margin, NonNegative, Positive,
+    Speed, SteeringAngle, Step, Width,
 };
 use crate::json::{by_type, objects, one_format};
 #[cfg(feature = "schema")]
@@ -25,6 +26,9 @@ objects! {
         /// The title for people.
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         pub title: Option<String>,
+        /// The way to the coordinates of the map that the world was read from. No planner reads it; absent if they are the same.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub frame: Option<MapFrame>,
         /// The bounds and obstacles.
         pub world: World,
         /// The robot.
@@ -33,13 +37,35 @@ objects! {
         pub queries: Vec<Query>,
     }
 
+    /// The way to the coordinates of a map: `offset` was subtracted from its metres.
+    pub(crate) struct MapFrame {
+        /// What was subtracted from every coordinate of the map, in metres.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
+        pub offset: [MapCoordinate; 2],
+        /// Of a map whose coordinates are not metres, the way to them.
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub plane: Option<MapPlane>,
+    }
+
+    /// Metres are coordinates of the map less `origin`, times `scale`, for each axis.
+    pub(crate) struct MapPlane {
+        /// What is subtracted from coordinates of the map.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
+        pub origin: [MapCoordinate; 2],
+        /// Metres per unit of the map.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Point"))]
+        pub scale: [MapScale; 2],
+        /// Whether coordinates of the map are longitude and latitude, in degrees.
+        pub degrees: bool,
+    }
+
     /// Bounds and obstacles. Only an arm needs no bounds.
     pub(crate) struct World {
         /// The closed box that the whole robot stays in; it may touch it. Required for all but an arm.
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Box"))]
         pub bounds: Option<Bounds>,
-        /// Closed, filled obstacles: touching one is collision. All polygons together have at most 100000 vertices.
-        #[cfg_attr(feature = "schema", schemars(length(max = 10000)))]
+        /// Closed obstacles: touching one is collision. All polygons, holes and walls together have at most 1000000 vertices.
+        #[cfg_attr(feature = "schema", schemars(length(max = 100000)))]
         pub obstacles: Vec<Obstacle>,
     }
 
@@ -57,6 +83,35 @@ objects! {
         pub center: Point,
         /// The radius in metres.
         pub radius: Positive,
+    }
+
+    pub(crate) struct Wall {
+        /// The points that the wall joins by straight segments, in order; at least two differ. It may cross itself. As for
+        /// vertices of polygons, a coordinate is 0 or at least 1e-140 in magnitude.
+        #[cfg_attr(feature = "schema", schemars(length(min = 2)))]
+        pub points: Vec<Point>,
+        /// The width in metres: the wall is all within half of it from the segments, with round ends and joints. 0 makes it a
+        /// line.
+        pub width: Width,
+        /// Whether the last point is joined to the first. What a closed wall encloses is free.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub closed: bool,
+    }
+
+    #[cfg_attr(feature = "schema", schemars(rename = "PolygonObstacle"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(rename = "PolygonObstacle"))]
+    pub(crate) struct PolygonObstacle {
+        /// The corners in order; at least three differ, edges do not touch or cross. A coordinate is 0 or at least 1e-140 in
+        /// magnitude: for smaller ones orientations cannot be computed exactly.
+        #[cfg_attr(feature = "schema", schemars(length(min = 3)))]
+        pub vertices: Vec<Point>,
+        /// The holes, each a simple polygon within the outline, in either direction, open or closed: the inside of a hole is
+        /// free. Holes lie outside each other; rings may touch in single points.
+        #[serde(default)]
+        #[cfg_attr(feature = "schema", schemars(inner(length(min = 3))))]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub holes: Vec<Vec<Point>>,
     }
 
     pub(crate) struct Polygon {
@@ -85,6 +140,10 @@ objects! {
         #[cfg_attr(feature = "schema", schemars(length(min = 1, max = 8), with = "Option<Vec<JointOrWord>>"))]
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "(\"revolute\" | Joint)[]"))]
         pub joints: Option<Vec<Value>>,
+        /// By how much the robot is planned for as larger on all sides, in metres; 0 by default.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub margin: Margin,
     }
 
     /// A joint that turns: its coordinate is the angle of its link to the link before, in radians.
@@ -112,6 +171,10 @@ objects! {
         /// The metric of placements.
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Weights"))]
         pub metric: Option<Metric>,
+        /// By how much the robot is planned for as larger on all sides, in metres; 0 by default.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub margin: Margin,
     }
 
     pub(crate) struct Car {
@@ -129,12 +192,20 @@ objects! {
         /// The metric of placements.
         #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Weights"))]
         pub metric: Option<Metric>,
+        /// By how much the robot is planned for as larger on all sides, in metres; 0 by default.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub margin: Margin,
     }
 
     #[cfg_attr(feature = "schema", schemars(rename = "DiscRobot"))]
     pub(crate) struct DiscRobot {
         /// The radius in metres; 0 makes it a point.
         pub radius: NonNegative,
+        /// By how much the robot is planned for as larger on all sides, in metres; 0 by default.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        pub margin: Margin,
     }
 
     /// The weights of a metre and a radian in the distance between two placements; 0.7 and 0.3 by default.
@@ -203,17 +274,19 @@ one_format!(pub(crate) enum Format = "planarium-scenario-1");
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub(crate) struct Point(pub Coordinate, pub Coordinate);
 
-/// A closed, filled obstacle.
+/// A closed obstacle.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(tag = "type", rename_all = "snake_case"))]
 pub(crate) enum Obstacle {
     /// A disc.
     Disc(Disc),
-    /// A simple polygon, convex or concave, in either direction, open or closed.
-    Polygon(Polygon),
+    /// A simple polygon, convex or concave, in either direction, open or closed, with or without holes.
+    Polygon(PolygonObstacle),
+    /// A polyline or a ring with a width.
+    Wall(Wall),
 }
 
-by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon });
+by_type!(Obstacle { "disc" => Disc, "polygon" => Polygon, "wall" => Wall });
 
 /// The robot.
 #[cfg_attr(feature = "schema", derive(JsonSchema), schemars(tag = "type", rename_all = "snake_case"))]

@@ -1,7 +1,8 @@
 //! A checked scenario and its parts.
 
+use super::{MapFrame, Obstacle};
 use crate::error::{Code, Error, quoted};
-use crate::geometry::{Aabb, Disc, Placed, Point, Polygon, Segment, distance_point_segment};
+use crate::geometry::{Aabb, Polygon};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Part, RigidBody, Target, Weights};
 use serde::Serialize;
@@ -12,15 +13,24 @@ use std::sync::Arc;
 pub struct Scenario(pub(super) Arc<Parts>);
 
 /// The parts of a scenario, as its document has them.
-#[derive(Debug, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "format", rename = "planarium-scenario-1")]
 pub(crate) struct Parts {
     pub(crate) name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) title: Option<String>,
+    #[serde(skip_serializing_if = "MapFrame::is_same")]
+    pub(crate) frame: MapFrame,
     pub(crate) world: World,
     pub(crate) robot: Robot,
     pub(crate) queries: Vec<Query>,
+}
+
+impl Parts {
+    /// Those of a scenario that comes from no map.
+    pub(crate) fn new(name: String, title: Option<String>, world: World, robot: Robot, queries: Vec<Query>) -> Self {
+        Self { name, title, frame: MapFrame::default(), world, robot, queries }
+    }
 }
 
 impl From<Parts> for Scenario {
@@ -38,6 +48,17 @@ impl Scenario {
     /// The title for people; the name if there is none.
     pub fn title(&self) -> &str {
         self.0.title.as_deref().unwrap_or(self.name())
+    }
+
+    /// The way to the coordinates of the map that the world was read from.
+    pub fn frame(&self) -> &MapFrame {
+        &self.0.frame
+    }
+
+    /// The same scenario as one that was read from a map with this frame.
+    #[must_use]
+    pub fn in_frame(self, frame: MapFrame) -> Self {
+        Parts { frame, ..Arc::unwrap_or_clone(self.0) }.into()
     }
 
     /// Bounds and obstacles.
@@ -65,8 +86,8 @@ impl Scenario {
     }
 
     /// The normalised document as text, on one line: fields in a fixed order, defaults written out, polygons
-    /// open, counter-clockwise and without repeated vertices. It reads back as an equal scenario; equal scenarios give
-    /// equal text, on every platform.
+    /// open, counter-clockwise, their holes clockwise, and without repeated vertices. It reads back as an equal scenario; equal
+    /// scenarios give equal text, on every platform.
     pub fn to_json_string(&self) -> String {
         json::to_string(self)
     }
@@ -99,7 +120,7 @@ pub struct World {
     /// The closed box that the whole robot stays in; absent for an arm only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bounds: Option<Aabb>,
-    /// Closed, filled obstacles; clones share them.
+    /// Closed obstacles; clones share them.
     pub obstacles: Arc<[Obstacle]>,
 }
 
@@ -107,64 +128,6 @@ impl World {
     /// The obstacles within bounds; only an arm needs none.
     pub fn new(bounds: Option<Aabb>, obstacles: impl IntoIterator<Item = Obstacle>) -> Self {
         Self { bounds, obstacles: obstacles.into_iter().collect() }
-    }
-}
-
-/// A closed, filled obstacle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Obstacle {
-    /// A disc of positive radius.
-    Disc(Disc),
-    /// A simple polygon, convex or concave.
-    Polygon(Polygon),
-}
-
-impl From<Polygon> for Obstacle {
-    fn from(polygon: Polygon) -> Self {
-        Self::Polygon(polygon)
-    }
-}
-
-impl Obstacle {
-    /// A disc: centre and radius in metres.
-    pub fn disc(center: Point, radius: f64) -> Self {
-        Self::Disc(Disc { center, radius })
-    }
-
-    /// The smallest box around the obstacle.
-    pub fn aabb(&self) -> Aabb {
-        match self {
-            Obstacle::Disc(disc) => disc.aabb(),
-            Obstacle::Polygon(polygon) => *polygon.aabb(),
-        }
-    }
-
-    /// The distance from the segment to the obstacle, in metres; 0 or less if they share a point.
-    pub fn distance_to_segment(&self, segment: &Segment) -> f64 {
-        self.distance_to_segment_within(segment, f64::INFINITY)
-    }
-
-    /// The same; if it is `most` or more, that distance or infinity.
-    pub fn distance_to_segment_within(&self, segment: &Segment, most: f64) -> f64 {
-        match self {
-            Obstacle::Disc(disc) => distance_point_segment(disc.center, segment) - disc.radius,
-            Obstacle::Polygon(polygon) => Placed::resting(polygon).distance_to_segment(segment, most, &mut 0),
-        }
-    }
-
-    /// The distance from the polygon to the obstacle, in metres; 0 or less if they share a point.
-    pub fn distance_to_polygon(&self, other: &Polygon) -> f64 {
-        self.distance_to_polygon_within(other, f64::INFINITY)
-    }
-
-    /// The same; if it is `most` or more, that distance or infinity.
-    pub fn distance_to_polygon_within(&self, other: &Polygon, most: f64) -> f64 {
-        let other = Placed::resting(other);
-        match self {
-            Obstacle::Disc(disc) => other.distance_to_point(disc.center, most + disc.radius, &mut 0) - disc.radius,
-            Obstacle::Polygon(polygon) => other.distance(&Placed::resting(polygon), most, &mut 0),
-        }
     }
 }
 
@@ -207,12 +170,44 @@ impl Robot {
         }
     }
 
+    /// Which coordinates of a configuration are circles.
+    pub(crate) fn circles(&self) -> Vec<bool> {
+        match self {
+            Robot::Arm(arm) => arm.circles(),
+            Robot::Disc(_) => vec![false; 2],
+            Robot::RigidBody(_) | Robot::Car(_) => vec![false, false, true],
+        }
+    }
+
     /// The word for its type in documents.
     pub fn kind(&self) -> &'static str {
         self.into()
     }
 
-    /// The parts of the robot at `q`.
+    /// By how much the robot is planned for as larger on all sides, in metres.
+    pub fn margin(&self) -> f64 {
+        match self {
+            Robot::Arm(arm) => arm.margin(),
+            Robot::Disc(disc) => disc.margin(),
+            Robot::RigidBody(body) => body.margin(),
+            Robot::Car(car) => car.margin(),
+        }
+    }
+
+    /// The same, to be planned for as if it were larger by this margin on all sides, in metres.
+    ///
+    /// # Errors
+    /// `not-finite` or `out-of-range` (pointer `/margin`) if the margin is not a finite number from 0 to 1e6.
+    pub fn with_margin(self, margin: f64) -> Result<Self, Error> {
+        Ok(match self {
+            Robot::Arm(arm) => Robot::Arm(arm.with_margin(margin)?),
+            Robot::Disc(disc) => Robot::Disc(disc.with_margin(margin)?),
+            Robot::RigidBody(body) => Robot::RigidBody(body.with_margin(margin)?),
+            Robot::Car(car) => Robot::Car(car.with_margin(margin)?),
+        })
+    }
+
+    /// The parts of the robot at `q`, without its margin.
     ///
     /// # Panics
     /// If `q` has fewer entries than [`Robot::dimension`].

@@ -2,9 +2,12 @@
 
 use super::document::{self, Document};
 use super::number::{AngleOrCoordinate, NonNegative};
-use super::{FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, Obstacle, Parts, Query, Robot, Scenario, World};
+use super::obstacle::{checked_obstacle, checked_polygon, point};
+use super::{
+    FORMAT, Goal, GoalTolerance, MAX_OBSTACLES, MAX_VERTICES, MapFrame, Obstacle, Parts, Query, Robot, Scenario, World,
+};
 use crate::error::{Code, Error, Number, quoted};
-use crate::geometry::{Aabb, Disc, MIN_MAGNITUDE, Point, Polygon, PolygonFault, Segment};
+use crate::geometry::{Aabb, Polygon, Segment};
 use crate::json;
 use crate::robot::{Arm, Car, DiscRobot, Joint, RigidBody, Target, Weights};
 use serde::de::DeserializeOwned;
@@ -20,7 +23,7 @@ impl Scenario {
     /// The first rule that is violated: a stable code, a sentence with the offending value, and its JSON pointer; for a
     /// missing field, that of the field. Codes: those of [`json::parse`],
     /// `unknown-format`, `unknown-field`, `missing-field`, `wrong-type`, `unknown-type`, `out-of-range`,
-    /// `wrong-dimension`, `degenerate-polygon`, `duplicate-name`, `base-in-collision` and `too-large`.
+    /// `wrong-dimension`, `degenerate-polygon`, `degenerate-wall`, `duplicate-name`, `base-in-collision` and `too-large`.
     /// A start or a goal in collision is not an error here but when a run starts.
     ///
     /// # Complexity
@@ -66,7 +69,7 @@ impl Scenario {
         queries: impl IntoIterator<Item = Query>,
     ) -> Result<Self, Error> {
         let (name, robot, queries) = (name.into(), robot.into(), queries.into_iter().collect());
-        Self::read(&json::finite_tree(&Parts { name, title: None, world, robot, queries })?)
+        Self::read(&json::finite_tree(&Parts::new(name, None, world, robot, queries))?)
     }
 
     /// Reads a scenario from a tree of JSON values.
@@ -74,7 +77,7 @@ impl Scenario {
     /// # Errors
     /// Those of [`Scenario::parse`], except about the text.
     pub fn read(tree: &Value) -> Result<Self, Error> {
-        let Document { format: document::Format::One, name, title, world, robot, queries } =
+        let Document { format: document::Format::One, name, title, frame, world, robot, queries } =
             json::read_document(tree, FORMAT)?;
         check_name(&name, "/name")?;
         let world = checked_world(world)?;
@@ -85,16 +88,13 @@ impl Scenario {
         }
         check_base(&world, &robot)?;
         let queries = checked_queries(queries, &robot)?;
-        Ok(Parts { name, title, world, robot, queries }.into())
+        let frame = frame.map_or_else(MapFrame::default, MapFrame::of);
+        Ok(Parts { name, title, frame, world, robot, queries }.into())
     }
 }
 
 pub(crate) fn check_name(name: &str, pointer: &str) -> Result<(), Error> {
     if name.is_empty() { Err(Error::new(Code::OutOfRange, pointer, "a name must not be empty")) } else { Ok(()) }
-}
-
-fn point(document::Point(x, y): document::Point) -> Point {
-    Point::new(x.0, y.0)
 }
 
 pub(crate) fn checked_world(world: document::World) -> Result<World, Error> {
@@ -105,14 +105,8 @@ pub(crate) fn checked_world(world: document::World) -> Result<World, Error> {
         return Err(Error::new(Code::TooLarge, "/world/obstacles", sentence));
     }
     let mut vertices_left = MAX_VERTICES;
-    let checked = |(i, obstacle)| match obstacle {
-        document::Obstacle::Disc(disc) => {
-            Ok(Obstacle::Disc(Disc { center: point(disc.center), radius: disc.radius.0 }))
-        }
-        document::Obstacle::Polygon(polygon) => {
-            let at = |error: Error| error.under(&format!("/world/obstacles/{i}"));
-            checked_polygon(&polygon, &mut vertices_left).map(Obstacle::Polygon).map_err(at)
-        }
+    let checked = |(i, obstacle)| {
+        checked_obstacle(obstacle, &mut vertices_left).map_err(|error| error.under(&format!("/world/obstacles/{i}")))
     };
     Ok(World { bounds, obstacles: world.obstacles.into_iter().enumerate().map(checked).collect::<Result<_, _>>()? })
 }
@@ -127,51 +121,6 @@ fn checked_bounds(bounds: document::Bounds) -> Result<Aabb, Error> {
         }
     }
     Ok(Aabb { min, max })
-}
-
-/// A simple polygon; its vertices are subtracted from the remaining ones.
-pub(crate) fn checked_polygon(polygon: &document::Polygon, vertices_left: &mut usize) -> Result<Polygon, Error> {
-    let points: Vec<Point> = polygon.vertices.iter().copied().map(point).collect();
-    *vertices_left = vertices_left.checked_sub(points.len()).ok_or_else(|| {
-        let sentence = format!("with this one, the polygons have more than {MAX_VERTICES} vertices");
-        Error::new(Code::TooLarge, "/vertices", sentence)
-    })?;
-    self::polygon(&points)
-}
-
-/// A simple polygon with these corners, in metres, in either direction, closed or open.
-///
-/// # Errors
-/// `degenerate-polygon`, pointer `/vertices`.
-///
-/// # Complexity
-/// O(n log n) for polygons whose edges are short, O(n²) at most.
-pub fn polygon(corners: &[Point]) -> Result<Polygon, Error> {
-    Polygon::new(corners).map_err(|fault| {
-        let sentence = match fault {
-            PolygonFault::Magnitude(i) => {
-                format!("vertex {i} has a coordinate that is neither 0 nor at least {MIN_MAGNITUDE:e} in magnitude")
-            }
-            PolygonFault::TooFewVertices => {
-                format!("a polygon has at least three distinct vertices; too few of these {} differ", corners.len())
-            }
-            PolygonFault::ZeroArea => format!("the {} vertices lie on one line", corners.len()),
-            PolygonFault::SelfCrossing(i, j) => {
-                format!("the edges from vertex {i} and from vertex {j} touch or cross: the polygon is not simple")
-            }
-        };
-        Error::new(Code::DegeneratePolygon, "/vertices", sentence)
-    })
-}
-
-impl Obstacle {
-    /// A simple polygon with these corners, in metres, in either direction, closed or open.
-    ///
-    /// # Errors
-    /// Those of [`polygon`].
-    pub fn polygon(corners: &[Point]) -> Result<Self, Error> {
-        self::polygon(corners).map(Obstacle::Polygon)
-    }
 }
 
 fn checked_joints(joints: &[Value]) -> Result<Vec<Joint>, Error> {
@@ -198,6 +147,12 @@ fn checked_joints(joints: &[Value]) -> Result<Vec<Joint>, Error> {
 }
 
 pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
+    let margin = match &robot {
+        document::Robot::Arm(arm) => arm.margin.0,
+        document::Robot::Disc(disc) => disc.margin.0,
+        document::Robot::RigidBody(body) => body.margin.0,
+        document::Robot::Car(car) => car.margin.0,
+    };
     let made = match robot {
         document::Robot::Arm(arm) => {
             let links = arm.links.iter().map(|length| length.0).collect();
@@ -215,14 +170,14 @@ pub(crate) fn checked_robot(robot: document::Robot) -> Result<Robot, Error> {
         }
         document::Robot::Disc(disc) => DiscRobot::new(disc.radius.0).map(Robot::Disc),
         document::Robot::RigidBody(body) => checked_shape(&body.shape)
-            .and_then(|shape| Ok(Robot::RigidBody(RigidBody { shape, weights: checked_weights(body.metric)? }))),
+            .and_then(|shape| Ok(Robot::RigidBody(RigidBody::new(shape, checked_weights(body.metric)?)))),
         document::Robot::Car(car) => checked_shape(&car.shape).and_then(|shape| {
             let [speed, steering] = [car.speed.map(|speed| speed.0), car.steering.map(|angle| angle.0)];
             let step = car.integration_step.map_or(INTEGRATION_STEP, |step| step.0);
             Car::new(shape, car.wheelbase.0, speed, steering, step, checked_weights(car.metric)?).map(Robot::Car)
         }),
     };
-    made.map_err(|error| error.under("/robot"))
+    made.and_then(|robot| robot.with_margin(margin)).map_err(|error| error.under("/robot"))
 }
 
 fn checked_shape(document::Shape::Polygon(polygon): &document::Shape) -> Result<Polygon, Error> {
@@ -339,24 +294,25 @@ pub(crate) fn checked_configuration(
     Ok(q)
 }
 
-/// Returns an error if an obstacle is within the arm's radius of its base, or the disc of that radius about the base is
-/// not within the bounds: the base never moves, so every configuration would be in collision. Contact with an obstacle is
+/// Returns an error if an obstacle is within the arm's radius and margin of its base, or the disc of that radius about the base
+/// is not within the bounds: the base never moves, so every configuration would be in collision. Contact with an obstacle is
 /// collision, contact with the bounds is not; both up to the slack of 1e-12 times the largest coordinate plus the reach.
 fn check_base(world: &World, robot: &Robot) -> Result<(), Error> {
     let Robot::Arm(arm) = robot else { return Ok(()) };
-    let (base, radius, slack) = (arm.base(), arm.radius(), slack(world, arm));
+    let (base, radius, slack) = (arm.base(), arm.kept_radius(), slack(world, arm));
+    let what = if arm.margin() > 0.0 { "radius and margin" } else { "radius" };
     for (i, obstacle) in world.obstacles.iter().enumerate() {
         let distance = obstacle.distance_to_segment(&Segment::new(base, base));
         if distance <= radius + slack {
             let [x, y, radius, distance] = [base.x, base.y, radius, distance].map(Number);
             let sentence =
-                format!("obstacle {i} is {distance} from the arm's base [{x}, {y}], within its radius of {radius}");
+                format!("obstacle {i} is {distance} from the arm's base [{x}, {y}], within its {what} of {radius}");
             return Err(Error::new(Code::BaseInCollision, format!("/world/obstacles/{i}"), sentence));
         }
     }
     if world.bounds.is_some_and(|bounds| bounds.depth(base) - radius < -slack) {
         let [x, y, radius] = [base.x, base.y, radius].map(Number);
-        let sentence = format!("the arm's base [{x}, {y}] with its radius of {radius} is not within the bounds");
+        let sentence = format!("the arm's base [{x}, {y}] with its {what} of {radius} is not within the bounds");
         return Err(Error::new(Code::BaseInCollision, "/robot/base", sentence));
     }
     Ok(())
@@ -367,5 +323,5 @@ fn slack(world: &World, arm: &Arm) -> f64 {
     let boxes = world.obstacles.iter().map(Obstacle::aabb).chain(world.bounds);
     let corners = boxes.flat_map(|aabb| [aabb.min, aabb.max]).chain([arm.base()]);
     let largest = corners.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-    1e-12 * (largest + arm.reach() + arm.radius())
+    1e-12 * (largest + arm.reach() + arm.kept_radius())
 }

@@ -26,8 +26,10 @@ pub(crate) enum Checker<const N: usize> {
 
 impl<const N: usize> Checker<N> {
     pub(super) fn new(robot: &Robot, space: &MotionSpace<N>, world: &CollisionWorld, tolerance: f64) -> Self {
-        let body =
-            |shape, name| Self::Body(BodyCollision::new(shape, world.clone(), tolerance).named(name), space.clone());
+        let body = |shape, name| {
+            let collision = BodyCollision::with_margin(shape, robot.margin(), world.clone(), tolerance);
+            Self::Body(collision.named(name), space.clone())
+        };
         match robot {
             Robot::Arm(arm) => Self::Arm(ArmValidity::new(arm, space.product().clone(), world.clone(), tolerance)),
             Robot::Disc(disc) => Self::Disc(DiscValidity::new(disc, world.clone())),

@@ -85,7 +85,7 @@ impl PlanningWorld {
     pub fn without_width(&self) -> Option<String> {
         let Robot::Disc(disc) = self.robot() else { return None };
         let Aabb { min, max } = self.bounds();
-        let fills = |low: f64, high: f64| high - low - 2.0 * disc.radius() <= 1e-9 * (high - low);
+        let fills = |low: f64, high: f64| high - low - 2.0 * disc.kept_radius() <= 1e-9 * (high - low);
         let (axis, other) = match [fills(min.x, max.x), fills(min.y, max.y)] {
             [false, false] => return None,
             [true, true] => {
@@ -152,9 +152,9 @@ impl PlanningWorld {
         Checker::new(self.robot(), space, self.collision(), tolerance)
     }
 
-    /// The collision checker of a body of this shape, with such a tolerance.
+    /// The collision checker of a body of this shape, with the margin of the robot and such a tolerance.
     pub(crate) fn body(&self, shape: &Polygon, tolerance: f64) -> BodyCollision {
-        BodyCollision::new(shape, self.collision().clone(), tolerance)
+        BodyCollision::with_margin(shape, self.robot().margin(), self.collision().clone(), tolerance)
     }
 }
 

@@ -176,6 +176,7 @@ pub fn touches(body: &Polygon, world: &World, q: &[f64; 3]) -> bool {
     world.obstacles.iter().any(|obstacle| match obstacle {
         Obstacle::Polygon(polygon) => intersects_polygon_polygon(&placed, polygon),
         Obstacle::Disc(disc) => distance_point_polygon(disc.center, &placed) <= disc.radius,
+        Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_) => obstacle.distance_to_polygon(&placed) <= 0.0,
     })
 }
 
@@ -188,6 +189,12 @@ pub fn clearance(parts: &[Part], world: &World) -> f64 {
 /// The distance from a part to an obstacle by the crate's own functions.
 pub fn part_distance(part: &Part, obstacle: &Obstacle) -> f64 {
     match (part, obstacle) {
+        (Part::Capsule { a, b, radius }, Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_)) => {
+            obstacle.distance_to_segment(&Segment::new(*a, *b)) - radius
+        }
+        (Part::Disc { center, radius }, Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_)) => {
+            obstacle.distance_to_segment(&Segment::new(*center, *center)) - radius
+        }
         (Part::Capsule { a, b, radius }, Obstacle::Polygon(polygon)) => {
             distance_segment_polygon(&Segment::new(*a, *b), polygon) - radius
         }
@@ -203,6 +210,7 @@ pub fn part_distance(part: &Part, obstacle: &Obstacle) -> f64 {
             match obstacle {
                 Obstacle::Polygon(polygon) => distance_polygon_polygon(&body, polygon),
                 Obstacle::Disc(disc) => distance_point_polygon(disc.center, &body) - disc.radius,
+                Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_) => obstacle.distance_to_polygon(&body),
             }
         }
     }

@@ -46,6 +46,16 @@ pub const CAR: &str = r#"{
   "queries": [{"name": "across", "start": [0.2, 0.2, 0], "goal": [1.8, 1.8, -1], "goal_tolerance": {"translation": 0.1, "rotation": 0.5}}]
 }"#;
 
+/// A document with a polygon with a hole, a wall, and a robot with a margin.
+pub const WALLS: &str = r#"{
+  "format": "planarium-scenario-1", "name": "walls", "title": "Walls",
+  "world": {"bounds": {"min": [0, 0], "max": [2, 2]}, "obstacles": [
+    {"type": "polygon", "vertices": [[0.25, 0.25], [1.25, 0.25], [1.25, 1.25], [0.25, 1.25]], "holes": [[[0.5, 0.5], [1, 0.5], [1, 1], [0.5, 1]]]},
+    {"type": "wall", "points": [[0.2, 1.8], [1, 1.9]], "width": 0.05, "closed": false}]},
+  "robot": {"type": "disc", "radius": 0.1, "margin": 0.01},
+  "queries": [{"name": "across", "start": [0.12, 0.12], "goal": [1.8, 1.7]}]
+}"#;
+
 /// The document with an arm and a target in place of a goal.
 pub fn reaching() -> String {
     with(ARM, r#""goal": [1, 2]"#, r#""target": {"point": [1, 0.5], "orientation": 7}"#)

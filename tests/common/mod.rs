@@ -5,6 +5,7 @@ pub mod documents;
 pub mod driven;
 pub mod golden;
 pub mod graphs;
+pub mod places;
 pub mod requests;
 
 use documents::{arm, disc, jointed_arm, judged, limited_arm, named, polygon, rectangle, rectangular};

@@ -9,7 +9,7 @@ mod separation;
 use super::cell::{Cell, DEEPEST, SIDE};
 use super::document::{Blocked, Certificate, Verdict};
 use crate::error::{Code, Error};
-use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, Vector, convex_pieces};
+use crate::geometry::{Aabb, Placed, Point, Polygon, Segment, Vector, convex_pieces, distance_point_segment};
 use crate::problem::Touched;
 use crate::robot::{Joint, link_name};
 use crate::scenario::{Obstacle, Robot, Scenario};
@@ -138,10 +138,10 @@ impl<'a> Verifier<'a> {
                 };
                 let limits = ranges.map(|range| range.unwrap_or([-PI, PI]));
                 let wraps = ranges.map(|range| range.is_none());
-                (Some((arm.base(), [link(0), link(1)])), arm.radius(), limits, wraps)
+                (Some((arm.base(), [link(0), link(1)])), arm.kept_radius(), limits, wraps)
             }
             (Robot::Disc(disc), Some(Aabb { min, max })) => {
-                let r = disc.radius();
+                let r = disc.kept_radius();
                 (None, r, [[min.x + r, max.x - r], [min.y + r, max.y - r]], [false; 2])
             }
             _ => return Err(Error::new(Code::Unsupported, "/robot", "this robot has no certificates")),
@@ -395,10 +395,12 @@ impl<'a> Verifier<'a> {
     }
 }
 
-/// The convex pieces of an obstacle, and then the obstacle itself.
+/// Convex pieces of an obstacle, of a polygon with holes those of its border, and then the obstacle itself.
 fn pieces_and_whole(obstacle: &Obstacle) -> Vec<Obstacle> {
     let mut shapes = match obstacle {
         Obstacle::Polygon(polygon) => convex_pieces(polygon).into_iter().map(Obstacle::Polygon).collect(),
+        Obstacle::PolygonWithHoles(polygon) => polygon.border().map(Obstacle::Wall).collect(),
+        Obstacle::Wall(wall) => wall.pieces().map(Obstacle::Wall).collect(),
         Obstacle::Disc(_) => vec![obstacle.clone()],
     };
     shapes.push(obstacle.clone());
@@ -415,19 +417,25 @@ fn quarters([[a, b], [c, d]]: Ranges) -> [Ranges; 4] {
 fn signed_distance(p: Point, obstacle: &Obstacle) -> f64 {
     match obstacle {
         Obstacle::Disc(disc) => (p - disc.center).norm() - disc.radius,
-        Obstacle::Polygon(polygon) => signed_distance_polygon(p, polygon),
+        Obstacle::Polygon(polygon) => signed_distance_rings(p, std::iter::once(polygon)),
+        Obstacle::PolygonWithHoles(polygon) => signed_distance_rings(p, polygon.rings()),
+        Obstacle::Wall(wall) => {
+            wall.segments().map(|s| distance_point_segment(p, &s)).fold(f64::INFINITY, f64::min) - wall.radius()
+        }
     }
 }
 
-fn signed_distance_polygon(p: Point, polygon: &Polygon) -> f64 {
-    let nearest = Placed::resting(polygon).distance_to_border(p, f64::INFINITY, &mut 0);
-    let mut is_inside = false;
+fn signed_distance_rings<'a>(p: Point, rings: impl Iterator<Item = &'a Polygon>) -> f64 {
+    let (mut nearest, mut is_inside) = (f64::INFINITY, false);
     let ray = Aabb { min: p, max: Point::new(f64::INFINITY, p.y) };
-    polygon.any_edge_near(&ray, |_, &Segment { a, b }| {
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            is_inside = !is_inside;
-        }
-        false
-    });
+    for ring in rings {
+        nearest = nearest.min(Placed::resting(ring).distance_to_border(p, f64::INFINITY, &mut 0));
+        ring.any_edge_near(&ray, |_, &Segment { a, b }| {
+            if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+                is_inside = !is_inside;
+            }
+            false
+        });
+    }
     if is_inside { -nearest } else { nearest }
 }

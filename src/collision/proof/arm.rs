@@ -145,7 +145,7 @@ impl<const N: usize> MovingArm<N> {
             links: arm.links().len(),
             lengths,
             eta,
-            margin: arm.radius() + eta,
+            margin: arm.kept_radius() + eta,
             from: [f64::NAN; N],
             from_along: UnitVectors::ZERO,
             slides,

@@ -35,7 +35,7 @@ const APART: u32 = NO_HINT - 1;
 
 /// The surroundings of the robot.
 pub(in crate::collision) struct Scene {
-    /// The obstacles, each convex.
+    /// The obstacles, each convex, or a convex core and all within a radius of it.
     pub obstacles: Arc<Obstacles>,
     pub bounds: Option<Aabb>,
     pub tolerance: Tolerance,
@@ -187,14 +187,6 @@ impl<M: Moving> Prover<M> {
         None
     }
 
-    /// Whether the robot may touch something in one of the boxes on its motion, or come within the slack of it: whether a box
-    /// around a part of it, on the whole motion, meets one of them. `state` is the state in the middle of the motion.
-    pub fn may_meet(&mut self, boxes: &[Aabb], state: M::State) -> bool {
-        let parts = self.moving.parts();
-        self.moving.place(&Interval::WHOLE, &state, parts);
-        (0..parts).map(|part| self.moving.swept_box(part)).any(|swept| boxes.iter().any(|one| one.intersects(&swept)))
-    }
-
     /// Whether the robot, placed at rest, is clear of everything; `None` if the result depends on less than half the slack, so
     /// that exact distances are needed.
     pub fn is_free_at_rest(&mut self, scene: &Scene) -> Option<bool> {
@@ -212,9 +204,10 @@ impl<M: Moving> Prover<M> {
                 is_clear &= depth >= -0.5 * eta;
             }
             let near = around.grown(0.5 * eta);
-            let (part, margin) = (self.moving.part(part), self.moving.margin());
+            let (part, own) = (self.moving.part(part), self.moving.margin());
             let touches = |obstacle: usize| {
                 self.evaluations += 1;
+                let margin = own + scene.obstacles.radius(obstacle);
                 let faces = scene.obstacles.faces(obstacle);
                 if !faces.is_empty() {
                     let needed = margin + 0.5 * eta;
@@ -336,7 +329,8 @@ impl<M: Moving> Proof<'_, M> {
     #[inline(always)]
     fn separate(&self, part: usize, obstacle: usize, hint: u32, bound: f64, is_close: bool) -> Option<Answers> {
         let Tolerance { eta, .. } = self.scene.tolerance;
-        let (moving, margin) = (&self.prover.moving, self.prover.moving.margin());
+        let moving = &self.prover.moving;
+        let margin = moving.margin() + self.scene.obstacles.radius(obstacle);
         let faces = self.scene.obstacles.faces(obstacle);
         let part = moving.part(part);
         let mut answers = [(Separation::Unknown, NO_HINT); 2];
@@ -365,12 +359,13 @@ impl<M: Moving> Proof<'_, M> {
     /// order, and, if directions are searched for, the best; or by their boxes.
     #[inline(never)]
     fn separate_closely(&self, part: &M::Part<'_>, half: usize, obstacle: usize, bound: f64) -> Separation {
-        let (obstacles, margin) = (&self.scene.obstacles, self.prover.moving.margin());
+        let (obstacles, own) = (&self.scene.obstacles, self.prover.moving.margin());
+        let margin = own + obstacles.radius(obstacle);
         let (towards, distance) = offset(part, half, obstacles, obstacle);
         if distance <= margin {
             Separation::Touching
         } else if distance - bound > margin
-            || !swept_box(part, half).grown(margin).intersects(obstacles.aabb(obstacle))
+            || !swept_box(part, half).grown(own).intersects(obstacles.aabb(obstacle))
             || find_direction(part, half, obstacles, obstacle, towards, margin, self.searches)
         {
             Separation::Apart

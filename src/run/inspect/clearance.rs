@@ -12,17 +12,18 @@ use parry2d_f64::query::details::closest_points_segment_segment;
 use parry2d_f64::shape;
 use serde::Serialize;
 
-/// The part of a robot and the obstacle that are nearest to each other, lengths in metres.
+/// The part of a robot and the obstacle that are nearest to each other, lengths in metres. The robot is as large as it is planned
+/// for: its margin counts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Clearance {
-    /// The distance between them, 0 or more.
+    /// The distance between them less the margin of the robot, 0 or more.
     pub distance: f64,
     /// The part, by its index in the footprint.
     pub part: usize,
     /// The obstacle, by its index in the document.
     pub obstacle: usize,
-    /// The point of the part and the point of the obstacle.
+    /// The point of the part, grown by the margin, and the point of the obstacle: they are `distance` apart.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[Point, Point]"))]
     pub points: [Point; 2],
 }
@@ -52,16 +53,19 @@ impl Boundary {
         match obstacle {
             Obstacle::Disc(disc) => Self::new([Segment::new(disc.center, disc.center)], disc.radius),
             Obstacle::Polygon(polygon) => Self::new(polygon.edges(), 0.0),
+            Obstacle::PolygonWithHoles(polygon) => Self::new(polygon.edges(), 0.0),
+            Obstacle::Wall(wall) => Self::new(wall.segments(), wall.radius()),
         }
     }
 
-    fn of_part(part: &Part) -> Self {
+    /// Of a part that is larger by a margin on all sides.
+    fn of_part(part: &Part, margin: f64) -> Self {
         match part {
-            Part::Capsule { a, b, radius } => Self::new([Segment::new(*a, *b)], *radius),
-            Part::Disc { center, radius } => Self::new([Segment::new(*center, *center)], *radius),
+            Part::Capsule { a, b, radius } => Self::new([Segment::new(*a, *b)], radius + margin),
+            Part::Disc { center, radius } => Self::new([Segment::new(*center, *center)], radius + margin),
             Part::Polygon { vertices } => {
                 let ends = vertices.iter().zip(vertices.iter().cycle().skip(1));
-                Self::new(ends.map(|(&a, &b)| Segment::new(a, b)), 0.0)
+                Self::new(ends.map(|(&a, &b)| Segment::new(a, b)), margin)
             }
         }
     }
@@ -96,8 +100,9 @@ impl Boundary {
 }
 
 impl Inspector {
-    /// The distance from the robot at `q` to the nearest obstacle; `None` if it touches something, or if there are no obstacles.
-    /// The bounds do not count. O(edges of the robot times edges of the obstacles).
+    /// The distance from the robot at `q`, with its margin, to the nearest obstacle; `None` if it touches something by
+    /// [`check`](Self::check), or if there are no obstacles. The bounds do not count. The same measure as that of a [verified
+    /// path](crate::path::Verdict::Valid). O(edges of the robot times edges of the obstacles).
     ///
     /// # Errors
     /// Of the configuration: see [`Inspector`].
@@ -106,7 +111,9 @@ impl Inspector {
             return Ok(None);
         }
         let mut least: Option<Clearance> = None;
-        for (part, placed) in self.world.robot().footprint(q).iter().map(Boundary::of_part).enumerate() {
+        let robot = self.world.robot();
+        for (part, placed) in robot.footprint(q).iter().map(|part| Boundary::of_part(part, robot.margin())).enumerate()
+        {
             for (obstacle, boundary) in self.obstacles.iter().enumerate() {
                 let (distance, points) = placed.distance(boundary);
                 if least.is_none_or(|least| distance < least.distance) {

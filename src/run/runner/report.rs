@@ -97,6 +97,7 @@ impl<S: Space> Runner<S> {
             chord_length: is_driven.then(|| path::length(self.problem.space(), &path.states)),
             motions: path.motions,
             integration: self.info.is_euler.then(|| "euler".to_owned()),
+            margin: (self.info.margin > 0.0).then_some(self.info.margin),
             stats: self.stats(),
             fingerprint: self.fingerprint(),
             edge_check: self.edge_check(),

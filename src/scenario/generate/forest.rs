@@ -39,13 +39,13 @@ impl Generator for ForestOptions {
             (is_new && is_clear_of(&triangle, &keep_clear, 0.0)).then_some((cell, triangle))
         })?;
         let obstacles = placed.into_iter().map(|(_, triangle)| triangle).collect();
-        Ok(Parts {
-            name: format!("forest-{links}r-{seed}"),
-            title: Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
-            world: World { bounds: None, obstacles },
-            robot: Robot::Arm(arm),
-            queries: vec![query("report", start, goal)],
-        }
+        Ok(Parts::new(
+            format!("forest-{links}r-{seed}"),
+            Some(format!("{links}R arm in a forest of {count} triangles, seed {seed}")),
+            World { bounds: None, obstacles },
+            Robot::Arm(arm),
+            vec![query("report", start, goal)],
+        )
         .into())
     }
 }

@@ -17,13 +17,16 @@ pub(super) fn is_clear_of(obstacle: &Obstacle, parts: &[Part], gap: f64) -> bool
     })
 }
 
-/// Whether the two obstacles are farther than `gap` metres from each other. O(product of their vertices).
+/// Whether the two obstacles are farther than `gap` metres from each other, a hole counting as filled. O(product of
+/// their vertices).
 pub(super) fn are_apart(p: &Obstacle, q: &Obstacle, gap: f64) -> bool {
     let far = gap + SOME;
     !p.aabb().grown(far).intersects(&q.aabb())
         || match p {
             Obstacle::Disc(disc) => q.distance_to_segment(&Segment::new(disc.center, disc.center)) - disc.radius > far,
             Obstacle::Polygon(polygon) => q.distance_to_polygon(polygon) > far,
+            Obstacle::PolygonWithHoles(polygon) => q.distance_to_polygon(polygon.outline()) > far,
+            Obstacle::Wall(wall) => wall.segments().all(|s| q.distance_to_segment(&s) - wall.radius() > far),
         }
 }
 

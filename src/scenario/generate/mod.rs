@@ -72,7 +72,7 @@ fn in_box(
 ) -> Scenario {
     let bounds = Some(Aabb { min: Point::origin(), max: Point::new(side, side) });
     let world = World { bounds, obstacles: obstacles.into_iter().collect() };
-    Parts { name, title: Some(title), world, robot, queries: vec![query] }.into()
+    Parts::new(name, Some(title), world, robot, vec![query]).into()
 }
 
 /// A query without a goal region.

@@ -40,7 +40,7 @@ impl RobotChoice {
             RobotChoice::Disc => ["a disc", "disc", "Disc"].map(str::to_owned),
             RobotChoice::Arm if sliding > 0 => {
                 let chain = "r".repeat(links.saturating_sub(sliding)) + &"p".repeat(sliding);
-                ["an arm".to_owned(), chain.clone(), format!("{} arm", chain.to_uppercase())]
+                ["an arm".to_owned(), chain.clone(), format!("{} arm", chain.to_ascii_uppercase())]
             }
             RobotChoice::Arm => ["an arm".to_owned(), format!("{links}r"), format!("{links}R arm")],
             RobotChoice::RigidBody => ["a rigid body", "body", "Rigid body"].map(str::to_owned),
@@ -59,7 +59,7 @@ impl RobotChoice {
         let shape = polygon(&[(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| Point::new(x, y)));
         let weights = Weights::default();
         if self != RobotChoice::Car {
-            return Ok(Robot::RigidBody(RigidBody { shape, weights }));
+            return Ok(Robot::RigidBody(RigidBody::new(shape, weights)));
         }
         let (wheelbase, speed, steering, step) = (2.0 * x, [-0.5, 0.5], [-FRAC_PI_4, FRAC_PI_4], 0.01);
         Ok(Robot::Car(Car::new(shape, wheelbase, speed, steering, step, weights)?))

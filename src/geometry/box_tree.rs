@@ -1,16 +1,15 @@
-//! The edges of a polygon in a tree of boxes.
+//! Items in sequence, each near the one before, in a tree of boxes: a leaf is the box around [`LEAF`] of them, every other
+//! node the box around its two children.
 //!
-//! Edges that follow each other along the border are near each other, so the tree follows the border: a leaf is the box
-//! around [`LEAF`] edges in sequence, every other node the box around its two children. A polygon of few corners has
-//! none: there it is faster to compare all edges.
+//! The edges of a chain are in the sequence of the chain. Few have no tree: there it is faster to compare all.
 
-use super::{Aabb, Point};
+use super::Aabb;
 use std::ops::Range;
 
-/// The number of edges of a leaf.
+/// The number of items of a leaf.
 pub(super) const LEAF: usize = 4;
 
-/// A polygon has a tree if it has more corners than this.
+/// There is a tree if there are more items than this.
 pub(super) const MOST_WITHOUT: usize = 16;
 
 /// The greatest number of nodes that wait in a traversal that visits the children of one node before its sibling: one a
@@ -19,12 +18,12 @@ pub(super) const DEPTH: usize = 40;
 
 /// The boxes of all nodes.
 #[derive(Debug, Clone)]
-pub(super) struct EdgeTree {
-    /// The leaves in the order of their edges, then the nodes above them, and so on up to the root.
+pub(super) struct BoxTree {
+    /// The leaves in the order of their items, then the nodes above them, and so on up to the root.
     boxes: Vec<Aabb>,
     /// The index of the first box of each level.
     levels: Vec<u32>,
-    edges: u32,
+    items: u32,
 }
 
 /// A node: its level, 0 for leaves, and its number on it.
@@ -39,15 +38,11 @@ impl Node {
     pub const ANY: Self = Self { level: 0, number: 0 };
 }
 
-impl EdgeTree {
-    /// The tree of a closed chain of corners. O(n).
-    pub fn new(corners: &[Point]) -> Self {
-        let n = corners.len();
-        let leaf = |first: usize| {
-            let all = (first..=(first + LEAF).min(n)).map(|i| corners[if i == n { 0 } else { i }]);
-            Aabb::around(all).expect("a leaf has an edge")
-        };
-        let mut boxes: Vec<Aabb> = (0..n).step_by(LEAF).map(leaf).collect();
+impl BoxTree {
+    /// The tree of this number of items; `around` is the box around a range of them. O(n).
+    pub fn new(items: usize, around: impl Fn(Range<usize>) -> Aabb) -> Self {
+        let leaf = |first: usize| around(first..(first + LEAF).min(items));
+        let mut boxes: Vec<Aabb> = (0..items).step_by(LEAF).map(leaf).collect();
         let mut levels = vec![0];
         let mut first = 0;
         while boxes.len() - first > 1 {
@@ -57,7 +52,7 @@ impl EdgeTree {
             levels.push(first as u32);
             boxes.extend(above);
         }
-        Self { boxes, levels, edges: n as u32 }
+        Self { boxes, levels, items: items as u32 }
     }
 
     /// The node above all others.
@@ -65,16 +60,16 @@ impl EdgeTree {
         Node { level: self.levels.len() as u32 - 1, number: 0 }
     }
 
-    /// The box around the edges of a node.
+    /// The box around the items of a node.
     pub fn aabb(&self, node: Node) -> &Aabb {
         &self.boxes[(self.levels[node.level as usize] + node.number) as usize]
     }
 
-    /// The edges of a node, by the numbers of the corners that they start from.
-    pub fn edges(&self, node: Node) -> Range<usize> {
+    /// The items of a node.
+    pub fn items(&self, node: Node) -> Range<usize> {
         let size = LEAF << node.level;
         let first = size * node.number as usize;
-        first..(first + size).min(self.edges as usize)
+        first..(first + size).min(self.items as usize)
     }
 
     /// The children of a node, of which the second may be missing; `None` for a leaf.

@@ -46,6 +46,7 @@
 //! - [`path::verify()`] checks a finished path by an independent method;
 //! - [`fleet::FleetPlanner`] plans for several robots at once, and [`fleet::verify`] checks its plans;
 //! - [`ik::Solver`] finds joint angles that bring an arm's tip to a target;
+//! - [`timing::time`] says when a robot is where on a path, within limits of speed and acceleration;
 //! - [`optimum::optimum()`] finds the shortest path of a query where that is known;
 //! - [`certificate::Subdivision`] proves that there is no path, or that there is one, where configurations have two coordinates;
 //! - [`experiment::Experiment`] runs many trials and summarises them;
@@ -59,7 +60,7 @@
 //! [`error`], `json`, [`options`], [`random`], `fingerprint`, [`statistics`], [`geometry`]; [`space`] (with steering), [`robot`],
 //! [`scenario`], `generators`; [`problem`]; `collision` (with the proof of a motion), [`world`]; [`graph`], [`nearest`],
 //! [`sampling`], `shortening`, [`path`]; [`planner`]; [`run`]; and beside each other on it [`certificate`], [`driving`],
-//! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`] and [`trajectories`]. On top stand the bindings to JavaScript
+//! [`experiment`], [`fleet`], [`ik`], [`navigation`], [`optimum`], [`timing`] and [`trajectories`]. On top stand the bindings to JavaScript
 //! and the command line. A module uses only modules below it: a planner sees a space and the traits [`problem::Validity`] and
 //! [`problem::Dynamics`], never a robot, a scenario or a shape. The core reads no clock, prints nothing, and has no global state:
 //! a test enforces this. It calls no code of its caller but the function that decides what is free, and custom planners.
@@ -69,7 +70,7 @@
 #![deny(clippy::unwrap_used)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "bindings"))]
 #[allow(missing_docs, unsafe_code)]
 pub mod bindings;
 pub mod catalogue;
@@ -90,6 +91,7 @@ pub mod run;
 pub mod scenario;
 pub mod space;
 pub mod statistics;
+pub mod timing;
 pub mod trajectories;
 
 #[doc(hidden)]
@@ -120,4 +122,5 @@ pub use world::PlanningWorld;
 #[doc = include_str!("../docs/planners.md")]
 #[doc = include_str!("../docs/proof.md")]
 #[doc = include_str!("../docs/in-rust.md")]
+#[doc = include_str!("../docs/timing.md")]
 pub struct Examples;

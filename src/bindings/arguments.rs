@@ -145,12 +145,16 @@ pub(super) fn numbers(value: &JsValue, name: &str) -> Result<Vec<f64>, Error> {
 
 /// Finite numbers in whole rows of `width`.
 pub(super) fn rows(value: &JsValue, width: usize, name: &str) -> Result<Vec<f64>, Error> {
-    let numbers = numbers(value, name)?;
-    if numbers.len() % width != 0 {
-        let sentence = format!("{name} must have whole rows of {width} numbers, not {} numbers", numbers.len());
-        return Err(Error::new(Code::WrongDimension, format!("/{name}"), sentence));
+    all_finite(whole_rows(numbers(value, name)?, width, name)?, name)
+}
+
+/// Numbers that are whole rows of `width`.
+pub(super) fn whole_rows(numbers: Vec<f64>, width: usize, name: &str) -> Result<Vec<f64>, Error> {
+    if numbers.len().is_multiple_of(width) {
+        return Ok(numbers);
     }
-    all_finite(numbers, name)
+    let sentence = format!("{name} must have whole rows of {width} numbers, not {} numbers", numbers.len());
+    Err(Error::new(Code::WrongDimension, format!("/{name}"), sentence))
 }
 
 /// One row of `width` finite numbers.
@@ -255,17 +259,22 @@ pub(super) struct Fields(Map<String, Json>);
 
 /// The fields of an object of options, none if it is absent: named in camelCase in JavaScript, in snake_case in the core.
 pub(super) fn fields(value: Option<impl AsRef<JsValue>>) -> Result<Fields, Error> {
+    fields_named(value, "options")
+}
+
+/// The same of an argument with another name.
+pub(super) fn fields_named(value: Option<impl AsRef<JsValue>>, argument: &str) -> Result<Fields, Error> {
     let Some(value) = value else { return Ok(Fields(Map::new())) };
     let value = value.as_ref();
     let is_list = Array::is_array(value) || ArrayBuffer::is_view(value);
     let Json::Object(given) = (if value.is_object() && !is_list { tree(value, "")? } else { Json::Null }) else {
-        return Err(Error::new(Code::WrongType, "", format!("options must be an object, not {}", show(value))));
+        return Err(Error::new(Code::WrongType, "", format!("{argument} must be an object, not {}", show(value))));
     };
     let mut fields = Map::new();
     for (name, value) in given {
         if name.contains('_') {
             let [camel, name] = [in_camel_case(&name), name];
-            let sentence = format!("options are named in camelCase in JavaScript: {camel}, not {}", quoted(&name));
+            let sentence = format!("{argument} are named in camelCase in JavaScript: {camel}, not {}", quoted(&name));
             return Err(refusal(Code::UnknownParameter, &name, sentence));
         }
         let snake = name.chars().fold(String::new(), |mut snake, letter| {

@@ -40,8 +40,12 @@ mod experiment;
 #[cfg(feature = "full")]
 mod fleet;
 #[cfg(feature = "full")]
+mod judgement;
+#[cfg(feature = "full")]
 mod navigation;
 mod neighbours;
+#[cfg(feature = "full")]
+mod path_types;
 mod planner;
 mod problem;
 #[cfg(feature = "full")]
@@ -50,8 +54,12 @@ mod records;
 mod scenario;
 mod subdivision;
 #[cfg(feature = "full")]
+mod timing;
+#[cfg(feature = "full")]
 mod trajectories;
 mod types;
+#[cfg(feature = "full")]
+mod verification;
 
 use crate::Error;
 use wasm_bindgen::prelude::*;

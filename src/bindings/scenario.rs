@@ -42,7 +42,7 @@ impl Scenario {
         Self { world, inspector }
     }
 
-    fn scenario(&self) -> &scenario::Scenario {
+    pub(super) fn scenario(&self) -> &scenario::Scenario {
         self.world.scenario()
     }
 
@@ -96,7 +96,7 @@ impl Scenario {
     }
 
     /// The part of the robot and the obstacle that are nearest to each other, for viewers; null if the robot touches something,
-    /// or if there are no obstacles. The bounds do not count.
+    /// or if there are no obstacles. The margin of the robot counts as a part of it; the bounds do not count.
     #[wasm_bindgen(unchecked_return_type = "Clearance | null")]
     pub fn clearance(&self, q: &JsConfiguration) -> Result<JsValue, Error> {
         let clearance: Option<Clearance> = self.inspector.clearance(&self.configuration(q, "q")?)?;

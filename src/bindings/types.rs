@@ -50,6 +50,14 @@ plain! {
 
 #[cfg(feature = "full")]
 plain! {
+    ResultInput = "string | ResultDocument",
+    TimingLimits = "TimingLimits",
+    RowOptions = "RowOptions",
+    TimeOptions = "TimeOptions",
+    TrajectoryInput = "string | TrajectoryDocument | Trajectory",
+    JsTrajectoryDocument = "TrajectoryDocument",
+    JudgeOptions = "JudgeOptions",
+    JsPathJudgement = "PathJudgement",
     ReachOptions = "ReachOptions",
     TrajectoryOptions = "TrajectoryOptions",
     ParticleOptions = "ParticleMotion",

@@ -3,7 +3,7 @@
 use crate::error::{Code, Error};
 use crate::json;
 use crate::problem::{Motion, Reason, Stats, Status};
-use crate::scenario::Robot;
+use crate::scenario::{Robot, Scenario};
 use crate::space::MetricKind;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -94,6 +94,9 @@ pub struct ResultDocument {
     /// weighted, by which course reports compare paths. No planner minimises it. Absent for others.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
     pub chord_length: Option<f64>,
+    /// By how much the robot was planned for as larger on all sides, in metres. Absent if it has no margin.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "json::some_not_negative")]
+    pub margin: Option<f64>,
     /// The work done.
     pub stats: Stats,
     /// A hash over every vertex, edge and event; 16 lower-case hex digits in JSON.
@@ -146,12 +149,32 @@ impl ResultDocument {
     /// time), and `invalid-result` for a malformed status or fingerprint. Whether the path is valid is decided by
     /// [`verify`](crate::path::verify).
     pub fn parse(text: &str) -> Result<Self, Error> {
-        json::read(&json::parse(text)?).map_err(|error| match error.pointer() {
+        Self::read(&json::parse(text)?)
+    }
+
+    /// Reads a result document that was parsed.
+    ///
+    /// # Errors
+    /// Those of [`parse`](Self::parse), but for those of [`json::parse`].
+    pub fn read(document: &serde_json::Value) -> Result<Self, Error> {
+        json::read(document).map_err(|error| match error.pointer() {
             "/status" | "/fingerprint" if error.code() == Code::OutOfRange => {
                 Error::new(Code::InvalidResult, error.pointer(), error.message())
             }
             _ => error,
         })
+    }
+
+    /// Refuses a scenario that the result does not belong to.
+    ///
+    /// # Errors
+    /// `invalid-result` (pointer `/scenario`)
+    pub(crate) fn check_scenario(&self, scenario: &Scenario) -> Result<(), Error> {
+        if self.scenario == scenario.name() {
+            return Ok(());
+        }
+        let sentence = format!("the result belongs to scenario {:?}, not to {:?}", self.scenario, scenario.name());
+        Err(Error::new(Code::InvalidResult, "/scenario", sentence))
     }
 
     /// The document as one line of JSON.

@@ -7,10 +7,10 @@
 
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
-use super::{Examined, Scale, circles, difference};
+use super::{Examined, Scale, difference};
 use crate::geometry::Vector;
 use crate::robot::{Arm, Joint, MAX_LINKS, link_name};
-use crate::scenario::{Robot, World};
+use crate::scenario::World;
 
 /// Examines the first waypoint, then every edge, then every blend, given with its waypoint.
 pub(super) fn check(
@@ -22,7 +22,7 @@ pub(super) fn check(
 ) -> Result<Examined, String> {
     check_limits(arm, path)?;
     let mut checker = Checker::new(world, scale);
-    let circles = circles(&Robot::Arm(arm.clone()));
+    let circles = arm.circles();
     let edges = path.iter().enumerate().map(|(i, to)| {
         let edge = i.saturating_sub(1);
         // The step from zero is the angle itself, without whole turns.
@@ -69,7 +69,7 @@ pub(super) fn check(
             points: &points,
             travel: &travel,
             bulge: &bulge,
-            radius: arm.radius(),
+            radius: arm.kept_radius(),
             body: None,
             part_name: link_name,
         };

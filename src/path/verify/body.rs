@@ -99,10 +99,10 @@ fn placement(q: &[f64]) -> [f64; 3] {
     [q[0], q[1], difference(&PLACEMENT, &[0.0; 3], q)[2]]
 }
 
-/// Examines every leg of a body of this shape, each with its name.
+/// Examines every leg of a body of this shape, larger by a margin on all sides, each leg with its name.
 pub(super) fn check(
     world: &World,
-    shape: &Polygon,
+    (shape, margin): (&Polygon, f64),
     legs: impl IntoIterator<Item = (Stretch, Leg)>,
     scale: &Scale,
 ) -> Result<Examined, String> {
@@ -124,7 +124,8 @@ pub(super) fn check(
         let bulge = vec![(turn * (leg.arc.abs() + turn * reach) + bent) / 8.0; count];
         let body = Some(shape.placed(leg.at(0.0)));
         let part_name = |_| "the body".into();
-        let robot = Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius: 0.0, body, part_name };
+        let robot =
+            Moving { stretch, points: &points, travel: &travel, bulge: &bulge, radius: margin, body, part_name };
         checker.check_start(&robot)?;
         checker.check_edge(&robot)?;
     }

@@ -76,7 +76,7 @@ pub(super) fn check(world: &World, car: &Car, result: &ResultDocument, scale: &S
     if legs.is_empty() {
         legs.push((Stretch::Edge(0), Leg::straight(&path[0], &path[0])));
     }
-    body::check(world, car.shape(), legs, scale)
+    body::check(world, (car.shape(), car.margin()), legs, scale)
 }
 
 /// How far the lengths of the motions may differ from those of the curves that they follow, in metres: a curve ends beside its

@@ -4,7 +4,7 @@
 use super::blend::Quadratic;
 use super::moving::{Checker, Moving, Stretch};
 use super::{Examined, Scale};
-use crate::geometry::{Point, Segment, Vector, intersects_segment_polygon};
+use crate::geometry::{Point, Segment, Vector};
 use crate::robot::DiscRobot;
 use crate::scenario::{Obstacle, World};
 
@@ -16,7 +16,7 @@ pub(super) fn check(
     blends: &[(usize, Quadratic)],
     scale: &Scale,
 ) -> Result<Examined, String> {
-    let radius = disc.radius();
+    let radius = disc.kept_radius();
     let centers: Vec<Point> = path.iter().map(|q| Point::new(q[0], q[1])).collect();
     if let Some(bounds) = &world.bounds {
         let overstep = if radius == 0.0 { 0.0 } else { scale.overstep };
@@ -35,10 +35,8 @@ pub(super) fn check(
                 continue;
             }
             let clearance = obstacle.distance_to_segment(&swept) - radius;
-            let touches = match obstacle {
-                Obstacle::Polygon(polygon) if radius == 0.0 => intersects_segment_polygon(&swept, polygon),
-                _ => clearance <= scale.slack,
-            };
+            let exact = if radius == 0.0 { obstacle.meets_segment(&swept) } else { None };
+            let touches = exact.unwrap_or(clearance <= scale.slack);
             if touches {
                 return Err(format!("edge {edge} touches obstacle {i}{}", ends_inside(&swept, obstacle)));
             }

@@ -65,8 +65,9 @@ pub enum Verdict {
         waypoints: usize,
         /// The number of samples of the robot that were examined; for a disc, of swept segments.
         samples: u64,
-        /// The smallest distance to an obstacle at a sample, in metres; infinite without obstacles. For a disc it is the
-        /// true one; for an arm or a body the true one is smaller by at most half the motion between two samples.
+        /// The smallest distance to an obstacle at a sample, less the margin of the robot, in metres; infinite without obstacles.
+        /// For a disc it is the true one; for an arm or a body the true one is smaller by at most half the motion between two
+        /// samples.
         clearance: f64,
         /// Whether the path begins at the result's `moved_start`, since the start of the query is in collision.
         moved_start: bool,
@@ -84,6 +85,15 @@ impl Verdict {
     /// Whether the path is valid.
     pub fn is_valid(&self) -> bool {
         matches!(self, Verdict::Valid { .. })
+    }
+
+    /// Nothing of a valid path: for what takes no other.
+    ///
+    /// # Errors
+    /// `invalid-result` (pointer `/path`) with the reason
+    pub fn required(&self) -> Result<(), Error> {
+        let Verdict::Invalid { why } = self else { return Ok(()) };
+        Err(Error::new(Code::InvalidResult, "/path", format!("the path is not valid: {why}")))
     }
 }
 
@@ -115,10 +125,7 @@ struct Scale {
 /// # Complexity
 /// For each edge, its motion divided by a thousandth of the world's size, times links, times obstacles nearby.
 pub fn verify(scenario: &Scenario, result: &ResultDocument) -> Result<Verdict, Error> {
-    if result.scenario != scenario.name() {
-        let sentence = format!("the result belongs to scenario {:?}, not to {:?}", result.scenario, scenario.name());
-        return Err(Error::new(Code::InvalidResult, "/scenario", sentence));
-    }
+    result.check_scenario(scenario)?;
     let (_, query) = scenario.find_query(Some(&result.query))?;
     let shares = blend::check(result, !matches!(scenario.robot(), Robot::Car(_)))?;
     let moved = [result.moved_start.is_some(), result.moved_goal.is_some()];
@@ -145,7 +152,7 @@ pub fn verify_legs(world: &World, shape: &Polygon, legs: &[Leg]) -> Verdict {
     verdict(
         legs.len(),
         [false; 2],
-        body::check(world, shape, legs.iter().enumerate().map(|(i, &leg)| (Stretch::Edge(i), leg)), &scale),
+        body::check(world, (shape, 0.0), legs.iter().enumerate().map(|(i, &leg)| (Stretch::Edge(i), leg)), &scale),
     )
 }
 
@@ -180,7 +187,7 @@ fn check(scenario: &Scenario, query: &Query, result: &ResultDocument, shares: &[
         return car::check(world, car, result, &scale);
     }
     check_steps(robot, path)?;
-    let blends = Quadratic::blends(&circles(robot), path, shares);
+    let blends = Quadratic::blends(&robot.circles(), path, shares);
     let examined = examine(world, robot, path, &blends, &scale)?;
     check_length(robot, result, &blends)?;
     Ok(examined)
@@ -202,7 +209,7 @@ fn examine(
             let ends = (0..path.len().max(2) - 1).map(|i| [&path[i], &path[(i + 1).min(path.len() - 1)]]);
             let edges = ends.enumerate().map(|(i, [from, to])| (Stretch::Edge(i), Leg::straight(from, to)));
             let blends = blends.iter().map(|(waypoint, motion)| (Stretch::Blend(*waypoint), Leg::blend(motion)));
-            body::check(world, shape, edges.chain(blends), scale)
+            body::check(world, (shape, robot.margin()), edges.chain(blends), scale)
         }
     }
 }
@@ -283,6 +290,9 @@ fn check_claims(robot: &Robot, result: &ResultDocument) -> Result<(), String> {
             return Err(format!("it has \"{name}\", which no result for the robot {} has", robot.kind()));
         }
     }
+    if let Some(margin) = result.margin.filter(|&margin| margin != robot.margin()) {
+        return Err(format!("it is for a margin of {margin} m, but that of the robot is {} m", robot.margin()));
+    }
     if approximate.is_some() {
         return Err("it has an approximate solution, although it is solved".into());
     }
@@ -312,7 +322,7 @@ fn check_ends(
     let ends = [("start", &path[0], start), ("goal", &path[path.len() - 1], goal)];
     for (what, waypoint, wanted) in ends.into_iter().filter_map(|(what, at, wanted)| Some((what, at, wanted?))) {
         let verb = if what == "start" { "starts" } else { "ends" };
-        let gaps = difference(&circles(robot), wanted, waypoint);
+        let gaps = difference(&robot.circles(), wanted, waypoint);
         if let (Some(GoalTolerance { translation, rotation }), "goal") = (region, what) {
             let [apart, turned] = apart(robot, &gaps);
             if apart > translation + REACHED || turned > rotation + REACHED {
@@ -373,7 +383,7 @@ fn check_target(robot: &Robot, target: &Target, last: &[f64]) -> Result<(), Stri
 
 /// Returns an error if a step turns a circle joint, or a body, by half a turn: the shorter direction is ambiguous.
 fn check_steps(robot: &Robot, path: &[Vec<f64>]) -> Result<(), String> {
-    let circles = circles(robot);
+    let circles = robot.circles();
     for (edge, ends) in path.windows(2).enumerate() {
         let turns = difference(&circles, &ends[0], &ends[1]);
         let is_ambiguous = |&i: &usize| circles[i] && turns[i].abs() >= PI - AMBIGUOUS;
@@ -396,7 +406,7 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
         Some((_, weights)) => weights.translation * length(&step[..2]) + weights.rotation * step[2].abs(),
         None => length(step),
     };
-    let steps: Vec<_> = path.windows(2).map(|ends| difference(&circles(robot), &ends[0], &ends[1])).collect();
+    let steps: Vec<_> = path.windows(2).map(|ends| difference(&robot.circles(), &ends[0], &ends[1])).collect();
     let largest = path.iter().flatten().fold(1.0, |largest: f64, value| largest.max(value.abs()));
     let is_right = |given: f64, measured: f64| f64::abs(given - measured) <= LENGTH * measured + 1e-12 * largest;
     let norms: &[(Norm, &str)] = match (robot, result.length_measure) {
@@ -428,15 +438,6 @@ fn check_length(robot: &Robot, result: &ResultDocument, blends: &[(usize, Quadra
 /// The coordinates of a placement that are circles.
 const PLACEMENT: [bool; 3] = [false, false, true];
 
-/// Which coordinates of the robot are circles.
-fn circles(robot: &Robot) -> Vec<bool> {
-    match robot {
-        Robot::Arm(arm) => arm.joint_types().iter().map(|joint| joint.range().is_none()).collect(),
-        Robot::RigidBody(_) | Robot::Car(_) => PLACEMENT.to_vec(),
-        Robot::Disc(_) => vec![false; 2],
-    }
-}
-
 /// The step from `a` to `b`, angles of circles in the shorter direction. The double nearest to 2 pi stands for a turn: its error
 /// is less than the rounding of an angle.
 fn difference(circles: &[bool], a: &[f64], b: &[f64]) -> Vec<f64> {
@@ -450,10 +451,10 @@ impl Scale {
     /// The lengths for a robot in a world.
     fn of(world: &World, robot: &Robot) -> Self {
         match robot {
-            Robot::Arm(arm) => Self::new(world, Some(arm.base()), arm.reach() + arm.radius()),
-            Robot::Disc(disc) => Self::new(world, None, disc.radius()),
-            Robot::RigidBody(body) => Self::new(world, None, body.shape.reach()),
-            Robot::Car(car) => Self::new(world, None, car.shape().reach()),
+            Robot::Arm(arm) => Self::new(world, Some(arm.base()), arm.reach() + arm.kept_radius()),
+            Robot::Disc(disc) => Self::new(world, None, disc.kept_radius()),
+            Robot::RigidBody(body) => Self::new(world, None, body.shape.reach() + body.margin()),
+            Robot::Car(car) => Self::new(world, None, car.shape().reach() + car.margin()),
         }
     }
 

@@ -85,11 +85,16 @@ impl<'a> Checker<'a> {
             let reach = if i == 0 { f64::INFINITY } else { nearest };
             for obstacle in near(&self.world.obstacles, &here.aabb(), reach) {
                 self.check_segment(robot, i, &obstacle, &here, 0.0)?;
-                let inside = match obstacle.obstacle {
-                    Obstacle::Disc(disc) => disc.center,
-                    Obstacle::Polygon(polygon) => polygon.vertices()[0],
+                // A point of each connected part of the border.
+                let is_around = |body: &Polygon| match obstacle.obstacle {
+                    Obstacle::Disc(disc) => body.contains(disc.center),
+                    Obstacle::Polygon(polygon) => body.contains(polygon.vertices()[0]),
+                    Obstacle::PolygonWithHoles(polygon) => {
+                        polygon.rings().any(|ring| body.contains(ring.vertices()[0]))
+                    }
+                    Obstacle::Wall(wall) => body.contains(wall.points()[0]),
                 };
-                if i == 0 && robot.body.as_ref().is_some_and(|body| body.contains(inside)) {
+                if i == 0 && robot.body.as_ref().is_some_and(is_around) {
                     return Err(format!("{} contains obstacle {}", robot.name(i), obstacle.index));
                 }
             }

@@ -1,7 +1,7 @@
-//! The obstacles near a moving link, and of polygons the edges, that can matter during an interval of motion.
+//! The obstacles near a moving link, and of polygons and walls the edges, that can matter during an interval of motion.
 
 use crate::geometry::{
-    Aabb, Point, Polygon, Segment, distance_point_segment, distance_segment_segment, distance_squared_segment_segment,
+    Aabb, Point, Segment, distance_point_segment, distance_segment_segment, distance_squared_segment_segment,
     orientation,
 };
 use crate::scenario::Obstacle;
@@ -11,8 +11,9 @@ pub(super) struct Near<'a> {
     /// The index of the obstacle in the world.
     pub index: usize,
     pub obstacle: &'a Obstacle,
-    /// Those edges of a polygon that are near.
+    /// Those edges of polygons, and segments of walls, that are near; and half the width of these.
     edges: Vec<Segment>,
+    radius: f64,
 }
 
 /// The obstacles within `reach` of the box.
@@ -21,25 +22,17 @@ pub(super) fn near<'a>(obstacles: &'a [Obstacle], around: &Aabb, reach: f64) -> 
     let found = obstacles.iter().enumerate().filter(|(_, obstacle)| is_near(&obstacle.aabb()));
     found
         .map(|(index, obstacle)| {
-            let edges = match obstacle {
-                Obstacle::Disc(_) => Vec::new(),
-                Obstacle::Polygon(polygon) => edges_near(polygon, &around.grown(reach), is_near),
-            };
-            Near { index, obstacle, edges }
+            let (mut edges, radius) = (Vec::new(), obstacle.edge_radius());
+            let beyond = reach + radius;
+            obstacle.any_edge_near(&around.grown(beyond), |edge| {
+                if gap(around, &edge.aabb()) <= beyond {
+                    edges.push(*edge);
+                }
+                false
+            });
+            Near { index, obstacle, edges, radius }
         })
         .collect()
-}
-
-/// The edges of a polygon whose boxes are near, all of which meet `around`.
-fn edges_near(polygon: &Polygon, around: &Aabb, is_near: impl Fn(&Aabb) -> bool) -> Vec<Segment> {
-    let mut edges = Vec::new();
-    polygon.any_edge_near(around, |_, edge| {
-        if is_near(&edge.aabb()) {
-            edges.push(*edge);
-        }
-        false
-    });
-    edges
 }
 
 impl Near<'_> {
@@ -48,8 +41,10 @@ impl Near<'_> {
         match self.obstacle {
             Obstacle::Disc(_) => self.obstacle.distance_to_segment(s),
             Obstacle::Polygon(polygon) if polygon.contains(s.a) => 0.0,
-            Obstacle::Polygon(_) => {
-                self.edges.iter().map(|edge| distance_segment_segment(s, edge)).fold(f64::INFINITY, f64::min)
+            Obstacle::PolygonWithHoles(polygon) if polygon.contains(s.a) => 0.0,
+            Obstacle::Polygon(_) | Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_) => {
+                let distances = self.edges.iter().map(|edge| distance_segment_segment(s, edge));
+                distances.fold(f64::INFINITY, f64::min) - self.radius
             }
         }
     }
@@ -79,11 +74,14 @@ impl Near<'_> {
                 gap(&around, &disc.aabb()) <= reach
                     && (connections.iter().any(|s| distance_point_segment(disc.center, s) <= far) || holds(disc.center))
             }
-            Obstacle::Polygon(_) => self.edges.iter().any(|edge| {
-                gap(&around, &edge.aabb()) <= reach
-                    && (connections.iter().any(|s| distance_squared_segment_segment(s, edge) <= reach * reach)
-                        || holds(edge.a))
-            }),
+            Obstacle::Polygon(_) | Obstacle::PolygonWithHoles(_) | Obstacle::Wall(_) => {
+                let far = reach + self.radius;
+                self.edges.iter().any(|edge| {
+                    gap(&around, &edge.aabb()) <= far
+                        && (connections.iter().any(|s| distance_squared_segment_segment(s, edge) <= far * far)
+                            || holds(edge.a))
+                })
+            }
         }
     }
 }

@@ -5,11 +5,12 @@ use crate::error::{Code, FormatError, quoted};
 use crate::grid::{Cell, Frame};
 use crate::image::Picture;
 use crate::numbers::{Table, note_scale, npy_grid};
-use crate::options::Options;
+use crate::options::{Coordinates, Options};
 use crate::raster::add_grid;
 use crate::report::{FileRead, Format};
 use crate::ros::{Metadata, is_metadata};
-use crate::{File, MAX_BYTES, MAX_FILES, movingai, npy, ompl};
+use crate::text::without_mark;
+use crate::{File, MAX_BYTES, MAX_FILES, dxf, geojson, movingai, npy, ompl, rmf, svg, wkt};
 
 /// What a file is.
 enum Kind {
@@ -22,6 +23,11 @@ enum Kind {
     OmplQueries,
     Npy,
     Numbers(Table, Format),
+    GeoJson,
+    Wkt,
+    Building,
+    Svg,
+    Dxf,
 }
 
 impl Kind {
@@ -37,10 +43,13 @@ impl Kind {
         if let Some(kind) = by_first_bytes(bytes) {
             return Ok(kind);
         }
-        if let Ok(text) = std::str::from_utf8(bytes)
-            && is_metadata(text)
-        {
-            return Metadata::read(text).map(Self::Metadata);
+        if let Ok(text) = std::str::from_utf8(bytes) {
+            if rmf::is_building(text) {
+                return Ok(Self::Building);
+            }
+            if is_metadata(text) {
+                return Metadata::read(text).map(Self::Metadata);
+            }
         }
         if let Some(what) = known_but_not_read(bytes) {
             let sentence = format!("this is {what}, which is not read; {KNOWN}");
@@ -78,6 +87,11 @@ impl Kind {
             Self::Numbers(_, Format::Tpcap) => "parking case",
             Self::Numbers(_, Format::ModernRobotics) => "obstacles of Modern Robotics",
             Self::Numbers(..) => "grid of numbers",
+            Self::GeoJson => "GeoJSON",
+            Self::Wkt => "WKT",
+            Self::Building => "building of Open-RMF",
+            Self::Svg => "SVG",
+            Self::Dxf => "DXF",
         }
     }
 
@@ -88,13 +102,15 @@ impl Kind {
 }
 
 /// What is read, for sentences.
-const KNOWN: &str = "maps of ROS (YAML with PGM, PNG or BMP), MovingAI maps, 0-1 grids (text, CSV, npy), pictures (PNG, PGM, BMP), parking \
-                     cases, and the files of Modern Robotics and OMPL are";
+const KNOWN: &str = "maps of ROS (YAML with PGM, PNG or BMP), MovingAI maps, 0-1 grids (text, CSV, npy), pictures (PNG, PGM, BMP), \
+                     SVG, DXF, GeoJSON, WKT, buildings of Open-RMF, parking cases, and the files of Modern Robotics and OMPL are";
 
-/// Whether bytes begin like a file of a known format that is no JSON. Numbers count too.
+/// Whether bytes begin like a file of a known format. Numbers count too; of JSON, only GeoJSON does.
 pub fn is_world(bytes: &[u8]) -> bool {
+    let bytes = without_mark(bytes);
     by_first_bytes(bytes).is_some()
-        || std::str::from_utf8(bytes).is_ok_and(|text| !text.trim_start().starts_with('{') && is_metadata(text))
+        || std::str::from_utf8(bytes)
+            .is_ok_and(|text| !text.trim_start().starts_with('{') && (is_metadata(text) || rmf::is_building(text)))
         || Table::read(bytes).is_ok_and(|table| table.format(&Options::default()).is_some())
 }
 
@@ -103,13 +119,17 @@ fn by_first_bytes(bytes: &[u8]) -> Option<Kind> {
         return Some(Kind::Picture(picture));
     }
     type IsKind = fn(&[u8]) -> bool;
-    let kinds: [(IsKind, Kind); 6] = [
+    let kinds: [(IsKind, Kind); 10] = [
         (|bytes| bytes.starts_with(npy::MAGIC), Kind::Npy),
         (movingai::is_map, Kind::MovingAiMap),
         (movingai::is_scenarios, Kind::MovingAiScenarios),
         (ompl::is_grid, Kind::OmplGrid),
         (ompl::is_circles, Kind::OmplCircles),
         (ompl::is_queries, Kind::OmplQueries),
+        (wkt::is_wkt, Kind::Wkt),
+        (geojson::is_geojson, Kind::GeoJson),
+        (svg::is_svg, Kind::Svg),
+        (dxf::is_dxf, Kind::Dxf),
     ];
     kinds.into_iter().find(|(is_it, _)| is_it(bytes)).map(|(_, kind)| kind)
 }
@@ -120,7 +140,7 @@ fn known_but_not_read(bytes: &[u8]) -> Option<&'static str> {
     let begins = |with: &[u8]| start.starts_with(with);
     match () {
         () if begins(b"{") || begins(b"[") => Some("JSON"),
-        () if begins(b"<") => Some("XML or SVG"),
+        () if begins(b"<") => Some("XML, but not SVG"),
         () if begins(b"\xff\xd8\xff") => Some("JPEG"),
         () if begins(b"GIF8") => Some("GIF"),
         () if begins(b"RIFF") => Some("WebP"),
@@ -129,14 +149,11 @@ fn known_but_not_read(bytes: &[u8]) -> Option<&'static str> {
         () if begins(b"P1") || begins(b"P4") => Some("PBM"),
         () if begins(b"P3") || begins(b"P6") => Some("PPM"),
         () if begins(b"%PDF") => Some("PDF"),
-        () if begins(b"POLYGON") || begins(b"MULTIPOLYGON") || begins(b"GEOMETRYCOLLECTION") => Some("WKT"),
-        () if begins(b"AutoCAD Binary DXF") || begins(b"0\r\nSECTION") || begins(b"0\nSECTION") => Some("DXF"),
-        () if begins(b"999\n") || begins(b"999\r\n") => Some("DXF"),
         () => None,
     }
 }
 
-/// Reads the files of one world.
+/// Reads the files of one world. A byte order mark before a file is skipped.
 pub fn draft(files: &[File<'_>], options: &Options) -> Result<Draft, FormatError> {
     if files.is_empty() {
         return Err(FormatError::new(Code::InvalidOption, "no file is given"));
@@ -145,6 +162,9 @@ pub fn draft(files: &[File<'_>], options: &Options) -> Result<Draft, FormatError
         let sentence = format!("{} files are given; at most {MAX_FILES} make up a world", files.len());
         return Err(FormatError::new(Code::WorldTooLarge, sentence));
     }
+    let whole = files;
+    let files: Vec<File<'_>> =
+        whole.iter().map(|&File { name, bytes }| File { name, bytes: without_mark(bytes) }).collect();
     let found: Vec<_> = files.iter().map(|file| Kind::of(file.bytes, options)).collect();
     // What a map names as its picture is never quoted: the map may come from anyone.
     let is_named = |file: &File<'_>| {
@@ -184,7 +204,7 @@ pub fn draft(files: &[File<'_>], options: &Options) -> Result<Draft, FormatError
         .iter()
         .map(|&i| {
             let (file, kind) = &kinds[i];
-            FileRead { name: file.name.to_owned(), bytes: file.bytes.len(), kind: kind.words().to_owned() }
+            FileRead { name: file.name.to_owned(), bytes: whole[i].bytes.len(), kind: kind.words().to_owned() }
         })
         .collect();
     Ok(draft)
@@ -210,11 +230,13 @@ fn check_fit(kind: &Kind, options: &Options) -> Result<(), FormatError> {
     let invalid = |option: &str, why: &str| {
         Err(FormatError::new(Code::InvalidOption, format!("the option {option} has no meaning for this format: {why}")))
     };
-    let is_vector = matches!(kind, Kind::OmplCircles | Kind::Numbers(_, Format::Tpcap | Format::ModernRobotics));
+    let is_drawing = matches!(kind, Kind::Svg | Kind::Dxf | Kind::GeoJson | Kind::Wkt | Kind::Building);
+    let is_list = matches!(kind, Kind::OmplCircles | Kind::Numbers(_, Format::Tpcap | Format::ModernRobotics));
+    let is_vector = is_drawing || is_list;
     if options.scale.is_some() && matches!(kind, Kind::Metadata(_)) {
         return invalid("scale", "the YAML file has the resolution");
     }
-    if options.scale.is_some() && is_vector {
+    if options.scale.is_some() && is_list {
         return invalid("scale", "it has coordinates");
     }
     let takes_threshold = matches!(kind, Kind::Picture(_) | Kind::Npy | Kind::Numbers(_, Format::Grid));
@@ -226,6 +248,28 @@ fn check_fit(kind: &Kind, options: &Options) -> Result<(), FormatError> {
     }
     if is_vector && options.simplify > 0.0 {
         return invalid("simplify", "it has no cells");
+    }
+    for (is_given, option) in [
+        (options.layers.is_some(), "layers"),
+        (options.wall_thickness.is_some(), "wall_thickness"),
+        (options.tolerance.is_some(), "tolerance"),
+        (options.walkable.is_some(), "walkable"),
+    ] {
+        if is_given && !is_drawing {
+            return invalid(option, "it is no drawing");
+        }
+    }
+    if !options.fill.is_empty() && !matches!(kind, Kind::Dxf) {
+        return invalid("fill", "it says itself what is filled");
+    }
+    if !options.filters.is_empty() && !matches!(kind, Kind::GeoJson) {
+        return invalid("filters", "its shapes have no properties");
+    }
+    if options.level.is_some() && !matches!(kind, Kind::Building) {
+        return invalid("level", "it is no building");
+    }
+    if options.coordinates != Coordinates::Auto && !matches!(kind, Kind::GeoJson | Kind::Wkt) {
+        return invalid("coordinates", "they are never degrees");
     }
     Ok(())
 }
@@ -266,6 +310,11 @@ fn read_main(
         Kind::Numbers(table, Format::Tpcap) => table.parking(name),
         Kind::Numbers(table, Format::ModernRobotics) => table.modern_robotics(name),
         Kind::Numbers(table, _) => table.grid(name, options),
+        Kind::Svg => svg::draft(name, bytes, options),
+        Kind::Dxf => dxf::draft(name, bytes, options),
+        Kind::GeoJson => geojson::draft(name, bytes, options),
+        Kind::Wkt => wkt::draft(name, bytes, options),
+        Kind::Building => rmf::draft(name, std::str::from_utf8(bytes).unwrap_or_default(), options),
         Kind::MovingAiScenarios | Kind::OmplQueries => unreachable!("it only adds to another file"),
     };
     draft.map_err(|error| error.in_file(name))

@@ -3,16 +3,23 @@
 use crate::error::{Code, FormatError, Place};
 use crate::grid::Grid;
 use crate::options::{Options, RobotChoice};
-use crate::report::{Format, QueryRead, Report};
+use crate::report::{Format, Obstacles, PlaneRead, QueryRead, Report};
+use crate::vector::Frame;
 use planarium::geometry::{Aabb, Point, Polygon};
 use planarium::robot::{Car, DiscRobot, RigidBody, Weights};
-use planarium::scenario::{self, GoalTolerance, MAX_OBSTACLES, Obstacle, Query, Robot, Scenario, World};
+use planarium::scenario::{
+    self, GoalTolerance, MAX_OBSTACLES, MapFrame, MapPlane, Obstacle, Query, Robot, Scenario, World,
+};
 
 /// Where a coordinate is larger than this, in metres, all are moved: a scenario allows 1e6, and digits get lost.
 pub const FAR: f64 = 1e5;
 
 /// How far an obstacle without area is grown to have one, in metres.
 const THICKNESS: f64 = 1e-6;
+
+/// In worlds smaller than this, in metres along the longer side, a radian counts for as much less in the metric of a body or a
+/// car as they are smaller: else turns alone would decide which placements are near, and steps of a tree would be turns.
+const METRIC: f64 = 10.0;
 
 /// The step of integration of cars, in seconds.
 const INTEGRATION_STEP: f64 = 0.01;
@@ -25,6 +32,10 @@ pub struct Draft {
     pub name: String,
     pub polygons: Vec<Vec<Point>>,
     pub discs: Vec<(Point, f64)>,
+    /// Obstacles of drawings, which have been moved already.
+    pub made: Vec<Obstacle>,
+    /// Where ends of queries are degrees, the way to metres.
+    pub plane: Option<Frame>,
     pub bounds: Aabb,
     /// What the reader has subtracted from all but the queries, so that cells far from the origin keep their digits.
     pub moved: Point,
@@ -60,6 +71,8 @@ impl Draft {
             name: stem(file).to_owned(),
             polygons: Vec::new(),
             discs: Vec::new(),
+            made: Vec::new(),
+            plane: None,
             bounds: Aabb::of(Point::origin(), Point::origin()),
             moved: Point::origin(),
             queries: Vec::new(),
@@ -72,12 +85,13 @@ impl Draft {
 
     /// The scenario, the report and the picture.
     pub fn finish(mut self, options: &Options) -> Result<crate::World, FormatError> {
-        let Aabb { min, max } = self.bounds;
-        if ![min.x, min.y, max.x, max.y].iter().all(|number| number.is_finite()) {
-            return Err(FormatError::new(Code::InvalidNumber, "the coordinates are too large for 64-bit numbers"));
-        }
+        check_finite(self.bounds)?;
         self.add_given_query(options)?;
-        let (robot, words) = self.robot(options)?;
+        let (robot, mut words) = self.robot(options)?;
+        let robot = robot.with_margin(options.margin).map_err(|error| invalid_option(&error))?;
+        if robot.margin() > 0.0 {
+            words = format!("{words}; a margin of {} m", robot.margin());
+        }
         self.report.robot = words;
         let offset = self.recentre();
         self.report.offset = [offset.x, offset.y];
@@ -87,9 +101,11 @@ impl Draft {
         let obstacles = self.obstacles()?;
         let queries = self.queries(&robot);
         let world = World::new(Some(self.bounds), obstacles);
-        let scenario = Scenario::new(self.name, world, robot, queries).map_err(|error| {
+        let invalid = |error: planarium::Error| {
             FormatError::new(Code::InvalidScenario, error.message()).at(Place::Element(error.pointer().to_owned()))
-        })?;
+        };
+        let frame = frame(&self.report).map_err(invalid)?;
+        let scenario = Scenario::new(self.name, world, robot, queries).map_err(invalid)?.in_frame(frame);
         Ok(crate::World { scenario, report: self.report, grid: self.grid })
     }
 
@@ -120,7 +136,12 @@ impl Draft {
         while self.queries.iter().any(|query| query.read.name == name) {
             name.push('\'');
         }
-        let mut query = DraftQuery::new(name, [start[0], start[1]], [goal[0], goal[1]]);
+        let metres = |place: &[f64]| {
+            let given = Point::new(place[0], place[1]);
+            let p = self.plane.map_or(given, |plane| plane.to_metres(given));
+            [p.x, p.y]
+        };
+        let mut query = DraftQuery::new(name, metres(start), metres(goal));
         let heading = |place: &[f64]| place.get(2).copied().unwrap_or(0.0);
         query.headings = Some([heading(start), heading(goal)]);
         self.queries.insert(0, query);
@@ -138,7 +159,7 @@ impl Draft {
 
     /// The robot and the words for it.
     fn robot(&self, options: &Options) -> Result<(Robot, String), FormatError> {
-        let invalid = |error: planarium::Error| FormatError::new(Code::InvalidOption, error.message());
+        let invalid = |error: planarium::Error| invalid_option(&error);
         let polygon = |corners: &[[f64; 2]]| -> Result<Polygon, FormatError> {
             let corners: Vec<Point> = corners.iter().map(|&[x, y]| Point::new(x, y)).collect();
             scenario::polygon(&corners).map_err(invalid)
@@ -154,7 +175,7 @@ impl Draft {
                 (DiscRobot::new(radius).map_err(invalid)?.into(), format!("a disc of radius {radius} m"))
             }
             RobotChoice::Footprint { corners } => {
-                let body = RigidBody { shape: polygon(corners)?, weights: Weights::default() };
+                let body = RigidBody::new(polygon(corners)?, self.weights().map_err(invalid)?);
                 (body.into(), format!("a footprint of {} corners that turns", corners.len()))
             }
             &RobotChoice::Car { length, width, wheelbase, steering } => {
@@ -166,12 +187,19 @@ impl Draft {
                 let [front, side] = [rear + length, width / 2.0];
                 let shape = polygon(&[[rear, -side], [front, -side], [front, side], [rear, side]])?;
                 let limits = [[-SPEED, SPEED], [-steering, steering]];
-                let car = Car::new(shape, wheelbase, limits[0], limits[1], INTEGRATION_STEP, Weights::default());
+                let weights = self.weights().map_err(invalid)?;
+                let car = Car::new(shape, wheelbase, limits[0], limits[1], INTEGRATION_STEP, weights);
                 let words =
                     format!("a car of {length} x {width} m, wheelbase {wheelbase} m, steering up to {steering} rad");
                 (car.map_err(invalid)?.into(), words)
             }
         })
+    }
+
+    /// The metric of a robot that turns.
+    fn weights(&self) -> Result<Weights, planarium::Error> {
+        let Weights { translation, rotation } = Weights::default();
+        Weights::new(translation, rotation * (self.bounds.longer_side() / METRIC).clamp(1e-9, 1.0))
     }
 
     /// Moves everything if a coordinate is far from the origin, by whole metres, so that the difference is exact.
@@ -180,8 +208,7 @@ impl Draft {
         let moved = self.moved;
         self.shift_queries(moved);
         let corners = [self.bounds.min, self.bounds.max];
-        let largest = corners.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
-        if largest <= FAR {
+        if largest(corners) <= FAR || moved != Point::origin() {
             return moved;
         }
         let offset = middle(corners[0], corners[1]);
@@ -205,7 +232,7 @@ impl Draft {
 
     /// The obstacles; those without area are grown to have one, since they separate as well.
     fn obstacles(&mut self) -> Result<Vec<Obstacle>, FormatError> {
-        let count = self.polygons.len() + self.discs.len();
+        let count = self.polygons.len() + self.discs.len() + self.made.len();
         if count > MAX_OBSTACLES {
             let sentence = format!("there are {count} obstacles; a scenario has at most {MAX_OBSTACLES}");
             return Err(FormatError::new(Code::WorldTooLarge, sentence));
@@ -222,10 +249,9 @@ impl Draft {
             let polygon = scenario::polygon(corners).map_err(|error| {
                 FormatError::new(Code::InvalidFile, error.message()).at(Place::Element(format!("obstacle {i}")))
             })?;
-            self.report.obstacles.vertices += polygon.vertices().len();
             obstacles.push(polygon.into());
         }
-        self.report.obstacles.polygons = obstacles.len();
+        obstacles.append(&mut self.made);
         let points = self.discs.iter().filter(|(_, radius)| *radius == 0.0).count();
         obstacles.extend(self.discs.iter().map(|&(center, radius)| Obstacle::disc(center, radius.max(THICKNESS))));
         if flat + points > 0 {
@@ -233,8 +259,22 @@ impl Draft {
             let sentence = format!("{} obstacles without area are grown by {THICKNESS:e} m to have one", flat + points);
             self.report.notes.push(sentence);
         }
-        self.report.obstacles.discs = obstacles.len() - self.report.obstacles.polygons;
+        self.report.obstacles = Obstacles::of(&obstacles);
         Ok(obstacles)
+    }
+
+    /// Adds a wall along points, not all of which are the same; a disc if they are.
+    pub fn add_wall(&mut self, points: &[Point], width: f64, closed: bool) -> Result<(), FormatError> {
+        match points {
+            [] => {}
+            [center, rest @ ..] if rest.iter().all(|p| p == center) => self.discs.push((*center, width / 2.0)),
+            _ => {
+                let wall = Obstacle::wall(points, width, closed)
+                    .map_err(|error| FormatError::new(Code::InvalidNumber, error.message()))?;
+                self.made.push(wall);
+            }
+        }
+        Ok(())
     }
 
     /// The queries for a robot: headings are dropped where it has none, and 0 where the file has none.
@@ -267,8 +307,21 @@ impl Draft {
     }
 }
 
+/// Refuses bounds that are not finite.
+pub fn check_finite(Aabb { min, max }: Aabb) -> Result<(), FormatError> {
+    if [min.x, min.y, max.x, max.y].iter().all(|number| number.is_finite()) {
+        return Ok(());
+    }
+    Err(FormatError::new(Code::InvalidNumber, "the coordinates are too large for 64-bit numbers"))
+}
+
+/// The largest coordinate, without its sign; 0 without points.
+pub fn largest(points: impl IntoIterator<Item = Point>) -> f64 {
+    points.into_iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max)
+}
+
 /// The middle of two corners, in whole metres.
-fn middle(min: Point, max: Point) -> Point {
+pub fn middle(min: Point, max: Point) -> Point {
     Point::new((min.x / 2.0 + max.x / 2.0).round(), (min.y / 2.0 + max.y / 2.0).round())
 }
 
@@ -309,4 +362,16 @@ pub fn stem(file: &str) -> &str {
 /// The name of a file without folders.
 pub fn base(file: &str) -> &str {
     file.rsplit(['/', '\\']).next().unwrap_or(file)
+}
+
+/// An option that the core refuses.
+fn invalid_option(error: &planarium::Error) -> FormatError {
+    FormatError::new(Code::InvalidOption, error.message())
+}
+
+/// The frame of the map. People have paths in the units of GeoJSON and WKT; of other files they have them in metres.
+fn frame(report: &Report) -> Result<MapFrame, planarium::Error> {
+    let plane = report.plane.as_ref().filter(|_| matches!(report.format, Format::GeoJson | Format::Wkt));
+    let plane = plane.map(|&PlaneRead { origin, scale, error }| MapPlane { origin, scale, degrees: error.is_some() });
+    MapFrame::new(report.offset, plane)
 }

@@ -32,6 +32,8 @@ pub enum Code {
     InvalidOption,
     /// What was read is no valid scenario.
     InvalidScenario,
+    /// A path has other columns than the robot needs.
+    WrongColumns,
 }
 
 impl Code {
@@ -96,6 +98,12 @@ impl FormatError {
         Self::new(code, message).at(Place::Line(line))
     }
 
+    /// The error at a place, unless it has one.
+    pub(crate) fn at_or(mut self, place: impl FnOnce() -> Place) -> Self {
+        self.0.place.get_or_insert_with(place);
+        self
+    }
+
     pub(crate) fn at(mut self, place: Place) -> Self {
         self.0.place = Some(place);
         self
@@ -105,6 +113,31 @@ impl FormatError {
     pub(crate) fn in_file(mut self, name: &str) -> Self {
         self.0.file.get_or_insert_with(|| name.to_owned());
         self
+    }
+
+    /// The error with its place moved by a number of bytes, if it is a byte.
+    pub(crate) fn moved(mut self, by: usize) -> Self {
+        if let Some(Place::Byte(at)) = &mut self.0.place {
+            *at += by;
+        }
+        self
+    }
+
+    /// Text that is not the JSON of a format.
+    pub(crate) fn of_json(error: &serde_json::Error, what: &str) -> Self {
+        let code = match () {
+            () if error.is_eof() => Code::Truncated,
+            () if error.to_string().contains("number out of range") => Code::InvalidNumber,
+            () => Code::InvalidFile,
+        };
+        Self::at_line(code, error.line(), format!("this is no {what}: {error}"))
+    }
+
+    /// An option that names something that is not there.
+    pub(crate) fn none_of<'a>(what: &str, wanted: &str, known: impl Iterator<Item = &'a str>) -> Self {
+        let known: Vec<String> = known.take(20).map(|name| quoted(name.as_bytes())).collect();
+        let sentence = format!("there is no {what} {}, but {}", quoted(wanted.as_bytes()), known.join(", "));
+        Self::new(Code::InvalidOption, sentence)
     }
 
     /// A file that is named but not given.

@@ -13,6 +13,11 @@
 //! | [`Format::Tpcap`] | a parking case, CSV |
 //! | [`Format::ModernRobotics`] | `obstacles.csv` |
 //! | [`Format::OmplGrid`], [`Format::OmplCircles`] | the test files of OMPL |
+//! | [`Format::Svg`] | shapes with fill and stroke |
+//! | [`Format::Dxf`] | lines, curves and areas, as text |
+//! | [`Format::GeoJson`] | features with areas, lines and points |
+//! | [`Format::Wkt`] | geometries as well-known text |
+//! | [`Format::RmfBuilding`] | `building.yaml` of Open-RMF |
 //!
 //! The content decides which format it is; files may come in any order.
 //!
@@ -27,12 +32,17 @@
 //! # Ok::<(), planarium_formats::FormatError>(())
 //! ```
 #![deny(missing_docs)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 #![deny(clippy::unwrap_used)]
 
+#[cfg(all(target_arch = "wasm32", feature = "bindings"))]
+#[allow(unsafe_code)]
+mod bindings;
 mod detect;
 mod draft;
+mod dxf;
 mod error;
+mod geojson;
 mod grid;
 mod image;
 mod matching;
@@ -41,19 +51,31 @@ pub mod npy;
 mod numbers;
 mod ompl;
 mod options;
+mod outline;
+mod path;
+mod plane;
 mod raster;
 mod rectangles;
 mod regions;
 mod report;
+mod rmf;
 mod ros;
+mod svg;
 mod text;
+mod vector;
+mod wkt;
+mod write;
 mod yaml;
 
 pub use detect::is_world;
 pub use error::{Code, FormatError, Place};
 pub use grid::{Cell, Grid, MAX_CELLS, MAX_SIDE};
-pub use options::{Options, RobotChoice, Unknown};
-pub use report::{Dropped, FileRead, Format, GridRead, Obstacles, QueryRead, Report};
+pub use options::{Coordinates, Filter, Options, RobotChoice, TOLERANCE, Unknown};
+pub use path::{Angles, ColumnRead, MAX_WAYPOINTS, PathFormat, PathOptions, PathRead, PathReport, is_path, read_path};
+pub use report::{Dropped, FileRead, Format, GridRead, LayerRead, Obstacles, PlaneRead, QueryRead, Report};
+
+pub use planarium::scenario::MapFrame;
+pub use write::{PathForm, PathRows, RowTiming, WriteOptions, write_path};
 
 use planarium::scenario::Scenario;
 
@@ -95,7 +117,10 @@ pub struct World {
 /// of the file.
 pub fn read(files: &[File<'_>], options: &Options) -> Result<World, FormatError> {
     check_options(options)?;
-    let draft = detect::draft(files, options)?;
+    let draft = detect::draft(files, options).map_err(|error| {
+        let is_marked = |file: &File<'_>| error.file() == Some(file.name) && file.bytes.starts_with(text::MARK);
+        if files.iter().any(is_marked) { error.moved(text::MARK.len()) } else { error }
+    })?;
     let main = draft.report.files.first().map(|file| file.name.clone()).unwrap_or_default();
     draft.finish(options).map_err(|error| match error.code() {
         Code::InvalidOption => error,
@@ -113,6 +138,12 @@ fn check_options(options: &Options) -> Result<(), FormatError> {
     }
     if !(options.simplify >= 0.0 && options.simplify.is_finite()) {
         return invalid(format!("the bound of simplification must be 0 or more, not {}", options.simplify));
+    }
+    if let Some(thickness) = options.wall_thickness.filter(|thickness| !(*thickness >= 0.0 && thickness.is_finite())) {
+        return invalid(format!("the wall thickness must be 0 or more, not {thickness}"));
+    }
+    if let Some(tolerance) = options.tolerance.filter(|tolerance| !(*tolerance > 0.0 && tolerance.is_finite())) {
+        return invalid(format!("the tolerance of curves must be positive, not {tolerance}"));
     }
     Ok(())
 }

@@ -1,5 +1,5 @@
 //! NumPy's array files, `.npy`, versions 1 to 3: truth values, integers and floating-point numbers of either byte
-//! order, in C or Fortran order.
+//! order, in C or Fortran order. Written is version 1 with 64-bit floating-point numbers.
 
 use npyz::{DType, Deserialize, NpyFile, NpyHeader, Order, TypeChar};
 
@@ -68,6 +68,23 @@ pub fn read(bytes: &[u8]) -> Result<Table, String> {
         Order::Fortran => (0..stored.len()).map(|i| stored[i % width * height + i / width]).collect(),
     };
     Ok(Table { width, numbers })
+}
+
+/// An array of rows, `width` numbers each, as version 1: little-endian 64-bit floating-point numbers.
+///
+/// # Panics
+/// Never: the header of two whole numbers is shorter than the 65,535 bytes that version 1 allows.
+pub fn write(width: usize, numbers: &[f64]) -> Vec<u8> {
+    let height = numbers.len().checked_div(width).unwrap_or(0);
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({height}, {width}), }}");
+    // The numbers begin at a multiple of 64 bytes: after the mark, two bytes of the version, two of the length, and a line break.
+    let length = (MAGIC.len() + 4 + header.len() + 1).next_multiple_of(64) - MAGIC.len() - 4;
+    let mut bytes = MAGIC.to_vec();
+    bytes.extend([1, 0]);
+    bytes.extend((length as u16).to_le_bytes());
+    bytes.extend(format!("{header:<0$}\n", length - 1).as_bytes());
+    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    bytes
 }
 
 /// All numbers of a file, in the order in which they are stored.

@@ -1,6 +1,6 @@
 //! From cells to rectangles: which are obstacles, islands, simplification, and the bounds.
 
-use crate::draft::Draft;
+use crate::draft::{Draft, largest};
 use crate::error::{Code, FormatError};
 use crate::grid::{Cell, Grid};
 use crate::options::{Options, Unknown};
@@ -44,8 +44,7 @@ pub fn add_grid(draft: &mut Draft, grid: Grid, options: &Options) -> Result<(), 
     let rectangles = cover.rectangles.len();
     let is_turned = grid.frame.yaw != 0.0;
     let hull = hull(&grid);
-    let largest = hull.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
-    let slack = if is_turned { TURNED_SLACK * largest } else { 0.0 };
+    let slack = if is_turned { TURNED_SLACK * largest(hull) } else { 0.0 };
     let margin = slack / grid.frame.resolution;
     for (columns, rows) in &cover.rectangles {
         let [left, right] = [columns.start as f64 - margin, columns.end as f64 + margin];

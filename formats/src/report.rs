@@ -1,10 +1,13 @@
 //! What was read, dropped, merged, moved and grown, in numbers.
 
+use crate::text::at_most;
+use planarium::scenario::Obstacle;
 use serde::Serialize;
 use std::fmt;
 
 /// The format of a world, as a stable kebab-case word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::VariantArray)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -25,6 +28,18 @@ pub enum Format {
     OmplGrid,
     /// The circles of OMPL's tests.
     OmplCircles,
+    /// Shapes of SVG.
+    Svg,
+    /// A drawing of AutoCAD's exchange format.
+    Dxf,
+    /// Features of GeoJSON.
+    #[serde(rename = "geojson")]
+    #[strum(serialize = "geojson")]
+    GeoJson,
+    /// Well-known text.
+    Wkt,
+    /// A building of Open-RMF's `traffic_editor`.
+    RmfBuilding,
 }
 
 impl Format {
@@ -39,6 +54,7 @@ impl Format {
 
 /// The report about a world that was read. Lengths in metres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify), tsify(rename = "WorldReport"))]
 pub struct Report {
     /// The format.
     pub format: Format,
@@ -51,6 +67,17 @@ pub struct Report {
     /// Of maps and pictures.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grid: Option<GridRead>,
+    /// Of drawings whose coordinates are not metres with y up.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plane: Option<PlaneRead>,
+    /// Of drawings, the layers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), tsify(optional))]
+    pub layers: Vec<LayerRead>,
+    /// Of buildings, the names of the levels, of which one is read.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), tsify(optional))]
+    pub levels: Vec<String>,
     /// The obstacles of the scenario.
     pub obstacles: Obstacles,
     /// What was left out.
@@ -67,6 +94,7 @@ pub struct Report {
 
 /// A file that was used.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 pub struct FileRead {
     /// Its name, as given.
     pub name: String,
@@ -78,6 +106,7 @@ pub struct FileRead {
 
 /// The cells of a map.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 pub struct GridRead {
     /// The columns.
     pub width: usize,
@@ -99,6 +128,7 @@ pub struct GridRead {
     pub transparent: usize,
     /// The kinds of cells that the file has, by its own letters or values, and how many of each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), tsify(optional))]
     pub kinds: Vec<(String, usize)>,
     /// Islands of obstacles: cells that touch at a side or a corner. Those that were dropped do not count.
     pub islands: usize,
@@ -116,17 +146,69 @@ pub struct GridRead {
 
 /// How many obstacles the scenario has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 pub struct Obstacles {
-    /// Polygons.
+    /// Polygons, with holes or without.
     pub polygons: usize,
+    /// The holes of all polygons.
+    pub holes: usize,
+    /// Walls.
+    pub walls: usize,
     /// Discs.
     pub discs: usize,
-    /// The corners of all polygons.
+    /// The corners of all polygons and the points of all walls.
     pub vertices: usize,
+}
+
+impl Obstacles {
+    pub(crate) fn of(obstacles: &[Obstacle]) -> Self {
+        let mut count = Self { vertices: obstacles.iter().map(Obstacle::points).sum(), ..Self::default() };
+        for obstacle in obstacles {
+            match obstacle {
+                Obstacle::Polygon(_) => count.polygons += 1,
+                Obstacle::PolygonWithHoles(polygon) => {
+                    count.polygons += 1;
+                    count.holes += polygon.holes().len();
+                }
+                Obstacle::Wall(_) => count.walls += 1,
+                Obstacle::Disc(_) => count.discs += 1,
+            }
+        }
+        count
+    }
+}
+
+/// A layer of a drawing.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
+pub struct LayerRead {
+    /// Its name.
+    pub name: String,
+    /// How many shapes it has.
+    pub shapes: usize,
+    /// Why it was not read; absent if it was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub omitted: Option<String>,
+}
+
+/// The way from the coordinates of a file to metres: (x - origin) times scale, for each axis; then `offset` is
+/// subtracted. The axes are not turned.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
+pub struct PlaneRead {
+    /// What is subtracted from coordinates of the file; of longitude and latitude, in degrees.
+    pub origin: [f64; 2],
+    /// Metres per unit of the file; negative where y points down.
+    pub scale: [f64; 2],
+    /// Of longitude and latitude, the most that a distance on the ellipsoid WGS 84 differs from that in the plane, in
+    /// metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
 }
 
 /// What was left out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 pub struct Dropped {
     /// What, in words.
     pub what: String,
@@ -137,8 +219,17 @@ pub struct Dropped {
     pub cells: Option<usize>,
 }
 
+impl Dropped {
+    /// Those of which there are some, in words of the plural.
+    pub(crate) fn counted(all: impl IntoIterator<Item = (impl Into<String>, usize)>) -> Vec<Self> {
+        let some = all.into_iter().filter(|(_, count)| *count > 0);
+        some.map(|(what, count)| Self { what: what.into(), count, cells: None }).collect()
+    }
+}
+
 /// A query and what the file says of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), derive(tsify::Tsify))]
 pub struct QueryRead {
     /// The name in the scenario.
     pub name: String,
@@ -150,6 +241,7 @@ pub struct QueryRead {
     pub length: Option<f64>,
     /// Whether the start or the goal lies in an obstacle cell.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(all(target_arch = "wasm32", feature = "bindings"), tsify(optional))]
     pub blocked: bool,
 }
 
@@ -161,6 +253,9 @@ impl Report {
             bounds: [[0.0; 2]; 2],
             offset: [0.0; 2],
             grid: None,
+            plane: None,
+            layers: Vec::new(),
+            levels: Vec::new(),
             obstacles: Obstacles::default(),
             dropped: Vec::new(),
             grown: 0.0,
@@ -191,8 +286,29 @@ impl fmt::Display for Report {
         if self.offset != [0.0; 2] {
             write!(f, "\nmoved: {:?} was subtracted from every coordinate", self.offset)?;
         }
-        let Obstacles { polygons, discs, vertices } = self.obstacles;
-        write!(f, "\nobstacles: {polygons} polygons with {vertices} corners, {discs} discs")?;
+        if let Some(PlaneRead { origin: [x, y], scale: [east, north], error }) = &self.plane {
+            write!(f, "\nplane: x = {east} (x - {x}), y = {north} (y - {y}) in metres")?;
+            if let Some(error) = error {
+                write!(f, ", of longitude and latitude; distances differ by at most {error:.1e} m")?;
+            }
+        }
+        let (read, left): (Vec<_>, Vec<_>) = self.layers.iter().partition(|layer| layer.omitted.is_none());
+        for (what, layers) in [("layers", read), ("layers left out", left)] {
+            for (i, LayerRead { name, shapes, omitted }) in layers.into_iter().enumerate() {
+                let before = if i == 0 { format!("\n{what}: ") } else { ", ".to_owned() };
+                let why = omitted.as_ref().map(|why| format!(", {why}")).unwrap_or_default();
+                write!(f, "{before}{name:?} ({shapes}{why})")?;
+            }
+        }
+        let Obstacles { polygons, holes, walls, discs, vertices } = self.obstacles;
+        write!(f, "\nobstacles: {polygons} polygons")?;
+        if holes > 0 {
+            write!(f, " with {holes} holes")?;
+        }
+        if walls > 0 {
+            write!(f, ", {walls} walls")?;
+        }
+        write!(f, ", {discs} discs; {vertices} corners")?;
         for Dropped { what, count, cells } in &self.dropped {
             write!(f, "\ndropped: {count} {what}")?;
             if let Some(cells) = cells {
@@ -200,7 +316,7 @@ impl fmt::Display for Report {
             }
         }
         if self.grown > 0.0 {
-            write!(f, "\ngrown: by at most {:e} m", self.grown)?;
+            write!(f, "\ngrown: by at most {} m", at_most(self.grown))?;
         }
         write!(f, "\nrobot: {}", self.robot)?;
         write!(f, "\nqueries: {}", self.queries.len())?;

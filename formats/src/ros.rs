@@ -18,7 +18,7 @@ use crate::image::{Picture, Pixel};
 use crate::options::Options;
 use crate::raster::add_grid;
 use crate::report::Format;
-use crate::yaml::{self, Entry, Value};
+use crate::yaml::{self, Node, Value};
 use planarium::geometry::Point;
 
 /// The metadata of a map.
@@ -47,8 +47,7 @@ const KEYS: [&str; 7] = ["image", "resolution", "origin", "negate", "occupied_th
 
 /// Whether text looks like the metadata of a map: it has the key `image` at the beginning of a line, or two others.
 pub fn is_metadata(text: &str) -> bool {
-    let lines = text.trim_start_matches('\u{feff}').lines();
-    let mut keys = lines.filter_map(|line| {
+    let mut keys = text.lines().filter_map(|line| {
         let (key, _) = line.trim_start_matches(['{', ' ']).split_once(':')?;
         Some(key.trim_end().trim_matches(['"', '\'']))
     });
@@ -62,8 +61,9 @@ pub fn is_metadata(text: &str) -> bool {
 
 impl Metadata {
     pub fn read(text: &str) -> Result<Self, FormatError> {
-        let entries = yaml::read(text)?;
-        let find = |key: &str| entries.iter().find(|entry| entry.key == key);
+        let root = yaml::read(text)?;
+        let entries = root.pairs();
+        let find = |key: &str| entries.iter().find(|entry| entry.0 == key);
         let required = |key: &'static str| {
             find(key).ok_or_else(|| {
                 FormatError::new(Code::InvalidFile, format!("the key \"{key}\" is missing"))
@@ -80,7 +80,8 @@ impl Metadata {
             return Err(out_of_range(resolution_entry, format!("the resolution must be positive, not {resolution}")));
         }
         let origin_entry = required("origin")?;
-        let Value::List(list) = &origin_entry.value else {
+        let numbers = || origin_entry.1.items().iter().map(Node::text).collect::<Option<Vec<&str>>>();
+        let Some(list) = numbers().filter(|_| matches!(origin_entry.1.value, Value::List(_))) else {
             return Err(invalid(origin_entry, "the origin is a list [x, y, yaw]".to_owned()));
         };
         let numbers = list.iter().map(|text| number(origin_entry, text)).collect::<Result<Vec<f64>, _>>()?;
@@ -120,8 +121,7 @@ impl Metadata {
                 return Err(invalid(entry, sentence));
             }
         };
-        let unread =
-            entries.iter().filter(|entry| !KEYS.contains(&&*entry.key)).map(|entry| entry.key.clone()).collect();
+        let unread = entries.iter().filter(|entry| !KEYS.contains(&&*entry.0)).map(|entry| entry.0.clone()).collect();
         Ok(Self { image, resolution, origin: [x, y, yaw], negate, occupied, free, mode, unread })
     }
 
@@ -178,19 +178,19 @@ impl Metadata {
     }
 }
 
+/// A key and its value.
+type Entry = (String, Node);
+
 fn invalid(entry: &Entry, message: String) -> FormatError {
-    FormatError::at_line(Code::InvalidFile, entry.line, message)
+    FormatError::at_line(Code::InvalidFile, entry.1.line, message)
 }
 
 fn out_of_range(entry: &Entry, message: String) -> FormatError {
-    FormatError::at_line(Code::InvalidNumber, entry.line, message)
+    FormatError::at_line(Code::InvalidNumber, entry.1.line, message)
 }
 
 fn scalar(entry: &Entry) -> Result<&str, FormatError> {
-    match &entry.value {
-        Value::Scalar(text) => Ok(text.trim()),
-        _ => Err(invalid(entry, format!("{} is one value", entry.key))),
-    }
+    entry.1.text().ok_or_else(|| invalid(entry, format!("{} is one value", entry.0)))
 }
 
 /// A finite number, as YAML writes them.
@@ -198,14 +198,14 @@ fn number(entry: &Entry, text: &str) -> Result<f64, FormatError> {
     let text = text.trim();
     let is_special = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
     if [".inf", ".nan", "inf", "nan", "infinity"].contains(&&*is_special) {
-        return Err(out_of_range(entry, format!("{} must be finite, not {text}", entry.key)));
+        return Err(out_of_range(entry, format!("{} must be finite, not {text}", entry.0)));
     }
     let value: f64 = text
         .parse()
-        .map_err(|_| invalid(entry, format!("{} has a number where {} stands", entry.key, quoted(text.as_bytes()))))?;
+        .map_err(|_| invalid(entry, format!("{} has a number where {} stands", entry.0, quoted(text.as_bytes()))))?;
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(out_of_range(entry, format!("{} must be finite, not {text}", entry.key)))
+        Err(out_of_range(entry, format!("{} must be finite, not {text}", entry.0)))
     }
 }

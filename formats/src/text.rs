@@ -1,5 +1,13 @@
 //! Lines, words and numbers of text files, as bytes.
 
+/// The byte order mark of UTF-8, which some editors write before a text.
+pub const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// The bytes after a byte order mark, if there is one.
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(MARK).unwrap_or(bytes)
+}
+
 /// The lines of a file with their numbers, from 1, without their ends.
 pub struct Lines<'a> {
     rest: Option<&'a [u8]>,
@@ -7,9 +15,8 @@ pub struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// A byte order mark at the beginning is skipped.
     pub fn of(bytes: &'a [u8]) -> Self {
-        Self { rest: Some(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)), number: 0 }
+        Self { rest: Some(bytes), number: 0 }
     }
 }
 
@@ -26,6 +33,22 @@ impl<'a> Iterator for Lines<'a> {
         self.number += 1;
         Some((self.number, line.strip_suffix(b"\r").unwrap_or(line)))
     }
+}
+
+/// A length as text, rounded up to two digits, for sentences that name the most. The same on every platform: decimal digits
+/// alone decide.
+pub fn at_most(length: f64) -> String {
+    let nearest = format!("{length:.1e}");
+    let above = |(digits, exponent): (&str, &str)| -> Option<f64> {
+        let digits: u32 = digits.replace('.', "").parse().ok()?;
+        let exponent: i32 = exponent.parse().ok()?;
+        format!("{}e{}", digits + 1, exponent - 1).parse().ok()
+    };
+    let rounded = match nearest.parse() {
+        Ok(rounded) if rounded >= length => rounded,
+        _ => nearest.split_once('e').and_then(above).unwrap_or(length),
+    };
+    if rounded < 1e-3 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// What stands between blanks.

@@ -9,13 +9,24 @@ mod documents;
 #[path = "../../fuzz/worlds.rs"]
 mod fuzzed;
 
+mod areas;
+mod drawings;
+mod dxf;
 mod files;
+mod geojson;
+mod golden;
 mod grids;
 mod hostile;
 mod mutations;
+mod paths;
 mod pictures;
 mod planning;
+mod plans;
 mod rectangles;
+mod rmf;
 mod ros;
+mod svg;
 mod tables;
+mod wkt;
 mod worlds;
+mod written;

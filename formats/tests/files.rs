@@ -1,6 +1,6 @@
 //! Small files of every format, and what tests ask of a world.
 
-use planarium::geometry::{Point, orientation};
+use planarium::geometry::{Point, Segment, orientation};
 use planarium::scenario::{Obstacle, Scenario};
 use planarium_formats::{Code, File, FormatError, Options, World, read};
 use std::io::Cursor;
@@ -29,6 +29,24 @@ pub fn file<'a>(name: &'a str, bytes: &'a (impl AsRef<[u8]> + ?Sized)) -> File<'
 #[track_caller]
 pub fn one(name: &str, bytes: impl AsRef<[u8]>) -> World {
     read(&[file(name, &bytes)], &Options::default()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// How many of something were left out.
+pub fn dropped(world: &World, what: &str) -> usize {
+    world.report.dropped.iter().filter(|dropped| dropped.what.contains(what)).map(|dropped| dropped.count).sum()
+}
+
+/// A Python that has these modules: that of the variable `PLANARIUM_PYTHON`, or `python3`. Without them it says so.
+pub fn python(modules: &str) -> Option<String> {
+    let python = std::env::var("PLANARIUM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let found = std::process::Command::new(&python).args(["-c", &format!("import {modules}")]).output();
+    if found.is_ok_and(|output| output.status.success()) {
+        return Some(python);
+    }
+    let test = std::thread::current().name().unwrap_or_default().to_owned();
+    let line = format!("\nSKIPPED {test}: {python} has not all of {modules}\n");
+    let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
+    None
 }
 
 /// The error of files, with this code.
@@ -84,6 +102,12 @@ pub fn npy(kind: &str, height: usize, width: usize, data: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// Whether no obstacle of a world has the place, in the coordinates of the scenario.
+pub fn free(world: &World, [x, y]: [f64; 2]) -> bool {
+    let at = Segment::new(Point::new(x, y), Point::new(x, y));
+    world.scenario.world().obstacles.iter().all(|obstacle| obstacle.distance_to_segment(&at) > 0.0)
+}
+
 /// Where obstacles are, by strips of x.
 pub struct Places<'a> {
     strips: Vec<Vec<&'a Obstacle>>,
@@ -105,16 +129,17 @@ impl<'a> Places<'a> {
         Self { strips, low, width }
     }
 
-    /// Whether no obstacle has the point, which is exact for convex polygons.
+    /// Whether no obstacle has the point, exactly.
     pub fn is_free(&self, p: Point) -> bool {
         let strip = (((p.x - self.low) / self.width).max(0.0) as usize).min(self.strips.len() - 1);
         self.strips[strip].iter().all(|obstacle| match obstacle {
             Obstacle::Disc(disc) => (p - disc.center).norm() > disc.radius,
-            Obstacle::Polygon(polygon) => {
+            Obstacle::Polygon(polygon) if polygon.is_convex() => {
                 let corners = polygon.vertices();
                 let next = corners.iter().cycle().skip(1);
                 corners.iter().zip(next).any(|(&a, &b)| orientation(a, b, p) < 0.0)
             }
+            _ => obstacle.distance_to_segment(&Segment::new(p, p)) > 0.0,
         })
     }
 }

@@ -2,8 +2,14 @@
 //! a million together. The corpus of the fuzzers is tried as well.
 
 use crate::documents::deep;
+use crate::drawings::DRAWING;
+use crate::dxf::every_kind;
 use crate::files::*;
 use crate::fuzzed;
+use crate::geojson::HOUSE;
+use crate::rmf::BUILDING;
+use crate::svg::STYLED;
+use crate::wkt::ROOM;
 use png::{BitDepth, ColorType};
 
 /// The changes of each file, and with `PLANARIUM_DEEP=1`.
@@ -109,6 +115,31 @@ fn changed_text_is_survived() {
 }
 
 #[test]
+fn changed_drawings_are_survived() {
+    try_changes("GeoJSON", HOUSE.as_bytes(), fuzzed::drawing, 17);
+    try_changes("WKT", ROOM.as_bytes(), fuzzed::drawing, 18);
+    let crossing =
+        "POLYGON ((0 0, 4 4, 4 0, 0 4), (1 1, 5 1, 1 2)), LINESTRING Z (0 0 1, 2 2 1) MULTIPOINT ((1 1), 2 2)";
+    try_changes("WKT of areas that cross", crossing.as_bytes(), fuzzed::drawing, 19);
+    try_changes("building", BUILDING.as_bytes(), fuzzed::drawing, 20);
+    try_changes("SVG", STYLED.as_bytes(), fuzzed::drawing, 21);
+    try_changes("SVG of curves", DRAWING.as_bytes(), fuzzed::drawing, 22);
+    try_changes("DXF", every_kind().as_bytes(), fuzzed::drawing, 23);
+}
+
+#[test]
+fn changed_paths_are_survived() {
+    try_changes("table", b"# a path\nt,x [cm],y,theta_deg\n0,1,2,3\n0.5,-1e2,2.5,90\n1,3,4,-5\n", fuzzed::path, 24);
+    try_changes("rows", b"0 1 2 3\n1 2 3 4\n2 3 4 5\n", fuzzed::path, 25);
+    try_changes("array of a path", &npy("<f8", 3, 2, &[0; 48]), fuzzed::path, 26);
+    try_changes("poses", crate::paths::POSES.as_bytes(), fuzzed::path, 27);
+    try_changes("poses as JSON", crate::paths::POSES_JSON.as_bytes(), fuzzed::path, 28);
+    try_changes("line", crate::paths::LINE.as_bytes(), fuzzed::path, 29);
+    try_changes("points", crate::paths::POINTS.as_bytes(), fuzzed::path, 30);
+    try_changes("lists", b"{\"path\": [[0, 1], [2.5, -3e-1], [4, 5]]}", fuzzed::path, 31);
+}
+
+#[test]
 fn changed_pictures_are_survived() {
     let grey = [0, 255, 255, 205, 255, 255, 255, 0, 255, 0, 255, 255];
     let rgba: Vec<u8> = (0..48).map(|i| (i * 37) as u8).collect();
@@ -129,12 +160,17 @@ fn changed_pictures_are_survived() {
 #[test]
 fn the_corpus_of_the_fuzzers_is_survived() {
     type Target = fn(&[u8]);
-    let targets: [(&str, Target); 5] = [
+    let targets: [(&str, Target); 10] = [
         ("world_alone", fuzzed::alone),
         ("world_picture", fuzzed::picture),
         ("world_metadata", fuzzed::metadata),
         ("world_scenarios", fuzzed::scenarios),
         ("world_queries", fuzzed::queries),
+        ("world_geojson", fuzzed::drawing),
+        ("world_wkt", fuzzed::drawing),
+        ("world_building", fuzzed::drawing),
+        ("world_svg", fuzzed::drawing),
+        ("world_dxf", fuzzed::drawing),
     ];
     for (name, target) in targets {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(name);

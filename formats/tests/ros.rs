@@ -178,6 +178,18 @@ fn cells_keep_their_place_however_far_away_the_map_is() {
 fn metadata_may_begin_with_a_byte_order_mark_and_cells_have_a_size() {
     let marked = map(&format!("\u{feff}{YAML}"), PGM);
     assert_eq!(marked.scenario.world(), map(YAML, PGM).scenario.world());
+    // Tabs between keys and values, of which YAML allows any number.
+    for between in ["\t", " \t", "\t ", "\t\t"] {
+        let tabbed = map(&YAML.replace(": ", &format!(":{between}")), PGM);
+        assert_eq!(tabbed.scenario, map(YAML, PGM).scenario, "{between:?}");
+    }
+    let quoted = YAML.replace("image: map.pgm", "image:\t\"a:\tb.pgm\"");
+    let error = refused(&[file("map.yaml", &quoted)], &Options::default(), Code::MissingFile);
+    assert_eq!(error.wanted(), Some("a:\tb.pgm"));
+    for wrong in ["image:\tmap.pgm: 1", "image:\t- map.pgm"] {
+        let yaml = YAML.replace("image: map.pgm", wrong);
+        refused(&[file("map.yaml", &yaml), file("map.pgm", PGM)], &Options::default(), Code::InvalidFile);
+    }
     let image = YAML.lines().find(|line| line.starts_with("image")).expect("a picture");
     let error = refused(&[file("map.yaml", &YAML.replace(image, ""))], &Options::default(), Code::InvalidFile);
     assert!(error.message().contains("image"), "{error}");

@@ -269,21 +269,54 @@ fn the_files_of_ompl_are_read_and_planned_in() {
     row("circle_obstacles.txt", "a point, 100 queries", &circles, seconds, &format!("{:.1} at most", 1e3 * slowest));
 }
 
-/// Files of formats that are not read say so.
 #[test]
-fn other_files_are_refused_by_name() {
-    let Some(folder) = needed("PLANARIUM_WORLDS") else { return };
-    for (name, word) in [
-        ("svg/warehouse.svg", "SVG"),
-        ("dxf/Gallery.dxf", "DXF"),
-        ("geojson/westport-house-floor-1.geojson", "JSON"),
-        ("wkt/BUW.wkt", "WKT"),
-        ("rmf/office.building.yaml", ""),
-    ] {
-        let bytes = std::fs::read(Path::new(&folder).join(name)).expect("a file");
-        let error =
-            read(&[file(name, &bytes)], &Options::default()).map(|world| world.report).expect_err("it is not read");
-        assert!(error.message().contains(word) && error.file() == Some(name), "{error}");
-        println!("{error}");
+fn plans_of_buildings_are_read_and_planned_in() {
+    let mut paths = Vec::new();
+    for (folder, end) in [("geojson", ".geojson"), ("wkt", ".wkt"), ("rmf", ".building.yaml")] {
+        let Some(found) = files(folder, end) else { return };
+        paths.extend(found);
     }
+    for path in &paths {
+        let (empty, seconds) = world(&[path], &Options::default());
+        println!("{}", empty.report);
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let robots = [
+            (RobotChoice::Disc { radius: 0.2 }, "disc, radius 0.2 m"),
+            (RobotChoice::rectangle(0.5, 0.4), "0.5 x 0.4 m"),
+        ];
+        for (robot, words) in robots {
+            let (status, time) = between_places(path, &empty, &robot);
+            assert_eq!(status, Status::Solved, "{name}: no path for {words}");
+            row(&name, words, &empty, seconds, &time);
+        }
+    }
+}
+
+/// Plans between two random places far from each other: starts that are not free are passed over.
+fn between_places(path: &Path, empty: &World, robot: &RobotChoice) -> (Status, String) {
+    let bounds = empty.scenario.world().bounds.expect("bounds");
+    let mut random = Random(21);
+    let mut place = || {
+        let x = bounds.min.x + random.unit() * (bounds.max.x - bounds.min.x);
+        Point::new(x, bounds.min.y + random.unit() * (bounds.max.y - bounds.min.y))
+    };
+    // Start and goal are in coordinates of the file: degrees, where these are degrees.
+    let to_file = |p: Point| match empty.report.plane.as_ref().filter(|plane| plane.error.is_some()) {
+        Some(plane) => (0..2).map(|i| plane.origin[i] + (p[i] + empty.report.offset[i]) / plane.scale[i]).collect(),
+        None => vec![p.x, p.y],
+    };
+    for _ in 0..100 {
+        let (from, to) = (place(), place());
+        if (to - from).norm() < 0.3 * (bounds.max - bounds.min).norm() {
+            continue;
+        }
+        let options =
+            Options { robot: robot.clone(), start: Some(to_file(from)), goal: Some(to_file(to)), ..Options::default() };
+        let (world, _) = world(&[path], &options);
+        let started = Instant::now();
+        if let Ok(Status::Solved) = plan(&world.scenario, Some("rrt-connect"), "given") {
+            return (Status::Solved, format!("{:.1}", 1e3 * started.elapsed().as_secs_f64()));
+        }
+    }
+    (Status::Exhausted, "none".to_owned())
 }

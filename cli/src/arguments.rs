@@ -108,3 +108,14 @@ pub fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= 1024);
     threads.ok_or_else(|| "threads are a whole number from 1 to 1024".to_owned())
 }
+
+/// A number between commas.
+pub fn coordinate(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| format!("{text:?} is not a number"))
+}
+
+/// A name between commas.
+#[allow(clippy::unnecessary_wraps, reason = "clap asks for a result")]
+pub fn trimmed(text: &str) -> Result<String, String> {
+    Ok(text.trim().to_owned())
+}

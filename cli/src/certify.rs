@@ -3,7 +3,7 @@
 use crate::arguments::Answer;
 use crate::files;
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use crate::world::{self, WorldOptions};
 use clap::Args;
 use planarium::certificate::{Certificate, DEFAULT_CELLS, Options, Subdivision, Verdict};
@@ -36,13 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = DEFAULT_CELLS, allow_negative_numbers = true)]
     cells: usize,
 
-    /// Write the certificate to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 
     #[command(flatten)]
     world: WorldOptions,
@@ -50,8 +45,7 @@ pub struct Arguments {
 
 /// Divides to the end and prints the certificate; true if it is decided.
 pub fn certify(arguments: &Arguments) -> Answer {
-    let mut outputs = Outputs::beside([&*arguments.file], arguments.force);
-    let out = outputs.add(arguments.out.as_deref(), Kind::CERTIFICATE)?;
+    let (outputs, out) = arguments.destination.beside([&*arguments.file], Kind::CERTIFICATE)?;
     let scenario = world::scenario(&arguments.file, None, &arguments.world, &outputs)?;
     let Arguments { query, clearance, cells, .. } = arguments;
     let options = Options { query: query.clone(), clearance: *clearance, cells: *cells };

@@ -84,7 +84,10 @@ pub fn read_at_most(name: &str, most: u64) -> Result<Vec<u8>, Error> {
     } else {
         File::open(name).and_then(|file| file.take(most).read_to_end(&mut bytes))
     };
-    result.map(|_| bytes).map_err(|error| failed("read", name, &error))
+    result.map(|_| bytes).map_err(|error| match error.kind() {
+        ErrorKind::IsADirectory => failed("read", name, &"it is a folder, not a file"),
+        _ => failed("read", name, &error),
+    })
 }
 
 /// Writes the text and a line break to standard output. A closed pipe is not an error.

@@ -1,9 +1,9 @@
 //! `planarium fleet`: plans for all robots of a fleet, with the time that took.
 
-use crate::arguments::{Answer, Given};
+use crate::arguments::{Answer, Given, trimmed};
 use crate::files;
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use clap::Args;
 use planarium::fleet::{Fleet, FleetOptions, FleetPlanner, FleetReason, FleetResult};
 use planarium::problem::{Status, Stepped};
@@ -30,24 +30,19 @@ pub struct Arguments {
 
     /// The order of priorities, the highest first: every robot once, by its name, or by its index from 0; for prioritized, which
     /// begins with that of the fleet by default
-    #[arg(long, value_name = "A,B,..", value_delimiter = ',')]
+    #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = trimmed)]
     order: Option<Vec<String>>,
 
     #[command(flatten)]
     given: Given,
 
-    /// Write the result to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// Plans and prints the result; true if it is solved.
 pub fn fleet(arguments: &Arguments) -> Answer {
-    let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::FLEET_PLAN)?;
+    let (_, out) = arguments.destination.beside([&*arguments.file], Kind::FLEET_PLAN)?;
     let fleet = Fleet::parse(&files::read(&arguments.file)?)?;
     let Given { seed, set } = &arguments.given;
     let options = FleetOptions { planner: None, seed: *seed, order: arguments.order.clone() };

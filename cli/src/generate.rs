@@ -2,7 +2,7 @@
 
 use crate::arguments::{Answer, Given};
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use clap::Args;
 use planarium::fleet::{self, fleet_generators};
 use planarium::navigation::{self, navigation_generators};
@@ -28,13 +28,8 @@ pub struct Arguments {
     #[command(flatten)]
     given: Given,
 
-    /// Write the scenario to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 pub fn generate(arguments: &Arguments) -> Answer {
@@ -46,7 +41,7 @@ pub fn generate(arguments: &Arguments) -> Answer {
         (_, true) => Kind::FLEET,
         _ => Kind::SCENARIO,
     };
-    let out = Outputs::beside([], arguments.force).add(arguments.out.as_deref(), kind)?;
+    let (_, out) = arguments.destination.beside([], kind)?;
     let document = if is_navigation {
         navigation::generate_with(&arguments.kind, &options)?.to_json_string()
     } else if is_fleet {

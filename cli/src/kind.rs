@@ -22,6 +22,8 @@ enum Mark {
     Fields(&'static [&'static str]),
     /// These bytes at its beginning.
     Start(&'static [u8]),
+    /// Nothing that others would not have.
+    Nothing,
     Roadmap,
 }
 
@@ -35,10 +37,19 @@ impl Kind {
     pub const REACH: Self = Self::fields("a result of this command", &["scenario", "method", "target", "solutions"]);
     pub const OPTIMUM: Self = Self::fields("a shortest path", &["length", "path", "method", "exact"]);
     pub const CERTIFICATE: Self = Self::format("a certificate", "planarium-certificate-1");
+    pub const TRAJECTORY: Self = Self::format("a trajectory", planarium::timing::FORMAT);
     pub const POLICY: Self = Self::format("a policy", "planarium-policy-1");
     pub const SCENARIO: Self = Self::format("a scenario", planarium::scenario::FORMAT);
     pub const FLEET: Self = Self::format("a fleet", planarium::fleet::FORMAT);
     pub const NAVIGATION: Self = Self::format("a navigation task", planarium::navigation::FORMAT);
+    pub const PATH_JSON: Self = Self::fields("a path of this command", &["scenario", "query", "rows", "columns"]);
+    pub const PATH_GEOJSON: Self = Self::fields("a path of this command", &["type", "scenario", "query", "features"]);
+    pub const PATH_SVG: Self = Self { name: "a drawing of a path", mark: Mark::Start(b"<!-- A path of Planarium -->") };
+    pub const PATH_POSES: Self =
+        Self { name: "a path of this command", mark: Mark::Start(b"# A path of Planarium: nav_msgs/Path") };
+    pub const PATH_WAYPOINTS: Self =
+        Self { name: "waypoints of this command", mark: Mark::Start(b"# A path of Planarium: waypoints") };
+    pub const PATH_ROWS: Self = Self { name: "what only this command writes", mark: Mark::Nothing };
     pub const ROADMAP: Self = Self { name: "a roadmap", mark: Mark::Roadmap };
     pub const OMPL_LOG: Self = Self { name: "a log of a sweep", mark: Mark::Start(b"Planarium version ") };
 
@@ -68,6 +79,7 @@ impl Kind {
         };
         match self.mark {
             Mark::Start(start) => starts_with(start),
+            Mark::Nothing => Ok(false),
             Mark::Format(format) => Ok(outline()?.format.as_deref() == Some(format)),
             Mark::Fields(fields) => {
                 let known = outline()?.fields;

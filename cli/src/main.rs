@@ -1,5 +1,5 @@
-//! The command line: import, plan, fleet, train, navigate, compare, optimum, certify, verify, sweep, nearest, list, generate, reach,
-//! trajectories, schema.
+//! The command line: import, plan, fleet, train, navigate, compare, optimum, certify, verify, time, convert, sweep, nearest,
+//! list, generate, reach, trajectories, schema.
 //!
 //! JSON goes to standard output, messages and the progress bar to standard error. Exit code 0 means solved or valid, 1 not
 //! solved or not valid, 2 that the input is wrong; then standard output contains `{"error": {"code", "message", "pointer"}}`.
@@ -8,11 +8,13 @@
 
 mod arguments;
 mod certify;
+mod convert;
 mod files;
 mod fleet;
 mod generate;
 mod identity;
 mod import;
+mod judge;
 mod kind;
 mod list;
 mod navigation;
@@ -24,6 +26,7 @@ mod progress;
 mod reach;
 mod schema;
 mod sweep;
+mod time;
 mod trajectories;
 mod verify;
 mod world;
@@ -75,8 +78,12 @@ enum Command {
     Compare(navigation::Compare),
     /// Find joint angles that bring the tip of an arm to a target and print the result document
     Reach(reach::Arguments),
-    /// Verify a result or a certificate against its scenario, by other code than that which made it
+    /// Verify a result, its trajectory or a certificate against its scenario, by other code than that which made it
     Verify(verify::Arguments),
+    /// Time the path of a result as fast as limits of speed and acceleration allow, and print the trajectory
+    Time(time::Arguments),
+    /// Write the path of a result as CSV, JSON, GeoJSON, SVG, poses of ROS or a NumPy array, in the coordinates of its map
+    Convert(convert::Arguments),
     /// Print the shortest path of a query: exact for a disc, a reference for an arm of two joints or a body that does not turn
     Optimum(optimum::Arguments),
     /// Run the trials of an experiment, a row each, and print their statistics
@@ -127,6 +134,8 @@ fn run(command: &Command) -> Answer {
         Command::Compare(arguments) => navigation::compare(arguments),
         Command::Reach(arguments) => reach::reach(arguments),
         Command::Verify(arguments) => verify::verify(arguments),
+        Command::Time(arguments) => time::time(arguments),
+        Command::Convert(arguments) => convert::convert(arguments),
         Command::Optimum(arguments) => optimum::optimum(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Nearest(arguments) => nearest::nearest(arguments),

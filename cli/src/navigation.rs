@@ -4,7 +4,7 @@
 use crate::arguments::{Answer, Given, threads};
 use crate::files;
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use crate::plan;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -47,19 +47,13 @@ pub struct Train {
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
     threads: Option<NonZeroUsize>,
 
-    /// Write the policy to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// Trains a policy and prints it.
 pub fn train(arguments: &Train) -> Answer {
-    let out =
-        Outputs::beside(arguments.file.as_deref(), arguments.force).add(arguments.out.as_deref(), Kind::POLICY)?;
+    let (_, out) = arguments.destination.beside(arguments.file.as_deref(), Kind::POLICY)?;
     let task = match &arguments.file {
         Some(file) => Navigation::parse(&files::read(file)?)?,
         None => navigation::generate_with("furnished", &[])?,
@@ -137,19 +131,13 @@ pub struct Navigate {
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(..=100_000))]
     trials: u64,
 
-    /// Write the result to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// Plans, executes and prints the result; true if there is a path.
 pub fn navigate(arguments: &Navigate) -> Answer {
-    let mut outputs = Outputs::beside([&*arguments.file, &*arguments.policy], arguments.force);
-    let out = outputs.add(arguments.out.as_deref(), Kind::NAVIGATION_PLAN)?;
+    let (_, out) = arguments.destination.beside([&*arguments.file, &*arguments.policy], Kind::NAVIGATION_PLAN)?;
     let (task, policy) = inputs(&arguments.file, &arguments.policy)?;
     let (rollouts, options) = navigation::read_options(&Request {
         planner: arguments.planner.clone(),
@@ -200,13 +188,8 @@ pub struct Compare {
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = threads)]
     threads: Option<NonZeroUsize>,
 
-    /// Write the summary to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// What `compare` writes.
@@ -230,7 +213,7 @@ struct ComparedFloor {
 pub fn compare(arguments: &Compare) -> Answer {
     let Compare { files, policy, given, runs, .. } = arguments;
     let read = files.iter().chain([policy]).map(String::as_str);
-    let out = Outputs::beside(read, arguments.force).add(arguments.out.as_deref(), Kind::COMPARISON)?;
+    let (_, out) = arguments.destination.beside(read, Kind::COMPARISON)?;
     if files.iter().chain([policy]).filter(|file| *file == "-").count() > 1 {
         return Err(Error::new(Code::Usage, "", "only one file can come from standard input").into());
     }

@@ -1,6 +1,6 @@
 //! `planarium nearest`: the configurations nearest to a target, with the time of a query.
 
-use crate::arguments::{Answer, Given};
+use crate::arguments::{Answer, Given, coordinate};
 use crate::files;
 use clap::Args;
 use planarium::error::Code;
@@ -48,7 +48,8 @@ pub struct Arguments {
     free: bool,
 
     /// The configuration whose neighbours are searched for
-    #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',')]
+    #[arg(long, value_name = "Q1,Q2,...", required = true, allow_hyphen_values = true, value_delimiter = ',',
+          value_parser = coordinate)]
     target: Vec<f64>,
 
     /// The number of neighbours [default: 1]

@@ -3,7 +3,7 @@
 use crate::arguments::Answer;
 use crate::files;
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use crate::world::{self, WorldOptions};
 use clap::Args;
 use planarium::error::Code;
@@ -41,13 +41,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     result: Option<String>,
 
-    /// Write the document to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 
     #[command(flatten)]
     world: WorldOptions,
@@ -66,8 +61,7 @@ struct Compared {
 /// Prints the shortest path; true if there is one.
 pub fn optimum(arguments: &Arguments) -> Answer {
     let inputs = [Some(&*arguments.file), arguments.result.as_deref()];
-    let mut outputs = Outputs::beside(inputs.into_iter().flatten(), arguments.force);
-    let out = outputs.add(arguments.out.as_deref(), Kind::OPTIMUM)?;
+    let (outputs, out) = arguments.destination.beside(inputs.into_iter().flatten(), Kind::OPTIMUM)?;
     let other = arguments.result.as_deref().map(|name| ("result", name));
     let scenario = world::scenario(&arguments.file, other, &arguments.world, &outputs)?;
     let result = arguments.result.as_deref().map(|name| ResultDocument::parse(&files::read(name)?)).transpose()?;

@@ -8,6 +8,7 @@
 use crate::files::{self, failed, would_overwrite};
 use crate::identity::{Identity, new_file};
 use crate::kind::Kind;
+use clap::Args;
 use planarium::Error;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Write};
@@ -79,6 +80,34 @@ impl Outputs {
             return Err(would_overwrite(name, &"standard output goes into the same file"));
         }
         self.claim(name)
+    }
+}
+
+/// Where the document of a command goes.
+#[derive(Args)]
+pub struct Destination {
+    /// Write the document to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+
+    /// Replace files that contain something else
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl Destination {
+    /// The output of a document, and room for further ones beside the inputs.
+    ///
+    /// # Errors
+    /// Those of [`Outputs::add`]
+    pub fn beside<'a>(
+        &self,
+        inputs: impl IntoIterator<Item = &'a str>,
+        kind: Kind,
+    ) -> Result<(Outputs, Output), Error> {
+        let mut outputs = Outputs::beside(inputs, self.force);
+        let out = outputs.add(self.out.as_deref(), kind)?;
+        Ok((outputs, out))
     }
 }
 

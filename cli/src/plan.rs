@@ -3,7 +3,7 @@
 use crate::arguments::{Answer, Given, threads};
 use crate::files;
 use crate::kind::Kind;
-use crate::output::{Output, Outputs};
+use crate::output::{Destination, Output, Outputs};
 use crate::progress::{REDRAW, next_slice, progress_target};
 use crate::world::{self, WorldOptions};
 use clap::{Args, ValueEnum};
@@ -37,10 +37,14 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     query: Option<String>,
 
-    /// The planner, by id; see `planarium list` [default: rrt-connect, for a car rrt-control; with a roadmap the one that built
-    /// it]
+    /// The planner, by id; see `planarium list` [default: rrt-connect; for a car that cannot turn to both sides
+    /// rrt-control; with a roadmap the one that built it]
     #[arg(long, value_name = "ID")]
     planner: Option<String>,
+
+    /// Without --planner: the path as the planner found it; else it is made shorter (reduce, 200 shortcuts)
+    #[arg(long, conflicts_with_all = ["planner", "roadmap"])]
+    raw: bool,
 
     #[command(flatten)]
     given: Given,
@@ -71,13 +75,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FORMAT", requires = "save_roadmap")]
     roadmap_format: Option<RoadmapFormat>,
 
-    /// Write the result to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 
     #[command(flatten)]
     world: WorldOptions,
@@ -100,14 +99,17 @@ fn seconds(text: &str) -> Result<f64, String> {
 /// Plans and prints the result; true if it is solved.
 pub fn plan(arguments: &Arguments) -> Answer {
     let saved = arguments.roadmap.as_deref();
-    let mut outputs = Outputs::beside([Some(&*arguments.file), saved].into_iter().flatten(), arguments.force);
+    let Destination { out, force } = &arguments.destination;
+    let mut outputs = Outputs::beside([Some(&*arguments.file), saved].into_iter().flatten(), *force);
     let roadmap = arguments.save_roadmap.as_deref().map(|name| outputs.add(Some(name), Kind::ROADMAP)).transpose()?;
-    let out = outputs.add(arguments.out.as_deref(), Kind::PLAN)?;
+    let out = outputs.add(out.as_deref(), Kind::PLAN)?;
     let other = saved.map(|name| ("roadmap", name));
     let scenario = world::scenario(&arguments.file, other, &arguments.world, &outputs)?;
     let most = arguments.max_iterations.map(|most| Value::Number(most as f64));
+    // The path of a planner that is named is improved by its options alone.
+    let raw = || run::default_planner(Some(scenario.robot())).id().to_owned();
     let request = Request {
-        planner: arguments.planner.clone(),
+        planner: arguments.planner.clone().or_else(|| arguments.raw.then(raw)),
         query: arguments.query.clone(),
         seed: arguments.given.seed,
         parameters: arguments.given.parameters("max_iterations", most),

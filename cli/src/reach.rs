@@ -1,9 +1,9 @@
 //! `planarium reach`: inverse kinematics.
 
-use crate::arguments::{Answer, Given};
+use crate::arguments::{Answer, Given, coordinate};
 use crate::files;
 use crate::kind::Kind;
-use crate::output::Outputs;
+use crate::output::Destination;
 use clap::Args;
 use planarium::ik::{MethodOptions, Solver, SolverOptions, Target};
 use planarium::problem::Stepped;
@@ -45,13 +45,8 @@ pub struct Arguments {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     solutions: Option<u64>,
 
-    /// Write the result to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<String>,
-
-    /// Replace files that contain something else
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// The angles of a configuration, in one argument.
@@ -59,8 +54,7 @@ pub struct Arguments {
 struct Angles(Vec<f64>);
 
 fn angles(text: &str) -> Result<Angles, String> {
-    let number = |part: &str| part.trim().parse().map_err(|_| format!("{part:?} is not a number"));
-    text.split(',').map(number).collect::<Result<_, _>>().map(Angles)
+    text.split(',').map(coordinate).collect::<Result<_, _>>().map(Angles)
 }
 
 fn point(text: &str) -> Result<[f64; 2], String> {
@@ -69,7 +63,7 @@ fn point(text: &str) -> Result<[f64; 2], String> {
 
 /// Runs to the end and prints the result; true if the target is reached.
 pub fn reach(arguments: &Arguments) -> Answer {
-    let out = Outputs::beside([&*arguments.file], arguments.force).add(arguments.out.as_deref(), Kind::REACH)?;
+    let (_, out) = arguments.destination.beside([&*arguments.file], Kind::REACH)?;
     let scenario = files::scenario(&arguments.file, None)?;
     let solutions = arguments.solutions.map(|most| Value::Number(most as f64));
     let options = SolverOptions {

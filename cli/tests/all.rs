@@ -7,6 +7,7 @@ mod documents;
 mod program;
 
 mod commands;
+mod convert;
 mod files;
 mod import;
 mod nearest;

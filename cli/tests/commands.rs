@@ -92,6 +92,16 @@ fn parameters_reach_the_planner() {
 }
 
 #[test]
+fn a_path_is_made_shorter_unless_it_is_wanted_raw() {
+    let length =
+        |more: &str| planarium(&format!("plan room.json --seed 3 {more}")).ended(0, "solved")["length"].as_f64();
+    assert_eq!(length("--raw"), length("--planner rrt-connect"));
+    assert!(length("") < length("--raw"));
+    let both = planarium("plan room.json --raw --planner prm");
+    assert!(both.code == 2 && both.stderr.contains("cannot be used with"), "{}", both.stderr);
+}
+
+#[test]
 fn an_impossible_query_exhausts_its_budget() {
     let result = planarium("plan room.json --query cut-off --max-iterations 500").ended(1, "exhausted");
     assert_eq!((&result["stats"]["iterations"], &result["path"]), (&json!(500), &json!([])));
@@ -124,6 +134,39 @@ fn a_certificate_is_printed_and_verified() {
     planarium("certify room.json --query in-wall").refuses("goal-in-collision", "/goal");
     planarium("certify room.json --clearance -1").refuses("out-of-range", "/clearance");
     planarium("verify arm.json cut-off.json").refuses("invalid-result", "/scenario");
+}
+
+#[test]
+fn a_path_is_timed_and_its_trajectory_verified() {
+    planarium("plan room.json --seed 3 --set shortcut=20 --set blend=0.5 --out rounded.json");
+    let finished = planarium("time room.json rounded.json --speed 1 --acceleration 2 --out timed.json");
+    assert_eq!((finished.code, &*finished.stdout), (0, ""), "{}", finished.stderr);
+    assert!(finished.stderr.ends_with(" rests on the way\n"), "{}", finished.stderr);
+    let text = text_of("timed.json");
+    let trajectory: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!((&trajectory["format"], &trajectory["query"]), (&json!("planarium-trajectory-1"), &json!("around")));
+    let verified = planarium("verify room.json rounded.json --trajectory timed.json");
+    let verdict = verified.json();
+    assert_eq!((verified.code, &verdict["valid"]), (0, &json!(true)), "{}", verified.stderr);
+    assert_eq!(verdict["trajectory"]["duration"], trajectory["duration"]);
+    let slower = text.replacen(r#""speed":1"#, r#""speed":0.9"#, 1);
+    let refused = planarium_with("verify room.json rounded.json --trajectory -", &slower);
+    assert_eq!((refused.code, &refused.json()["valid"]), (1, &json!(false)), "{}", refused.stderr);
+    planarium("plan room.json --seed 3 --query around --planner prm --out other.json");
+    let refused = planarium("verify room.json other.json --trajectory timed.json");
+    assert_eq!((refused.code, &refused.json()["valid"]), (1, &json!(false)), "{}", refused.stderr);
+    for (options, code, pointer) in [
+        ("--speed 0 --acceleration 1", "out-of-range", "/limits/speed"),
+        ("--speed 1 --acceleration 1 --turn-rate 1", "unsupported", "/limits/turn_rate"),
+        ("--speed 1,2,3 --acceleration 1", "wrong-dimension", "/limits/speed"),
+        ("--speed 1,2 --acceleration 1 --turn-rate 1", "unsupported", "/limits/turn_rate"),
+        ("--speed 1 --acceleration 1 --lateral-acceleration 1", "unsupported", "/limits/lateral_acceleration"),
+        ("--speed 1", "usage", ""),
+    ] {
+        planarium(&format!("time room.json rounded.json {options}")).refuses(code, pointer);
+    }
+    planarium("time room.json room.json --speed 1 --acceleration 1").refuses("unknown-field", "/format");
+    planarium("verify room.json timed.json --trajectory timed.json").refuses("usage", "");
 }
 
 #[test]
@@ -348,7 +391,7 @@ fn list_describes_everything_in_the_catalogue() {
     }
     assert_eq!(words(&listed["generators"], "id"), ["forest", "clutter", "discs", "maze", "gap", "bug-trap"]);
     let known: Vec<&str> = planarium::error::Code::ALL.iter().map(|code| code.as_str()).collect();
-    assert_eq!((known.len(), known[0], known[30]), (31, "invalid-json", "usage"));
+    assert_eq!((known.len(), known[0], known[31]), (32, "invalid-json", "usage"));
     assert_eq!(words(&listed["errors"], "code"), known, "every code once, in order");
     let known: Vec<&str> = planarium_formats::Code::ALL.iter().map(|code| code.as_str()).collect();
     assert_eq!(words(&world_errors, "code"), known, "every code once, in order");

@@ -61,6 +61,7 @@ fn every_command_leaves_what_it_did_not_write() {
         ("plan room.json", "plan.json"),
         ("fleet kept/ring.json", "fleet.json"),
         ("certify room.json", "certificate.json"),
+        ("time room.json kept/plan.json --speed 1 --acceleration 1", "trajectory.json"),
         ("reach arm.json --target 1,0.5", "reach.json"),
         ("optimum room.json", "optimum.json"),
         ("train --set generations=1 --set pairs=2 --set tasks=1", "trained.json"),

@@ -71,6 +71,10 @@ pub fn text_of(name: &str) -> String {
 
 /// Starts the program with the words of a line, in a folder with room.json, arm.json and firs.json.
 pub fn spawn(line: &str) -> Child {
+    spawn_words(&line.split_whitespace().collect::<Vec<_>>())
+}
+
+fn spawn_words(words: &[&str]) -> Child {
     static WRITTEN: Once = Once::new();
     WRITTEN.call_once(|| {
         let firs = include_str!("../../www/scenes/firs.json");
@@ -79,12 +83,20 @@ pub fn spawn(line: &str) -> Child {
         }
     });
     let mut command = Command::new(env!("CARGO_BIN_EXE_planarium"));
-    command.args(line.split_whitespace()).current_dir(env!("CARGO_TARGET_TMPDIR"));
+    command.args(words).current_dir(env!("CARGO_TARGET_TMPDIR"));
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
 pub fn planarium_with(line: &str, input: &str) -> Finished {
-    let mut child = spawn(line);
+    finish(spawn(line), input)
+}
+
+/// The same with words that may contain blanks.
+pub fn program(words: &[&str]) -> Finished {
+    finish(spawn_words(words), "")
+}
+
+fn finish(mut child: Child, input: &str) -> Finished {
     // A program that refuses its arguments reads nothing: then the pipe is closed, and that is fine.
     let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
     let output = child.wait_with_output().expect("the program ends");

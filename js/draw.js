@@ -7,7 +7,7 @@
  * argument; those left out have their default.
  */
 
-/** @import { Box, Obstacle, Part, Planner, ResultDocument, Scenario, ScenarioDocument } from "./core.js" */
+/** @import { Box, Obstacle, Part, Planner, Point, ResultDocument, Scenario, ScenarioDocument, Wall } from "./core.js" */
 
 /**
  * What is drawn on: a canvas element's context, or that of an offscreen canvas.
@@ -153,16 +153,46 @@ export function drawObstacles(context, view, obstacles, colours) {
   context.fillStyle = fill;
   context.strokeStyle = obstacleEdge;
   context.lineWidth = 1;
-  context.lineJoin = "round";
+  context.lineJoin = context.lineCap = "round";
   for (const obstacle of obstacles) {
-    obstaclePath(context, view, obstacle);
-    context.fill();
-    context.stroke();
+    if (obstacle.type === "wall") {
+      drawWall(context, view, obstacle, [fill, obstacleEdge]);
+    } else {
+      obstaclePath(context, view, obstacle);
+      context.fill();
+      context.stroke();
+    }
   }
 }
 
 /**
- * Makes the outline of an obstacle the current path.
+ * Draws a wall as lines with round ends, the narrower one on the one of the edge; a thin wall is its edge alone.
+ * @param {Context} context
+ * @param {View} view
+ * @param {Wall} wall
+ * @param {[fill: string, edge: string]} colours
+ * @returns {void}
+ */
+function drawWall(context, view, { points, width, closed }, [fill, edge]) {
+  const across = width * view.scaleX;
+  context.beginPath();
+  for (const point of points) context.lineTo(...view.place(point));
+  if (closed) context.closePath();
+  context.strokeStyle = edge;
+  context.lineWidth = Math.max(across + 1, THIN);
+  context.stroke();
+  if (across > THIN) {
+    context.strokeStyle = fill;
+    context.lineWidth = across - 1;
+    context.stroke();
+  }
+  context.strokeStyle = edge;
+  context.lineWidth = 1;
+}
+
+/**
+ * Makes the outline of an obstacle the current path. Holes run against the outline, and the segments of a wall all in one
+ * direction: filled by the rule "nonzero", which is the default, the path is the obstacle. A thin wall is drawn wider.
  * @param {Context} context
  * @param {View} view
  * @param {Obstacle} obstacle
@@ -172,10 +202,53 @@ export function obstaclePath(context, view, obstacle) {
   context.beginPath();
   if (obstacle.type === "disc") {
     context.arc(...view.place(obstacle.center), obstacle.radius * view.scaleX, 0, 2 * Math.PI);
+  } else if (obstacle.type === "wall") {
+    const { points, width, closed } = obstacle;
+    const radius = Math.max(width * view.scaleX, THIN) / 2;
+    const ends = closed ? [...points, points[0]] : points;
+    for (let i = 1; i < ends.length; i += 1) capsulePath(context, view.place(ends[i - 1]), view.place(ends[i]), radius);
   } else {
-    for (const vertex of obstacle.vertices) context.lineTo(...view.place(vertex));
-    context.closePath();
+    ringPath(context, view, obstacle.vertices);
+    const isLeft = area(obstacle.vertices) > 0;
+    for (const hole of obstacle.holes ?? []) {
+      ringPath(context, view, area(hole) > 0 === isLeft ? hole.toReversed() : hole);
+    }
   }
+}
+
+/** Adds a ring to the current path. @param {Context} context @param {View} view @param {readonly Point[]} ring */
+function ringPath(context, view, ring) {
+  for (const [i, vertex] of ring.entries()) {
+    if (i === 0) context.moveTo(...view.place(vertex));
+    else context.lineTo(...view.place(vertex));
+  }
+  context.closePath();
+}
+
+/** Twice the area of a ring, negative if it is clockwise. @param {readonly Point[]} ring @returns {number} */
+function area(ring) {
+  let sum = 0;
+  for (const [i, [x, y]] of ring.entries()) {
+    const [u, w] = ring[(i + 1) % ring.length];
+    sum += x * w - u * y;
+  }
+  return sum;
+}
+
+/**
+ * Adds the outline of all within a distance of a segment to the current path, in units of the canvas.
+ * @param {Context} context
+ * @param {[number, number]} from
+ * @param {[number, number]} to
+ * @param {number} radius
+ * @returns {void}
+ */
+function capsulePath(context, [ax, ay], [bx, by], radius) {
+  const angle = Math.atan2(by - ay, bx - ax);
+  context.moveTo(ax + radius * Math.cos(angle + Math.PI / 2), ay + radius * Math.sin(angle + Math.PI / 2));
+  context.arc(ax, ay, radius, angle + Math.PI / 2, angle - Math.PI / 2);
+  context.arc(bx, by, radius, angle - Math.PI / 2, angle + Math.PI / 2);
+  context.closePath();
 }
 
 /**
@@ -206,31 +279,40 @@ export function partPath(context, view, part) {
     context.arc(...view.place(part.center), Math.max(radius, 4), 0, 2 * Math.PI);
     return;
   }
-  const [ax, ay, bx, by] = [...view.place(part.a), ...view.place(part.b)];
+  const [a, b] = [view.place(part.a), view.place(part.b)];
   if (isThin(view, part)) {
-    context.moveTo(ax, ay);
-    context.lineTo(bx, by);
+    context.moveTo(...a);
+    context.lineTo(...b);
     return;
   }
-  const angle = Math.atan2(by - ay, bx - ax);
-  context.arc(ax, ay, radius, angle + Math.PI / 2, angle - Math.PI / 2);
-  context.arc(bx, by, radius, angle - Math.PI / 2, angle + Math.PI / 2);
-  context.closePath();
+  capsulePath(context, a, b, radius);
 }
 
 /**
- * Draws the robot at a configuration.
+ * Draws the robot at a configuration, and its margin, if there is one, as a halo.
  * @param {Context} context
  * @param {View} view
  * @param {readonly Part[]} parts  `scenario.footprint(q)`
  * @param {Partial<Colours>} [colours]
+ * @param {number} [margin]  that of the scenario's robot, metres; 0 by default
  * @returns {void}
  */
-export function drawRobot(context, view, parts, colours) {
+export function drawRobot(context, view, parts, colours, margin = 0) {
   const { stage, robot, robotEdge } = coloursOf(colours);
   const isLine = parts[0]?.type === "capsule" && isThin(view, parts[0]);
   context.save();
   context.lineCap = context.lineJoin = "round";
+  if (margin > 0) {
+    const { globalAlpha } = context;
+    context.globalAlpha = 0.2 * globalAlpha;
+    context.strokeStyle = robot;
+    context.lineWidth = 2 * margin * view.scaleX;
+    for (const part of parts) {
+      partPath(context, view, part);
+      context.stroke();
+    }
+    context.globalAlpha = globalAlpha;
+  }
   for (const [width, colour] of /** @type {[number, string][]} */ (
     isLine
       ? [

@@ -1,5 +1,7 @@
 /** The one error type of the package. */
 
+/** @import { FilePlace } from "./core.js" */
+
 /**
  * What the package throws: a stable code, a sentence with the offending value, and its JSON pointer. The codes are
  * those of the crate (`invalid-json`, `unknown-field`, `start-in-collision`, ...), and `not-initialised` (call `init`
@@ -8,15 +10,16 @@
  * functions of problems are nested too deep), `illegal-constructor` (the class has no public constructor),
  * `illegal-invocation` (a method was called on something that is no object of its class), `module-failed` (the module
  * of a problem for a worker could not be loaded, or has no such export) and `internal` (a fault in Planarium: please
- * report it).
+ * report it). `planarium/import` has codes of its own, which docs/worlds.md lists.
  */
 export class PlanariumError extends Error {
   /**
    * @param {string} code     stable, in kebab-case; programs may match on it
    * @param {string} message  a sentence for people
    * @param {string} [pointer]  JSON pointer (RFC 6901) of the offending value; empty for the whole
-   * @param {ErrorOptions & { nearest?: readonly number[] }} [options]  the `cause` and the `nearest` free
-   *   configuration, if any
+   * @param {ErrorOptions & { nearest?: readonly number[], file?: string, place?: FilePlace, wanted?: string }} [options]
+   *   the `cause`, the `nearest` free configuration, and of a file its name, the place in it and the file that it
+   *   wants, if any
    */
   constructor(code, message, pointer = "", options = undefined) {
     super(message, options);
@@ -31,6 +34,12 @@ export class PlanariumError extends Error {
      * @type {readonly number[] | undefined}
      */
     this.nearest = options?.nearest;
+    /** Of `readWorld`, the name of the file that the error is about, as given. @type {string | undefined} */
+    this.file = options?.file;
+    /** Of `readWorld`, where in that file, if it is known. @type {FilePlace | undefined} */
+    this.place = options?.place;
+    /** Of `missing-file`, the name of that file as another one has it. @type {string | undefined} */
+    this.wanted = options?.wanted;
   }
 }
 

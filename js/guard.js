@@ -17,6 +17,7 @@ const SOURCES = {
   Scenario: "Scenario.parse or Scenario.generate",
   Planner: "the methods planner and resume of a Scenario or a Problem, or planner and straightPlanner of a Navigation",
   Reach: "scenario.reach(options)",
+  Trajectory: "scenario.time(result, limits) or scenario.trajectory(document)",
   Subdivision: "scenario.certify(options)",
   Neighbours: "scenario.neighbours(options)",
   Drive: "scenario.drive(q)",

@@ -113,7 +113,7 @@ const noValue = (value) => refusal(new TypeError(`${kindOf(value)} is no JSON va
 const tooLong = (length) => refusal(new RangeError(`its length is ${length}; at most ${LONGEST} items are read`));
 
 /** The kind of a value in words: `a function`, `a Map`, `the text "prm"`. @param {unknown} value */
-function kindOf(value) {
+export function kindOf(value) {
   if (value === undefined || value === null) return String(value);
   if (typeof value === "string") return `the text ${JSON.stringify(value.slice(0, 60))}`;
   if (typeof value !== "object") return typeof value === "number" ? `the number ${value}` : `a ${typeof value}`;
@@ -189,6 +189,11 @@ function copyOfList(list, depth) {
   return isOfNumbers ? new Float64Array(items) : items;
 }
 
+/** A key as a token of a JSON pointer. @param {string | number} key */
+export function token(key) {
+  return String(key).replaceAll("~", "~0").replaceAll("/", "~1");
+}
+
 /**
  * A copy of a field or an item; a refusal gets its place.
  * @param {string | number} key
@@ -200,8 +205,7 @@ function copyOfPart(key, value, depth) {
     return copy(value, depth);
   } catch (error) {
     const refused = /** @type {Refusal} */ (error);
-    if (own.has(refused))
-      refused.pointer = `/${String(key).replaceAll("~", "~0").replaceAll("/", "~1")}${refused.pointer}`;
+    if (own.has(refused)) refused.pointer = `/${token(key)}${refused.pointer}`;
     throw error;
   }
 }

@@ -39,6 +39,13 @@ const VECTORS = Uint8Array.of(
   11,
 );
 
+/** What tells the modules of the entries apart: exports, and what the glue makes of them. */
+const SIGNS = [
+  ["scenario_parse", "Scenario"],
+  ["fleet_parse", "Fleet"],
+  ["readFiles", "readFiles"],
+];
+
 /** Marks the objects of this core: the package has two, `planarium` and `planarium/full`. */
 export const core = Symbol("core");
 
@@ -195,12 +202,8 @@ function renew() {
 function start(module) {
   if (instance >= 0) return;
   const exported = new Set(WebAssembly.Module.exports(module).map(({ name }) => name));
-  // The module of the other entry lacks what this one needs, or has more than it can name.
-  if (
-    !exported.has("__wbindgen_start") ||
-    !exported.has("scenario_parse") ||
-    exported.has("fleet_parse") !== "Fleet" in glue
-  ) {
+  // The module of another entry lacks what this one needs, or has more than it can name.
+  if (!exported.has("__wbindgen_start") || SIGNS.some(([name, key]) => exported.has(name) !== key in glue)) {
     throw new PlanariumError("init-failed", "This WebAssembly module is not planarium_bg.wasm.");
   }
   try {

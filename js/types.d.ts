@@ -9,6 +9,9 @@ export type PseudocodeMark = Phase | EventKind | "vertex" | "edge";
 /** One option of a generator. */
 export type OptionInfo = ParameterInfo;
 
+/** A place in a file of `readWorld`: a line of text, from 1; a byte, from 0; or a part of the file by its name. */
+export type FilePlace = { readonly line: number } | { readonly byte: number } | { readonly element: string };
+
 /** Something with a URL that can be fetched: a `URL` or a `Request`. */
 export type Fetchable = { readonly href: string } | { readonly url: string; readonly method: string };
 

@@ -6,7 +6,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { inspect } from "node:util";
-import init, { Scenario, generators, initSync, planners, randomSeed, version } from "planarium";
+import init, { Scenario, generators, initSync, planners, randomSeed, solve, version } from "planarium";
+import { Scenario as Full } from "planarium/full";
 import { arm, disc, fails } from "./scenes.mjs";
 
 const close = (/** @type {number} */ a, /** @type {number} */ b) =>
@@ -156,6 +157,23 @@ test("firstHit is null where the motion is proven, else where the first refused 
   assert.equal(scenario.firstHit([2, 2], [2, 8]), null);
   const hit = scenario.firstHit([2, 2], [8, 2]);
   assert.ok(hit !== null && hit > 0.4 && hit <= 2.5 / 6, String(hit));
+});
+
+test("a result is verified by other code, stored or at hand", () => {
+  const scenario = Full.parse(disc);
+  const result = solve(disc, { seed: 1 });
+  const verdict = scenario.verify(result);
+  assert.deepEqual([verdict.valid, verdict.why, verdict.movedStart], [true, null, false]);
+  assert.equal(verdict.waypoints, result.path.length);
+  assert.ok(verdict.clearance !== null && verdict.clearance > 0 && Number(verdict.looks) > 0);
+  assert.deepEqual(scenario.verify(JSON.stringify(result)), verdict);
+  const through = scenario.verify({ ...result, path: [result.path[0], [8, 2], result.path[result.path.length - 1]] });
+  assert.deepEqual([through.valid, through.waypoints, through.clearance], [false, null, null]);
+  assert.match(String(through.why), /edge|waypoint/);
+  fails(() => scenario.verify({ ...result, scenario: "another" }), "invalid-result", "/scenario");
+  fails(() => scenario.verify({ ...result, path: /** @type {any} */ ("short") }), "wrong-type", "/path");
+  fails(() => scenario.verify("{"), "invalid-json");
+  fails(() => scenario.verify(/** @type {any} */ (3)), "wrong-type");
 });
 
 test("cspace agrees with check at the centre of every cell", () => {

@@ -5,6 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drive, Neighbours, PlanariumError, Planner, Scenario } from "planarium";
+import { Scenario as Full } from "planarium/full";
 import { seeded } from "../page/seeded.mjs";
 import { arm, body, car, disc, finish, revoked } from "./scenes.mjs";
 
@@ -144,6 +145,12 @@ for (const seed of [1, 2, 3]) {
                 "candidates",
                 "free",
                 "n",
+                "speed",
+                "acceleration",
+                "turnRate",
+                "verify",
+                "arcs",
+                "driveTolerance",
               ]),
               anything(depth + 1),
             ]),
@@ -154,7 +161,7 @@ for (const seed of [1, 2, 3]) {
     };
     /** A real document with one value replaced. */
     const mutated = () => {
-      const document = structuredClone(pick([arm, disc, body, car]));
+      const document = structuredClone(pick([arm, disc, body, car, result, timed]));
       /** @type {any} */ let place = document;
       for (;;) {
         const key = pick(Object.keys(place));
@@ -169,8 +176,14 @@ for (const seed of [1, 2, 3]) {
     };
 
     const scenario = Scenario.parse(arm);
+    const full = Full.parse(arm);
+    const result = finish(scenario.planner({ shortcut: 20, blend: 0.5 })).result();
+    const trajectory = full.time(result, { speed: 1, acceleration: 1 });
+    const timed = trajectory.toJSON();
     /** @type {any[]} */
     const handles = [
+      full,
+      trajectory,
       scenario,
       Scenario.parse(disc),
       Scenario.parse(body),
@@ -195,15 +208,22 @@ for (const seed of [1, 2, 3]) {
       const names =
         target === Scenario
           ? ["parse", "generate"]
-          : Object.getOwnPropertyNames(Object.getPrototypeOf(target)).filter(
-              (name) => name !== "constructor" && !name.startsWith("__"),
-            );
+          : target === full
+            ? ["time", "trajectory", "verifyTrajectory", "judge", "verify"]
+            : Object.getOwnPropertyNames(Object.getPrototypeOf(target)).filter(
+                (name) => name !== "constructor" && !name.startsWith("__"),
+              );
       const name = pick(names);
       // A handle that is gone teaches little more: few are freed, so that most calls reach the core.
       if (name === "free" && draw() < 0.99) continue;
       const args = Array.from({ length: below(4) }, () => anything());
+      // A path and a trajectory that are right, so that more is read than their first field.
+      if (/^(?:time|verify)/.test(name) && draw() < 0.6) args[0] = result;
+      if (name === "time" && draw() < 0.5) args[1] = { speed: 1, acceleration: number() };
+      if (name === "verifyTrajectory" && draw() < 0.3) args[1] = trajectory;
       // A run may not be made longer than the test can wait.
       if (name === "sampleConfigurations" && draw() < 0.9) args[0] = below(300);
+      if (name === "sample") args[0] = draw() < 0.9 ? 0.05 + draw() : args[0];
       if (name === "tick" || name === "replay") args[Number(name === "replay")] = below(40);
       if (name === "step" || name === "stepFor")
         args[0] = draw() < 0.7 ? below(30) : Math.min(Number(typeof args[0] === "number" ? args[0] : NaN), 50);

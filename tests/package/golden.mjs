@@ -19,12 +19,12 @@ function inCamelCase(options) {
 /**
  * The outcomes of all cases, in the order of the files.
  * @param {Pick<typeof import("planarium/full"), "Problem" | "Scenario" | "Trajectories">} planarium
- * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs", any[]> & { scenes:
+ * @param {Record<"plans" | "neighbours" | "trajectories" | "reaches" | "certificates" | "customs" | "timings", any[]> & { scenes:
  *   Record<string, string> }} cases as stored in their files, and the scenes' texts by name
  */
 export function outcomes(
   { Problem, Scenario, Trajectories },
-  { plans, neighbours, trajectories, reaches, certificates, customs, scenes },
+  { plans, neighbours, trajectories, reaches, certificates, customs, timings, scenes },
 ) {
   /** @param {any} given */
   const opened = ({ scene, scenario = scenes[scene], generate, options }) =>
@@ -36,7 +36,25 @@ export function outcomes(
     reaches.map((given) => reached(opened(given), given)),
     certificates.map((given) => certified(opened(given), given)),
     customs.map((given) => custom(new Problem(twoDiscs(given.free)), given)),
+    timings.map(({ outcome }) => timed(Scenario.parse(outcome.scenario), outcome)),
   ];
+}
+
+/** What was timed, and how. @param {any} scenario of the core that has all @param {any} given */
+function timed(scenario, given) {
+  const { type: _type, ...limits } = given.limits;
+  const trajectory = scenario.time(given.result, inCamelCase(limits), { verify: false });
+  const states = [0.3, 0.8].map((share) => trajectory.state(share * trajectory.duration));
+  const plain = states.map(({ time, configuration, velocity, acceleration }) => ({
+    time,
+    configuration: [...configuration],
+    velocity: [...velocity],
+    acceleration: [...acceleration],
+  }));
+  const { duration } = trajectory;
+  trajectory.free();
+  scenario.free();
+  return { ...given, duration, states: plain };
 }
 
 /** @param {import("planarium/full").Scenario} scenario @param {any} given */

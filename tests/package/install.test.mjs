@@ -61,10 +61,10 @@ for (const [how, args, files] of /** @type {[string, string[], Record<string, st
 
 test("the wasm file, the schema and the manifest can be resolved", () => {
   addFiles(folder, {
-    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
+    "resolve.mjs": `console.log(JSON.stringify(["planarium_bg.wasm", "full_bg.wasm", "import_bg.wasm", "scenario.schema.json", "package.json"].map((name) => import.meta.resolve("planarium/" + name))))`,
   });
   const urls = node(["resolve.mjs"], folder);
-  assert.equal(urls.length, 4);
+  assert.equal(urls.length, 5);
   for (const url of urls) assert.ok(existsSync(new URL(url)), url);
 });
 
@@ -80,6 +80,28 @@ import init, { Scenario } from "planarium";
 import bytes from "planarium/planarium_bg.wasm";
 await init({ module_or_path: bytes });${plan}`;
 
+/**
+ * Bundles an entry; the glues that it holds are named as the package has them.
+ * @param {string} entry
+ * @param {string} out  the folder of the bundle
+ * @param {import("esbuild").BuildOptions} options
+ */
+async function bundled(entry, out, options) {
+  addFiles(folder, { "entry.mjs": entry });
+  const outfile = join(out, "bundle.mjs");
+  const { metafile } = await build({
+    entryPoints: [join(folder, "entry.mjs")],
+    outfile,
+    bundle: true,
+    format: "esm",
+    logLevel: "error",
+    metafile: true,
+    ...options,
+  });
+  const glues = Object.keys(metafile?.inputs ?? {}).filter((name) => name.endsWith("glue.js"));
+  return { outfile, glues: glues.map((name) => name.replace(/.*dist\/package\//, "")) };
+}
+
 for (const [how, entry, options] of /** @type {[string, string, import("esbuild").BuildOptions][]} */ ([
   ["for Node", imported, { platform: "node" }],
   ["for Node, minified", imported, { platform: "node", minify: true }],
@@ -91,16 +113,7 @@ for (const [how, entry, options] of /** @type {[string, string, import("esbuild"
 ])) {
   test(`bundled by esbuild ${how}`, async () => {
     const out = join(folder, how);
-    addFiles(folder, { "entry.mjs": entry });
-    const outfile = join(out, "bundle.mjs");
-    await build({
-      entryPoints: [join(folder, "entry.mjs")],
-      outfile,
-      bundle: true,
-      format: "esm",
-      logLevel: "error",
-      ...options,
-    });
+    const { outfile } = await bundled(entry, out, options);
     const wasm = join(folder, "node_modules/planarium/dist/package/planarium_bg.wasm");
     if (!options.loader) copyFileSync(wasm, join(out, "planarium_bg.wasm"));
     assert.deepEqual(node([outfile], folder), expected);
@@ -109,22 +122,9 @@ for (const [how, entry, options] of /** @type {[string, string, import("esbuild"
 
 test("bundled by esbuild with planarium/full: one core, and that is the other", async () => {
   const out = join(folder, "full");
-  addFiles(folder, { "entry.mjs": imported.replace('"planarium"', '"planarium/full"') });
-  const outfile = join(out, "bundle.mjs");
-  const { metafile } = await build({
-    entryPoints: [join(folder, "entry.mjs")],
-    outfile,
-    bundle: true,
-    format: "esm",
-    logLevel: "error",
-    platform: "node",
-    metafile: true,
-  });
-  const glues = Object.keys(metafile.inputs).filter((name) => name.endsWith("glue.js"));
-  assert.deepEqual(
-    glues.map((name) => name.replace(/.*dist\/package\//, "")),
-    ["full/planarium_glue.js"],
-  );
+  const entry = imported.replace('"planarium"', '"planarium/full"');
+  const { outfile, glues } = await bundled(entry, out, { platform: "node" });
+  assert.deepEqual(glues, ["full/planarium_glue.js"]);
   copyFileSync(join(folder, "node_modules/planarium/dist/package/full/full_bg.wasm"), join(out, "full_bg.wasm"));
   assert.deepEqual(node([outfile], folder), expected);
 });
@@ -159,3 +159,34 @@ console.log(JSON.stringify(found));
     lists: [true, null, true],
   });
 });
+
+const world = `[{ name: "a.txt", bytes: new TextEncoder().encode("0 1\\n0 0\\n") }]`;
+const report = `then(({ report }) => console.log(JSON.stringify([report.format, report.obstacles.polygons])))`;
+
+test("planarium/import in Node, by import and by require", () => {
+  addFiles(folder, {
+    "world.mjs": `import { readWorld } from "planarium/import"; readWorld(${world}).${report};`,
+    "world.cjs": `require("planarium/import").readWorld(${world}).${report};`,
+  });
+  for (const args of [["world.mjs"], ["--no-warnings", "world.cjs"]])
+    assert.deepEqual(node(args, folder), ["grid", 1], args.join(" "));
+});
+
+for (const [how, entry, options] of /** @type {[string, string, import("esbuild").BuildOptions][]} */ ([
+  ["for Node", `import { readWorld } from "planarium/import"; readWorld(${world}).${report};`, { platform: "node" }],
+  [
+    "for browsers, with the bytes inside",
+    `import init, { readWorld } from "planarium/import"; import bytes from "planarium/import_bg.wasm";
+     await init(bytes); readWorld(${world}).${report};`,
+    { platform: "browser", target: "es2022", minify: true, loader: { ".wasm": "binary" } },
+  ],
+])) {
+  test(`planarium/import bundled by esbuild ${how}: its glue alone`, async () => {
+    const out = join(folder, "import", how);
+    const { outfile, glues } = await bundled(entry, out, options);
+    assert.deepEqual(glues, ["import/import_glue.js"]);
+    const wasm = join(folder, "node_modules/planarium/dist/package/import/import_bg.wasm");
+    if (!options.loader) copyFileSync(wasm, join(out, "import_bg.wasm"));
+    assert.deepEqual(node([outfile], folder), ["grid", 1]);
+  });
+}

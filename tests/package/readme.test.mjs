@@ -38,9 +38,12 @@ const PRINTED = {
   "docs/fleet.md": [
     /^[1-9]\d* conflicts if all drive straight at once\n(?:\d+ iterations\n)*solved \d[\d.]* Float64Array\(18\) \[[^\]]*\]\ntrue\n$/,
   ],
+  "docs/timing.md": [/^\d+\.\d{3} s, 0 rests on the way\n[1-9]\d* 3 3 3 true\ntrue true\n$/],
+  "docs/worlds.md": [/^false \{ obstacle: 0 \} 1 0\.(?:39|4)\d*\n$/, /^t_s,x_m,y_m,vx_m_s,vy_m_s true\n$/],
   "docs/prm-rl.md": [/^solved \[[^]*forward: \d+[^]*\]\n(?:reached|collision|timeout) [\d.]+ [\d.]+\n2 [1-9]\d*\n$/],
   "docs/javascript.md": [
     /^\{[^]*free: true[^]*\}\nsolved\nsolved true\n$/,
+    /^moving-ai 5 x 3 solved\n$/,
     /^solved \d+\nsolved true\n(?:running|solved) true\n$/,
     /^solved solved solved\n$/,
     /^solved \d+\n$/,
@@ -116,7 +119,14 @@ test("every shell example runs, and its paths are valid", () => {
       });
       if (commands.includes("verify")) assert.match(printed, /"valid":true/, commands);
       for (const [, file] of commands.matchAll(/--out (\S+)/g)) {
-        assert.equal(JSON.parse(readFileSync(join(folder, file), "utf8")).status, "solved", file);
+        const text = readFileSync(join(folder, file), "utf8");
+        if (!file.endsWith(".json")) {
+          assert.match(text, /^# A path of Planarium: nav_msgs\/Path\n/, file);
+          continue;
+        }
+        const { format, duration, status } = JSON.parse(text);
+        if (format === "planarium-trajectory-1") assert.ok(duration > 0, file);
+        else assert.equal(status, "solved", file);
       }
     }
   }

@@ -75,6 +75,7 @@ test("the tarball holds exactly the files of the package", () => {
     "runtime",
   ];
   const ownDeclarations = ["choices", "core", "full", "functions", "planarium"];
+  const readers = ["import", "import-node", "import_glue", "runtime"];
   assert.deepEqual(
     names,
     [
@@ -84,9 +85,12 @@ test("the tarball holds exactly the files of the package", () => {
       "dist/package/THIRD-PARTY-NOTICES.txt",
       "dist/package/planarium_bg.wasm",
       "dist/package/full/full_bg.wasm",
+      "dist/package/import/import_bg.wasm",
       ...modules.map((name) => `dist/package/${name}.js`),
       ...own.map((name) => `dist/package/full/${name}.js`),
       ...ownDeclarations.map((name) => `dist/package/full/${name}.d.ts`),
+      ...readers.map((name) => `dist/package/import/${name}.js`),
+      ...["import", "world"].map((name) => `dist/package/import/${name}.d.ts`),
       ...declarations.map((name) => `dist/package/${name}.d.ts`),
       "package.json",
       "schema/scenario.schema.json",
@@ -99,13 +103,14 @@ test("the tarball holds exactly the files of the package", () => {
   );
 });
 
-// The aim is 400 KB gzipped for the light module; docs/benchmarks.md says why it is missed. This holds what was
-// reached.
-test("the tarball weighs at most 1690 KB, its light module at most 612 KB gzipped, the other 892 KB", () => {
-  assert.ok(statSync(tarball).size <= 1_690_000, `${statSync(tarball).size} bytes`);
+// The aim is 400 KB gzipped for the light module, and 500 KB for the one that reads worlds; docs/benchmarks.md says why the
+// first is missed. This holds what was reached.
+test("the tarball weighs at most 2400 KB, its light module at most 612 KB gzipped, the others 958 and 575 KB", () => {
+  assert.ok(statSync(tarball).size <= 2_400_000, `${statSync(tarball).size} bytes`);
   for (const [file, most, mostZipped] of /** @type {const} */ ([
-    ["planarium_bg.wasm", 1_530_000, 612_000],
-    ["full/full_bg.wasm", 2_190_000, 892_000],
+    ["planarium_bg.wasm", 1_550_000, 612_000],
+    ["full/full_bg.wasm", 2_400_000, 958_000],
+    ["import/import_bg.wasm", 1_360_000, 575_000],
   ])) {
     const wasm = readFileSync(join(place, "dist", "package", file));
     assert.ok(wasm.length <= most, `${file}: ${wasm.length} bytes`);
@@ -133,7 +138,7 @@ test("one version everywhere: manifest, crate, JavaScript", () => {
 
 test("the notices name every crate in the module, with its licence", () => {
   const notices = textOf("dist", "package", "THIRD-PARTY-NOTICES.txt");
-  for (const crate of ["libm", "nalgebra", "robust", "wasm-bindgen"])
+  for (const crate of ["libm", "nalgebra", "png", "robust", "wasm-bindgen"])
     assert.match(notices, new RegExp(`^${crate} \\d.*\\(.+\\)$`, "m"));
   for (const other of ["clap", "proptest"]) assert.doesNotMatch(notices, new RegExp(`^${other} \\d`, "m"));
 });
@@ -161,6 +166,7 @@ test("arethetypeswrong finds nothing for an ES module", () => {
       "--exclude-entrypoints",
       "./planarium_bg.wasm",
       "./full_bg.wasm",
+      "./import_bg.wasm",
       "./scenario.schema.json",
     ],
     { encoding: "utf8" },

@@ -15,7 +15,7 @@ import init, {
   type PseudocodeMark, type Query, type ResultDocument, type Robot, type Rollout, type ScenarioDocument, type Shape, type Stats, type Status, type Touching, type Weights, type World,
 } from "planarium";
 import { Problem, type ByClearance, type BySamples, type CoordinateDescription, type ProblemDescription, type SpaceDescription } from "planarium";
-import { Trajectories, particlePoints, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium/full";
+import { Scenario as Full, Trajectories, particlePoints, type JudgeOptions, type PathJudgement, type PathVerification, type TimingLimits, type Trajectory, type TrajectoryDocument, type TrajectoryState, type TrajectoryVerification, trajectoryOptions, type ParticleModel, type ParticleMotion, type TrajectoriesResult, type TrajectoryOptions } from "planarium/full";
 import { PlannerPool, type PoolOptions, type ProgressOptions, type RemotePlanner, type RunOptions, type Signal, type WorkerGrowth } from "planarium/worker";
 
 type IsAny<T> = 0 extends 1 & T ? true : false;
@@ -116,6 +116,17 @@ export async function program(bytes: ArrayBuffer): Promise<string> {
   const tips: Float64Array = scenario.endEffectors(new Float64Array(4));
   const half: Float64Array = scenario.interpolate(q, [1, 1], 0.5, "sign-of-difference");
   const hit: number | null = scenario.firstHit(q, half);
+  const { valid, why, clearance }: PathVerification = Full.parse(document).verify(solve(scenario));
+  const limits: TimingLimits = { speed: [1, 2], acceleration: 2 };
+  const timing: Trajectory = Full.parse(document).time(solve(scenario), limits, { verify: false });
+  const timed: TrajectoryDocument = timing.toJSON();
+  const { velocity }: TrajectoryState = timing.state(timing.duration / 2);
+  const followed: TrajectoryVerification = Full.parse(document).verifyTrajectory(solve(scenario), timing);
+  const looseness: JudgeOptions = { arcs: false, driveTolerance: 0.1 };
+  const judged: PathJudgement = Full.parse(document).judge([[0, 0], [1, 1]], looseness);
+  const rates: number = (velocity[0] ?? 0) + timing.speed(0) + timing.sample(1).length + timed.duration + (followed.trajectory?.looks ?? 0) + (judged.contact?.edge ?? 0);
+  // @ts-expect-error: not a limit
+  Full.parse(document).time(solve(scenario), { speed: 1, acceleration: 2, jerk: 3 });
   const shape: Shape = { type: "polygon", vertices: [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]] };
   const metric: Weights = { translation: 0.7, rotation: 0.3 };
   const bounds: Box = { min: [0, 0], max: [2, 2] };
@@ -275,6 +286,39 @@ export function draw(context: CanvasRenderingContext2D, canvas: OffscreenCanvas,
 }
 `;
 
+/** `planarium/import`, with and without the types of a page. */
+const reader = `
+import { solve, PlanariumError as Same } from "planarium";
+import init, { initSync, readWorld, PlanariumError, type World, type WorldFile, type WorldGrid, type WorldOptions, type WorldReport, type WorldRobot } from "planarium/import";
+
+export async function read(bytes: Uint8Array, module: ArrayBuffer): Promise<string> {
+  initSync(module);
+  await init("https://example.org/import_bg.wasm");
+  const files: readonly WorldFile[] = [{ name: "a.map", bytes }];
+  const corners = [[0, 0], [1, 0], [0, 1]] as const;
+  const robots: WorldRobot[] = [{ type: "point" }, { type: "disc", radius: 1 }, { type: "footprint", corners }, { type: "car", length: 4, width: 2 }];
+  const options: WorldOptions = { robot: robots[0] ?? { type: "point" }, start: [0, 0] as const, goal: [1, 1], unknown: "free", threshold: 0.5, scale: 1, min_island: 2, simplify: 0.1 };
+  // @ts-expect-error: options have the names of documents
+  void readWorld(files, { minIsland: 2 });
+  // @ts-expect-error: a file has bytes
+  void readWorld([{ name: "a.map", bytes: "type octile" }]);
+  // @ts-expect-error: a disc has a radius
+  void readWorld(files, { robot: { type: "disc" } });
+  try {
+    const { scenario, report, grid }: World = await readWorld(files, options);
+    const told: WorldReport = report;
+    const cells: WorldGrid | undefined = grid;
+    const [left]: [number, number] = cells?.origin ?? [0, 0];
+    return JSON.stringify([solve(scenario).status, told.format, told.obstacles.polygons, told.grid?.kinds?.[0], told.queries[0]?.blocked, cells?.cells[0], left]);
+  } catch (error) {
+    if (!(error instanceof PlanariumError) || !(error instanceof Same)) throw error;
+    const { file, place, wanted } = error;
+    const line: number | undefined = place && "line" in place ? place.line : undefined;
+    return [file, line, wanted].join();
+  }
+}
+`;
+
 const base = {
   strict: true,
   noEmit: true,
@@ -289,7 +333,7 @@ const base = {
 let folder;
 
 before(() => {
-  folder = install({ "consumer.ts": consumer, "drawer.ts": drawer });
+  folder = install({ "consumer.ts": consumer, "drawer.ts": drawer, "reader.ts": reader });
 });
 
 for (const [name, settings] of Object.entries({
@@ -301,7 +345,7 @@ for (const [name, settings] of Object.entries({
     addFiles(folder, {
       "tsconfig.json": JSON.stringify({
         compilerOptions: { ...base, ...settings },
-        files: "lib" in settings ? ["consumer.ts"] : ["consumer.ts", "drawer.ts"],
+        files: ["consumer.ts", "reader.ts", ...("lib" in settings ? [] : ["drawer.ts"])],
       }),
     });
     const { status, stdout } = spawnSync(
